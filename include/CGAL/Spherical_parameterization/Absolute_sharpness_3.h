@@ -1,0 +1,93 @@
+// Copyright (c) 2026  The Spherical_parameterization authors.
+// All rights reserved.
+//
+// This file is part of the Spherical_parameterization package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Spherical_parameterization authors
+//
+
+#ifndef CGAL_SPHERICAL_PARAMETERIZATION_ABSOLUTE_SHARPNESS_3_H
+#define CGAL_SPHERICAL_PARAMETERIZATION_ABSOLUTE_SHARPNESS_3_H
+
+#include <CGAL/license/Spherical_parameterization.h>
+
+#include <algorithm>
+#include <cstddef>
+
+/// \file Absolute_sharpness_3.h
+
+namespace CGAL {
+namespace Spherical_parameterization {
+
+/// \ingroup PkgSphericalParameterizationSharpness
+///
+/// The class `Absolute_sharpness_3` is the schedule of the BLD paper: the plain sum of the energies (eq. 6, \f$ s = 0 \f$)
+/// first, then \f$ \sum \exp( s E ) \f$ (eq. 7) with \f$ s \f$ growing from 0.1 to 10.
+///
+/// The paper leaves eq. 6 after 100 sweeps and names the criterion as open. Here it is left as soon as a sweep lowers the
+/// average energy by less than a thousandth; and \f$ s \f$ is raised by a quarter whenever a sweep has lowered the
+/// largest energy by less than a hundredth, that is, when the current value has done its work.
+///
+/// If both values are the same, \f$ s \f$ is fixed from the first sweep on, as in AMIPS.
+///
+/// \cgalModels{SharpnessPolicy_3}
+///
+/// \sa `Relative_sharpness_3`
+class Absolute_sharpness_3
+{
+public:
+  /// constructs the schedule from `first` to `last`, 0 < `first` <= `last`.
+  explicit Absolute_sharpness_3(double first = 0.1, double last = 10.)
+    : m_first(first)
+    , m_last(last)
+    , m_current(first == last ? last : 0.)
+  {}
+
+  /// returns the first positive value of the sharpness.
+  double first() const { return m_first; }
+
+  /// returns the last value of the sharpness.
+  double last() const { return m_last; }
+
+  /// returns whether the two values are in their range.
+  bool is_valid() const { return m_first > 0. && m_first <= m_last && m_last <= 1e6; }
+
+  /// returns the sharpness of the next sweep over the finest mesh.
+  double operator()(std::size_t sweep, double average_energy, double largest_energy)
+  {
+    if(sweep > 0 && m_current < m_last)
+    {
+      if(m_current == 0.)
+      {
+        if(average_energy > (1. - least_fall_of_average) * m_average_energy)
+          m_current = m_first;
+      }
+      else if(largest_energy > (1. - least_fall_of_largest) * m_largest_energy)
+        m_current = (std::min)(growth * m_current, m_last);
+    }
+    m_average_energy = average_energy;
+    m_largest_energy = largest_energy;
+    return m_current;
+  }
+
+  /// returns the sharpness of the next sweep over a coarse level, 0: eq. 6.
+  double on_coarse_level(double /* largest_energy */) const { return 0.; }
+
+  /// returns whether the sharpness has reached its last value.
+  bool is_final() const { return m_current == m_last; }
+
+private:
+  static constexpr double least_fall_of_average = 1e-3;
+  static constexpr double least_fall_of_largest = 1e-2;
+  static constexpr double growth = 1.25;
+
+  double m_first, m_last, m_current;
+  double m_average_energy = 0., m_largest_energy = 0.; // before the last sweep
+};
+
+} // namespace Spherical_parameterization
+} // namespace CGAL
+
+#endif // CGAL_SPHERICAL_PARAMETERIZATION_ABSOLUTE_SHARPNESS_3_H

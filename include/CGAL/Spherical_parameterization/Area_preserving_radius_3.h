@@ -1,0 +1,55 @@
+// Copyright (c) 2026  The Spherical_parameterization authors.
+// All rights reserved.
+//
+// This file is part of the Spherical_parameterization package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Spherical_parameterization authors
+//
+
+#ifndef CGAL_SPHERICAL_PARAMETERIZATION_AREA_PRESERVING_RADIUS_3_H
+#define CGAL_SPHERICAL_PARAMETERIZATION_AREA_PRESERVING_RADIUS_3_H
+
+#include <CGAL/license/Spherical_parameterization.h>
+
+#include <cmath>
+
+/// \file Area_preserving_radius_3.h
+
+namespace CGAL {
+namespace Spherical_parameterization {
+
+/// \ingroup PkgSphericalParameterizationRadius
+///
+/// The class `Area_preserving_radius_3` keeps the area of the surface (eq. 9): the flat image triangles have the same area in
+/// total as the faces, \f$ r \leftarrow r \sqrt{\sum A / \sum a} \f$.
+///
+/// \cgalModels{SphereRadiusPolicy_3}
+class Area_preserving_radius_3
+{
+public:
+  /// returns `true`: there is no parameter.
+  bool is_valid() const { return true; }
+
+  /// returns the radius to start with: that of the sphere which has the area of the surface (eq. 10).
+  double initial_radius(double equal_area_radius) const { return equal_area_radius; }
+
+  /// returns the radius that follows `radius`, given the faces as they are on the sphere of that radius.
+  template <class Energy, class FaceRange>
+  double operator()(const Energy& /* energy */, const FaceRange& faces, double radius)
+  {
+    double area = 0., area_of_image = 0.;
+    for(const auto& face : faces)
+    {
+      area += face.area;
+      area_of_image += face.area * face.flat_d;
+    }
+    return radius * std::sqrt(area / area_of_image);
+  }
+};
+
+} // namespace Spherical_parameterization
+} // namespace CGAL
+
+#endif // CGAL_SPHERICAL_PARAMETERIZATION_AREA_PRESERVING_RADIUS_3_H

@@ -1,0 +1,307 @@
+// Copyright (c) 2026  The Spherical_parameterization authors.
+// All rights reserved.
+//
+// This file is part of the Spherical_parameterization package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Spherical_parameterization authors
+//
+
+#ifndef CGAL_SPHERICAL_PARAMETERIZATION_BIJECTIVE_LOW_DISTORTION_PARAMETERIZER_3_H
+#define CGAL_SPHERICAL_PARAMETERIZATION_BIJECTIVE_LOW_DISTORTION_PARAMETERIZER_3_H
+
+#include <CGAL/license/Spherical_parameterization.h>
+
+#include <CGAL/Spherical_parameterization/Error_code.h>
+#include <CGAL/Spherical_parameterization/Hierarchical_parameterizer_3.h>
+#include <CGAL/Spherical_parameterization/Newton_update_3.h>
+#include <CGAL/Spherical_parameterization/Parameterization_report.h>
+#include <CGAL/Spherical_parameterization/Relative_sharpness_3.h>
+#include <CGAL/Spherical_parameterization/Symmetric_Dirichlet_energy_3.h>
+#include <CGAL/Spherical_parameterization/Two_phase_radius_3.h>
+#include <CGAL/Spherical_parameterization/internal/Block_coordinate_descent.h>
+#include <CGAL/Spherical_parameterization/internal/Initial_map.h>
+#include <CGAL/Spherical_parameterization/internal/is_valid_policy.h>
+#include <CGAL/Spherical_parameterization/internal/run_parameterization.h>
+
+#include <CGAL/Default.h>
+#include <CGAL/Named_function_parameters.h>
+#include <CGAL/tags.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <type_traits>
+#include <vector>
+
+/// \file Bijective_low_distortion_parameterizer_3.h
+
+namespace CGAL {
+namespace Spherical_parameterization {
+
+/// \ingroup PkgSphericalParameterizationMethods
+///
+/// The class `Bijective_low_distortion_parameterizer_3` implements the method BLD \cgalCite{cgal:bld-16}: it starts
+/// from a one-to-one map onto the sphere, however distorted, and lowers \f$ \sum E \f$ (eq. 6) or \f$ \sum \exp( s E ) \f$
+/// (eq. 7) by block coordinate descent over the vertices (eq. 8) and the radius of the sphere (eq. 9 to 11). The vertices of
+/// one colour of a graph colouring are moved in parallel. No step ever inverts a face.
+///
+/// After each sweep over all vertices, those around the worst faces are swept a few times more, as long as they are few:
+/// they settle slowest, and the largest distortion is theirs.
+///
+/// A one-to-one mapping is guaranteed whenever `OK` is returned: the orientation of every face and the degree of the map are
+/// computed by exact predicates on the points as they have been written. This holds for a run that was stopped early as well.
+///
+/// A sweep takes linear time. The result is the same to the last bit for any number of threads.
+///
+/// \cgalModels{SphericalParameterizer_3}
+///
+/// \tparam TriangleMesh_ must be a model of `FaceListGraph`.
+/// \tparam InitialParameterizer_ must be a model of `SphericalParameterizer_3`.<br> <b>%Default:</b>
+/// \code
+///   Hierarchical_parameterizer_3<TriangleMesh_, Energy_, Sharpness_, VertexUpdate_>
+/// \endcode
+/// \tparam Energy_ must be a model of `DistortionEnergy_3`.<br> <b>%Default:</b>
+/// \code
+///   Symmetric_Dirichlet_energy_3
+/// \endcode
+/// \tparam Sharpness_ must be a model of `SharpnessPolicy_3`.<br> <b>%Default:</b>
+/// \code
+///   Relative_sharpness_3
+/// \endcode
+/// \tparam Radius_ must be a model of `SphereRadiusPolicy_3`.<br> <b>%Default:</b>
+/// \code
+///   Two_phase_radius_3<>
+/// \endcode
+/// \tparam VertexUpdate_ must be a model of `VertexUpdate_3`.<br> <b>%Default:</b>
+/// \code
+///   Newton_update_3
+/// \endcode
+///
+/// \sa `Hierarchical_parameterizer_3`
+/// \sa `Precomputed_parameterizer_3`
+template <class TriangleMesh_, class InitialParameterizer_ = Default, class Energy_ = Default,
+          class Sharpness_ = Default, class Radius_ = Default, class VertexUpdate_ = Default>
+class Bijective_low_distortion_parameterizer_3
+{
+public:
+#ifndef DOXYGEN_RUNNING
+  using Energy = typename Default::Get<Energy_, Symmetric_Dirichlet_energy_3>::type;
+  using Sharpness = typename Default::Get<Sharpness_, Relative_sharpness_3>::type;
+  using Radius = typename Default::Get<Radius_, Two_phase_radius_3<>>::type;
+  using Vertex_update = typename Default::Get<VertexUpdate_, Newton_update_3>::type;
+  using Initial_parameterizer =
+      typename Default::Get<InitialParameterizer_,
+                            Hierarchical_parameterizer_3<TriangleMesh_, Energy, Sharpness, Vertex_update>>::type;
+#else
+  /// Energy type
+  using Energy = Energy_;
+  /// Sharpness type
+  using Sharpness = Sharpness_;
+  /// Radius policy type
+  using Radius = Radius_;
+  /// Vertex update type
+  using Vertex_update = VertexUpdate_;
+  /// Initial parameterizer type
+  using Initial_parameterizer = InitialParameterizer_;
+#endif
+  /// Triangle mesh type
+  using Triangle_mesh = TriangleMesh_;
+  /// Triangle mesh type
+  using TriangleMesh = TriangleMesh_;
+
+  /// constructs the parameterizer with an initial parameterizer of its own kind: the default one is given the energy, the
+  /// sharpness and the vertex update, any other one is default constructed.
+  ///
+  /// \param energy the energy that is lowered
+  /// \param sharpness the sharpness policy
+  /// \param radius the radius policy
+  /// \param vertex_update how a vertex is moved
+  explicit Bijective_low_distortion_parameterizer_3(const Energy& energy = Energy(),
+                                                    const Sharpness& sharpness = Sharpness(),
+                                                    const Radius& radius = Radius(),
+                                                    const Vertex_update& vertex_update = Vertex_update())
+    : Bijective_low_distortion_parameterizer_3(default_initial_parameterizer(energy, sharpness, vertex_update), energy,
+                                               sharpness, radius, vertex_update)
+  {}
+
+  /// constructs the parameterizer with the given initial parameterizer.
+  ///
+  /// \param initial_parameterizer makes the map to start with
+  /// \param energy the energy that is lowered
+  /// \param sharpness the sharpness policy
+  /// \param radius the radius policy
+  /// \param vertex_update how a vertex is moved
+  explicit Bijective_low_distortion_parameterizer_3(const Initial_parameterizer& initial_parameterizer,
+                                                    const Energy& energy = Energy(),
+                                                    const Sharpness& sharpness = Sharpness(),
+                                                    const Radius& radius = Radius(),
+                                                    const Vertex_update& vertex_update = Vertex_update())
+    : m_initial_parameterizer(initial_parameterizer)
+    , m_energy(energy)
+    , m_sharpness(sharpness)
+    , m_radius(radius)
+    , m_vertex_update(vertex_update)
+  {}
+
+  /// sets the tolerances of the stopping rule: a run has converged when a sweep changes the energy by at most
+  /// `energy_tolerance` and the radius by at most `radius_tolerance`, both relative, and the sharpness is final. As the
+  /// sharpness may move with the map, two energies are compared that do so little or not at all, and both have to settle: the
+  /// mean \f$ \log( \frac{1}{n} \sum \exp( s E ) ) / s \f$ and the average.
+  ///
+  /// \param energy_tolerance at least 0, by default 1e-5
+  /// \param radius_tolerance at least 0, by default 1e-3
+  void set_tolerances(double energy_tolerance, double radius_tolerance)
+  {
+    m_energy_tolerance = energy_tolerance;
+    m_radius_tolerance = radius_tolerance;
+  }
+
+  /// computes a one-to-one map from `tmesh` to a sphere around the origin.
+  ///
+  /// \tparam ConcurrencyTag enables sequential versus parallel algorithm. Possible values are `Sequential_tag`,
+  ///         `Parallel_tag`, and `Parallel_if_available_tag`. The result does not depend on it.
+  /// \tparam VertexSphereMap must be a model of `WritablePropertyMap` with
+  ///         `boost::graph_traits<Triangle_mesh>::%vertex_descriptor` as key type and `%Point_3` as value type.
+  /// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+  ///
+  /// \param tmesh a triangle mesh that is closed, connected and of genus 0
+  /// \param vertex_sphere_map the map to be written; it is left as it is unless `OK` is returned
+  /// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters": `vertex_point_map`, `visitor`,
+  ///        `number_of_iterations` and `maximum_running_time`, as for `CGAL::Spherical_parameterization::parameterize()`
+  ///
+  /// \return `OK`, or what is wrong with the mesh, a parameter or the initial map
+  template <class ConcurrencyTag = Parallel_if_available_tag, class VertexSphereMap,
+            typename CGAL_NP_TEMPLATE_PARAMETERS>
+  Error_code parameterize(const Triangle_mesh& tmesh, VertexSphereMap vertex_sphere_map,
+                          const CGAL_NP_CLASS& np = parameters::default_values())
+  {
+    using parameters::choose_parameter;
+    using parameters::get_parameter;
+
+    if(!is_valid())
+      return ERROR_WRONG_PARAMETER;
+    const std::size_t most_iterations = static_cast<std::size_t>(
+        choose_parameter(get_parameter(np, internal_np::number_of_iterations), default_number_of_iterations));
+    return internal::run_parameterization(
+        tmesh, vertex_sphere_map, np, m_report,
+        [&](const internal::Indexed_mesh& mesh, const auto& vertices_of_mesh,
+            std::vector<internal::Vector_3d>& positions, double& radius, auto& control) {
+          control.visitor().on_initialization_begin(mesh.number_of_vertices());
+          const Error_code error = internal::Initial_map<Initial_parameterizer>::template compute<ConcurrencyTag>(
+              m_initial_parameterizer, tmesh, mesh, vertices_of_mesh, np, positions, control);
+          if(error != OK)
+            return error;
+          control.visitor().on_initialization_end();
+          optimize<ConcurrencyTag>(mesh, most_iterations, positions, radius, control);
+          control.visitor().on_optimization_end();
+          return OK;
+        });
+  }
+
+  /// returns what the last run did.
+  const Parameterization_report& report() const
+  {
+    return m_report;
+  }
+
+  /// returns whether all policies and parameters are in their ranges; if not, `parameterize()` returns
+  /// `ERROR_WRONG_PARAMETER`.
+  bool is_valid() const
+  {
+    return internal::is_valid_policy(m_initial_parameterizer) && internal::is_valid_policy(m_energy) &&
+           internal::is_valid_policy(m_sharpness) && internal::is_valid_policy(m_radius) &&
+           internal::is_valid_policy(m_vertex_update) && m_energy_tolerance >= 0. && m_radius_tolerance >= 0.;
+  }
+
+private:
+  static constexpr unsigned int default_number_of_iterations = 100;
+
+  // The vertices around faces above this share of the largest energy are swept so many times more, unless they are more
+  // than a fifth of all.
+  static constexpr double focus_energy = 0.6;
+  static constexpr int focus_sweeps = 10;
+
+  static Initial_parameterizer default_initial_parameterizer(const Energy& energy, const Sharpness& sharpness,
+                                                             const Vertex_update& vertex_update)
+  {
+    if constexpr(std::is_same<InitialParameterizer_, Default>::value)
+      return Initial_parameterizer(energy, sharpness, vertex_update);
+    else
+      return Initial_parameterizer();
+  }
+
+  static bool is_settled(double value, double last_value, double tolerance)
+  {
+    return std::abs(value - last_value) <= tolerance * last_value;
+  }
+
+  // Lowers the energy of the positions on the unit sphere; `radius` is set to that of the sphere.
+  template <class ConcurrencyTag, class RunControl>
+  void optimize(const internal::Indexed_mesh& mesh, std::size_t most_iterations,
+                std::vector<internal::Vector_3d>& positions, double& radius, RunControl& control)
+  {
+    using Descent = internal::Block_coordinate_descent<Energy, Vertex_update, ConcurrencyTag>;
+
+    Sharpness next_sharpness = m_sharpness; // policies may keep a state: each run has its own
+    Radius next_radius = m_radius;
+    radius = next_radius.initial_radius(mesh.equal_area_radius());
+    // the radius in the unit of the mesh, kept where its powers are finite
+    const auto scaled = [&](double r) { return (std::min)((std::max)(mesh.scaled_radius(r), 1e-50), 1e50); };
+
+    const std::size_t largest_focus = mesh.number_of_vertices() / 5;
+    Descent descent(mesh.rings(), mesh.points(), std::vector<double>(), m_energy, m_vertex_update);
+    internal::Energy_summary summary = descent.measure(positions, scaled(radius), 0.);
+    m_report.initial_energy = summary.average();
+    bool is_final = false; // whether the sharpness was final in the last sweep already
+    m_report.stop_reason = ITERATION_LIMIT;
+    for(std::size_t i = 0; i < most_iterations; ++i)
+    {
+      const double last_radius = radius;
+      const internal::Energy_summary last_summary = summary;
+      radius = next_radius(m_energy, descent.faces(), radius);
+      const double sharpness = next_sharpness(i, summary.average(), summary.largest());
+      descent.sweep(positions, scaled(radius), sharpness);
+      if(sharpness > 0. && descent.focus_on_faces_above(focus_energy * summary.largest()) < largest_focus)
+        for(int k = 0; k < focus_sweeps; ++k)
+          descent.sweep_focus(positions, scaled(radius), sharpness);
+
+      summary = descent.measure(positions, scaled(radius), sharpness);
+      const double energy = summary.mean();
+      ++(sharpness > 0. ? m_report.number_of_sharp_iterations : m_report.number_of_average_iterations);
+      m_report.sharpness = sharpness;
+      control.visitor().after_iteration(i + 1, energy, radius);
+      if(!control.go_further(i + 1, energy))
+        break;
+      if(is_final && is_settled(energy, last_summary.mean(), m_energy_tolerance) &&
+         is_settled(summary.average(), last_summary.average(), m_energy_tolerance) &&
+         is_settled(radius, last_radius, m_radius_tolerance))
+      {
+        m_report.stop_reason = CONVERGED;
+        break;
+      }
+      is_final = next_sharpness.is_final();
+    }
+    if(control.stop_reason() != NOT_RUN)
+      m_report.stop_reason = control.stop_reason();
+    radius = next_radius(m_energy, descent.faces(), radius);
+    summary = descent.measure(positions, scaled(radius), 0.);
+    m_report.average_energy = summary.average();
+    m_report.largest_energy = summary.largest();
+    m_report.seconds_for_optimization = control.lap();
+  }
+
+  Initial_parameterizer m_initial_parameterizer;
+  Energy m_energy;
+  Sharpness m_sharpness;
+  Radius m_radius;
+  Vertex_update m_vertex_update;
+  double m_energy_tolerance = 1e-5, m_radius_tolerance = 1e-3;
+  Parameterization_report m_report;
+};
+
+} // namespace Spherical_parameterization
+} // namespace CGAL
+
+#endif // CGAL_SPHERICAL_PARAMETERIZATION_BIJECTIVE_LOW_DISTORTION_PARAMETERIZER_3_H

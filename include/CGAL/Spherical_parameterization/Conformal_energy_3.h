@@ -1,0 +1,44 @@
+// Copyright (c) 2026  The Spherical_parameterization authors.
+// All rights reserved.
+//
+// This file is part of the Spherical_parameterization package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Spherical_parameterization authors
+//
+
+#ifndef CGAL_SPHERICAL_PARAMETERIZATION_CONFORMAL_ENERGY_3_H
+#define CGAL_SPHERICAL_PARAMETERIZATION_CONFORMAL_ENERGY_3_H
+
+#include <CGAL/license/Spherical_parameterization.h>
+
+#include <CGAL/Spherical_parameterization/Isometric_energy_3.h>
+
+/// \file Conformal_energy_3.h
+
+namespace CGAL {
+namespace Spherical_parameterization {
+
+/// \ingroup PkgSphericalParameterizationEnergies
+///
+/// The class `Conformal_energy_3` is the angle distortion \f$ E = I / d = \sigma_1 / \sigma_2 + \sigma_2 / \sigma_1 \f$,
+/// the energy of the BLD paper (eq. 2) with \f$ \alpha = 1 \f$. It is at least 2, with equality for a similarity,
+/// and does not depend on the radius, for which `Fixed_radius_3` is the natural companion.
+///
+/// \cgalModels{DistortionEnergy_3}
+///
+/// \sa `Isometric_energy_3`
+class Conformal_energy_3 : public Isometric_energy_3
+{
+public:
+  /// constructs the energy.
+  Conformal_energy_3()
+    : Isometric_energy_3(1.)
+  {}
+};
+
+} // namespace Spherical_parameterization
+} // namespace CGAL
+
+#endif // CGAL_SPHERICAL_PARAMETERIZATION_CONFORMAL_ENERGY_3_H

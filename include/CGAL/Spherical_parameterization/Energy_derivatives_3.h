@@ -1,0 +1,39 @@
+// Copyright (c) 2026  The Spherical_parameterization authors.
+// All rights reserved.
+//
+// This file is part of the Spherical_parameterization package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Spherical_parameterization authors
+//
+
+#ifndef CGAL_SPHERICAL_PARAMETERIZATION_ENERGY_DERIVATIVES_3_H
+#define CGAL_SPHERICAL_PARAMETERIZATION_ENERGY_DERIVATIVES_3_H
+
+#include <CGAL/license/Spherical_parameterization.h>
+
+/// \file Energy_derivatives_3.h
+
+namespace CGAL {
+namespace Spherical_parameterization {
+
+/// \ingroup PkgSphericalParameterizationEnergies
+///
+/// The value of a distortion energy of one triangle with its first and second derivatives in the two invariants of the
+/// triangle's map, \f$ I = \sigma_1^2 + \sigma_2^2 \f$ and \f$ d = \sigma_1 \sigma_2 \f$. This is what a model of
+/// `DistortionEnergy_3` returns to the Newton method.
+struct Energy_derivatives_3
+{
+  double value; ///< \f$ E \f$
+  double i;     ///< \f$ \partial E / \partial I \f$
+  double d;     ///< \f$ \partial E / \partial d \f$
+  double ii;    ///< \f$ \partial^2 E / \partial I^2 \f$
+  double id;    ///< \f$ \partial^2 E / \partial I \partial d \f$
+  double dd;    ///< \f$ \partial^2 E / \partial d^2 \f$
+};
+
+} // namespace Spherical_parameterization
+} // namespace CGAL
+
+#endif // CGAL_SPHERICAL_PARAMETERIZATION_ENERGY_DERIVATIVES_3_H

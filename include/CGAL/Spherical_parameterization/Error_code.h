@@ -1,0 +1,94 @@
+// Copyright (c) 2026  The Spherical_parameterization authors.
+// All rights reserved.
+//
+// This file is part of the Spherical_parameterization package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Spherical_parameterization authors
+//
+
+#ifndef CGAL_SPHERICAL_PARAMETERIZATION_ERROR_CODE_H
+#define CGAL_SPHERICAL_PARAMETERIZATION_ERROR_CODE_H
+
+#include <CGAL/license/Spherical_parameterization.h>
+
+/// \file Error_code.h
+
+namespace CGAL {
+namespace Spherical_parameterization {
+
+/// \ingroup PkgSphericalParameterizationEnums
+///
+/// List of the outcomes of a spherical parameterization. Every value but `OK` describes a property of the data, not a
+/// programming error, and is reported in Release mode as well. Whenever a value other than `OK` and
+/// `ERROR_NO_1_TO_1_MAPPING` is returned, the output map has not been written to.
+enum Error_code
+{
+  OK = 0,                                 ///< The map is one-to-one, and this has been certified by exact predicates.
+  ERROR_EMPTY_MESH,                       ///< The mesh has no face.
+  ERROR_TOO_FEW_VERTICES,                 ///< Fewer than four vertices have a face.
+  ERROR_NON_TRIANGULAR_MESH,              ///< A face is not a triangle.
+  ERROR_NON_CLOSED_MESH,                  ///< The mesh has a border.
+  ERROR_SEVERAL_COMPONENTS,               ///< The mesh has more than one connected component.
+  ERROR_NO_TOPOLOGICAL_SPHERE,            ///< The mesh is closed and connected, but its genus is not 0.
+  ERROR_NO_SIMPLICIAL_COMPLEX,            ///< Two edges join the same two vertices, or two fans of faces meet in one.
+  ERROR_NON_FINITE_COORDINATE,            ///< A coordinate is infinite or not a number.
+  ERROR_INVALID_INITIAL_PARAMETERIZATION, ///< The initial map is not one-to-one.
+  ERROR_NO_1_TO_1_MAPPING,                ///< The map that has been computed is not one-to-one.
+  ERROR_INSUFFICIENT_PRECISION,           ///< No one-to-one map was found that double precision numbers can hold.
+  ERROR_WRONG_PARAMETER                   ///< A parameter is out of its range.
+};
+
+/// \ingroup PkgSphericalParameterizationEnums
+///
+/// returns one English sentence that says what `error_code` means and what to do about it. The text is a constant; it is
+/// never a null pointer, and a different one for each value.
+///
+/// \param error_code a value returned by `CGAL::Spherical_parameterization::parameterize()`
+inline const char* get_error_message(Error_code error_code)
+{
+  switch(error_code)
+  {
+  case OK:
+    return "Success: the map is one-to-one.";
+  case ERROR_EMPTY_MESH:
+    return "The mesh has no face: there is nothing to parameterize.";
+  case ERROR_TOO_FEW_VERTICES:
+    return "The mesh has fewer than four vertices with a face: the smallest closed surface is a tetrahedron.";
+  case ERROR_NON_TRIANGULAR_MESH:
+    return "The mesh has a face that is not a triangle: triangulate it first, for example with "
+           "CGAL::Polygon_mesh_processing::triangulate_faces().";
+  case ERROR_NON_CLOSED_MESH:
+    return "The mesh has a border: close its holes first, for example with "
+           "CGAL::Polygon_mesh_processing::triangulate_hole().";
+  case ERROR_SEVERAL_COMPONENTS:
+    return "The mesh has several connected components: parameterize each of them on its own, for example after "
+           "CGAL::Polygon_mesh_processing::split_connected_components().";
+  case ERROR_NO_TOPOLOGICAL_SPHERE:
+    return "The mesh is no topological sphere (its genus is not 0): remove its handles first, for example with "
+           "CGAL::alpha_wrap_3().";
+  case ERROR_NO_SIMPLICIAL_COMPLEX:
+    return "The mesh is no simplicial complex: two edges join the same two vertices, or two fans of faces meet in one "
+           "vertex; split an edge or duplicate the vertex first.";
+  case ERROR_NON_FINITE_COORDINATE:
+    return "The mesh has a coordinate that is infinite or not a number: repair the file or the program that wrote it.";
+  case ERROR_INVALID_INITIAL_PARAMETERIZATION:
+    return "The initial map is not one-to-one: every face has to be positively oriented as seen from the centre of the "
+           "sphere, and the faces have to cover the sphere once.";
+  case ERROR_NO_1_TO_1_MAPPING:
+    return "The map that was computed is not one-to-one: use a parameterizer that guarantees a bijection.";
+  case ERROR_INSUFFICIENT_PRECISION:
+    return "No one-to-one map was found that double precision numbers can hold: parts of the surface would have to "
+           "shrink "
+           "below their resolution; try an energy that also preserves areas.";
+  case ERROR_WRONG_PARAMETER:
+    return "A parameter is out of its range: see the documentation of the function or class for the values it accepts.";
+  }
+  return "Unknown error code: it was not returned by this package.";
+}
+
+} // namespace Spherical_parameterization
+} // namespace CGAL
+
+#endif // CGAL_SPHERICAL_PARAMETERIZATION_ERROR_CODE_H

@@ -1,0 +1,58 @@
+// Copyright (c) 2026  The Spherical_parameterization authors.
+// All rights reserved.
+//
+// This file is part of the Spherical_parameterization package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Spherical_parameterization authors
+//
+
+#ifndef CGAL_SPHERICAL_PARAMETERIZATION_FIXED_RADIUS_3_H
+#define CGAL_SPHERICAL_PARAMETERIZATION_FIXED_RADIUS_3_H
+
+#include <CGAL/license/Spherical_parameterization.h>
+
+/// \file Fixed_radius_3.h
+
+namespace CGAL {
+namespace Spherical_parameterization {
+
+/// \ingroup PkgSphericalParameterizationRadius
+///
+/// The class `Fixed_radius_3` keeps the radius at a given value, in the unit of length of the surface. It goes with energies
+/// that do not depend on the radius, such as `Conformal_energy_3`, or with a sphere that is given.
+///
+/// \cgalModels{SphereRadiusPolicy_3}
+class Fixed_radius_3
+{
+public:
+  /// constructs the policy with the radius `radius`, greater than 0.
+  explicit Fixed_radius_3(double radius = 1.)
+    : m_radius(radius)
+  {}
+
+  /// returns the radius.
+  double radius() const { return m_radius; }
+
+  /// returns whether the radius is positive and finite.
+  bool is_valid() const { return m_radius > 0. && m_radius - m_radius == 0.; }
+
+  /// returns the radius.
+  double initial_radius(double /* equal_area_radius */) const { return m_radius; }
+
+  /// returns the radius.
+  template <class Energy, class FaceRange>
+  double operator()(const Energy& /* energy */, const FaceRange& /* faces */, double /* radius */)
+  {
+    return m_radius;
+  }
+
+private:
+  double m_radius;
+};
+
+} // namespace Spherical_parameterization
+} // namespace CGAL
+
+#endif // CGAL_SPHERICAL_PARAMETERIZATION_FIXED_RADIUS_3_H

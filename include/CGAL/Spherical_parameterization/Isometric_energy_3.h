@@ -1,0 +1,92 @@
+// Copyright (c) 2026  The Spherical_parameterization authors.
+// All rights reserved.
+//
+// This file is part of the Spherical_parameterization package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Spherical_parameterization authors
+//
+
+#ifndef CGAL_SPHERICAL_PARAMETERIZATION_ISOMETRIC_ENERGY_3_H
+#define CGAL_SPHERICAL_PARAMETERIZATION_ISOMETRIC_ENERGY_3_H
+
+#include <CGAL/license/Spherical_parameterization.h>
+
+#include <CGAL/Spherical_parameterization/Energy_derivatives_3.h>
+
+#include <cmath>
+
+/// \file Isometric_energy_3.h
+
+namespace CGAL {
+namespace Spherical_parameterization {
+
+/// \ingroup PkgSphericalParameterizationEnergies
+///
+/// The class `Isometric_energy_3` is the energy of the BLD paper (eq. 2), a blend of the angle distortion
+/// \f$ I / d \f$ and the area distortion \f$ d + 1 / d \f$:
+/// \f[ E = \alpha \frac{I}{d} + (1 - \alpha) \left( d + \frac{1}{d} \right). \f]
+/// It is at least 2, with equality for an isometry. The paper's isometric maps use \f$ \alpha = 1/2 \f$.
+///
+/// \cgalModels{DistortionEnergy_3}
+///
+/// \sa `Symmetric_Dirichlet_energy_3`
+/// \sa `Conformal_energy_3`
+class Isometric_energy_3
+{
+public:
+  /// constructs the energy with the weight `alpha` of the angles, greater than 0 and at most 1.
+  explicit Isometric_energy_3(double alpha = 0.5)
+    : m_alpha(alpha)
+  {}
+
+  /// returns the weight of the angle distortion.
+  double alpha() const { return m_alpha; }
+
+  /// returns whether the weight is in its range.
+  bool is_valid() const { return m_alpha > 0. && m_alpha <= 1.; }
+
+  /// returns the energy of a triangle with the invariants `i` and `d`, both positive.
+  double operator()(double i, double d) const { return (m_alpha * i + (1. - m_alpha)) / d + (1. - m_alpha) * d; }
+
+  /// returns the energy of a triangle with the invariants `i` and `d`, both positive, and its derivatives in them.
+  Energy_derivatives_3 derivatives(double i, double d) const
+  {
+    const double beta = 1. - m_alpha;
+    const double inverse_d = 1. / d;
+    const double pole = (m_alpha * i + beta) * inverse_d; // the part of the energy that is infinite at d = 0
+    return {pole + beta * d,
+            m_alpha * inverse_d,
+            beta - pole * inverse_d,
+            0.,
+            -m_alpha * inverse_d * inverse_d,
+            2. * pole * inverse_d * inverse_d};
+  }
+
+  /// returns the factor by which the radius has to be multiplied to minimise the sum of the energies of `faces`:
+  /// \f$ \rho^4 = \sum d^{-1} / \sum d \f$ (eq. 11), or 1 if `alpha` is 1 and no radius is better than another.
+  ///
+  /// \tparam FaceRange a model of `ConstRange` whose value type is `Face_invariants_3`
+  template <class FaceRange>
+  double optimal_scale(const FaceRange& faces) const
+  {
+    if(m_alpha == 1.)
+      return 1.;
+    double sum = 0., sum_of_inverses = 0.;
+    for(const auto& face : faces)
+    {
+      sum += face.d;
+      sum_of_inverses += 1. / face.d;
+    }
+    return std::sqrt(std::sqrt(sum_of_inverses / sum));
+  }
+
+private:
+  double m_alpha;
+};
+
+} // namespace Spherical_parameterization
+} // namespace CGAL
+
+#endif // CGAL_SPHERICAL_PARAMETERIZATION_ISOMETRIC_ENERGY_3_H

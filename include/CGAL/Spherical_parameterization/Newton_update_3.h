@@ -1,0 +1,115 @@
+// Copyright (c) 2026  The Spherical_parameterization authors.
+// All rights reserved.
+//
+// This file is part of the Spherical_parameterization package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Spherical_parameterization authors
+//
+
+#ifndef CGAL_SPHERICAL_PARAMETERIZATION_NEWTON_UPDATE_3_H
+#define CGAL_SPHERICAL_PARAMETERIZATION_NEWTON_UPDATE_3_H
+
+#include <CGAL/license/Spherical_parameterization.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+/// \file Newton_update_3.h
+
+namespace CGAL {
+namespace Spherical_parameterization {
+
+/// \ingroup PkgSphericalParameterizationUpdates
+///
+/// The class `Newton_update_3` moves a vertex by one damped Newton step on the energy of its star. The two by two Hessian
+/// in the tangent plane is made positive definite by taking the absolute values of its eigenvalues. The step is first tried
+/// at `over_relaxation` times its length, which makes block coordinate descent carry changes over the surface many times
+/// faster, then at its own length, then at fractions of it until the energy falls (Armijo's rule).
+///
+/// Compared to the gradient step of the paper (eq. 8) it needs two evaluations of the star instead of over ten, and far
+/// fewer sweeps.
+///
+/// \cgalModels{VertexUpdate_3}
+class Newton_update_3
+{
+public:
+  /// constructs the update.
+  ///
+  /// \param over_relaxation the factor by which a step is prolonged at first, from 1 (not at all) to below 2
+  explicit Newton_update_3(double over_relaxation = 1.9)
+    : m_over_relaxation(over_relaxation)
+  {}
+
+  /// returns the factor by which a step is prolonged at first.
+  double over_relaxation() const { return m_over_relaxation; }
+
+  /// returns whether the factor is in its range.
+  bool is_valid() const { return m_over_relaxation >= 1. && m_over_relaxation < 2.; }
+
+  /// computes the step of one vertex from its tangent plane's origin.
+  ///
+  /// \tparam VertexEnergy a model of `VertexEnergy_3`
+  ///
+  /// \param energy the energy of the star as a function of the vertex
+  /// \param step the tangential coordinates that the vertex shall move to; untouched if it shall stay
+  ///
+  /// \return whether the vertex shall move; if so, the energy at `step` is finite and lower than at the origin
+  template <class VertexEnergy>
+  bool operator()(const VertexEnergy& energy, std::array<double, 2>& step) const
+  {
+    std::array<double, 2> g;
+    std::array<double, 3> h;
+    const double start = energy.derivatives(g, h);
+
+    // The eigenvalues are mean + radius and mean - radius. H = mean * 1 + D with D trace-free and D^2 = radius^2 * 1,
+    // so |H|^{-1} follows without eigenvectors.
+    const double mean = 0.5 * (h[0] + h[2]), half = 0.5 * (h[0] - h[2]);
+    const double radius = std::sqrt(half * half + h[1] * h[1]);
+    const double large = std::abs(mean) + radius;
+    if(!(large > 0.) || !(large < std::numeric_limits<double>::infinity()))
+      return false;
+    const double sign = mean < 0. ? -1. : 1.;
+    const double small = (std::max)(std::abs(std::abs(mean) - radius), least_ratio * large);
+    // In the direction of the eigenvalue of larger modulus the inverse is 1 / large, across it 1 / small.
+    const double middle = 0.5 * (1. / large + 1. / small);
+    const double spread = radius > 0. ? sign * 0.5 * (1. / large - 1. / small) / radius : 0.;
+    double x = -(middle * g[0] + spread * (half * g[0] + h[1] * g[1]));
+    double y = -(middle * g[1] + spread * (h[1] * g[0] - half * g[1]));
+
+    const double slope = g[0] * x + g[1] * y;
+    const double size = std::sqrt(x * x + y * y);
+    if(!(slope < 0.) || !(size > least_step * energy.shortest_edge()))
+      return false;
+
+    if(m_over_relaxation > 1. && energy(m_over_relaxation * x, m_over_relaxation * y) < start)
+    {
+      step = {m_over_relaxation * x, m_over_relaxation * y};
+      return true;
+    }
+    double t = 1.;
+    for(int k = 0; k < most_halvings; ++k, t *= 0.5)
+      if(energy(t * x, t * y) < start + armijo * t * slope)
+      {
+        step = {t * x, t * y};
+        return true;
+      }
+    return false;
+  }
+
+private:
+  static constexpr double least_ratio = 1e-3; // of the eigenvalues that a step is computed from
+  static constexpr double least_step = 1e-9;  // in units of the shortest edge; shorter ones are not worth an evaluation
+  static constexpr double armijo = 1e-4;
+  static constexpr int most_halvings = 12;
+
+  double m_over_relaxation;
+};
+
+} // namespace Spherical_parameterization
+} // namespace CGAL
+
+#endif // CGAL_SPHERICAL_PARAMETERIZATION_NEWTON_UPDATE_3_H

@@ -1,0 +1,101 @@
+// Copyright (c) 2026  The Spherical_parameterization authors.
+// All rights reserved.
+//
+// This file is part of the Spherical_parameterization package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Spherical_parameterization authors
+//
+
+#ifndef CGAL_SPHERICAL_PARAMETERIZATION_OPTIMAL_RADIUS_3_H
+#define CGAL_SPHERICAL_PARAMETERIZATION_OPTIMAL_RADIUS_3_H
+
+#include <CGAL/license/Spherical_parameterization.h>
+
+#include <CGAL/Spherical_parameterization/Energy_derivatives_3.h>
+#include <CGAL/Spherical_parameterization/Face_invariants_3.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <type_traits>
+#include <utility>
+
+/// \file Optimal_radius_3.h
+
+namespace CGAL {
+namespace Spherical_parameterization {
+
+/// \ingroup PkgSphericalParameterizationRadius
+///
+/// The class `Optimal_radius_3` minimises the sum of the energies in use over the radius. If the energy has a member function
+/// `optimal_scale(faces)`, as those of the package have, it is called; for any other energy a few damped Newton steps in the
+/// logarithm of the radius are made.
+///
+/// \cgalModels{SphereRadiusPolicy_3}
+class Optimal_radius_3
+{
+public:
+  /// returns `true`: there is no parameter.
+  bool is_valid() const { return true; }
+
+  /// returns the radius to start with: that of the sphere which has the area of the surface (eq. 10).
+  double initial_radius(double equal_area_radius) const { return equal_area_radius; }
+
+  /// returns the radius that follows `radius`, given the faces as they are on the sphere of that radius.
+  template <class Energy, class FaceRange>
+  double operator()(const Energy& energy, const FaceRange& faces, double radius)
+  {
+    if constexpr(Has_optimal_scale<Energy>::value)
+      return radius * energy.optimal_scale(faces);
+    else
+      return radius * newton_scale(energy, faces);
+  }
+
+private:
+  template <class Energy, class = void>
+  struct Has_optimal_scale : std::false_type
+  {};
+
+  template <class Energy>
+  struct Has_optimal_scale<Energy, std::void_t<decltype(std::declval<const Energy&>().optimal_scale(
+                                       std::declval<const std::array<Face_invariants_3, 1>&>()))>> : std::true_type
+  {};
+
+  // minimises sum E(q^2 I, q^2 d) over t = log q
+  template <class Energy, class FaceRange>
+  static double newton_scale(const Energy& energy, const FaceRange& faces)
+  {
+    constexpr int most_steps = 20;
+    constexpr double longest_step = 0.5, tolerance = 1e-10;
+    double t = 0.;
+    for(int k = 0; k < most_steps; ++k)
+    {
+      const double q2 = std::exp(2. * t);
+      double first = 0., second = 0., size = 0.;
+      for(const auto& face : faces)
+      {
+        const double i = q2 * face.i, d = q2 * face.d;
+        const Energy_derivatives_3 e = energy.derivatives(i, d);
+        const double slope = 2. * (e.i * i + e.d * d); // dI/dt = 2 I and dd/dt = 2 d
+        first += slope;
+        size += 2. * (std::abs(e.i * i) + std::abs(e.d * d));
+        second += 2. * slope + 4. * (e.ii * i * i + 2. * e.id * i * d + e.dd * d * d);
+      }
+      if(!(std::abs(first) > tolerance * size)) // the minimum, or an energy that does not depend on the radius
+        break;
+      double step = second > 0. ? -first / second : (first > 0. ? -longest_step : longest_step);
+      step = (std::min)((std::max)(step, -longest_step), longest_step);
+      t += step;
+      if(!(std::abs(step) > tolerance))
+        break;
+    }
+    return std::exp(t);
+  }
+};
+
+} // namespace Spherical_parameterization
+} // namespace CGAL
+
+#endif // CGAL_SPHERICAL_PARAMETERIZATION_OPTIMAL_RADIUS_3_H

@@ -1,0 +1,97 @@
+// Copyright (c) 2026  The Spherical_parameterization authors.
+// All rights reserved.
+//
+// This file is part of the Spherical_parameterization package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Spherical_parameterization authors
+//
+
+#ifndef CGAL_SPHERICAL_PARAMETERIZATION_PRECOMPUTED_PARAMETERIZER_3_H
+#define CGAL_SPHERICAL_PARAMETERIZATION_PRECOMPUTED_PARAMETERIZER_3_H
+
+#include <CGAL/license/Spherical_parameterization.h>
+
+#include <CGAL/Spherical_parameterization/Error_code.h>
+#include <CGAL/Spherical_parameterization/Parameterization_report.h>
+#include <CGAL/Spherical_parameterization/internal/read_map.h>
+#include <CGAL/Spherical_parameterization/internal/run_parameterization.h>
+
+#include <CGAL/Named_function_parameters.h>
+#include <CGAL/tags.h>
+
+#include <vector>
+
+/// \file Precomputed_parameterizer_3.h
+
+namespace CGAL {
+namespace Spherical_parameterization {
+
+/// \ingroup PkgSphericalParameterizationMethods
+///
+/// The class `Precomputed_parameterizer_3` hands out a map that the caller has already, projected to the unit sphere, so that
+/// it can start another parameterizer, for example one that was stopped.
+///
+/// A one-to-one mapping is guaranteed: if the caller's map is none, `ERROR_INVALID_INITIAL_PARAMETERIZATION` is returned.
+///
+/// \cgalModels{SphericalParameterizer_3}
+///
+/// \tparam TriangleMesh_ must be a model of `FaceListGraph`.
+/// \tparam VertexSphereMap_ must be a model of `ReadablePropertyMap` with
+///         `boost::graph_traits<TriangleMesh_>::%vertex_descriptor` as key type and `%Point_3` as value type. The images may be
+///         at any distance from the origin.
+template <class TriangleMesh_, class VertexSphereMap_>
+class Precomputed_parameterizer_3
+{
+public:
+  /// Triangle mesh type
+  using Triangle_mesh = TriangleMesh_;
+  /// Triangle mesh type
+  using TriangleMesh = TriangleMesh_;
+
+  /// constructs the parameterizer from a map, a copy of which is kept.
+  explicit Precomputed_parameterizer_3(const VertexSphereMap_& map)
+    : m_map(map)
+  {}
+
+  /// checks the caller's map, and writes its projection to the unit sphere.
+  ///
+  /// \tparam ConcurrencyTag has no influence.
+  /// \tparam VertexSphereMap must be a model of `WritablePropertyMap` with
+  ///         `boost::graph_traits<Triangle_mesh>::%vertex_descriptor` as key type and `%Point_3` as value type.
+  /// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+  ///
+  /// \param tmesh a triangle mesh that is closed, connected and of genus 0
+  /// \param vertex_sphere_map the map to be written; it is left as it is unless `OK` is returned
+  /// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters": `vertex_point_map`, as for
+  ///        `CGAL::Spherical_parameterization::parameterize()`
+  ///
+  /// \return `OK`, or what is wrong with the mesh or the map
+  template <class ConcurrencyTag = Parallel_if_available_tag, class VertexSphereMap,
+            typename CGAL_NP_TEMPLATE_PARAMETERS>
+  Error_code parameterize(const Triangle_mesh& tmesh, VertexSphereMap vertex_sphere_map,
+                          const CGAL_NP_CLASS& np = parameters::default_values())
+  {
+    return internal::run_parameterization(tmesh, vertex_sphere_map, np, m_report,
+                                          [&](const internal::Indexed_mesh& mesh, const auto& vertices_of_mesh,
+                                              std::vector<internal::Vector_3d>& positions, double&, auto& control) {
+                                            const bool is_bijective =
+                                                internal::read_map(mesh, vertices_of_mesh, m_map, positions);
+                                            m_report.seconds_for_embedding = control.lap();
+                                            return is_bijective ? OK : ERROR_INVALID_INITIAL_PARAMETERIZATION;
+                                          });
+  }
+
+  /// returns what the last run did.
+  const Parameterization_report& report() const { return m_report; }
+
+private:
+  VertexSphereMap_ m_map;
+  Parameterization_report m_report;
+};
+
+} // namespace Spherical_parameterization
+} // namespace CGAL
+
+#endif // CGAL_SPHERICAL_PARAMETERIZATION_PRECOMPUTED_PARAMETERIZER_3_H

@@ -1,0 +1,77 @@
+// Copyright (c) 2026  The Spherical_parameterization authors.
+// All rights reserved.
+//
+// This file is part of the Spherical_parameterization package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Spherical_parameterization authors
+//
+
+#ifndef CGAL_SPHERICAL_PARAMETERIZATION_SYMMETRIC_DIRICHLET_ENERGY_3_H
+#define CGAL_SPHERICAL_PARAMETERIZATION_SYMMETRIC_DIRICHLET_ENERGY_3_H
+
+#include <CGAL/license/Spherical_parameterization.h>
+
+#include <CGAL/Spherical_parameterization/Energy_derivatives_3.h>
+
+#include <cmath>
+
+/// \file Symmetric_Dirichlet_energy_3.h
+
+namespace CGAL {
+namespace Spherical_parameterization {
+
+/// \ingroup PkgSphericalParameterizationEnergies
+///
+/// The class `Symmetric_Dirichlet_energy_3` is the symmetric Dirichlet energy
+/// \f[ E = \tfrac{1}{2} ( \sigma_1^2 + \sigma_2^2 + \sigma_1^{-2} + \sigma_2^{-2} ) = \tfrac{1}{2} I ( 1 + d^{-2} ). \f]
+/// It is at least 2, with equality for an isometry, and grows with the square of the isometric distortion
+/// \f$ \max \{ \sigma_2, 1 / \sigma_1 \} \f$, which makes it the better guard against the worst triangle than the
+/// energy of the paper, `Isometric_energy_3`. It is the default of the package.
+///
+/// \cgalModels{DistortionEnergy_3}
+///
+/// \sa `Isometric_energy_3`
+/// \sa `Conformal_energy_3`
+class Symmetric_Dirichlet_energy_3
+{
+public:
+  /// returns `true`: there is no parameter.
+  bool is_valid() const { return true; }
+
+  /// returns the energy of a triangle with the invariants `i` and `d`, both positive.
+  double operator()(double i, double d) const { return 0.5 * i * (1. + 1. / (d * d)); }
+
+  /// returns the energy of a triangle with the invariants `i` and `d`, both positive, and its derivatives in them.
+  Energy_derivatives_3 derivatives(double i, double d) const
+  {
+    const double inverse_d = 1. / d;
+    const double inverse_d2 = inverse_d * inverse_d;
+    const double inverse_d3 = inverse_d2 * inverse_d;
+    return {0.5 * i * (1. + inverse_d2),     0.5 * (1. + inverse_d2), -i * inverse_d3, 0., -inverse_d3,
+            3. * i * inverse_d2 * inverse_d2};
+  }
+
+  /// returns the factor by which the radius has to be multiplied to minimise the sum of the energies of `faces`:
+  /// scaling the radius by \f$ \rho \f$ turns \f$ (I, d) \f$ into \f$ (\rho^2 I, \rho^2 d) \f$, so
+  /// \f$ \rho^4 = \sum I d^{-2} / \sum I \f$.
+  ///
+  /// \tparam FaceRange a model of `ConstRange` whose value type is `Face_invariants_3`
+  template <class FaceRange>
+  double optimal_scale(const FaceRange& faces) const
+  {
+    double sum_of_i = 0., sum_of_i_over_d2 = 0.;
+    for(const auto& face : faces)
+    {
+      sum_of_i += face.i;
+      sum_of_i_over_d2 += face.i / (face.d * face.d);
+    }
+    return std::sqrt(std::sqrt(sum_of_i_over_d2 / sum_of_i));
+  }
+};
+
+} // namespace Spherical_parameterization
+} // namespace CGAL
+
+#endif // CGAL_SPHERICAL_PARAMETERIZATION_SYMMETRIC_DIRICHLET_ENERGY_3_H

@@ -1,0 +1,103 @@
+// Copyright (c) 2026  The Spherical_parameterization authors.
+// All rights reserved.
+//
+// This file is part of the Spherical_parameterization package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Spherical_parameterization authors
+//
+
+#ifndef CGAL_SPHERICAL_PARAMETERIZATION_TWO_PHASE_RADIUS_3_H
+#define CGAL_SPHERICAL_PARAMETERIZATION_TWO_PHASE_RADIUS_3_H
+
+#include <CGAL/license/Spherical_parameterization.h>
+
+#include <CGAL/Spherical_parameterization/Area_balancing_radius_3.h>
+#include <CGAL/Spherical_parameterization/Area_preserving_radius_3.h>
+
+#include <CGAL/Default.h>
+
+#include <cmath>
+
+/// \file Two_phase_radius_3.h
+
+namespace CGAL {
+namespace Spherical_parameterization {
+
+/// \ingroup PkgSphericalParameterizationRadius
+///
+/// The class `Two_phase_radius_3` follows one radius policy until the radius settles, and another one from then on. By default
+/// it is the scheme of the BLD paper: eq. 9, which a very distorted initial map cannot mislead, then eq. 11, which gives the
+/// lower distortion. It is the default of the package.
+///
+/// \cgalModels{SphereRadiusPolicy_3}
+///
+/// \tparam FirstRadius_ must be a model of `SphereRadiusPolicy_3`.<br> <b>%Default:</b>
+/// \code
+///   Area_preserving_radius_3
+/// \endcode
+/// \tparam SecondRadius_ must be a model of `SphereRadiusPolicy_3`.<br> <b>%Default:</b>
+/// \code
+///   Area_balancing_radius_3
+/// \endcode
+template <class FirstRadius_ = Default, class SecondRadius_ = Default>
+class Two_phase_radius_3
+{
+public:
+#ifndef DOXYGEN_RUNNING
+  using First_radius = typename Default::Get<FirstRadius_, Area_preserving_radius_3>::type;
+  using Second_radius = typename Default::Get<SecondRadius_, Area_balancing_radius_3>::type;
+#else
+  /// Policy of the first phase
+  using First_radius = FirstRadius_;
+  /// Policy of the second phase
+  using Second_radius = SecondRadius_;
+#endif
+
+  /// constructs the policy.
+  ///
+  /// \param first the policy of the first phase
+  /// \param second the policy of the second phase
+  /// \param tolerance the first phase ends with a relative change of the radius below this
+  explicit Two_phase_radius_3(const First_radius& first = First_radius(), const Second_radius& second = Second_radius(),
+                              double tolerance = 1e-3)
+    : m_first(first)
+    , m_second(second)
+    , m_tolerance(tolerance)
+  {}
+
+  /// returns whether both policies are valid and the tolerance is positive.
+  bool is_valid() const
+  {
+    return m_first.is_valid() && m_second.is_valid() && m_tolerance > 0.;
+  }
+
+  /// returns the radius to start with, that of the first phase.
+  double initial_radius(double equal_area_radius) const
+  {
+    return m_first.initial_radius(equal_area_radius);
+  }
+
+  /// returns the radius that follows `radius`, given the faces as they are on the sphere of that radius.
+  template <class Energy, class FaceRange>
+  double operator()(const Energy& energy, const FaceRange& faces, double radius)
+  {
+    if(m_is_settled)
+      return m_second(energy, faces, radius);
+    const double next = m_first(energy, faces, radius);
+    m_is_settled = !(std::abs(next - radius) > m_tolerance * radius);
+    return next;
+  }
+
+private:
+  First_radius m_first;
+  Second_radius m_second;
+  double m_tolerance;
+  bool m_is_settled = false;
+};
+
+} // namespace Spherical_parameterization
+} // namespace CGAL
+
+#endif // CGAL_SPHERICAL_PARAMETERIZATION_TWO_PHASE_RADIUS_3_H

@@ -1,0 +1,174 @@
+// Copyright (c) 2026  The Spherical_parameterization authors.
+// All rights reserved.
+//
+// This file is part of the Spherical_parameterization package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Spherical_parameterization authors
+//
+
+#ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_HIERARCHICAL_EMBEDDING_H
+#define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_HIERARCHICAL_EMBEDDING_H
+
+#include <CGAL/license/Spherical_parameterization.h>
+
+#include <CGAL/Spherical_parameterization/Optimal_radius_3.h>
+#include <CGAL/Spherical_parameterization/internal/Block_coordinate_descent.h>
+#include <CGAL/Spherical_parameterization/internal/Mesh_hierarchy.h>
+#include <CGAL/Spherical_parameterization/internal/Per_thread.h>
+#include <CGAL/Spherical_parameterization/internal/Star_kernel.h>
+#include <CGAL/Spherical_parameterization/internal/vertex_areas.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Spherical_parameterization {
+namespace internal {
+
+// Maps a hierarchy to the unit sphere from the coarsest level up: the tetrahedron is made regular; on every level, the
+// vertices that are new are put into the kernels of their holes, all at once, and then all vertices of the level are swept.
+//
+// That every vertex has been swept before others are inserted next to it is what makes the insertion robust: kernels stay as
+// wide as the faces around them.
+template <class Energy, class SharpnessPolicy, class VertexUpdate, class ConcurrencyTag>
+class Hierarchical_embedding
+{
+public:
+  Hierarchical_embedding(const Mesh_hierarchy& hierarchy, const std::vector<Vector_3d>& points, const Energy& energy,
+                         const SharpnessPolicy& sharpness, const VertexUpdate& update, std::size_t sweeps_per_level)
+    : m_hierarchy(hierarchy)
+    , m_points(points)
+    , m_energy(energy)
+    , m_sharpness(sharpness)
+    , m_update(update)
+    , m_sweeps_per_level(sweeps_per_level)
+    , m_kernels(Star_kernel())
+  {}
+
+  // Computes the positions of all vertices of the finest level, which itself is only swept if `sweeps_finest_level`. Returns
+  // false if a kernel has become too narrow for doubles.
+  template <class RunControl>
+  bool run(std::vector<Vector_3d>& positions, bool sweeps_finest_level, RunControl& control)
+  {
+    m_radius = 1.;
+    positions.resize(m_points.size());
+    const std::size_t coarsest = m_hierarchy.number_of_levels() - 1;
+    place_tetrahedron(m_hierarchy.level(coarsest), positions);
+    for(std::size_t k = coarsest + 1; k-- > 0;)
+    {
+      const Mesh_hierarchy::Level& level = m_hierarchy.level(k);
+      std::vector<Vector_3d> local = gathered(positions, level);
+      if(!insert_vertices(level, local))
+        return false;
+      if(k > 0 || sweeps_finest_level)
+        relax(level, local, control);
+      for(std::size_t v = 0; v < local.size(); ++v)
+        positions[level.vertices[v]] = local[v];
+      control.visitor().on_level(local.size());
+    }
+    return true;
+  }
+
+private:
+  static constexpr std::size_t block_size = 64;
+
+  // The vertices around a removed one, from its target on, as Star_kernel wants them.
+  struct Hole
+  {
+    const std::vector<Vector_3d>& positions;
+    Vertex_rings::Ring ring;
+    std::size_t first;
+
+    std::size_t size() const { return ring.size(); }
+    const Vector_3d& operator[](std::size_t j) const
+    {
+      const std::size_t k = first + j;
+      return positions[ring[k < ring.size() ? k : k - ring.size()]];
+    }
+  };
+
+  static std::vector<Vector_3d> gathered(const std::vector<Vector_3d>& all, const Mesh_hierarchy::Level& level)
+  {
+    std::vector<Vector_3d> local(level.vertices.size());
+    for(std::size_t v = 0; v < local.size(); ++v)
+      local[v] = all[level.vertices[v]];
+    return local;
+  }
+
+  static void place_tetrahedron(const Mesh_hierarchy::Level& level, std::vector<Vector_3d>& positions)
+  {
+    const double a = 1. / std::sqrt(3.);
+    const Vertex_rings::Ring ring = level.rings.ring(0);
+    positions[level.vertices[0]] = {a, a, a};
+    positions[level.vertices[ring[0]]] = {a, -a, -a};
+    positions[level.vertices[ring[1]]] = {-a, a, -a};
+    positions[level.vertices[ring[2]]] = {-a, -a, a};
+  }
+
+  bool insert_vertices(const Mesh_hierarchy::Level& level, std::vector<Vector_3d>& local)
+  {
+    std::atomic<bool> is_complete(true);
+    for_each_block<ConcurrencyTag>(0, level.removed.size(), block_size, [&](std::size_t begin, std::size_t end) {
+      Star_kernel& kernel = m_kernels.local();
+      for(std::size_t k = begin; k < end; ++k)
+      {
+        const Mesh_hierarchy::Removed_vertex& removed = level.removed[k];
+        if(!kernel.find_point(Hole{local, level.rings.ring(removed.vertex), removed.target}, local[removed.vertex]))
+          is_complete = false;
+      }
+    });
+    return is_complete;
+  }
+
+  template <class RunControl>
+  void relax(const Mesh_hierarchy::Level& level, std::vector<Vector_3d>& local, RunControl& control)
+  {
+    const std::vector<Vector_3d> points = gathered(m_points, level);
+    Block_coordinate_descent<Energy, VertexUpdate, ConcurrencyTag> descent(
+        level.rings, points, vertex_densities(level.rings, points, level.areas), m_energy, m_update);
+    const std::size_t n_sweeps = number_of_sweeps(local.size());
+    double sharpness = 0.;
+    for(std::size_t i = 0; i < n_sweeps; ++i)
+    {
+      if(i % sweeps_per_measurement == 0)
+      {
+        const Energy_summary summary = descent.measure(local, m_radius, 0.);
+        m_radius = Optimal_radius_3()(m_energy, descent.faces(), m_radius);
+        sharpness = m_sharpness.on_coarse_level(summary.largest());
+        if(!control.go_further(0, summary.average()) && i > 0) // one sweep has to be: see above
+          break;
+      }
+      descent.sweep(local, m_radius, sharpness);
+      ++control.report().number_of_level_iterations;
+    }
+  }
+
+  // Coarse levels are swept more often: there the large features find their places, at little cost.
+  std::size_t number_of_sweeps(std::size_t n_vertices) const
+  {
+    const double factor = std::sqrt(2000. / static_cast<double>(n_vertices));
+    return static_cast<std::size_t>(static_cast<double>(m_sweeps_per_level) * (std::min)((std::max)(factor, 1.), 4.));
+  }
+
+  static constexpr std::size_t sweeps_per_measurement = 5;
+
+  const Mesh_hierarchy& m_hierarchy;
+  const std::vector<Vector_3d>& m_points;
+  Energy m_energy;
+  SharpnessPolicy m_sharpness;
+  VertexUpdate m_update;
+  std::size_t m_sweeps_per_level;
+  Per_thread<ConcurrencyTag, Star_kernel> m_kernels;
+  double m_radius = 1.; // of the sphere that the energies are taken on
+};
+
+} // namespace internal
+} // namespace Spherical_parameterization
+} // namespace CGAL
+
+#endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_HIERARCHICAL_EMBEDDING_H

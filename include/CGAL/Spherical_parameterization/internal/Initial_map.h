@@ -1,0 +1,62 @@
+// Copyright (c) 2026  The Spherical_parameterization authors.
+// All rights reserved.
+//
+// This file is part of the Spherical_parameterization package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Spherical_parameterization authors
+//
+
+#ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_INITIAL_MAP_H
+#define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_INITIAL_MAP_H
+
+#include <CGAL/license/Spherical_parameterization.h>
+
+#include <CGAL/Spherical_parameterization/Error_code.h>
+#include <CGAL/Spherical_parameterization/internal/read_map.h>
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Named_function_parameters.h>
+#include <CGAL/boost/graph/named_params_helper.h>
+#include <CGAL/boost/graph/properties.h>
+
+#include <vector>
+
+namespace CGAL {
+namespace Spherical_parameterization {
+namespace internal {
+
+// Gets the map that a parameterizer makes as positions on the unit sphere. This is the general way, through the public
+// interface of any model of `SphericalParameterizer_3`; a parameterizer of the package that works on an Indexed_mesh
+// specialises the class and spares the mesh a second reading.
+template <class Parameterizer>
+struct Initial_map
+{
+  template <class ConcurrencyTag, class TriangleMesh, class VertexDescriptor, class NamedParameters, class RunControl>
+  static Error_code compute(Parameterizer& parameterizer, const TriangleMesh& tmesh, const Indexed_mesh& mesh,
+                            const std::vector<VertexDescriptor>& vertices_of_mesh, const NamedParameters& np,
+                            std::vector<Vector_3d>& positions, RunControl& control)
+  {
+    using parameters::choose_parameter;
+    using parameters::get_parameter;
+    using Point_3 = Exact_predicates_inexact_constructions_kernel::Point_3;
+
+    const auto map = get(CGAL::dynamic_vertex_property_t<Point_3>(), tmesh);
+    const auto vpm =
+        choose_parameter(get_parameter(np, internal_np::vertex_point), get_const_property_map(vertex_point, tmesh));
+    const Error_code error =
+        parameterizer.template parameterize<ConcurrencyTag>(tmesh, map, parameters::vertex_point_map(vpm));
+    if(error != OK)
+      return error;
+    const bool is_bijective = read_map(mesh, vertices_of_mesh, map, positions);
+    control.report().seconds_for_embedding = control.lap();
+    return is_bijective ? OK : ERROR_INVALID_INITIAL_PARAMETERIZATION;
+  }
+};
+
+} // namespace internal
+} // namespace Spherical_parameterization
+} // namespace CGAL
+
+#endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_INITIAL_MAP_H

@@ -1,0 +1,73 @@
+// Copyright (c) 2026  The Spherical_parameterization authors.
+// All rights reserved.
+//
+// This file is part of the Spherical_parameterization package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Spherical_parameterization authors
+//
+
+#ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_TANGENT_FRAME_H
+#define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_TANGENT_FRAME_H
+
+#include <CGAL/license/Spherical_parameterization.h>
+
+#include <CGAL/Spherical_parameterization/internal/Vector_3d.h>
+
+#include <cmath>
+
+namespace CGAL {
+namespace Spherical_parameterization {
+namespace internal {
+
+// An orthonormal frame (t1, t2, n) at the point n of the unit sphere. Points near n are handled by their offsets from n
+// in this frame: differences of nearby coordinates are exact, so a triangle keeps its relative precision however small
+// it is.
+class Tangent_frame
+{
+public:
+  explicit Tangent_frame(const Vector_3d& n)
+    : m_n(n)
+  {
+    // The two axes as smooth functions of n but for the plane n.z = 0, where the sign keeps the denominator away from 0.
+    const double sign = std::copysign(1., n[2]);
+    const double a = -1. / (sign + n[2]);
+    const double b = n[0] * n[1] * a;
+    m_t1 = {1. + sign * n[0] * n[0] * a, sign * b, -sign * n[0]};
+    m_t2 = {b, sign + n[1] * n[1] * a, -n[1]};
+  }
+
+  // the offset of `p` from the origin of the frame, in the coordinates of the frame
+  Vector_3d offset_of(const Vector_3d& p) const
+  {
+    const Vector_3d offset = p - m_n;
+    return {dot(offset, m_t1), dot(offset, m_t2), dot(offset, m_n)};
+  }
+
+  // the point of the sphere whose offset has the tangential coordinates `x` and `y`, x^2 + y^2 < 1
+  Vector_3d point_at(double x, double y) const
+  {
+    const double z = height_at(x, y);
+    const Vector_3d p = {m_n[0] + (x * m_t1[0] + y * m_t2[0] + z * m_n[0]),
+                         m_n[1] + (x * m_t1[1] + y * m_t2[1] + z * m_n[1]),
+                         m_n[2] + (x * m_t1[2] + y * m_t2[2] + z * m_n[2])};
+    return normalized(p);
+  }
+
+  // the offset along n of that point: sqrt(1 - x^2 - y^2) - 1 without its cancellation
+  static double height_at(double x, double y)
+  {
+    const double t = x * x + y * y;
+    return -t / (1. + std::sqrt(1. - t));
+  }
+
+private:
+  Vector_3d m_n, m_t1, m_t2;
+};
+
+} // namespace internal
+} // namespace Spherical_parameterization
+} // namespace CGAL
+
+#endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_TANGENT_FRAME_H

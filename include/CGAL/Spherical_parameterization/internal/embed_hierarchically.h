@@ -1,0 +1,61 @@
+// Copyright (c) 2026  The Spherical_parameterization authors.
+// All rights reserved.
+//
+// This file is part of the Spherical_parameterization package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Spherical_parameterization authors
+//
+
+#ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_EMBED_HIERARCHICALLY_H
+#define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_EMBED_HIERARCHICALLY_H
+
+#include <CGAL/license/Spherical_parameterization.h>
+
+#include <CGAL/Spherical_parameterization/Relative_sharpness_3.h>
+#include <CGAL/Spherical_parameterization/internal/Guarded_energy.h>
+#include <CGAL/Spherical_parameterization/internal/Hierarchical_embedding.h>
+#include <CGAL/Spherical_parameterization/internal/Indexed_mesh.h>
+#include <CGAL/Spherical_parameterization/internal/Mesh_hierarchy.h>
+
+#include <cstddef>
+#include <type_traits>
+#include <vector>
+
+namespace CGAL {
+namespace Spherical_parameterization {
+namespace internal {
+
+// Maps a mesh to the unit sphere through a hierarchy. If the energy makes faces so small that doubles cannot hold the map,
+// as conformal maps of long limbs do, it is tried again with a growing guard against that. Returns whether there is a map.
+// The finest level is only swept if `sweeps_finest_level`, with the guard if there is one.
+template <class ConcurrencyTag, class Energy, class SharpnessPolicy, class VertexUpdate, class RunControl>
+bool embed_hierarchically(const Indexed_mesh& mesh, const Energy& energy, const SharpnessPolicy& sharpness,
+                          const VertexUpdate& update, std::size_t sweeps_per_level, bool sweeps_finest_level,
+                          std::vector<Vector_3d>& positions, RunControl& control)
+{
+  const Mesh_hierarchy hierarchy = Mesh_hierarchy::build<ConcurrencyTag>(mesh.rings(), mesh.points());
+  control.report().number_of_levels = hierarchy.number_of_levels();
+  control.report().seconds_for_hierarchy = control.lap();
+
+  const auto embed = [&](const auto& level_energy, const auto& level_sharpness) {
+    ++control.report().number_of_attempts;
+    Hierarchical_embedding<std::decay_t<decltype(level_energy)>, std::decay_t<decltype(level_sharpness)>, VertexUpdate,
+                           ConcurrencyTag>
+        embedding(hierarchy, mesh.points(), level_energy, level_sharpness, update, sweeps_per_level);
+    return embedding.run(positions, sweeps_finest_level, control);
+  };
+  bool is_embedded = embed(energy, sharpness);
+  for(const double weight : {1e-3, 1e-2, 1e-1, 1.})
+    if(!is_embedded)
+      is_embedded = embed(Guarded_energy<Energy>(energy, weight), Relative_sharpness_3(0.));
+  control.report().seconds_for_embedding = control.lap();
+  return is_embedded;
+}
+
+} // namespace internal
+} // namespace Spherical_parameterization
+} // namespace CGAL
+
+#endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_EMBED_HIERARCHICALLY_H

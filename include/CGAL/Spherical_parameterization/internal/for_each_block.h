@@ -1,0 +1,67 @@
+// Copyright (c) 2026  The Spherical_parameterization authors.
+// All rights reserved.
+//
+// This file is part of the Spherical_parameterization package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Spherical_parameterization authors
+//
+
+#ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_FOR_EACH_BLOCK_H
+#define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_FOR_EACH_BLOCK_H
+
+#include <CGAL/license/Spherical_parameterization.h>
+
+#include <CGAL/tags.h>
+
+#ifdef CGAL_LINKED_WITH_TBB
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+#endif
+
+#include <algorithm>
+#include <cstddef>
+#include <type_traits>
+
+namespace CGAL {
+namespace Spherical_parameterization {
+namespace internal {
+
+// Calls f(begin, end) for consecutive blocks that cover [first, last), in parallel if `ConcurrencyTag` asks for it and
+// there is enough to do. The blocks are independent of the number of threads: block k starts at first + k * block_size.
+// So whatever is reduced block by block and then over the blocks in order has the same bits however it was run.
+template <class ConcurrencyTag, class Function>
+void for_each_block(std::size_t first, std::size_t last, std::size_t block_size, const Function& f)
+{
+  const std::size_t n_blocks = last > first ? (last - first + block_size - 1) / block_size : 0;
+  const auto run = [&](std::size_t block) {
+    const std::size_t begin = first + block * block_size;
+    f(begin, (std::min)(begin + block_size, last));
+  };
+#ifdef CGAL_LINKED_WITH_TBB
+  if constexpr(std::is_convertible<ConcurrencyTag, Parallel_tag>::value)
+  {
+    if(n_blocks > 1)
+    {
+      tbb::parallel_for(tbb::blocked_range<std::size_t>(0, n_blocks),
+                        [&](const tbb::blocked_range<std::size_t>& blocks) {
+                          for(std::size_t block = blocks.begin(); block != blocks.end(); ++block)
+                            run(block);
+                        });
+      return;
+    }
+  }
+#else
+  static_assert(!std::is_convertible<ConcurrencyTag, Parallel_tag>::value,
+                "Parallel_tag is enabled but TBB is unavailable.");
+#endif
+  for(std::size_t block = 0; block < n_blocks; ++block)
+    run(block);
+}
+
+} // namespace internal
+} // namespace Spherical_parameterization
+} // namespace CGAL
+
+#endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_FOR_EACH_BLOCK_H

@@ -1,0 +1,63 @@
+// Copyright (c) 2026  The Spherical_parameterization authors.
+// All rights reserved.
+//
+// This file is part of the Spherical_parameterization package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Spherical_parameterization authors
+//
+
+#ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_WRITE_MAP_H
+#define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_WRITE_MAP_H
+
+#include <CGAL/license/Spherical_parameterization.h>
+
+#include <CGAL/Spherical_parameterization/Error_code.h>
+#include <CGAL/Spherical_parameterization/internal/Bijectivity_certificate.h>
+#include <CGAL/Spherical_parameterization/internal/Exact_predicates_kernel.h>
+#include <CGAL/Spherical_parameterization/internal/Indexed_mesh.h>
+
+#include <boost/property_map/property_map.hpp>
+
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Spherical_parameterization {
+namespace internal {
+
+// Scales the positions from the unit sphere to the sphere of radius `radius`, certifies the points exactly as the caller will
+// get them, and only then writes them: the second of the two places that touch the caller's data.
+template <class VertexDescriptor, class VertexSphereMap>
+Error_code write_map(const Indexed_mesh& mesh, const std::vector<VertexDescriptor>& vertices_of_mesh,
+                     const std::vector<Vector_3d>& positions, double radius, VertexSphereMap vertex_sphere_map)
+{
+  using Point_3 = typename boost::property_traits<VertexSphereMap>::value_type;
+  using Selection = Exact_predicates_kernel_of_map<VertexSphereMap>;
+  using Exact_kernel = typename Selection::type;
+  using FT = typename Kernel_traits<Point_3>::Kernel::FT;
+
+  std::vector<Point_3> points;
+  std::vector<typename Exact_kernel::Point_3> exact_points;
+  points.reserve(positions.size());
+  exact_points.reserve(positions.size());
+  for(const Vector_3d& u : positions)
+  {
+    points.push_back(
+        Point_3(static_cast<FT>(radius * u[0]), static_cast<FT>(radius * u[1]), static_cast<FT>(radius * u[2])));
+    exact_points.push_back(Selection::convert(points.back()));
+  }
+  if(!certify_bijectivity<Exact_kernel>(exact_points, mesh.triangles()).is_bijective())
+    return ERROR_INSUFFICIENT_PRECISION;
+
+  for(std::size_t v = 0; v < points.size(); ++v)
+    put(vertex_sphere_map, vertices_of_mesh[mesh.original(v)], points[v]);
+  return OK;
+}
+
+} // namespace internal
+} // namespace Spherical_parameterization
+} // namespace CGAL
+
+#endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_WRITE_MAP_H

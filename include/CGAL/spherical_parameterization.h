@@ -1,0 +1,48 @@
+// Copyright (c) 2026  The Spherical_parameterization authors.
+// All rights reserved.
+//
+// This file is part of the Spherical_parameterization package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Spherical_parameterization authors
+//
+
+#ifndef CGAL_SPHERICAL_PARAMETERIZATION_H
+#define CGAL_SPHERICAL_PARAMETERIZATION_H
+
+#include <CGAL/license/Spherical_parameterization.h>
+
+/// \file spherical_parameterization.h
+/// Convenience header file that includes every public header of the package.
+
+#include <CGAL/Spherical_parameterization/Error_code.h>
+#include <CGAL/Spherical_parameterization/Default_visitor.h>
+#include <CGAL/Spherical_parameterization/Parameterization_report.h>
+#include <CGAL/Spherical_parameterization/parameterize.h>
+
+// Parameterizers
+#include <CGAL/Spherical_parameterization/Bijective_low_distortion_parameterizer_3.h>
+#include <CGAL/Spherical_parameterization/Hierarchical_parameterizer_3.h>
+#include <CGAL/Spherical_parameterization/Precomputed_parameterizer_3.h>
+
+// Energies
+#include <CGAL/Spherical_parameterization/Conformal_energy_3.h>
+#include <CGAL/Spherical_parameterization/Isometric_energy_3.h>
+#include <CGAL/Spherical_parameterization/Symmetric_Dirichlet_energy_3.h>
+
+// Sharpness, radius, vertex update
+#include <CGAL/Spherical_parameterization/Absolute_sharpness_3.h>
+#include <CGAL/Spherical_parameterization/Relative_sharpness_3.h>
+#include <CGAL/Spherical_parameterization/Area_balancing_radius_3.h>
+#include <CGAL/Spherical_parameterization/Area_preserving_radius_3.h>
+#include <CGAL/Spherical_parameterization/Fixed_radius_3.h>
+#include <CGAL/Spherical_parameterization/Optimal_radius_3.h>
+#include <CGAL/Spherical_parameterization/Two_phase_radius_3.h>
+#include <CGAL/Spherical_parameterization/Newton_update_3.h>
+
+// Measuring
+#include <CGAL/Spherical_parameterization/is_bijective.h>
+#include <CGAL/Spherical_parameterization/measure_distortion.h>
+
+#endif // CGAL_SPHERICAL_PARAMETERIZATION_H

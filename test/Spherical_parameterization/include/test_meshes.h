@@ -1,0 +1,246 @@
+// Copyright (c) 2026  The Spherical_parameterization authors.
+// All rights reserved.
+//
+// This file is part of the Spherical_parameterization package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Spherical_parameterization authors
+
+#ifndef CGAL_SPHERICAL_PARAMETERIZATION_TEST_MESHES_H
+#define CGAL_SPHERICAL_PARAMETERIZATION_TEST_MESHES_H
+
+// Meshes for the tests, made without a file and the same on every machine: plain lists of points and triangles first
+// (Triangle_list), then a mesh of any type (make_mesh), and a map from its vertices to points (make_vertex_map).
+
+#include <CGAL/Dynamic_property_map.h>
+#include <CGAL/Kernel_traits.h>
+#include <CGAL/boost/graph/Euler_operations.h>
+#include <CGAL/boost/graph/properties.h>
+
+#include <boost/graph/graph_traits.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <random>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+namespace test_meshes {
+
+using Coordinates = std::array<double, 3>;
+using Triangle = std::array<std::size_t, 3>;
+
+struct Triangle_list
+{
+  std::vector<Coordinates> points;
+  std::vector<Triangle> triangles;
+};
+
+constexpr double pi = 3.14159265358979323846;
+
+// The point at distance 1 from the origin in the direction of p.
+inline Coordinates normalized(const Coordinates& p)
+{
+  const double length = std::hypot(p[0], p[1], p[2]);
+  return {p[0] / length, p[1] / length, p[2] / length};
+}
+
+// The mesh, stretched along the axes by a factor each.
+inline Triangle_list scaled(Triangle_list list, double x, double y, double z)
+{
+  for(Coordinates& p : list.points)
+  {
+    p = {x * p[0], y * p[1], z * p[2]};
+  }
+  return list;
+}
+
+// A regular tetrahedron on the unit sphere.
+inline Triangle_list tetrahedron()
+{
+  const double s = 1. / std::sqrt(3.);
+  return {{{s, s, s}, {s, -s, -s}, {-s, s, -s}, {-s, -s, s}}, {{0, 1, 2}, {0, 2, 3}, {0, 3, 1}, {1, 3, 2}}};
+}
+
+// A regular octahedron on the unit sphere.
+inline Triangle_list octahedron()
+{
+  return {{{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}},
+          {{0, 2, 4}, {2, 1, 4}, {1, 3, 4}, {3, 0, 4}, {2, 0, 5}, {1, 2, 5}, {3, 1, 5}, {0, 3, 5}}};
+}
+
+// A regular icosahedron on the unit sphere, each face cut into four `subdivisions` times, new vertices on the sphere:
+// 10 * 4^subdivisions + 2 vertices.
+inline Triangle_list icosphere(unsigned int subdivisions)
+{
+  Triangle_list list;
+  const double t = 0.5 * (1. + std::sqrt(5.));
+  for(const Coordinates& p :
+      {Coordinates{-1, t, 0}, Coordinates{1, t, 0}, Coordinates{-1, -t, 0}, Coordinates{1, -t, 0},
+       Coordinates{0, -1, t}, Coordinates{0, 1, t}, Coordinates{0, -1, -t}, Coordinates{0, 1, -t},
+       Coordinates{t, 0, -1}, Coordinates{t, 0, 1}, Coordinates{-t, 0, -1}, Coordinates{-t, 0, 1}})
+  {
+    list.points.push_back(normalized(p));
+  }
+  list.triangles = {{0, 11, 5},  {0, 5, 1},  {0, 1, 7},  {0, 7, 10}, {0, 10, 11}, {1, 5, 9}, {5, 11, 4},
+                    {11, 10, 2}, {10, 7, 6}, {7, 1, 8},  {3, 9, 4},  {3, 4, 2},   {3, 2, 6}, {3, 6, 8},
+                    {3, 8, 9},   {4, 9, 5},  {2, 4, 11}, {6, 2, 10}, {8, 6, 7},   {9, 8, 1}};
+
+  for(unsigned int i = 0; i < subdivisions; ++i)
+  {
+    std::map<std::pair<std::size_t, std::size_t>, std::size_t> midpoints;
+    const auto midpoint = [&](std::size_t a, std::size_t b) {
+      const auto inserted =
+          midpoints.emplace(std::pair<std::size_t, std::size_t>(std::minmax(a, b)), list.points.size());
+      if(inserted.second)
+      {
+        const Coordinates p = list.points[a], q = list.points[b];
+        list.points.push_back(normalized({p[0] + q[0], p[1] + q[1], p[2] + q[2]}));
+      }
+      return inserted.first->second;
+    };
+
+    std::vector<Triangle> finer;
+    for(const Triangle& t0 : list.triangles)
+    {
+      const std::size_t a = midpoint(t0[0], t0[1]), b = midpoint(t0[1], t0[2]), c = midpoint(t0[2], t0[0]);
+      finer.push_back({t0[0], a, c});
+      finer.push_back({t0[1], b, a});
+      finer.push_back({t0[2], c, b});
+      finer.push_back({a, b, c});
+    }
+    list.triangles = std::move(finer);
+  }
+  return list;
+}
+
+// An ellipsoid with the given semi-axes: an icosphere, stretched.
+inline Triangle_list ellipsoid(double x, double y, double z, unsigned int subdivisions)
+{
+  return scaled(icosphere(subdivisions), x, y, z);
+}
+
+// The suspension of a polygon with n corners: the corners on the equator, then the north pole and the south pole.
+// Corner i has the longitude 2 pi i turns / n. With one turn this is a double pyramid; with two turns, n >= 5, it
+// keeps the topology of one, and all its faces are positive, but it covers the sphere twice.
+inline Triangle_list suspension(std::size_t n, unsigned int turns = 1)
+{
+  Triangle_list list;
+  for(std::size_t i = 0; i < n; ++i)
+  {
+    const double longitude = 2. * pi * static_cast<double>(turns) * static_cast<double>(i) / static_cast<double>(n);
+    list.points.push_back({std::cos(longitude), std::sin(longitude), 0.});
+    list.triangles.push_back({i, (i + 1) % n, n});
+    list.triangles.push_back({(i + 1) % n, i, n + 1});
+  }
+  list.points.push_back({0., 0., 1.});
+  list.points.push_back({0., 0., -1.});
+  return list;
+}
+
+// A tetrahedron, then n times a vertex in the middle of a face, put onto the unit sphere: vertices of degree 3 and
+// of very high degree, big faces next to small ones. The engine is specified by the standard, and its numbers are used
+// as they are, so that the mesh does not depend on the standard library.
+inline Triangle_list random_stacked_sphere(std::size_t n, std::uint32_t seed)
+{
+  std::mt19937 random(seed);
+  Triangle_list list = tetrahedron();
+  for(std::size_t i = 0; i < n; ++i)
+  {
+    const std::size_t face = random() % list.triangles.size();
+    const Triangle t = list.triangles[face];
+    const Coordinates a = list.points[t[0]], b = list.points[t[1]], c = list.points[t[2]];
+    const std::size_t v = list.points.size();
+    list.points.push_back(normalized({a[0] + b[0] + c[0], a[1] + b[1] + c[1], a[2] + b[2] + c[2]}));
+    list.triangles[face] = {t[0], t[1], v};
+    list.triangles.push_back({t[1], t[2], v});
+    list.triangles.push_back({t[2], t[0], v});
+  }
+  return list;
+}
+
+// A torus around the z-axis, of m times n quadrangles, each cut in two.
+inline Triangle_list torus(std::size_t m, std::size_t n)
+{
+  Triangle_list list;
+  for(std::size_t i = 0; i < m; ++i)
+  {
+    const double longitude = 2. * pi * static_cast<double>(i) / static_cast<double>(m);
+    for(std::size_t j = 0; j < n; ++j)
+    {
+      const double angle = 2. * pi * static_cast<double>(j) / static_cast<double>(n);
+      const double r = 2. + std::cos(angle);
+      list.points.push_back({r * std::cos(longitude), r * std::sin(longitude), std::sin(angle)});
+      const std::size_t i1 = (i + 1) % m, j1 = (j + 1) % n;
+      list.triangles.push_back({i * n + j, i1 * n + j, i1 * n + j1});
+      list.triangles.push_back({i * n + j, i1 * n + j1, i * n + j1});
+    }
+  }
+  return list;
+}
+
+// Both lists as one, side by side in memory, not in space.
+inline Triangle_list disjoint_union(Triangle_list first, const Triangle_list& second)
+{
+  const std::size_t n = first.points.size();
+  first.points.insert(first.points.end(), second.points.begin(), second.points.end());
+  for(const Triangle& t : second.triangles)
+  {
+    first.triangles.push_back({t[0] + n, t[1] + n, t[2] + n});
+  }
+  return first;
+}
+
+// A mesh with these vertices and faces, in this order. `Mesh` is a model of MutableFaceGraph with a vertex point map.
+template <class Mesh>
+Mesh make_mesh(const Triangle_list& list)
+{
+  using Vertex = typename boost::graph_traits<Mesh>::vertex_descriptor;
+  using Point =
+      typename boost::property_traits<typename boost::property_map<Mesh, CGAL::vertex_point_t>::type>::value_type;
+  using FT = typename CGAL::Kernel_traits<Point>::Kernel::FT;
+
+  Mesh mesh;
+  auto point_map = get(CGAL::vertex_point, mesh);
+  std::vector<Vertex> vertex;
+  for(const Coordinates& p : list.points)
+  {
+    vertex.push_back(add_vertex(mesh));
+    put(point_map, vertex.back(), Point(FT(p[0]), FT(p[1]), FT(p[2])));
+  }
+  for(const Triangle& t : list.triangles)
+  {
+    const std::array<Vertex, 3> corners = {vertex[t[0]], vertex[t[1]], vertex[t[2]]};
+    if(CGAL::Euler::add_face(corners, mesh) == boost::graph_traits<Mesh>::null_face())
+    {
+      throw std::logic_error("The triangles are no manifold mesh.");
+    }
+  }
+  return mesh;
+}
+
+// A map from the vertices of `mesh`, in their order, to these points.
+template <class Point, class Mesh>
+auto make_vertex_map(const Mesh& mesh, const std::vector<Coordinates>& points)
+{
+  using FT = typename CGAL::Kernel_traits<Point>::Kernel::FT;
+
+  auto map = get(CGAL::dynamic_vertex_property_t<Point>(), mesh);
+  auto p = points.begin();
+  for(const auto v : vertices(mesh))
+  {
+    put(map, v, Point(FT((*p)[0]), FT((*p)[1]), FT((*p)[2])));
+    ++p;
+  }
+  return map;
+}
+
+} // namespace test_meshes
+
+#endif // CGAL_SPHERICAL_PARAMETERIZATION_TEST_MESHES_H
