@@ -1,0 +1,65 @@
+#!/usr/bin/env bash
+# Usage: scripts/check_style.sh
+#
+# Checks the layout of all C++ files (clang-format 14, whose output differs from that of other versions), the first
+# lines and the include guard of every header, and the blanks of every text file. Prints what is wrong; changes nothing.
+
+# shellcheck source-path=SCRIPTDIR source=common.sh
+. "$(dirname "${BASH_SOURCE[0]}")/common.sh"
+
+cd "$root"
+status=0
+report() {
+  printf '%s\n' "$@" >&2
+  status=1
+}
+
+# Without git, such as in an unpacked release, everything but the build counts.
+list_files() {
+  git ls-files --cached --others --exclude-standard 2>/dev/null ||
+    find . -path ./build -prune -o -type f -printf '%P\n'
+}
+mapfile -t files < <(list_files | sort | while read -r file; do [ ! -f "$file" ] || echo "$file"; done)
+sources=()
+headers=()
+for file in "${files[@]}"; do
+  [[ $file != *.h && $file != *.cpp ]] || sources+=("$file")
+  [[ $file != include/*.h ]] || headers+=("$file")
+done
+[ ${#headers[@]} -gt 0 ] || fail "No header found in $root."
+
+formatter=$(command -v clang-format-14 || command -v clang-format || true)
+if [ -n "$formatter" ] && [[ $("$formatter" --version) == *"version 14."* ]]; then
+  for file in "${sources[@]}"; do
+    "$formatter" --dry-run --Werror "$file" 2>/dev/null || report "$file: the layout; '${formatter##*/} -i' repairs it"
+  done
+elif [ -n "${CI-}" ]; then
+  report "clang-format 14 is not installed."
+else
+  echo "clang-format 14 is not installed: the layout remains unchecked."
+fi
+
+for header in "${headers[@]}"; do
+  boilerplate=$(head -n 8 "$header")
+  [[ $boilerplate == "// Copyright (c) "*"// This file is part of the Spherical_parameterization package for CGAL"* ]] ||
+    report "$header: the copyright is missing"
+  [[ $boilerplate == *"// SPDX-License-Identifier: GPL-3.0-or-later"* ]] ||
+    report "$header: the licence is missing"
+  guard=${header#include/}
+  guard=${guard^^}
+  guard=${guard//[\/.]/_}
+  [ "$(grep -m 1 '^#ifndef' "$header")" = "#ifndef $guard" ] || report "$header: the include guard is not $guard"
+  [ "$(tail -n 1 "$header")" = "#endif // $guard" ] || report "$header: the last line is not '#endif // $guard'"
+done
+
+# -I leaves out binary files.
+if grep -nIP '\t|[ \r]$' "${files[@]}" /dev/null; then
+  report "The lines above have a tab, or a blank at the end."
+fi
+for file in "${files[@]}"; do
+  if [ -s "$file" ] && grep -qI '' "$file" && [ -n "$(tail -c 1 "$file")" ]; then
+    report "$file: the last line has no end"
+  fi
+done
+
+exit $status

@@ -1,0 +1,28 @@
+#!/usr/bin/env bash
+# Usage: scripts/demo.sh [MESH]
+#
+# Installs what is missing, builds the program in Release mode, and maps MESH to the sphere: by default the armadillo
+# that comes with CGAL. Ends with the distortion of the map and the files that show it. May be run again.
+
+# shellcheck source-path=SCRIPTDIR source=common.sh
+. "$(dirname "${BASH_SOURCE[0]}")/common.sh"
+
+[ $# -le 1 ] || fail "Usage: scripts/demo.sh [MESH]"
+mesh=${1-${CGAL_DATA_DIR-$build/data}/meshes/armadillo.off}
+
+"$root/scripts/setup.sh"
+run_stage "configure" cmake -S "$root" -B "$build" -DCMAKE_BUILD_TYPE=Release
+run_stage "build the program" cmake --build "$build" -j "$jobs" --target spherical_parameterization
+[ -r "$mesh" ] || fail "Cannot read $mesh. Give a closed triangle mesh of genus 0: scripts/demo.sh MESH"
+
+name=$(basename "${mesh%.*}")
+result=$build/demo/$name
+mkdir -p "$build/demo"
+echo "== map $name to the sphere"
+"$build/examples/Spherical_parameterization/spherical_parameterization" \
+  "$mesh" -o "${result}_map.off" --colored "$result"
+
+echo
+echo "The mesh, coloured by distortion:        ${result}_surface.ply"
+echo "Its image on the sphere, coloured alike: ${result}_sphere.ply"
+echo "The image alone, in full precision:      ${result}_map.off"

@@ -1,0 +1,91 @@
+#!/usr/bin/env bash
+# Usage: scripts/setup.sh [--tests]
+#
+# Makes sure that what the program needs is installed; with --tests, what the tests need as well. On Debian and Ubuntu,
+# installs the packages that are missing. Elsewhere, says what to install. Does nothing where everything is in place.
+
+# shellcheck source-path=SCRIPTDIR source=common.sh
+. "$(dirname "${BASH_SOURCE[0]}")/common.sh"
+
+[ $# -eq 0 ] || [ "$*" = --tests ] || fail "Usage: scripts/setup.sh [--tests]"
+
+packages=(g++ make cmake libcgal-dev libcgal-demo libboost-program-options-dev libtbb-dev)
+components=(CGAL Boost TBB)
+wanted="a C++17 compiler, CMake 3.18, CGAL 5.5, Boost.Program_options and TBB"
+if [ "${1-}" = --tests ]; then
+  packages+=(git libgtest-dev clang-format-14)
+  components+=(GTest)
+  wanted="a C++17 compiler, CMake 3.18, CGAL 5.5, Boost.Program_options, TBB, GoogleTest and clang-format 14"
+fi
+
+is_installed() {
+  [ "$(dpkg-query -W -f='${db:Status-Status}' "$1" 2>/dev/null)" = installed ]
+}
+
+# Prints the packages that are missing. Newer systems have no clang-format 14; the style check says so where it matters.
+list_missing() {
+  local package
+  for package in "${packages[@]}"; do
+    is_installed "$package" && continue
+    [ "$package" = clang-format-14 ] && ! apt-cache show "$package" >/dev/null 2>&1 && continue
+    echo "$package"
+  done
+}
+
+install_missing() {
+  local missing as_root=()
+  mapfile -t missing < <(list_missing)
+  [ ${#missing[@]} -gt 0 ] || return 0
+
+  if [ "$(id -u)" -ne 0 ]; then
+    command -v sudo >/dev/null ||
+      fail "Packages are missing and there is no sudo. As root, run:" \
+           "  apt-get update && apt-get install --no-install-recommends ${missing[*]}"
+    echo "Installing packages needs root: sudo may ask for your password."
+    sudo -v || fail "sudo refused."
+    as_root=(sudo)
+  fi
+  run_stage "apt-get update" "${as_root[@]}" apt-get update
+  # The lists may have been empty up to here.
+  mapfile -t missing < <(list_missing)
+  run_stage "apt-get install ${#missing[@]} packages" \
+    "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get install -y --no-install-recommends "${missing[@]}"
+}
+
+# Container images often leave out the documentation of every package, which is where Debian keeps CGAL's meshes.
+fetch_data_archive() (
+  archive=usr/share/doc/libcgal-dev/data.tar.gz
+  [ ! -e "/$archive" ] && [ ! -e "$build/libcgal-demo/$archive" ] || return 0
+  mkdir -p "$build/libcgal-demo"
+  cd "$build/libcgal-demo" || return
+  apt-get download libcgal-demo || return
+  dpkg-deb --fsys-tarfile libcgal-demo_*.deb | tar -x "./$archive" && rm libcgal-demo_*.deb
+)
+
+# A project of its own, so that the answer depends on nothing that an earlier configuration has stored.
+find_everything() {
+  local component
+  rm -rf "$build/setup" && mkdir -p "$build/setup"
+  {
+    echo "cmake_minimum_required(VERSION 3.18...3.31)"
+    echo "project(setup LANGUAGES CXX)"
+    for component in "${components[@]}"; do
+      [ "$component" = Boost ] && component="Boost COMPONENTS program_options"
+      echo "find_package($component REQUIRED)"
+    done
+    echo "if(CGAL_VERSION VERSION_LESS 5.5)"
+    echo "  message(FATAL_ERROR \"CGAL 5.5 or newer is needed; this system has \${CGAL_VERSION}.\")"
+    echo "endif()"
+  } >"$build/setup/CMakeLists.txt"
+  cmake -S "$build/setup" -B "$build/setup/build" -DCMAKE_BUILD_TYPE=Release
+}
+
+if command -v apt-get >/dev/null && command -v dpkg-query >/dev/null; then
+  install_missing
+  [ -n "${CGAL_DATA_DIR-}" ] || fetch_data_archive >/dev/null 2>&1 ||
+    echo "CGAL's meshes are not to be had here: set CGAL_DATA_DIR to the folder data/ of a CGAL release."
+else
+  echo "This is neither Debian nor Ubuntu. Install yourself, if it is not there yet: $wanted, or newer."
+  [ -n "${CGAL_DATA_DIR-}" ] || echo "For CGAL's meshes, set CGAL_DATA_DIR to the folder data/ of a CGAL release."
+fi
+run_stage "look for the dependencies" find_everything

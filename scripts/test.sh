@@ -1,0 +1,18 @@
+#!/usr/bin/env bash
+# Usage: scripts/test.sh
+#
+# Installs what is missing, checks the style of the sources, builds everything with warnings as errors and runs all
+# tests. May be run again.
+
+# shellcheck source-path=SCRIPTDIR source=common.sh
+. "$(dirname "${BASH_SOURCE[0]}")/common.sh"
+
+[ $# -eq 0 ] || fail "Usage: scripts/test.sh"
+
+"$root/scripts/setup.sh" --tests
+run_stage "check the style" "$root/scripts/check_style.sh"
+run_stage "configure" cmake -S "$root" -B "$build" -DCMAKE_BUILD_TYPE=Release \
+  -DSPHERICAL_PARAMETERIZATION_BUILD_{TESTS,EXAMPLES,BENCHMARKS}=ON -DSPHERICAL_PARAMETERIZATION_WARNINGS_AS_ERRORS=ON
+run_stage "build everything" cmake --build "$build" -j "$jobs"
+echo "== test"
+ctest --test-dir "$build" --output-on-failure --no-tests=error -j 2
