@@ -93,7 +93,7 @@ public:
   using Vertex_update = typename Default::Get<VertexUpdate_, Newton_update_3>::type;
   using Initial_parameterizer =
       typename Default::Get<InitialParameterizer_,
-                            Hierarchical_parameterizer_3<TriangleMesh_, Energy, Sharpness, Vertex_update>>::type;
+                            Hierarchical_parameterizer_3<TriangleMesh_, Energy_, Sharpness_, VertexUpdate_>>::type;
 #else
   /// Energy type
   using Energy = Energy_;

@@ -53,8 +53,8 @@ public:
     return m_beta / largest_energy;
   }
 
-  /// returns the sharpness of the next sweep over a coarse level: the worst faces of a coarse mesh are worse for being coarse,
-  /// and the low frequencies are better served by a quarter of the dial.
+  /// returns the sharpness of the next sweep over a coarse level, from a quarter of the dial: the worst faces of a coarse mesh
+  /// are partly so for being coarse.
   double on_coarse_level(double largest_energy) const { return 0.25 * m_beta / largest_energy; }
 
   /// returns `true`: the sharpness follows the map only, and settles with it.

@@ -165,6 +165,58 @@ inline Triangle_list random_stacked_sphere(std::size_t n, std::uint32_t seed)
   return list;
 }
 
+// A sphere with a limb, horns and dents, star-shaped about the origin and without any symmetry, so that no two of its
+// vertices look alike: the stand-in for a scanned bunny. It has 10 * 4^subdivisions + 2 vertices.
+inline Triangle_list bumpy_sphere(unsigned int subdivisions)
+{
+  Triangle_list list = icosphere(subdivisions);
+  const auto bump = [](const Coordinates& p, const Coordinates& direction, double sharpness, double height) {
+    const Coordinates c = normalized(direction);
+    return height * std::exp(sharpness * (p[0] * c[0] + p[1] * c[1] + p[2] * c[2] - 1.));
+  };
+  for(Coordinates& p : list.points)
+  {
+    const double r = 1. + bump(p, {1., 0.2, 0.3}, 4., 0.7) + bump(p, {-0.3, 1., -0.5}, 8., 1.2) +
+                     bump(p, {0.1, -0.4, 1.}, 30., 2.5) + bump(p, {-1., -0.3, 0.8}, 20., 1.5) -
+                     bump(p, {0.5, -1., -0.6}, 6., 0.4);
+    p = {r * p[0], r * p[1], r * p[2]};
+  }
+  return list;
+}
+
+// A random order of 0, ..., n - 1, the same on every machine.
+inline std::vector<std::size_t> random_permutation(std::size_t n, std::uint32_t seed)
+{
+  std::mt19937 random(seed);
+  std::vector<std::size_t> permutation(n);
+  for(std::size_t i = 0; i < n; ++i)
+  {
+    const std::size_t j = random() % (i + 1);
+    permutation[i] = permutation[j];
+    permutation[j] = i;
+  }
+  return permutation;
+}
+
+// The same mesh with vertex v called number[v], the faces in random order, and each of them starting anywhere.
+inline Triangle_list renumbered(const Triangle_list& list, const std::vector<std::size_t>& number, std::uint32_t seed)
+{
+  std::mt19937 random(seed);
+  Triangle_list result;
+  result.points.resize(list.points.size());
+  for(std::size_t v = 0; v < number.size(); ++v)
+  {
+    result.points[number[v]] = list.points[v];
+  }
+  for(const std::size_t f : random_permutation(list.triangles.size(), seed))
+  {
+    const Triangle& t = list.triangles[f];
+    const std::size_t k = random() % 3;
+    result.triangles.push_back({number[t[k]], number[t[(k + 1) % 3]], number[t[(k + 2) % 3]]});
+  }
+  return result;
+}
+
 // A torus around the z-axis, of m times n quadrangles, each cut in two.
 inline Triangle_list torus(std::size_t m, std::size_t n)
 {

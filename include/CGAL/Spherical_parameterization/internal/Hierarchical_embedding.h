@@ -139,7 +139,7 @@ private:
       {
         const Energy_summary summary = descent.measure(local, m_radius, 0.);
         m_radius = Optimal_radius_3()(m_energy, descent.faces(), m_radius);
-        sharpness = m_sharpness.on_coarse_level(summary.largest());
+        sharpness = local.size() < least_sharp_level ? 0. : m_sharpness.on_coarse_level(summary.largest());
         if(!control.go_further(0, summary.average()) && i > 0) // one sweep has to be: see above
           break;
       }
@@ -156,6 +156,10 @@ private:
   }
 
   static constexpr std::size_t sweeps_per_measurement = 5;
+
+  // Levels with fewer vertices follow the average energy (eq. 6), whatever the policy says. Where a face stands for a whole
+  // limb, to fight the worst one throws the limbs into disorder, from which the finer levels do not recover.
+  static constexpr std::size_t least_sharp_level = 300;
 
   const Mesh_hierarchy& m_hierarchy;
   const std::vector<Vector_3d>& m_points;
