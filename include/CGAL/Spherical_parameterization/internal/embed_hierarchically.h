@@ -47,7 +47,7 @@ bool embed_hierarchically(const Indexed_mesh& mesh, const Energy& energy, const 
     return embedding.run(positions, sweeps_finest_level, control);
   };
   bool is_embedded = embed(energy, sharpness);
-  for(const double weight : {1e-3, 1e-2, 1e-1, 1.})
+  for(const double weight : {1e-10, 1e-8, 1e-6, 1e-4, 1e-2, 1.})
     if(!is_embedded)
       is_embedded = embed(Guarded_energy<Energy>(energy, weight), Relative_sharpness_3(0.));
   control.report().seconds_for_embedding = control.lap();
