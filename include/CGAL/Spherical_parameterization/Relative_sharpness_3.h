@@ -50,17 +50,23 @@ public:
   /// returns the sharpness of the next sweep over the finest mesh.
   double operator()(std::size_t /* sweep */, double /* average_energy */, double largest_energy)
   {
-    return m_beta / largest_energy;
+    return relative(m_beta, largest_energy);
   }
 
   /// returns the sharpness of the next sweep over a coarse level, from a quarter of the dial: the worst faces of a coarse mesh
   /// are partly so for being coarse.
-  double on_coarse_level(double largest_energy) const { return 0.25 * m_beta / largest_energy; }
+  double on_coarse_level(double largest_energy) const { return relative(0.25 * m_beta, largest_energy); }
 
   /// returns `true`: the sharpness follows the map only, and settles with it.
   bool is_final() const { return true; }
 
 private:
+  // An energy may be 0 at its minimum, and a map may reach it.
+  static double relative(double beta, double largest_energy)
+  {
+    return largest_energy > 0. ? beta / largest_energy : 0.;
+  }
+
   double m_beta;
 };
 

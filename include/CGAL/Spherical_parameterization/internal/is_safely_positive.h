@@ -20,9 +20,10 @@ namespace Spherical_parameterization {
 namespace internal {
 
 // Whether a face on the unit sphere whose determinant was computed from offsets stays positive when its corners are rounded
-// to doubles, there and again after scaling to the final radius. Rounding moves a corner by less than
-// 2 sqrt(3) 2^-53 and so the determinant by less than that times the opposite edge, which is at most the sum of the other
-// two; the bound leaves a factor above 5 for all three corners. `sum_of_squared_edges` is that of two edges of the face.
+// to doubles, in normalising them there and in scaling them to the final radius later. Both move a corner by less than
+// 6 * 2^-53 altogether, and so the determinant by less than that times the opposite edge. For three corners this is less than
+// 18 * 2^-53 * sqrt(2 * sum_of_squared_edges), as no edge is longer than the two others together; the bound leaves a factor
+// of 5. `sum_of_squared_edges` is that of two edges of the face.
 inline bool is_safely_positive(double determinant, double sum_of_squared_edges)
 {
   constexpr double margin = 64. * std::numeric_limits<double>::epsilon();

@@ -17,6 +17,7 @@
 #include <CGAL/Spherical_parameterization/Parameterization_report.h>
 #include <CGAL/Spherical_parameterization/internal/Indexed_mesh.h>
 
+#include <CGAL/assertions.h>
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/iterator.h>
 #include <CGAL/boost/graph/properties.h>
@@ -44,9 +45,8 @@ Error_code read_mesh(const TriangleMesh& tmesh, const VertexPointMap& vpm, Index
 {
   using Index = std::uint32_t;
 
-  // The corners of a mesh are counted in 32 bits.
-  if(num_halfedges(tmesh) / 2 >= (std::numeric_limits<Index>::max)())
-    return ERROR_WRONG_PARAMETER;
+  CGAL_precondition_msg(num_halfedges(tmesh) < (std::numeric_limits<Index>::max)(),
+                        "The corners are counted in 32 bits.");
 
   for(const auto f : faces(tmesh))
     if(!is_triangle(halfedge(f, tmesh), tmesh))

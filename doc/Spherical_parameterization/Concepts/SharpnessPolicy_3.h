@@ -1,0 +1,38 @@
+/*!
+\ingroup PkgSphericalParameterizationConcepts
+\cgalConcept
+
+The concept `SharpnessPolicy_3` describes how the sharpness \f$ s \f$ of the objective \f$ \sum \exp( s E ) \f$ (eq. 7) is chosen
+for each sweep; \f$ s = 0 \f$ stands for the plain sum \f$ \sum E \f$ (eq. 6). A policy may keep a state: each run works on a
+copy of the one that the parameterizer was given.
+
+A model may have `bool is_valid() const` in addition, whether its parameters are in their ranges.
+
+\cgalRefines{CopyConstructible}
+
+\cgalHasModelsBegin
+\cgalHasModels{CGAL::Spherical_parameterization::Relative_sharpness_3}
+\cgalHasModels{CGAL::Spherical_parameterization::Absolute_sharpness_3}
+\cgalHasModelsEnd
+*/
+class SharpnessPolicy_3
+{
+public:
+  /// \name Operations
+  /// @{
+
+  /// returns the sharpness of a sweep over the mesh, at least 0.
+  ///
+  /// \param sweep the number of the sweep, from 0
+  /// \param average_energy the average energy of the faces before the sweep
+  /// \param largest_energy the largest energy of a face before the sweep
+  double operator()(std::size_t sweep, double average_energy, double largest_energy);
+
+  /// returns the sharpness of the next sweeps over a coarse level of a hierarchy whose largest energy is `largest_energy`.
+  double on_coarse_level(double largest_energy) const;
+
+  /// returns whether the schedule has come to its end, so that it makes sense to ask whether the map has settled.
+  bool is_final() const;
+
+  /// @}
+};

@@ -1,0 +1,41 @@
+/*!
+\ingroup PkgSphericalParameterizationConcepts
+\cgalConcept
+
+The concept `SphereRadiusPolicy_3` describes how the radius of the sphere is chosen before each sweep. A policy may keep a
+state: each run works on a copy of the one that the parameterizer was given.
+
+A model may have `bool is_valid() const` in addition, whether its parameters are in their ranges.
+
+\cgalRefines{CopyConstructible}
+
+\cgalHasModelsBegin
+\cgalHasModels{CGAL::Spherical_parameterization::Two_phase_radius_3<FirstRadius, SecondRadius>}
+\cgalHasModels{CGAL::Spherical_parameterization::Area_preserving_radius_3}
+\cgalHasModels{CGAL::Spherical_parameterization::Area_balancing_radius_3}
+\cgalHasModels{CGAL::Spherical_parameterization::Optimal_radius_3}
+\cgalHasModels{CGAL::Spherical_parameterization::Fixed_radius_3}
+\cgalHasModelsEnd
+*/
+class SphereRadiusPolicy_3
+{
+public:
+  /// \name Operations
+  /// @{
+
+  /// returns the radius to start with, given that of the sphere which has the area of the surface (eq. 10).
+  double initial_radius(double equal_area_radius) const;
+
+  /// returns the radius that follows `radius`.
+  ///
+  /// \tparam Energy a model of `DistortionEnergy_3`
+  /// \tparam FaceRange a model of `ConstRange` whose value type is `Face_invariants_3`
+  ///
+  /// \param energy the energy in use
+  /// \param faces the faces, as they are on the sphere of radius `radius`
+  /// \param radius the current radius in the unit of length of the mesh
+  template <class Energy, class FaceRange>
+  double operator()(const Energy& energy, const FaceRange& faces, double radius);
+
+  /// @}
+};
