@@ -60,13 +60,10 @@ public:
       const std::uint32_t v = order[slot];
       const Vertex_rings::Ring ring = rings.ring(v);
       m_first_face.push_back(n_faces);
-      for(std::size_t j = 0; j < ring.size(); ++j)
-      {
-        m_rings.push_neighbor(ring[j]);
-        if(is_first_corner(v, ring, j))
-          ++n_faces;
-      }
+      for(const std::uint32_t w : ring)
+        m_rings.push_neighbor(w);
       m_rings.end_ring();
+      Vertex_rings::for_each_face_of_smallest(v, ring, [&](std::size_t, std::uint32_t, std::uint32_t) { ++n_faces; });
     }
     m_faces.resize(n_faces);
     m_rest.resize(rings.number_of_corners());
@@ -78,7 +75,7 @@ public:
         Rest_triangle* rest = m_rest.data() + m_rings.offset(slot);
         for(std::size_t j = 0; j < ring.size(); ++j)
         {
-          const std::uint32_t p = ring[j], q = ring[next(ring, j)];
+          const std::uint32_t p = ring[j], q = ring[j + 1 < ring.size() ? j + 1 : 0];
           rest[j] = Rest_triangle::from_points(points[v], points[p], points[q]);
           if(!densities.empty())
             rest[j].scale_area((densities[v] + densities[p] + densities[q]) / 3.);
@@ -106,15 +103,13 @@ public:
     for(std::size_t slot = 0; slot < n; ++slot)
     {
       const std::uint32_t v = m_sets.vertices()[slot];
-      const Vertex_rings::Ring ring = m_rings.ring(slot);
       const Face_invariants_3* face = m_faces.data() + m_first_face[slot];
-      for(std::size_t j = 0; j < ring.size(); ++j)
-        if(is_first_corner(v, ring, j))
-        {
-          if(m_energy(face->i, face->d) > bound)
-            is_selected[v] = is_selected[ring[j]] = is_selected[ring[next(ring, j)]] = 1;
-          ++face;
-        }
+      Vertex_rings::for_each_face_of_smallest(v, m_rings.ring(slot),
+                                              [&](std::size_t, std::uint32_t p, std::uint32_t q) {
+                                                if(m_energy(face->i, face->d) > bound)
+                                                  is_selected[v] = is_selected[p] = is_selected[q] = 1;
+                                                ++face;
+                                              });
     }
     for(std::size_t slot = 0; slot < n; ++slot)
       if(is_selected[m_sets.vertices()[slot]])
@@ -162,16 +157,14 @@ public:
       for(std::size_t slot = begin; slot < end; ++slot)
       {
         const std::uint32_t v = m_sets.vertices()[slot];
-        const Vertex_rings::Ring ring = m_rings.ring(slot);
         const Rest_triangle* rest = m_rest.data() + m_rings.offset(slot);
         Face_invariants_3* face = m_faces.data() + m_first_face[slot];
-        for(std::size_t j = 0; j < ring.size(); ++j)
-          if(is_first_corner(v, ring, j))
-          {
-            *face = invariants(positions[v], positions[ring[j]], positions[ring[next(ring, j)]], rest[j], scale);
-            summary.add(m_energy(face->i, face->d));
-            ++face;
-          }
+        Vertex_rings::for_each_face_of_smallest(
+            v, m_rings.ring(slot), [&](std::size_t j, std::uint32_t p, std::uint32_t q) {
+              *face = invariants(positions[v], positions[p], positions[q], rest[j], scale);
+              summary.add(m_energy(face->i, face->d));
+              ++face;
+            });
       }
     });
     Energy_summary total(sharpness);
@@ -203,16 +196,9 @@ private:
     });
   }
 
-  // Stars per block of parallel work: some hundred microseconds.
+  // stars per block of parallel work: some hundred microseconds
   static constexpr std::size_t block_size = 256;
   static constexpr int rings_of_focus = 4;
-
-  static std::size_t next(const Vertex_rings::Ring& ring, std::size_t j) { return j + 1 < ring.size() ? j + 1 : 0; }
-
-  static bool is_first_corner(std::uint32_t v, const Vertex_rings::Ring& ring, std::size_t j)
-  {
-    return v < ring[j] && v < ring[next(ring, j)];
-  }
 
   static Face_invariants_3 invariants(const Vector_3d& u, const Vector_3d& p, const Vector_3d& q,
                                       const Rest_triangle& rest, double scale)

@@ -46,20 +46,23 @@ public:
 
   Ring ring(std::size_t v) const { return {m_neighbors.data() + m_offsets[v], m_neighbors.data() + m_offsets[v + 1]}; }
 
-  // calls f(v, p, q) for every face once, in a fixed order; v is its smallest vertex
+  // Calls f(v, p, q) for every face once, in a fixed order; v is its smallest vertex.
   template <class Function>
   void for_each_face(Function f) const
   {
     for(std::uint32_t v = 0; v < number_of_vertices(); ++v)
+      for_each_face_of_smallest(v, ring(v), [&](std::size_t, std::uint32_t p, std::uint32_t q) { f(v, p, q); });
+  }
+
+  // Calls f(j, p, q) for every face (v, p, q) of which v is the smallest vertex; p is ring[j].
+  template <class Function>
+  static void for_each_face_of_smallest(std::uint32_t v, const Ring& ring, Function f)
+  {
+    for(std::size_t j = 0; j < ring.size(); ++j)
     {
-      const Ring r = ring(v);
-      std::uint32_t p = r[r.size() - 1];
-      for(const std::uint32_t q : r)
-      {
-        if(v < p && v < q)
-          f(v, p, q);
-        p = q;
-      }
+      const std::uint32_t p = ring[j], q = ring[j + 1 < ring.size() ? j + 1 : 0];
+      if(v < p && v < q)
+        f(j, p, q);
     }
   }
 
