@@ -1,0 +1,46 @@
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/boost/graph/IO/polygon_mesh_io.h>
+#include <CGAL/spherical_parameterization.h>
+
+#include <cstdlib>
+#include <iostream>
+#include <string>
+
+namespace SP = CGAL::Spherical_parameterization;
+
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Point_3 = Kernel::Point_3;
+using Mesh = CGAL::Surface_mesh<Point_3>;
+
+// The initial parameterizer and the sharpness are left at their defaults.
+using Parameterizer = SP::Bijective_low_distortion_parameterizer_3<Mesh, CGAL::Default, SP::Conformal_energy_3,
+                                                                   CGAL::Default, SP::Fixed_radius_3>;
+
+int main(int argc, char** argv)
+{
+  const std::string filename = (argc > 1) ? argv[1] : CGAL::data_file_path("meshes/homer.off");
+
+  Mesh mesh;
+  if(!CGAL::IO::read_polygon_mesh(filename, mesh))
+  {
+    std::cerr << "Invalid input file: " << filename << std::endl;
+    return EXIT_FAILURE;
+  }
+
+  auto sphere = mesh.add_property_map<Mesh::Vertex_index, Point_3>("v:sphere").first;
+  Parameterizer conformal;
+  const SP::Error_code error = SP::parameterize(mesh, conformal, sphere);
+  if(error != SP::OK)
+  {
+    std::cerr << SP::get_error_message(error) << std::endl;
+    return EXIT_FAILURE;
+  }
+
+  const SP::Distortion_summary distortion = SP::measure_distortion(mesh, sphere);
+  std::cout << conformal.report().number_of_iterations() << " sweeps, "
+            << SP::get_stop_message(conformal.report().stop_reason) << std::endl;
+  std::cout << "angle distortion (2 is conformal) " << distortion.angle.average << " on average and "
+            << distortion.angle.maximum << " at most" << std::endl;
+  return EXIT_SUCCESS;
+}

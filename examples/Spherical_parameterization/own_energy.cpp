@@ -1,0 +1,50 @@
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/boost/graph/IO/polygon_mesh_io.h>
+#include <CGAL/spherical_parameterization.h>
+
+#include <cstdlib>
+#include <iostream>
+#include <string>
+
+namespace SP = CGAL::Spherical_parameterization;
+
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Point_3 = Kernel::Point_3;
+using Mesh = CGAL::Surface_mesh<Point_3>;
+
+// An energy that only minds the area, but for a small share of the angles: E = d + 1/d + w I/d.
+// I and d are the sum of the squares and the product of the two singular values of the map of a face.
+struct Area_energy
+{
+  double w = 0.05;
+
+  double operator()(double i, double d) const { return d + (1. + w * i) / d; }
+
+  SP::Energy_derivatives_3 derivatives(double i, double d) const
+  {
+    const double pole = (1. + w * i) / d;
+    return {d + pole, w / d, 1. - pole / d, 0., -w / (d * d), 2. * pole / (d * d)};
+  }
+};
+
+int main(int argc, char** argv)
+{
+  const std::string filename = (argc > 1) ? argv[1] : CGAL::data_file_path("meshes/homer.off");
+
+  Mesh mesh;
+  if(!CGAL::IO::read_polygon_mesh(filename, mesh))
+  {
+    std::cerr << "Invalid input file: " << filename << std::endl;
+    return EXIT_FAILURE;
+  }
+
+  auto sphere = mesh.add_property_map<Mesh::Vertex_index, Point_3>("v:sphere").first;
+  SP::Bijective_low_distortion_parameterizer_3<Mesh, CGAL::Default, Area_energy> parameterizer(Area_energy{0.05});
+  const SP::Error_code error = SP::parameterize(mesh, parameterizer, sphere);
+  std::cout << SP::get_error_message(error) << std::endl;
+  if(error != SP::OK)
+    return EXIT_FAILURE;
+  std::cout << "area distortion (2 is equiareal) " << SP::measure_distortion(mesh, sphere).area.average << std::endl;
+  return EXIT_SUCCESS;
+}

@@ -1,0 +1,39 @@
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/boost/graph/IO/polygon_mesh_io.h>
+#include <CGAL/spherical_parameterization.h>
+
+#include <cstdlib>
+#include <iostream>
+#include <string>
+
+namespace SP = CGAL::Spherical_parameterization;
+
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Point_3 = Kernel::Point_3;
+using Mesh = CGAL::Surface_mesh<Point_3>;
+
+int main(int argc, char** argv)
+{
+  const std::string filename = (argc > 1) ? argv[1] : CGAL::data_file_path("meshes/armadillo.off");
+
+  Mesh mesh;
+  if(!CGAL::IO::read_polygon_mesh(filename, mesh))
+  {
+    std::cerr << "Invalid input file: " << filename << std::endl;
+    return EXIT_FAILURE;
+  }
+
+  auto sphere = mesh.add_property_map<Mesh::Vertex_index, Point_3>("v:sphere").first;
+  const SP::Error_code error = SP::parameterize(mesh, sphere);
+  if(error != SP::OK)
+  {
+    std::cerr << SP::get_error_message(error) << std::endl;
+    return EXIT_FAILURE;
+  }
+
+  const SP::Distortion_summary distortion = SP::measure_distortion(mesh, sphere);
+  std::cout << "radius " << distortion.radius << ", isometric distortion " << distortion.isometric.average
+            << " on average and " << distortion.isometric.maximum << " at most" << std::endl;
+  return EXIT_SUCCESS;
+}
