@@ -48,7 +48,8 @@ inline Polygon_soup read_soup(const std::string& path)
       return soup;
     in.close();
     if(!CGAL::IO::read_polygon_soup(path, soup.points, soup.polygons))
-      throw Program_error("this is no valid file of the format " + format + ": it is damaged or truncated, or has a wrong name");
+      throw Program_error("this is no valid file of the format " + format +
+                          ": it is damaged or truncated, or has a wrong name");
   }
   catch(const std::bad_alloc&)
   {
