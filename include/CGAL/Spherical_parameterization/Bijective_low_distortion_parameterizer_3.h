@@ -47,8 +47,8 @@ namespace Spherical_parameterization {
 /// (eq. 7) by block coordinate descent over the vertices (eq. 8) and the radius of the sphere (eq. 9 to 11). The vertices of
 /// one colour of a graph colouring are moved in parallel. No step ever inverts a face.
 ///
-/// After each sweep over all vertices, those around the worst faces are swept a few times more, as long as they are few:
-/// they settle slowest, and the largest distortion is theirs.
+/// After each sweep over all vertices, those around the worst faces are swept a few times more, for as long as a sweep takes
+/// at most: they settle slowest, and the largest distortion is theirs.
 ///
 /// A one-to-one mapping is guaranteed whenever `OK` is returned: the orientation of every face and the degree of the map are
 /// computed by exact predicates on the points as they have been written. This holds for a run that was stopped early as well.
@@ -218,10 +218,11 @@ public:
 private:
   static constexpr unsigned int default_number_of_iterations = 100;
 
-  // The vertices around faces above this share of the largest energy are swept so many times more, unless they are more
-  // than a fifth of all.
+  // The vertices around faces above this share of the largest energy are swept so many times more, but not more often than
+  // takes the time of a sweep over all vertices, nor if that is too little to be worth it.
   static constexpr double focus_energy = 0.6;
-  static constexpr int focus_sweeps = 10;
+  static constexpr std::size_t least_focus_sweeps = 5;
+  static constexpr std::size_t most_focus_sweeps = 10;
 
   static Initial_parameterizer default_initial_parameterizer(const Energy& energy, const Sharpness& sharpness,
                                                              const Vertex_update& vertex_update)
@@ -250,7 +251,6 @@ private:
     // the radius in the unit of the mesh, kept where its powers are finite
     const auto scaled = [&](double r) { return (std::min)((std::max)(mesh.scaled_radius(r), 1e-50), 1e50); };
 
-    const std::size_t largest_focus = mesh.number_of_vertices() / 5;
     Descent descent(mesh.rings(), mesh.points(), std::vector<double>(), m_energy, m_vertex_update);
     internal::Energy_summary summary = descent.measure(positions, scaled(radius), 0.);
     m_report.initial_energy = summary.average();
@@ -263,9 +263,14 @@ private:
       radius = next_radius(m_energy, descent.faces(), radius);
       const double sharpness = next_sharpness(i, summary.average(), summary.largest());
       descent.sweep(positions, scaled(radius), sharpness);
-      if(sharpness > 0. && descent.focus_on_faces_above(focus_energy * summary.largest()) < largest_focus)
-        for(int k = 0; k < focus_sweeps; ++k)
+      if(sharpness > 0.)
+      {
+        const std::size_t focus = descent.focus_on_faces_above(focus_energy * summary.largest());
+        const std::size_t affordable = mesh.number_of_vertices() / (std::max)(focus, std::size_t(1));
+        const std::size_t n_sweeps = affordable < least_focus_sweeps ? 0 : (std::min)(affordable, most_focus_sweeps);
+        for(std::size_t k = 0; k < n_sweeps; ++k)
           descent.sweep_focus(positions, scaled(radius), sharpness);
+      }
 
       summary = descent.measure(positions, scaled(radius), sharpness);
       const double energy = summary.mean();
