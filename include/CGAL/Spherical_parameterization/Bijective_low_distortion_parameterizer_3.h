@@ -147,8 +147,8 @@ public:
 
   /// sets the tolerances of the stopping rule: a run has converged when a sweep changes the energy by at most
   /// `energy_tolerance` and the radius by at most `radius_tolerance`, both relative, and the sharpness is final. As the
-  /// sharpness may move with the map, two energies are compared that do so little or not at all, and both have to settle: the
-  /// mean \f$ \log( \frac{1}{n} \sum \exp( s E ) ) / s \f$ and the average.
+  /// sharpness may move with the map, energies are compared that do so little or not at all, and all have to settle: the mean
+  /// \f$ \log( \frac{1}{n} \sum \exp( s E ) ) / s \f$, the average, and, up to ten times the tolerance, the largest one.
   ///
   /// \param energy_tolerance at least 0, by default 1e-5
   /// \param radius_tolerance at least 0, by default 1e-3
@@ -180,6 +180,7 @@ public:
     using parameters::choose_parameter;
     using parameters::get_parameter;
 
+    m_report = Parameterization_report();
     if(!is_valid())
       return ERROR_WRONG_PARAMETER;
     const std::size_t most_iterations = static_cast<std::size_t>(
@@ -281,6 +282,7 @@ private:
         break;
       if(is_final && is_settled(energy, last_summary.mean(), m_energy_tolerance) &&
          is_settled(summary.average(), last_summary.average(), m_energy_tolerance) &&
+         is_settled(summary.largest(), last_summary.largest(), 10. * m_energy_tolerance) &&
          is_settled(radius, last_radius, m_radius_tolerance))
       {
         m_report.stop_reason = CONVERGED;

@@ -121,6 +121,7 @@ public:
   Error_code parameterize(const Triangle_mesh& tmesh, VertexSphereMap vertex_sphere_map,
                           const CGAL_NP_CLASS& np = parameters::default_values())
   {
+    m_report = Parameterization_report();
     if(!is_valid())
       return ERROR_WRONG_PARAMETER;
     return internal::run_parameterization(tmesh, vertex_sphere_map, np, m_report,

@@ -73,6 +73,7 @@ public:
   Error_code parameterize(const Triangle_mesh& tmesh, VertexSphereMap vertex_sphere_map,
                           const CGAL_NP_CLASS& np = parameters::default_values())
   {
+    m_report = Parameterization_report();
     return internal::run_parameterization(tmesh, vertex_sphere_map, np, m_report,
                                           [&](const internal::Indexed_mesh& mesh, const auto& vertices_of_mesh,
                                               std::vector<internal::Vector_3d>& positions, double&, auto& control) {

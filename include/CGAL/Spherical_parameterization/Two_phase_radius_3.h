@@ -15,6 +15,7 @@
 
 #include <CGAL/Spherical_parameterization/Area_balancing_radius_3.h>
 #include <CGAL/Spherical_parameterization/Area_preserving_radius_3.h>
+#include <CGAL/Spherical_parameterization/internal/is_valid_policy.h>
 
 #include <CGAL/Default.h>
 
@@ -70,7 +71,7 @@ public:
   /// returns whether both policies are valid and the tolerance is positive.
   bool is_valid() const
   {
-    return m_first.is_valid() && m_second.is_valid() && m_tolerance > 0.;
+    return internal::is_valid_policy(m_first) && internal::is_valid_policy(m_second) && m_tolerance > 0.;
   }
 
   /// returns the radius to start with, that of the first phase.

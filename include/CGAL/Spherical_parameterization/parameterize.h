@@ -39,8 +39,9 @@ namespace Spherical_parameterization {
 /// `vertex_sphere_map`: every face is positively oriented about the origin, and the faces cover the sphere once. The points
 /// are rounded and so not exactly on the sphere.
 ///
-/// The result does not depend on the number of threads, nor on the order of the vertices; placing the surface elsewhere
-/// in space or scaling it changes the result by rounding only.
+/// The result does not depend on the number of threads. Placing the surface elsewhere in space or scaling it changes the
+/// result by rounding only. So does renumbering its vertices, unless the shape is so regular that the choice between equals
+/// falls to the order.
 ///
 /// \tparam ConcurrencyTag enables sequential versus parallel algorithm. Possible values are `Sequential_tag`, `Parallel_tag`,
 ///         and `Parallel_if_available_tag`.
@@ -77,7 +78,7 @@ namespace Spherical_parameterization {
 ///     \cgalParamDescription{the time in seconds after which the map reached by then is certified and returned. The first
 ///                           map is completed in any case, with the least effort.}
 ///     \cgalParamType{double}
-///     \cgalParamDefault{no limit}
+///     \cgalParamDefault{no limit, as with any value that is not positive}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{visitor}
 ///     \cgalParamDescription{a visitor that is told of the progress and may stop it}

@@ -34,9 +34,9 @@ namespace internal {
 // vertices.
 //
 // The numbering is the package's own: breadth first from the vertex that is farthest from the centre, around each vertex
-// in counterclockwise order. It follows from the shape of the surface alone, not from the order of the caller's vertices
-// and not from the position of the surface in space, and so does everything that is computed from it. Besides, neighbours
-// get close numbers.
+// in counterclockwise order. It follows from the shape of the surface alone, not from the position of the surface in space,
+// and not from the order of the caller's vertices unless several are the farthest; and so does everything that is computed
+// from it. Besides, neighbours get close numbers.
 class Indexed_mesh
 {
 public:
@@ -176,7 +176,7 @@ private:
       center = center + (1. / static_cast<double>(n)) * p;
     std::uint32_t start = 0;
     for(std::uint32_t v = 1; v < n; ++v)
-      if(squared_length(m_points[v] - center) > squared_length(m_points[start] - center))
+      if(is_farther(m_points[v], m_points[start], center))
         start = v;
 
     std::vector<std::uint32_t> order, entry(n), number(n, none); // entry[v]: where the ring of v starts
@@ -188,7 +188,7 @@ private:
     };
     std::uint32_t farthest = rings.ring(start)[0];
     for(const std::uint32_t w : rings.ring(start))
-      if(squared_length(m_points[w] - m_points[start]) > squared_length(m_points[farthest] - m_points[start]))
+      if(is_farther(m_points[w], m_points[farthest], m_points[start]))
         farthest = w;
     visit(start, farthest);
     for(std::size_t k = 0; k < order.size(); ++k)
@@ -221,6 +221,13 @@ private:
     }
     m_points.swap(points);
     return true;
+  }
+
+  // whether p is farther from the origin o than q by more than rounding can make it; where a shape has ties, the first of
+  // the caller's vertices is chosen, wherever the shape is placed
+  static bool is_farther(const Vector_3d& p, const Vector_3d& q, const Vector_3d& o)
+  {
+    return squared_length(p - o) > (1. + 1e-7) * squared_length(q - o);
   }
 
   static std::size_t position(const Vertex_rings::Ring& ring, std::uint32_t v)

@@ -13,6 +13,7 @@
 
 #include <CGAL/license/Spherical_parameterization.h>
 
+#include <CGAL/Spherical_parameterization/Default_visitor.h>
 #include <CGAL/Spherical_parameterization/Error_code.h>
 #include <CGAL/Spherical_parameterization/internal/read_map.h>
 
@@ -21,11 +22,29 @@
 #include <CGAL/boost/graph/named_params_helper.h>
 #include <CGAL/boost/graph/properties.h>
 
+#include <cstddef>
+#include <functional>
 #include <vector>
 
 namespace CGAL {
 namespace Spherical_parameterization {
 namespace internal {
+
+// What the initial parameterizer sees of the caller's visitor and of the time: it may be stopped, and its levels show.
+template <class RunControl>
+class Initial_map_visitor : public Default_visitor
+{
+public:
+  explicit Initial_map_visitor(RunControl& control)
+    : m_control(control)
+  {}
+
+  void on_level(std::size_t number_of_vertices) { m_control.visitor().on_level(number_of_vertices); }
+  bool go_further(std::size_t /* iteration */, double energy) { return m_control.go_further(0, energy); }
+
+private:
+  RunControl& m_control;
+};
 
 // Gets the map that a parameterizer makes as positions on the unit sphere. This is the general way, through the public
 // interface of any model of `SphericalParameterizer_3`; a parameterizer of the package that works on an Indexed_mesh
@@ -45,8 +64,9 @@ struct Initial_map
     const auto map = get(CGAL::dynamic_vertex_property_t<Point_3>(), tmesh);
     const auto vpm =
         choose_parameter(get_parameter(np, internal_np::vertex_point), get_const_property_map(vertex_point, tmesh));
-    const Error_code error =
-        parameterizer.template parameterize<ConcurrencyTag>(tmesh, map, parameters::vertex_point_map(vpm));
+    Initial_map_visitor<RunControl> visitor(control);
+    const Error_code error = parameterizer.template parameterize<ConcurrencyTag>(
+        tmesh, map, parameters::vertex_point_map(vpm).visitor(std::ref(visitor)));
     if(error != OK)
       return error;
     const bool is_bijective = read_map(mesh, vertices_of_mesh, map, positions);

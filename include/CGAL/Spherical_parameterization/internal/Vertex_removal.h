@@ -91,11 +91,10 @@ public:
       const std::size_t degree = rings.degree(ring[j]) + d - 4;
       if(degree > good_degree)
         cost *= 1. + static_cast<double>((degree - good_degree) * (degree - good_degree));
-      if(!(cost <= (std::numeric_limits<float>::max)()))
-        cost = (std::numeric_limits<float>::max)();
-      if(!result.is_possible() || cost < result.m_cost)
+      const std::uint32_t rank = rank_of(cost);
+      if(!result.is_possible() || rank < result.m_rank)
       {
-        result.m_cost = cost;
+        result.m_rank = rank;
         result.m_target = j;
       }
     }
@@ -107,16 +106,8 @@ public:
   // the target as an index into the ring of the vertex
   std::uint32_t target() const { return m_target; }
 
-  // The cost as a key for sorting, coarser than a double by far: costs that differ by rounding only have the same rank,
-  // so the choice does not depend on how the mesh is placed in space.
-  std::uint32_t rank() const
-  {
-    const float cost = static_cast<float>(m_cost);
-    std::uint32_t bits;
-    static_assert(sizeof(bits) == sizeof(cost), "The rank of a cost needs 32 bit numbers.");
-    std::memcpy(&bits, &cost, sizeof(bits));
-    return bits >> 12;
-  }
+  // The cost as a key for sorting.
+  std::uint32_t rank() const { return m_rank; }
 
 private:
   static constexpr std::uint32_t none = (std::numeric_limits<std::uint32_t>::max)();
@@ -125,6 +116,18 @@ private:
   static constexpr std::size_t high_degree = 64;
   static constexpr double edge_weight = 1e-2;
   static constexpr double least_quality = 1e-6;
+
+  // Much coarser than the cost: costs that differ by rounding only have the same rank, so that no choice depends on how the
+  // mesh is placed in space.
+  static std::uint32_t rank_of(double cost)
+  {
+    const double largest = (std::numeric_limits<float>::max)();
+    const float rounded = static_cast<float>(cost <= largest ? cost : largest);
+    std::uint32_t bits;
+    static_assert(sizeof(bits) == sizeof(rounded), "The rank of a cost needs 32 bit numbers.");
+    std::memcpy(&bits, &rounded, sizeof(bits)); // as integers, positive numbers keep their order
+    return bits >> 12;
+  }
 
   static bool are_neighbors(const Vertex_rings& rings, std::uint32_t a, std::uint32_t b, bool is_exact)
   {
@@ -136,8 +139,7 @@ private:
     return std::find(ring.begin(), ring.end(), b) != ring.end();
   }
 
-  double m_cost = 0.;
-  std::uint32_t m_target = none;
+  std::uint32_t m_rank = 0, m_target = none;
 };
 
 } // namespace internal

@@ -34,7 +34,7 @@ namespace Spherical_parameterization {
 namespace internal {
 
 // What every parameterizer does around its own work: reads the named parameters, checks and copies the mesh, certifies and
-// writes the map. The work itself is
+// writes the map. The report is to be a new one. The work itself is
 //   Error_code compute(mesh, vertices_of_mesh, positions, radius, control)
 // which sets the positions on the unit sphere and the radius in the caller's unit of length.
 template <class TriangleMesh, class VertexSphereMap, class NamedParameters, class Compute>
@@ -47,7 +47,6 @@ Error_code run_parameterization(const TriangleMesh& tmesh, VertexSphereMap verte
   using Visitor =
       typename internal_np::Lookup_named_param_def<internal_np::visitor_t, NamedParameters, Default_visitor>::reference;
 
-  report = Parameterization_report();
   Default_visitor default_visitor;
   Visitor visitor = choose_parameter(get_parameter_reference(np, internal_np::visitor), default_visitor);
   const double most_seconds = choose_parameter(get_parameter(np, internal_np::maximum_running_time), 0.);

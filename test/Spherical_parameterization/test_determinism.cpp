@@ -1,0 +1,132 @@
+// The same input and options give the same bits: sequentially or in parallel, with any number of threads, again and again.
+
+#include <CGAL/spherical_parameterization.h>
+
+#include "test_maps.h"
+#include "test_meshes.h"
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Surface_mesh.h>
+
+#ifdef CGAL_LINKED_WITH_TBB
+#include <tbb/global_control.h>
+#include <tbb/task_arena.h>
+#endif
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <thread>
+#include <vector>
+
+namespace SP = CGAL::Spherical_parameterization;
+
+namespace {
+
+using test_meshes::Coordinates;
+
+using Point_3 = CGAL::Exact_predicates_inexact_constructions_kernel::Point_3;
+using Mesh = CGAL::Surface_mesh<Point_3>;
+using Parameterizer = SP::Bijective_low_distortion_parameterizer_3<Mesh>;
+
+template <class ConcurrencyTag>
+std::vector<Coordinates> images(const Mesh& mesh, Parameterizer& parameterizer)
+{
+  const auto map = test_maps::make_sentinel_map<Point_3>(mesh);
+  EXPECT_EQ(SP::parameterize<ConcurrencyTag>(mesh, parameterizer, map, CGAL::parameters::number_of_iterations(10u)),
+            SP::OK);
+  EXPECT_TRUE(SP::is_bijective(mesh, map));
+  return test_maps::images(mesh, map);
+}
+
+template <class ConcurrencyTag>
+std::vector<Coordinates> images(const Mesh& mesh)
+{
+  Parameterizer parameterizer;
+  return images<ConcurrencyTag>(mesh, parameterizer);
+}
+
+// large enough that all loops are cut into many blocks
+const Mesh& mesh()
+{
+  static const Mesh mesh = test_meshes::make_mesh<Mesh>(test_meshes::bumpy_sphere(5));
+  return mesh;
+}
+
+const std::vector<Coordinates>& sequential_images()
+{
+  static const std::vector<Coordinates> result = images<CGAL::Sequential_tag>(mesh());
+  return result;
+}
+
+TEST(Determinism, of_repeated_runs)
+{
+  EXPECT_TRUE(test_maps::have_same_bits(images<CGAL::Sequential_tag>(mesh()), sequential_images()));
+}
+
+TEST(Determinism, of_a_parameterizer_used_again)
+{
+  Parameterizer parameterizer;
+  EXPECT_TRUE(test_maps::have_same_bits(images<CGAL::Sequential_tag>(mesh(), parameterizer), sequential_images()));
+  // another mesh in between leaves no trace
+  images<CGAL::Sequential_tag>(test_meshes::make_mesh<Mesh>(test_meshes::suspension(7)), parameterizer);
+  EXPECT_TRUE(test_maps::have_same_bits(images<CGAL::Sequential_tag>(mesh(), parameterizer), sequential_images()));
+}
+
+// Policies that keep a state start anew as well.
+TEST(Determinism, of_policies_with_a_state)
+{
+  const Mesh small = test_meshes::make_mesh<Mesh>(test_meshes::bumpy_sphere(2));
+  SP::Bijective_low_distortion_parameterizer_3<Mesh, CGAL::Default, SP::Isometric_energy_3, SP::Absolute_sharpness_3>
+      parameterizer;
+  const auto map = test_maps::make_sentinel_map<Point_3>(small);
+  ASSERT_EQ(SP::parameterize(small, parameterizer, map), SP::OK);
+  const std::vector<Coordinates> first = test_maps::images(small, map);
+  const std::size_t n = parameterizer.report().number_of_average_iterations;
+  EXPECT_GT(n, 0u);
+  EXPECT_GT(parameterizer.report().number_of_sharp_iterations, 0u);
+  ASSERT_EQ(SP::parameterize(small, parameterizer, map), SP::OK);
+  EXPECT_EQ(parameterizer.report().number_of_average_iterations, n);
+  EXPECT_TRUE(test_maps::have_same_bits(test_maps::images(small, map), first));
+}
+
+TEST(Determinism, of_the_default)
+{
+  EXPECT_TRUE(test_maps::have_same_bits(images<CGAL::Parallel_if_available_tag>(mesh()), sequential_images()));
+}
+
+#ifdef CGAL_LINKED_WITH_TBB
+TEST(Determinism, of_any_number_of_threads)
+{
+  for(const int n_threads : {1, 2, 4, 7})
+  {
+    // TBB's own limit is the number of cores; an arena may be larger.
+    const tbb::global_control control(tbb::global_control::max_allowed_parallelism,
+                                      static_cast<std::size_t>((std::max)(n_threads, 1)));
+    tbb::task_arena arena(n_threads);
+    for(int run = 0; run < 2; ++run)
+    {
+      arena.execute([&] {
+        EXPECT_TRUE(test_maps::have_same_bits(images<CGAL::Parallel_tag>(mesh()), sequential_images())) << n_threads;
+      });
+    }
+  }
+}
+
+// Two runs at once do not disturb each other.
+TEST(Determinism, of_runs_side_by_side)
+{
+  const Mesh copy = mesh(); // property maps of one mesh may not be added by two threads
+  std::vector<Coordinates> first, second;
+  sequential_images();
+  std::thread one([&] { first = images<CGAL::Parallel_tag>(mesh()); });
+  std::thread other([&] { second = images<CGAL::Parallel_tag>(copy); });
+  one.join();
+  other.join();
+  EXPECT_TRUE(test_maps::have_same_bits(first, sequential_images()));
+  EXPECT_TRUE(test_maps::have_same_bits(second, sequential_images()));
+}
+#endif
+
+} // namespace
