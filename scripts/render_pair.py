@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
-"""Usage: scripts/render_pair.py PREFIX OUTPUT.png
+"""Usage: scripts/render_pair.py PREFIX OUTPUT.jpg
 
 Renders PREFIX_surface.ply and PREFIX_sphere.ply, which the program writes with --colored PREFIX, side by side.
-Needs VTK, on Debian and Ubuntu the package python3-vtk9. Draws off screen.
+Needs VTK, on Debian and Ubuntu the package python3-vtk9; without a display, run it with xvfb-run -a (packages xvfb, xauth).
 """
 
 import sys
@@ -48,7 +48,8 @@ def main():
     window.Render()
     image = vtk.vtkWindowToImageFilter()
     image.SetInput(window)
-    writer = vtk.vtkPNGWriter()
+    writer = vtk.vtkJPEGWriter()
+    writer.SetQuality(90)
     writer.SetInputConnection(image.GetOutputPort())
     writer.SetFileName(output)
     writer.Write()

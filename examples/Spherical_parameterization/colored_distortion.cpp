@@ -7,19 +7,17 @@
 
 #include <algorithm>
 #include <cstdlib>
-#include <fstream>
 #include <iostream>
 #include <string>
 
-namespace SP = CGAL::Spherical_parameterization;
+using Mesh = CGAL::Surface_mesh<CGAL::Exact_predicates_inexact_constructions_kernel::Point_3>;
+using Color = CGAL::IO::Color;
 
-using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-using Point_3 = Kernel::Point_3;
-using Mesh = CGAL::Surface_mesh<Point_3>;
+namespace SP = CGAL::Spherical_parameterization;
 
 int main(int argc, char** argv)
 {
-  const std::string filename = (argc > 1) ? argv[1] : CGAL::data_file_path("meshes/homer.off");
+  const std::string filename = (argc > 1) ? argv[1] : CGAL::data_file_path("meshes/bull.off");
 
   Mesh mesh;
   if(!CGAL::IO::read_polygon_mesh(filename, mesh))
@@ -28,7 +26,7 @@ int main(int argc, char** argv)
     return EXIT_FAILURE;
   }
 
-  auto sphere = mesh.add_property_map<Mesh::Vertex_index, Point_3>("v:sphere").first;
+  auto sphere = mesh.add_property_map<Mesh::Vertex_index, Mesh::Point>("v:sphere").first;
   const SP::Error_code error = SP::parameterize(mesh, sphere);
   if(error != SP::OK)
   {
@@ -37,17 +35,22 @@ int main(int argc, char** argv)
   }
 
   auto distortion = mesh.add_property_map<Mesh::Face_index, SP::Face_distortion>("f:distortion").first;
-  const double worst = SP::measure_distortion(mesh, sphere, distortion).isometric.maximum;
+  const SP::Distortion_summary summary = SP::measure_distortion(mesh, sphere, distortion);
 
-  // From blue, no distortion, to yellow, the largest one; PLY keeps the colours of the faces.
-  auto colors = mesh.add_property_map<Mesh::Face_index, CGAL::IO::Color>("f:color").first;
-  for(Mesh::Face_index f : mesh.faces())
+  // from white, an isometry, to dark red: four deviations above the average, or infinite
+  const double largest = summary.isometric.average + 4. * summary.isometric.deviation;
+  auto color = mesh.add_property_map<Mesh::Face_index, Color>("f:color").first;
+  for(const Mesh::Face_index f : mesh.faces())
   {
-    const double t = (std::min)((distortion[f].isometric - 1.) / (worst - 1.), 1.);
-    const unsigned char warm = static_cast<unsigned char>(255. * t), cold = static_cast<unsigned char>(255 - warm);
-    colors[f] = CGAL::IO::Color(warm, warm, cold);
+    const double t = (std::min)((distortion[f].isometric - 1.) / (largest - 1.), 1.);
+    const auto channel = [t](double end) { return static_cast<unsigned char>(255. + t * (end - 255.)); };
+    color[f] = Color(channel(140.), channel(0.), channel(20.));
   }
-  std::ofstream out("colored_distortion.ply", std::ios::binary);
-  CGAL::IO::set_binary_mode(out);
-  return CGAL::IO::write_PLY(out, mesh) ? EXIT_SUCCESS : EXIT_FAILURE;
+
+  CGAL::IO::write_PLY("surface.ply", mesh);
+  for(const Mesh::Vertex_index v : mesh.vertices())
+    mesh.point(v) = sphere[v];
+  CGAL::IO::write_PLY("sphere.ply", mesh);
+  std::cout << "surface.ply, sphere.ply: isometric distortion from 1 to " << largest << std::endl;
+  return EXIT_SUCCESS;
 }

@@ -50,6 +50,12 @@ public:
   /// returns the faces, each from its first corner on.
   const std::vector<Triangle>& triangles() const { return m_triangles; }
 
+  /// returns whether all coordinates are numbers, and none of them infinite.
+  static bool is_finite(const Point_3& p)
+  {
+    return std::isfinite(p.x()) && std::isfinite(p.y()) && std::isfinite(p.z());
+  }
+
 private:
   // An edge of a face is the number h = 3 * face + k of its first corner k; it leads from there to the next corner.
   struct Edge
@@ -84,7 +90,8 @@ private:
   void collect_triangles(const std::vector<std::vector<std::size_t>>& polygons)
   {
     if(polygons.empty())
-      fail("the mesh has no faces", "A point cloud has to be turned into a surface first.");
+      fail("the mesh has no faces",
+           "Perhaps the file is truncated, or a point cloud, which has to be turned into a surface first.");
     m_triangles.reserve(polygons.size());
     m_degrees.assign(m_points.size(), 0);
     std::size_t first = none, number_of_others = 0;
@@ -121,10 +128,9 @@ private:
   void check_coordinates() const
   {
     for(std::size_t v = 0; v < m_points.size(); ++v)
-      for(int i = 0; i < 3; ++i)
-        if(m_degrees[v] > 0 && !std::isfinite(m_points[v][i]))
-          fail(name("vertex", v) + " has a coordinate that is infinite or not a number",
-               "Repair the file, or the program that wrote it.");
+      if(m_degrees[v] > 0 && !is_finite(m_points[v]))
+        fail(name("vertex", v) + " has a coordinate that is infinite or not a number",
+             "Repair the file, or the program that wrote it.");
     const std::size_t number_of_vertices = number_of_used_vertices();
     if(number_of_vertices < 4)
       fail("only " + std::to_string(number_of_vertices) + " vertices have a face",

@@ -16,16 +16,32 @@
 #include "Text_off_reader.h"
 #include "file_format.h"
 
+#include <CGAL/IO/OFF/File_header_OFF.h>
 #include <CGAL/IO/polygon_soup_io.h>
 
 #include <cerrno>
+#include <cstdint>
 #include <exception>
 #include <filesystem>
 #include <fstream>
+#include <new>
 #include <string>
 #include <system_error>
 
 namespace Program {
+
+/// checks that the counts in the header of an OFF file are no larger than the file, as CGAL reserves what they ask for.
+///
+/// \throws Program_error otherwise
+inline void check_counts(const std::string& path)
+{
+  std::ifstream in(path, std::ios::binary);
+  CGAL::File_header_OFF header;
+  in >> header;
+  const std::uintmax_t size = std::filesystem::file_size(path);
+  if(!in || header.size_of_vertices() > size || header.size_of_facets() > size)
+    throw Program_error("the header is damaged: the numbers of vertices and faces are missing, negative or too large");
+}
 
 /// reads a mesh file of any format that CGAL reads.
 ///
@@ -46,6 +62,8 @@ inline Polygon_soup read_soup(const std::string& path)
   {
     if(format == ".off" && Text_off_reader(in)(soup))
       return soup;
+    if(format == ".off")
+      check_counts(path);
     in.close();
     if(!CGAL::IO::read_polygon_soup(path, soup.points, soup.polygons))
       throw Program_error("this is no valid file of the format " + format +

@@ -56,8 +56,9 @@ struct Default_visitor
   /// called after each sweep over the finest mesh.
   ///
   /// \param iteration number of the sweep, from 1
-  /// \param energy the mean of the energies of the faces that the sweep has lowered: \f$ \log( \frac{1}{n} \sum \exp( s E ) ) / s \f$,
-  ///               or the average for \f$ s = 0 \f$
+  /// \param energy the mean of the energies of the faces that the sweep has lowered:
+  ///        \f$ \log( \frac{1}{n} \sum \exp( s E ) ) / s \f$, or the average for \f$ s = 0 \f$. Where \f$ s \f$ changes from sweep
+  ///        to sweep, it may grow.
   /// \param radius the radius of the sphere
   void after_iteration(std::size_t iteration, double energy, double radius);
 

@@ -1,0 +1,130 @@
+// Copyright (c) 2026  The Spherical_parameterization authors.
+// All rights reserved.
+//
+// This file is part of the Spherical_parameterization package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Spherical_parameterization authors
+//
+
+#ifndef CGAL_SPHERICAL_PARAMETERIZATION_EXAMPLES_OUTPUT_FILE_H
+#define CGAL_SPHERICAL_PARAMETERIZATION_EXAMPLES_OUTPUT_FILE_H
+
+#include "Program_error.h"
+
+#include <cerrno>
+#include <filesystem>
+#include <fstream>
+#include <random>
+#include <string>
+#include <system_error>
+
+namespace Program {
+
+/// A file that appears complete or not at all: it is written under another name in the same folder, and renamed in the end.
+///
+/// Something that is no ordinary file, such as a pipe, is written directly.
+class Output_file
+{
+public:
+  /// checks that the file can be written, and leaves no trace of the check.
+  ///
+  /// \throws Program_error if it cannot
+  explicit Output_file(const std::string& name)
+    : m_name(name)
+    , m_path(name)
+  {
+    namespace fs = std::filesystem;
+    if(fs::is_directory(m_path, m_error))
+      fail("it is a directory");
+    const bool exists = fs::exists(m_path, m_error);
+    if(exists) // renaming would replace a write-protected file as well, against the will of its owner
+      open(m_path, std::ios::app);
+    if(exists && !fs::is_regular_file(m_path, m_error))
+    {
+      m_temporary_path = m_path;
+      return;
+    }
+    m_path = fs::weakly_canonical(m_path, m_error); // a link stays, and its target is replaced
+    if(m_error)
+      fail();
+    m_temporary_path =
+        m_path.parent_path() / ("." + m_path.filename().string() + "." + std::to_string(std::random_device()()));
+    open(m_temporary_path, std::ios::out);
+    remove_temporary();
+  }
+
+  ~Output_file() { remove_temporary(); }
+
+  Output_file(const Output_file&) = delete;
+  Output_file& operator=(const Output_file&) = delete;
+
+  /// returns the name as it was given.
+  const std::string& name() const { return m_name; }
+
+  /// returns the path of the file itself, behind links.
+  const std::filesystem::path& path() const { return m_path; }
+
+  /// writes all of the file by `write(stream)`, still under the other name.
+  ///
+  /// \throws Program_error if that fails, for example because the disk is full
+  template <class Write>
+  void write(const Write& write)
+  {
+    std::ofstream out = open(m_temporary_path, std::ios::out);
+    errno = 0;
+    write(out);
+    out.close();
+    if(!out)
+      fail_by_errno();
+  }
+
+  /// gives the file its name, and replaces the one that had it.
+  ///
+  /// \throws Program_error if that fails
+  void commit()
+  {
+    if(m_temporary_path == m_path)
+      return;
+    std::filesystem::rename(m_temporary_path, m_path, m_error);
+    if(m_error)
+      fail();
+  }
+
+private:
+  [[noreturn]] void fail(const std::string& reason) const
+  {
+    throw Program_error(m_name + ": cannot be written: " + reason);
+  }
+
+  [[noreturn]] void fail() const { fail(m_error.message()); }
+
+  [[noreturn]] void fail_by_errno() const
+  {
+    fail(std::error_code(errno != 0 ? errno : EIO, std::generic_category()).message());
+  }
+
+  std::ofstream open(const std::filesystem::path& path, std::ios::openmode mode) const
+  {
+    errno = 0;
+    std::ofstream out(path, mode | std::ios::binary);
+    if(!out)
+      fail_by_errno();
+    return out;
+  }
+
+  void remove_temporary()
+  {
+    if(m_temporary_path != m_path)
+      std::filesystem::remove(m_temporary_path, m_error);
+  }
+
+  std::string m_name;
+  std::filesystem::path m_path, m_temporary_path;
+  std::error_code m_error;
+};
+
+} // namespace Program
+
+#endif // CGAL_SPHERICAL_PARAMETERIZATION_EXAMPLES_OUTPUT_FILE_H

@@ -1,0 +1,170 @@
+// Copyright (c) 2026  The Spherical_parameterization authors.
+// All rights reserved.
+//
+// This file is part of the Spherical_parameterization package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Spherical_parameterization authors
+//
+
+#ifndef CGAL_SPHERICAL_PARAMETERIZATION_EXAMPLES_RUN_REPORT_H
+#define CGAL_SPHERICAL_PARAMETERIZATION_EXAMPLES_RUN_REPORT_H
+
+#include "Colored_mesh.h"
+#include "Json_object.h"
+#include "Program_options.h"
+
+#include <CGAL/Spherical_parameterization/Distortion_statistics.h>
+#include <CGAL/Spherical_parameterization/Distortion_summary.h>
+#include <CGAL/Spherical_parameterization/Parameterization_report.h>
+
+#include <iomanip>
+#include <ostream>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace Program {
+
+/// All that is told of a run: as a text for people, as JSON for programs.
+class Run_report
+{
+public:
+  explicit Run_report(const Program_options& options)
+    : m_options(options)
+  {}
+
+  CGAL::Spherical_parameterization::Parameterization_report run;
+  CGAL::Spherical_parameterization::Distortion_summary distortion;
+  double seconds_for_input = 0.; ///< reading and checking the file
+  double seconds_for_measuring = 0.;
+  double seconds_for_output = 0.;        ///< writing all files but that with this report
+  std::vector<std::string> files;        ///< that were written
+  const Colored_mesh* colored = nullptr; ///< if it was written
+
+  void print(std::ostream& out) const
+  {
+    out << "Mesh      " << m_options.input << ": " << run.number_of_vertices << " vertices, " << run.number_of_faces
+        << " faces";
+    if(run.number_of_isolated_vertices > 0)
+      out << ", and " << run.number_of_isolated_vertices << " vertices without a face";
+    if(run.number_of_flat_faces > 0)
+      out << "; " << run.number_of_flat_faces << " faces have no area";
+    out << "\nMethod    " << m_options.method << "\nSweeps    " << run.number_of_iterations() << " (" << stop_reason()
+        << ")\nRadius    " << fixed_text(run.radius, 10, false) << "\nSeconds   " << fixed_text(seconds(), 2) << " = "
+        << fixed_text(seconds_for_input, 2) << " input + " << fixed_text(run.seconds_for_reading, 2) << " copy + "
+        << fixed_text(run.seconds_for_hierarchy, 2) << " hierarchy + " << fixed_text(run.seconds_for_embedding, 2)
+        << " initial map + " << fixed_text(run.seconds_for_optimization, 2) << " sweeps + "
+        << fixed_text(run.seconds_for_certificate, 2) << " certificate + " << fixed_text(seconds_for_measuring, 2)
+        << " measuring + " << fixed_text(seconds_for_output, 2)
+        << " output\n\n            maximum     average   deviation\n";
+    print_line(out, "D_iso  ", distortion.isometric);
+    print_line(out, "D_area ", distortion.area);
+    print_line(out, "D_angle", distortion.angle);
+    out << distortion.number_of_inverted_faces << " inverted faces, " << distortion.number_of_degenerate_faces
+        << " degenerate faces" << (distortion.number_of_degenerate_faces > 0 ? ", which are left out" : "")
+        << "\n\nCertified: the map is one-to-one.\n";
+    for(const std::string& file : files)
+      out << "Written:   " << file << '\n';
+    if(colored != nullptr)
+      out << "Colours:   " << color_name() << " from " << fixed_text(colored->least(), 3) << " (violet) to "
+          << fixed_text(colored->largest(), 3) << " (yellow)\n";
+    out << std::flush;
+  }
+
+  std::string json() const
+  {
+    Json_object sweeps;
+    sweeps.add("levels", run.number_of_level_iterations)
+        .add("average", run.number_of_average_iterations)
+        .add("sharp", run.number_of_sharp_iterations);
+    Json_object energy;
+    energy.add("initial_average", run.initial_energy)
+        .add("average", run.average_energy)
+        .add("maximum", run.largest_energy);
+    Json_object stages;
+    stages.add("input", seconds_for_input)
+        .add("copy", run.seconds_for_reading)
+        .add("hierarchy", run.seconds_for_hierarchy)
+        .add("initial_map", run.seconds_for_embedding)
+        .add("sweeps", run.seconds_for_optimization)
+        .add("certificate", run.seconds_for_certificate)
+        .add("measuring", seconds_for_measuring)
+        .add("output", seconds_for_output)
+        .add("total", seconds());
+    Json_object measures;
+    measures.add("D_iso", statistics(distortion.isometric))
+        .add("D_area", statistics(distortion.area))
+        .add("D_angle", statistics(distortion.angle))
+        .add("inverted_faces", distortion.number_of_inverted_faces)
+        .add("degenerate_faces", distortion.number_of_degenerate_faces);
+    Json_object all;
+    all.add("input", m_options.input)
+        .add("vertices", run.number_of_vertices)
+        .add("faces", run.number_of_faces)
+        .add("isolated_vertices", run.number_of_isolated_vertices)
+        .add("flat_faces", run.number_of_flat_faces)
+        .add("method", m_options.method)
+        .add("one_to_one", true)
+        .add("stop_reason", stop_reason())
+        .add("levels", run.number_of_levels)
+        .add("attempts", run.number_of_attempts)
+        .add("sweeps", sweeps)
+        .add("sharpness", run.sharpness)
+        .add("radius", run.radius)
+        .add("energy", energy)
+        .add("distortion", measures)
+        .add("seconds", stages);
+    if(colored != nullptr)
+      all.add(
+          "colors",
+          Json_object().add("measure", color_name()).add("least", colored->least()).add("largest", colored->largest()));
+    return all.add("files", files).text() + '\n';
+  }
+
+private:
+  std::string stop_reason() const
+  {
+    using namespace CGAL::Spherical_parameterization;
+    return run.stop_reason == STOPPED ? "interrupted" : get_stop_message(run.stop_reason);
+  }
+
+  const char* color_name() const { return m_options.energy == Energy_choice::CONFORMAL ? "D_angle" : "D_iso"; }
+
+  double seconds() const { return seconds_for_input + run.seconds() + seconds_for_measuring + seconds_for_output; }
+
+  static std::string fixed_text(double x, int digits, bool is_fixed = true)
+  {
+    std::ostringstream text;
+    if(is_fixed)
+      text << std::fixed;
+    text << std::setprecision(digits) << x;
+    return text.str();
+  }
+
+  static void print_line(std::ostream& out, const char* name,
+                         const CGAL::Spherical_parameterization::Distortion_statistics& statistics)
+  {
+    constexpr double too_long = 1e6;
+    constexpr int width = 12, digits = 4;
+    out << name;
+    for(const double x : {statistics.maximum, statistics.average, statistics.deviation})
+      out << std::setw(width) << fixed_text(x, digits, x < too_long);
+    out << '\n';
+  }
+
+  static Json_object statistics(const CGAL::Spherical_parameterization::Distortion_statistics& statistics)
+  {
+    return Json_object()
+        .add("maximum", statistics.maximum)
+        .add("average", statistics.average)
+        .add("deviation", statistics.deviation);
+  }
+
+  const Program_options& m_options;
+};
+
+} // namespace Program
+
+#endif // CGAL_SPHERICAL_PARAMETERIZATION_EXAMPLES_RUN_REPORT_H

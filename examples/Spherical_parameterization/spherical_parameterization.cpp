@@ -1,0 +1,106 @@
+// The package as a program: maps a mesh file to a sphere, measures the distortion, writes and reports the result.
+// Its options are explained by --help; the parts of the program are in the folder include.
+
+#include "include/Colored_mesh.h"
+#include "include/Input_mesh.h"
+#include "include/Output_files.h"
+#include "include/Program_error.h"
+#include "include/Program_options.h"
+#include "include/Run_report.h"
+#include "include/parameterize_mesh.h"
+#include "include/read_soup.h"
+#include "include/write_soup.h"
+
+#include <CGAL/Real_timer.h>
+#include <CGAL/spherical_parameterization.h>
+#include <CGAL/version_macros.h>
+
+#include <cstdlib>
+#include <exception>
+#include <iostream>
+#include <optional>
+#include <ostream>
+#include <vector>
+
+using namespace Program;
+
+// returns the seconds since the last call
+double lap(CGAL::Real_timer& timer)
+{
+  const double seconds = timer.time();
+  timer.reset();
+  return seconds;
+}
+
+template <class Map>
+std::vector<Point_3> points_of(const Map& map)
+{
+  return std::vector<Point_3>(map.begin(), map.end());
+}
+
+void map_to_sphere(const Program_options& options)
+{
+  Output_files files(options); // before any work
+  Run_report report(options);
+  CGAL::Real_timer timer;
+  timer.start();
+
+  Input_mesh input(options.input, read_soup(options.input));
+  Mesh& mesh = input.mesh();
+  report.seconds_for_input = lap(timer);
+
+  // A vertex without a face stays at the origin.
+  const Sphere_map sphere = mesh.add_property_map<Vertex_index, Point_3>("v:sphere", Point_3(0, 0, 0)).first;
+  report.run = parameterize_mesh(input, sphere, options);
+
+  lap(timer);
+  const auto distortions = mesh.add_property_map<Mesh::Face_index, SP::Face_distortion>("f:distortion").first;
+  report.distortion = SP::measure_distortion(mesh, sphere, distortions);
+  report.seconds_for_measuring = lap(timer);
+
+  if(files.sphere)
+    files.sphere->write(
+        [&](std::ostream& out) { write_soup(out, file_format(options.output), points_of(sphere), input.triangles()); });
+  std::optional<Colored_mesh> colored;
+  if(files.colored_surface)
+  {
+    const bool is_conformal = options.energy == Energy_choice::CONFORMAL;
+    std::vector<double> values;
+    for(const SP::Face_distortion& distortion : distortions)
+      values.push_back(is_conformal ? distortion.angle : distortion.isometric);
+    colored.emplace(mesh.number_of_vertices(), input.triangles(), values, is_conformal ? 2. : 1.);
+    report.colored = &*colored;
+    files.colored_surface->write([&](std::ostream& out) { colored->write(out, points_of(mesh.points())); });
+    files.colored_sphere->write([&](std::ostream& out) { colored->write(out, points_of(sphere)); });
+  }
+  report.seconds_for_output = lap(timer);
+  report.files = files.names();
+  if(files.json)
+    files.json->write([&](std::ostream& out) { out << report.json(); });
+  files.commit();
+
+  if(!options.is_quiet)
+    report.print(std::cout);
+}
+
+int main(int argc, char** argv)
+{
+  try
+  {
+    const Program_options options(argc, argv);
+    if(options.wants_help)
+      std::cout << options.help();
+    else if(options.wants_version)
+      std::cout
+          << "spherical_parameterization, a part of the package Spherical_parameterization for CGAL; built with CGAL "
+          << CGAL_VERSION_STR << '\n';
+    else
+      map_to_sphere(options);
+    return EXIT_SUCCESS;
+  }
+  catch(const std::exception& error)
+  {
+    std::cerr << "spherical_parameterization: " << error.what() << '\n';
+    return EXIT_FAILURE;
+  }
+}
