@@ -1,5 +1,7 @@
 // The command line program, run as a user runs it: exit status, messages, and which files are written.
 
+#define BOOST_BIND_GLOBAL_PLACEHOLDERS // Boost's JSON parser uses them, and says so in every compilation otherwise
+
 #include "test_meshes.h"
 
 #include <boost/property_tree/json_parser.hpp>
