@@ -261,7 +261,10 @@ private:
     {
       const double last_radius = radius;
       const internal::Energy_summary last_summary = summary;
-      radius = next_radius(m_energy, descent.faces(), radius);
+      // Half the way, but for the first time: over-relaxed vertices answer a full step with more than their share, and
+      // the two never settle.
+      const double aim = next_radius(m_energy, descent.faces(), radius);
+      radius = i == 0 ? aim : radius * std::sqrt(aim / radius);
       const double sharpness = next_sharpness(i, summary.average(), summary.largest());
       descent.sweep(positions, scaled(radius), sharpness);
       if(sharpness > 0.)

@@ -53,9 +53,13 @@ public:
     return relative(m_beta, largest_energy);
   }
 
-  /// returns the sharpness of the next sweep over a coarse level, from a quarter of the dial: the worst faces of a coarse mesh
-  /// are partly so for being coarse.
-  double on_coarse_level(double largest_energy) const { return relative(0.25 * m_beta, largest_energy); }
+  /// returns the sharpness of the next sweep over a coarse level, from \f$ \beta^2 / (\beta + 36) \f$ in the place of
+  /// \f$ \beta \f$. The worst faces of a coarse mesh are partly so for being coarse, so a quarter of the default dial is enough
+  /// there; where only the maximum counts, the large features have to make room for it from the beginning.
+  double on_coarse_level(double largest_energy) const
+  {
+    return relative(m_beta * m_beta / (m_beta + 36.), largest_energy);
+  }
 
   /// returns `true`: the sharpness follows the map only, and settles with it.
   bool is_final() const { return true; }
