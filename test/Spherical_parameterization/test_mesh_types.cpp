@@ -217,13 +217,13 @@ TEST(Vertex_sphere_map, may_be_of_single_precision)
   EXPECT_TRUE(SP::is_bijective(mesh, map));
   EXPECT_LT(test_maps::largest_distance(test_maps::images(mesh, map), reference()), 1e-6);
 
-  // The corners of a face of size 1e-9 cannot be told from each other then.
+  // The corners of a face of size 1e-12 cannot be told from each other then.
   Triangle_list graded = test_meshes::icosphere(1);
   const test_meshes::Triangle t = graded.triangles[0];
   const Coordinates &a = graded.points[t[0]], &b = graded.points[t[1]], &c = graded.points[t[2]];
   for(int k = 0; k < 3; ++k) // a tiny triangle in the middle of a face
   {
-    const double s = 1. / 3. + (k == 0 ? 1e-9 : 0.), u = 1. / 3. + (k == 1 ? 1e-9 : 0.), w = 1. - s - u;
+    const double s = 1. / 3. + (k == 0 ? 1e-12 : 0.), u = 1. / 3. + (k == 1 ? 1e-12 : 0.), w = 1. - s - u;
     graded.points.push_back(
         {s * a[0] + u * b[0] + w * c[0], s * a[1] + u * b[1] + w * c[1], s * a[2] + u * b[2] + w * c[2]});
   }
