@@ -19,21 +19,32 @@ public:
   /// @{
 
   /// called once the mesh has been found valid, before an initial map is made.
+  ///
+  /// \param number_of_vertices the vertices that will be mapped; isolated vertices do not count
   void on_initialization_begin(std::size_t number_of_vertices);
 
-  /// called when a level of the hierarchy with `number_of_vertices` vertices has been mapped; they grow from call to call,
-  /// but start again if an attempt has failed.
+  /// called when a level of the hierarchy has been mapped.
+  ///
+  /// \param number_of_vertices the vertices of the level; they grow from call to call, but start again if an attempt failed
   void on_level(std::size_t number_of_vertices);
 
-  /// called when the initial map is there.
+  /// called when the initial map is there; from now on, stopping leaves a bijection at once.
   void on_initialization_end();
 
-  /// called after sweep number `iteration`, from 1, over the mesh, with the mean energy that it has lowered and the radius.
+  /// called after each sweep over the mesh.
+  ///
+  /// \param iteration number of the sweep, from 1
+  /// \param energy the mean of the energies of the faces that the sweep has lowered:
+  ///        \f$ \log( \frac{1}{n} \sum \exp( s E ) ) / s \f$, or the average for \f$ s = 0 \f$; where \f$ s \f$ changes from
+  ///        sweep to sweep, it may grow
+  /// \param radius the radius of the sphere in the unit of length of the mesh
   void after_iteration(std::size_t iteration, double energy, double radius);
 
-  /// called after `after_iteration()`, and now and then on the levels of the hierarchy, there with `iteration` 0.
+  /// called after `after_iteration()`, and now and then on the levels of the hierarchy, there with `iteration` 0 and the
+  /// average energy of the level.
   ///
-  /// \return `false` to stop as soon as possible; the map that has been reached is certified and returned nonetheless
+  /// \return `false` to stop as soon as possible: the map that has been reached is certified and returned. On the levels,
+  ///         the rest of the hierarchy is mapped in the least time first.
   bool go_further(std::size_t iteration, double energy);
 
   /// called after the last sweep, before the map is certified and written.
