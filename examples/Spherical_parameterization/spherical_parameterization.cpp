@@ -24,6 +24,13 @@
 
 using namespace Program;
 
+// Within CGAL, the package has no version of its own.
+#ifdef SPHERICAL_PARAMETERIZATION_VERSION
+constexpr const char* version = SPHERICAL_PARAMETERIZATION_VERSION;
+#else
+constexpr const char* version = "of CGAL";
+#endif
+
 // returns the seconds since the last call
 double lap(CGAL::Real_timer& timer)
 {
@@ -91,9 +98,7 @@ int main(int argc, char** argv)
     if(options.wants_help)
       std::cout << options.help();
     else if(options.wants_version)
-      std::cout
-          << "spherical_parameterization, a part of the package Spherical_parameterization for CGAL; built with CGAL "
-          << CGAL_VERSION_STR << '\n';
+      std::cout << "spherical_parameterization " << version << ", built with CGAL " << CGAL_VERSION_STR << '\n';
     else
       map_to_sphere(options);
     return EXIT_SUCCESS;
