@@ -250,6 +250,63 @@ TEST(Error_code, invalid_initial_parameterization)
   expect_error(pyramid, bld, SP::ERROR_INVALID_INITIAL_PARAMETERIZATION);
 }
 
+// A face that is positive by less than the sweeps can compute: a bijection, but nothing to start from.
+TEST(Error_code, initial_map_that_is_one_to_one_only_just_so)
+{
+  const Triangle_list list = test_meshes::icosphere(0);
+  const Mesh mesh = make_mesh(list);
+  const test_meshes::Triangle t = list.triangles[0]; // its first corner goes to the middle of the opposite edge
+  const Coordinates &a = list.points[t[1]], &b = list.points[t[2]];
+  const Coordinates middle = test_meshes::normalized({a[0] + b[0], a[1] + b[1], a[2] + b[2]});
+  const Coordinates apex = list.points[t[0]];
+  std::size_t number_of_maps = 0;
+  for(int k = -8; k < 24; ++k)
+  {
+    const double s = k * std::numeric_limits<double>::epsilon() / 2.;
+    std::vector<Coordinates> points = list.points;
+    points[t[0]] = {middle[0] + s * apex[0], middle[1] + s * apex[1], middle[2] + s * apex[2]};
+    SP::Precomputed_parameterizer_3<Mesh, Vertex_map> start(test_meshes::make_vertex_map<Point_3>(mesh, points));
+    const auto map = test_maps::make_sentinel_map<Point_3>(mesh);
+    if(SP::parameterize(mesh, start, map) != SP::OK)
+      continue;
+    ++number_of_maps;
+    EXPECT_TRUE(SP::is_bijective(mesh, map));
+    SP::Bijective_low_distortion_parameterizer_3<Mesh, SP::Precomputed_parameterizer_3<Mesh, Vertex_map>> bld(start);
+    expect_error(mesh, bld, SP::ERROR_INVALID_INITIAL_PARAMETERIZATION);
+  }
+  EXPECT_GT(number_of_maps, 0u);
+}
+
+TEST(Error_code, negative_number_of_iterations)
+{
+  const Mesh mesh = make_mesh(test_meshes::icosphere(0));
+  const auto map = test_maps::make_sentinel_map<Point_3>(mesh);
+  EXPECT_EQ(SP::parameterize(mesh, map, CGAL::parameters::number_of_iterations(-1)), SP::ERROR_WRONG_PARAMETER);
+}
+
+// Whatever a radius policy returns, the map is sound.
+struct Mad_radius
+{
+  double initial_radius(double equal_area_radius) const { return equal_area_radius; }
+  template <class Energy, class FaceRange>
+  double operator()(const Energy&, const FaceRange&, double)
+  {
+    ++calls;
+    return calls % 3 == 0 ? std::nan("") : calls % 3 == 1 ? -1. : std::numeric_limits<double>::infinity();
+  }
+  int calls = 0;
+};
+
+TEST(Error_code, radius_policy_may_return_anything)
+{
+  const Mesh mesh = make_mesh(test_meshes::icosphere(1));
+  const auto map = test_maps::make_sentinel_map<Point_3>(mesh);
+  SP::Bijective_low_distortion_parameterizer_3<Mesh, CGAL::Default, CGAL::Default, CGAL::Default, Mad_radius> bld;
+  EXPECT_EQ(SP::parameterize(mesh, bld, map), SP::OK);
+  EXPECT_TRUE(SP::is_bijective(mesh, map));
+  EXPECT_NEAR(bld.report().radius, 1., 0.2);
+}
+
 TEST(Error_code, insufficient_precision)
 {
   // On a sphere of the radius of the smallest positive double, there are not enough points.

@@ -3,8 +3,8 @@
 \cgalConcept
 
 The concept `DistortionEnergy_3` describes the energy of the map of one face, a function of the two invariants
-\f$ I = \sigma_1^2 + \sigma_2^2 \f$ and \f$ d = \sigma_1 \sigma_2 \f$ of its singular values. It has to be smooth for
-positive arguments, grow beyond all bounds as \f$ d \f$ goes to 0 (this keeps faces from being inverted), and be convex along
+\f$ I = \sigma_1^2 + \sigma_2^2 \f$ and \f$ d = \sigma_1 \sigma_2 \f$ of its singular values. It must not be negative, has
+to be smooth for positive arguments, grow beyond all bounds as \f$ d \f$ goes to 0 (this keeps faces from being inverted), and be convex along
 lines in the plane, at least near its minimum. It is called by several threads at once.
 
 A model may have, in addition,

@@ -28,7 +28,8 @@ public:
   /// \param largest_energy the largest energy of a face before the sweep
   double operator()(std::size_t sweep, double average_energy, double largest_energy);
 
-  /// returns the sharpness of the next sweeps over a coarse level of a hierarchy whose largest energy is `largest_energy`.
+  /// returns the sharpness of the next sweeps over a level of a hierarchy whose largest energy is `largest_energy`. It is not
+  /// called on levels below 300 vertices, where it is 0, nor when a hierarchy is mapped again after an attempt has failed.
   double on_coarse_level(double largest_energy) const;
 
   /// returns whether the schedule has come to its end, so that it makes sense to ask whether the map has settled.

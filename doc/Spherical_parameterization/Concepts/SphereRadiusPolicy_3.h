@@ -2,8 +2,11 @@
 \ingroup PkgSphericalParameterizationConcepts
 \cgalConcept
 
-The concept `SphereRadiusPolicy_3` describes how the radius of the sphere is chosen before each sweep. A policy may keep a
-state: each run works on a copy of the one that the parameterizer was given.
+The concept `SphereRadiusPolicy_3` describes how the radius of the sphere is chosen. The policy is called before each sweep over
+the mesh, and once more after the last one. The first and the last time the radius becomes what it returns, otherwise it
+goes half the way (in the sense of the geometric mean); a value that is not positive and finite is ignored. On the coarse
+levels of a hierarchy, `Optimal_radius_3` is in use. A policy may keep a state: each run works on a copy of the one that the
+parameterizer was given.
 
 A model may have `bool is_valid() const` in addition, whether its parameters are in their ranges.
 

@@ -6,6 +6,9 @@ The concept `SphericalParameterizationVisitor` describes what is told of the pro
 All functions are called from the thread that called `CGAL::Spherical_parameterization::parameterize()`. An exception
 that is thrown by one of them leaves the output map as it was.
 
+`Bijective_low_distortion_parameterizer_3` calls all of them, `Hierarchical_parameterizer_3` all but `after_iteration()` and
+`on_optimization_end()`, `Precomputed_parameterizer_3` none.
+
 \cgalRefines{CopyConstructible}
 
 \cgalHasModelsBegin

@@ -47,8 +47,8 @@ namespace Spherical_parameterization {
 /// (eq. 7) by block coordinate descent over the vertices (eq. 8) and the radius of the sphere (eq. 9 to 11). The vertices of
 /// one colour of a graph colouring are moved in parallel. No step ever inverts a face.
 ///
-/// After each sweep over all vertices, those around the worst faces are swept a few times more, for as long as a sweep takes
-/// at most: they settle slowest, and the largest distortion is theirs.
+/// If the sharpness is positive, each sweep over all vertices is followed by some over those around the worst faces, as long as
+/// they are not more than a fifth: they settle slowest, and the largest distortion is theirs. The report does not count them.
 ///
 /// A one-to-one mapping is guaranteed whenever `OK` is returned: the orientation of every face and the degree of the map are
 /// computed by exact predicates on the points as they have been written. This holds for a run that was stopped early as well.
@@ -183,8 +183,12 @@ public:
     m_report = Parameterization_report();
     if(!is_valid())
       return ERROR_WRONG_PARAMETER;
-    const std::size_t most_iterations = static_cast<std::size_t>(
-        choose_parameter(get_parameter(np, internal_np::number_of_iterations), default_number_of_iterations));
+    const auto number_of_iterations =
+        choose_parameter(get_parameter(np, internal_np::number_of_iterations), default_number_of_iterations);
+    if constexpr(std::is_signed<std::decay_t<decltype(number_of_iterations)>>::value)
+      if(number_of_iterations < 0)
+        return ERROR_WRONG_PARAMETER;
+    const std::size_t most_iterations = static_cast<std::size_t>(number_of_iterations);
     return internal::run_parameterization(
         tmesh, vertex_sphere_map, np, m_report,
         [&](const internal::Indexed_mesh& mesh, const auto& vertices_of_mesh,
@@ -234,6 +238,12 @@ private:
       return Initial_parameterizer();
   }
 
+  // A policy of the caller's may return anything.
+  static bool is_positive_and_finite(double radius)
+  {
+    return radius > 0. && std::isfinite(radius);
+  }
+
   static bool is_settled(double value, double last_value, double tolerance)
   {
     return std::abs(value - last_value) <= tolerance * last_value;
@@ -264,7 +274,8 @@ private:
       // Half the way, but for the first time: over-relaxed vertices answer a full step with more than their share, and
       // the two never settle.
       const double aim = next_radius(m_energy, descent.faces(), radius);
-      radius = i == 0 ? aim : radius * std::sqrt(aim / radius);
+      if(is_positive_and_finite(aim))
+        radius = i == 0 ? aim : radius * std::sqrt(aim / radius);
       const double sharpness = next_sharpness(i, summary.average(), summary.largest());
       descent.sweep(positions, scaled(radius), sharpness);
       if(sharpness > 0.)
@@ -295,7 +306,9 @@ private:
     }
     if(control.stop_reason() != NOT_RUN)
       m_report.stop_reason = control.stop_reason();
-    radius = next_radius(m_energy, descent.faces(), radius);
+    const double last_radius = next_radius(m_energy, descent.faces(), radius);
+    if(is_positive_and_finite(last_radius))
+      radius = last_radius;
     summary = descent.measure(positions, scaled(radius), 0.);
     m_report.average_energy = summary.average();
     m_report.largest_energy = summary.largest();

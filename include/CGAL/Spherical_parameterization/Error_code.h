@@ -34,7 +34,7 @@ enum Error_code
   ERROR_NO_TOPOLOGICAL_SPHERE,            ///< The mesh is closed and connected, but its genus is not 0.
   ERROR_NO_SIMPLICIAL_COMPLEX,            ///< Two edges join the same two vertices, or two fans of faces meet in one.
   ERROR_NON_FINITE_COORDINATE,            ///< A coordinate is infinite or not a number.
-  ERROR_INVALID_INITIAL_PARAMETERIZATION, ///< The initial map is not one-to-one.
+  ERROR_INVALID_INITIAL_PARAMETERIZATION, ///< The initial map is not one-to-one, or only just so.
   ERROR_NO_1_TO_1_MAPPING,                ///< The map that has been computed is not one-to-one.
   ERROR_INSUFFICIENT_PRECISION,           ///< No one-to-one map was found that double precision numbers can hold.
   ERROR_WRONG_PARAMETER                   ///< A parameter is out of its range.
@@ -75,13 +75,12 @@ inline const char* get_error_message(Error_code error_code)
     return "The mesh has a coordinate that is infinite or not a number: repair the file or the program that wrote it.";
   case ERROR_INVALID_INITIAL_PARAMETERIZATION:
     return "The initial map is not one-to-one: every face has to be positively oriented as seen from the centre of the "
-           "sphere, and the faces have to cover the sphere once.";
+           "sphere, by more than rounding can change, and the faces have to cover the sphere once.";
   case ERROR_NO_1_TO_1_MAPPING:
     return "The map that was computed is not one-to-one: use a parameterizer that guarantees a bijection.";
   case ERROR_INSUFFICIENT_PRECISION:
-    return "No one-to-one map was found that double precision numbers can hold: parts of the surface would have to "
-           "shrink "
-           "below their resolution; try an energy that also preserves areas.";
+    return "No one-to-one map was found that double precision numbers can hold: parts of the surface would have to be "
+           "smaller than their resolution; try an energy that also preserves areas.";
   case ERROR_WRONG_PARAMETER:
     return "A parameter is out of its range: see the documentation of the function or class for the values it accepts.";
   }

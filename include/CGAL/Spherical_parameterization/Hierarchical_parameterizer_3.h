@@ -90,7 +90,7 @@ public:
   /// constructs the parameterizer.
   ///
   /// \param energy the energy that the sweeps lower
-  /// \param sharpness the sharpness policy, asked for its values on coarse levels
+  /// \param sharpness the sharpness policy, asked for its values on coarse levels, and used for all of at least 300 vertices
   /// \param vertex_update how a vertex is moved
   /// \param sweeps_per_level sweeps over each level, at least 1; levels below 2000 vertices get up to four times as many
   explicit Hierarchical_parameterizer_3(const Energy& energy = Energy(), const Sharpness& sharpness = Sharpness(),

@@ -55,7 +55,8 @@ inline const char* get_stop_message(Stop_reason reason)
 
 /// \ingroup PkgSphericalParameterizationMethods
 ///
-/// What a parameterizer did in its last run.
+/// What a parameterizer did in its last run. The energies, the sharpness and the sweeps over the finest mesh are those of
+/// `Bijective_low_distortion_parameterizer_3`; others leave them 0.
 struct Parameterization_report
 {
   std::size_t number_of_vertices = 0;          ///< vertices that were mapped
@@ -67,7 +68,7 @@ struct Parameterization_report
   Stop_reason stop_reason = NOT_RUN;  ///< why the last phase ended
   std::size_t number_of_levels = 0;   ///< levels of the hierarchy
   std::size_t number_of_attempts = 0; ///< times that the hierarchy was mapped; above 1, the first attempts failed
-  std::size_t number_of_level_iterations = 0;   ///< sweeps over coarse levels
+  std::size_t number_of_level_iterations = 0;   ///< sweeps over levels of the hierarchy
   std::size_t number_of_average_iterations = 0; ///< sweeps over the finest mesh with sharpness 0 (eq. 6)
   std::size_t number_of_sharp_iterations = 0;   ///< sweeps over the finest mesh with a positive sharpness (eq. 7)
   double sharpness = 0.;                        ///< of the last sweep

@@ -33,7 +33,7 @@ namespace Spherical_parameterization {
 /// The class `Precomputed_parameterizer_3` hands out a map that the caller has already, projected to the unit sphere, so that
 /// it can start another parameterizer, for example one that was stopped.
 ///
-/// A one-to-one mapping is guaranteed: if the caller's map is none, `ERROR_INVALID_INITIAL_PARAMETERIZATION` is returned.
+/// The visitor is not called. A one-to-one mapping is guaranteed: if the caller's map is none, `ERROR_INVALID_INITIAL_PARAMETERIZATION` is returned.
 ///
 /// \cgalModels{SphericalParameterizer_3}
 ///
@@ -80,6 +80,7 @@ public:
                                             const bool is_bijective =
                                                 internal::read_map(mesh, vertices_of_mesh, m_map, positions);
                                             m_report.seconds_for_embedding = control.lap();
+                                            m_report.stop_reason = ITERATION_LIMIT;
                                             return is_bijective ? OK : ERROR_INVALID_INITIAL_PARAMETERIZATION;
                                           });
   }

@@ -84,10 +84,15 @@ namespace Spherical_parameterization {
 ///     \cgalParamDescription{a visitor that is told of the progress and may stop it}
 ///     \cgalParamType{a model of `SphericalParameterizationVisitor`, or an `std::reference_wrapper` of one}
 ///     \cgalParamDefault{`Default_visitor`}
+///     \cgalParamExtra{Not used by `Precomputed_parameterizer_3`, nor is `maximum_running_time`.}
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
 /// \return `OK`, or what is wrong with the mesh or a parameter; see `get_error_message()`
+///
+/// \pre `tmesh` has fewer than 2^32 halfedges.
+///
+/// \note Calls at the same time have to be for different meshes, as temporary properties may be added to a mesh.
 ///
 /// \sa `CGAL::Spherical_parameterization::is_bijective()`
 /// \sa `CGAL::Spherical_parameterization::measure_distortion()`

@@ -14,6 +14,8 @@
 
 #include <CGAL/Spherical_parameterization/internal/Orientation_about_origin_3.h>
 
+#include <CGAL/enum.h>
+
 #include <cstddef>
 
 namespace CGAL {

@@ -18,6 +18,9 @@
 #include <CGAL/Spherical_parameterization/internal/Mesh_hierarchy.h>
 #include <CGAL/Spherical_parameterization/internal/Per_thread.h>
 #include <CGAL/Spherical_parameterization/internal/Star_kernel.h>
+#include <CGAL/Spherical_parameterization/internal/Vector_3d.h>
+#include <CGAL/Spherical_parameterization/internal/Vertex_rings.h>
+#include <CGAL/Spherical_parameterization/internal/for_each_block.h>
 #include <CGAL/Spherical_parameterization/internal/vertex_areas.h>
 
 #include <algorithm>

@@ -15,6 +15,9 @@
 
 #include <CGAL/Spherical_parameterization/Default_visitor.h>
 #include <CGAL/Spherical_parameterization/Error_code.h>
+#include <CGAL/Spherical_parameterization/internal/Indexed_mesh.h>
+#include <CGAL/Spherical_parameterization/internal/Vector_3d.h>
+#include <CGAL/Spherical_parameterization/internal/is_safely_positive.h>
 #include <CGAL/Spherical_parameterization/internal/read_map.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -23,6 +26,7 @@
 #include <CGAL/boost/graph/properties.h>
 
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <vector>
 
@@ -69,9 +73,15 @@ struct Initial_map
         tmesh, map, parameters::vertex_point_map(vpm).visitor(std::ref(visitor)));
     if(error != OK)
       return error;
-    const bool is_bijective = read_map(mesh, vertices_of_mesh, map, positions);
+    // The sweeps compute with rounding, so a face that is positive by less than that would not be safe with them.
+    bool is_safe = read_map(mesh, vertices_of_mesh, map, positions);
+    mesh.rings().for_each_face([&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+      const Vector_3d ab = positions[b] - positions[a], ac = positions[c] - positions[a];
+      is_safe =
+          is_safe && is_safely_positive(dot(positions[a], cross(ab, ac)), squared_length(ab) + squared_length(ac));
+    });
     control.report().seconds_for_embedding = control.lap();
-    return is_bijective ? OK : ERROR_INVALID_INITIAL_PARAMETERIZATION;
+    return is_safe ? OK : ERROR_INVALID_INITIAL_PARAMETERIZATION;
   }
 };
 

@@ -15,6 +15,7 @@
 
 #include <CGAL/Spherical_parameterization/internal/Bijectivity_certificate.h>
 #include <CGAL/Spherical_parameterization/internal/Indexed_mesh.h>
+#include <CGAL/Spherical_parameterization/internal/Vector_3d.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/number_utils.h>

@@ -18,9 +18,14 @@
 #include <CGAL/Spherical_parameterization/internal/Exact_predicates_kernel.h>
 #include <CGAL/Spherical_parameterization/internal/Indexed_mesh.h>
 
+#include <CGAL/Kernel_traits.h>
+
 #include <boost/property_map/property_map.hpp>
 
+#include <cmath>
 #include <cstddef>
+#include <limits>
+#include <type_traits>
 #include <vector>
 
 namespace CGAL {
@@ -37,6 +42,12 @@ Error_code write_map(const Indexed_mesh& mesh, const std::vector<VertexDescripto
   using Selection = Exact_predicates_kernel_of_map<VertexSphereMap>;
   using Exact_kernel = typename Selection::type;
   using FT = typename Kernel_traits<Point_3>::Kernel::FT;
+
+  if(!(radius > 0.) || !std::isfinite(radius))
+    return ERROR_INSUFFICIENT_PRECISION;
+  if constexpr(std::is_floating_point<FT>::value)
+    if(radius > static_cast<double>((std::numeric_limits<FT>::max)()))
+      return ERROR_INSUFFICIENT_PRECISION;
 
   std::vector<Point_3> points;
   std::vector<typename Exact_kernel::Point_3> exact_points;
