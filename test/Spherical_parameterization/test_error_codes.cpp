@@ -287,7 +287,7 @@ TEST(Error_code, negative_number_of_iterations)
 // Whatever a radius policy returns, the map is sound.
 struct Mad_radius
 {
-  double initial_radius(double equal_area_radius) const { return equal_area_radius; }
+  double initial_radius(double) const { return std::nan(""); }
   template <class Energy, class FaceRange>
   double operator()(const Energy&, const FaceRange&, double)
   {

@@ -259,6 +259,8 @@ private:
     Sharpness next_sharpness = m_sharpness; // policies may keep a state: each run has its own
     Radius next_radius = m_radius;
     radius = next_radius.initial_radius(mesh.equal_area_radius());
+    if(!is_positive_and_finite(radius))
+      radius = mesh.equal_area_radius();
     // the radius in the unit of the mesh, kept where its powers are finite
     const auto scaled = [&](double r) { return (std::min)((std::max)(mesh.scaled_radius(r), 1e-50), 1e50); };
 
