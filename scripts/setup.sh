@@ -9,13 +9,14 @@
 
 [ $# -eq 0 ] || [ "$*" = --tests ] || fail "Usage: scripts/setup.sh [--tests]"
 
-packages=(g++ make cmake libcgal-dev libcgal-demo libboost-program-options-dev libtbb-dev)
-components=(CGAL Boost TBB)
-wanted="a C++17 compiler, CMake 3.18, CGAL 5.5, Boost.Program_options and TBB"
+packages=(g++ make cmake libcgal-dev libcgal-demo libboost-program-options-dev libtbb-dev libeigen3-dev)
+components=(CGAL Boost TBB Eigen3)
+wanted="a C++17 compiler, CMake 3.18, CGAL 5.5, Boost.Program_options, TBB and Eigen"
 if [ "${1-}" = --tests ]; then
-  packages+=(git libgtest-dev clang-format-14)
+  packages+=(git libgtest-dev clang-format-14 python3-numpy python3-matplotlib python3-vtk9 xvfb xauth)
   components+=(GTest)
-  wanted="a C++17 compiler, CMake 3.18, CGAL 5.5, Boost.Program_options, TBB, GoogleTest and clang-format 14"
+  wanted="a C++17 compiler, CMake 3.18, CGAL 5.5, Boost.Program_options, TBB, Eigen, GoogleTest, clang-format 14, and Python"
+  wanted+=" with numpy, matplotlib and VTK"
 fi
 
 is_installed() {

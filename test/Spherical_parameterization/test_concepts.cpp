@@ -1,5 +1,5 @@
-// Models of the concepts as a user would write them, with no more than the concepts ask for, in place of those of the package:
-// each yields a certified map, and each is really used.
+// Models of the concepts as a user would write them, with no more than the concepts ask for, in place of those of the
+// package: each yields a certified map, and each is really used.
 
 #include <CGAL/spherical_parameterization.h>
 
@@ -31,11 +31,12 @@ using Mesh = CGAL::Surface_mesh<Point_3>;
 using Default = CGAL::Default;
 
 template <class InitialParameterizer = Default, class Energy = Default, class Sharpness = Default,
-          class Radius = Default, class VertexUpdate = Default>
-using Bld =
-    SP::Bijective_low_distortion_parameterizer_3<Mesh, InitialParameterizer, Energy, Sharpness, Radius, VertexUpdate>;
+          class Radius = Default, class VertexUpdate = Default, class Barrier = Default>
+using Bld = SP::Bijective_low_distortion_parameterizer_3<Mesh, InitialParameterizer, Energy, Sharpness, Radius,
+                                                         VertexUpdate, Barrier>;
 
-// DistortionEnergy_3, without a default constructor: the angle distortion and some of the square of the area distortion.
+// DistortionEnergy_3, without a default constructor: the angle distortion and some of the square of the area
+// distortion.
 class My_energy
 {
 public:
@@ -95,15 +96,14 @@ struct My_radius
   }
 };
 
-// VertexUpdate_3: the paper's gradient step, eq. 8.
+// VertexUpdate_3: a gradient step.
 struct My_update
 {
   template <class VertexEnergy>
   bool operator()(const VertexEnergy& energy, std::array<double, 2>& step) const
   {
     std::array<double, 2> gradient;
-    std::array<double, 3> hessian;
-    const double start = energy.derivatives(gradient, hessian);
+    const double start = energy.gradient(gradient);
     const double length = std::hypot(gradient[0], gradient[1]);
     if(!(length > 0.))
     {
@@ -120,6 +120,125 @@ struct My_update
     }
     return false;
   }
+};
+
+// SphereRadiusPolicy_3 with phases: one sphere after the other, and how often it was asked for the next one.
+struct My_radius_in_phases
+{
+  double initial_radius(double) const { return 1.; }
+
+  template <class Energy, class FaceRange>
+  double operator()(const Energy&, const FaceRange&, double)
+  {
+    return 1. + 0.1 * phase;
+  }
+
+  bool next_phase()
+  {
+    ++number_of_calls();
+    return ++phase <= 3;
+  }
+
+  static int& number_of_calls()
+  {
+    static int n = 0;
+    return n;
+  }
+
+  int phase = 0;
+};
+
+// SparseLinearAlgebraWithFactorTraits_d, with nothing but dense arrays: the Cholesky factorisation by the book.
+class My_solver
+{
+public:
+  using NT = double;
+
+  class Vector
+  {
+  public:
+    explicit Vector(std::size_t n)
+      : m_values(n, 0.)
+    {}
+    double& operator[](std::ptrdiff_t i) { return m_values[static_cast<std::size_t>(i)]; }
+    double operator[](std::ptrdiff_t i) const { return m_values[static_cast<std::size_t>(i)]; }
+
+  private:
+    std::vector<double> m_values;
+  };
+
+  class Matrix
+  {
+  public:
+    explicit Matrix(std::size_t n, bool /* is_symmetric */ = false)
+      : m_rows(n, std::vector<double>(n, 0.))
+    {}
+    Matrix(std::size_t n, std::size_t n_columns, bool /* is_symmetric */ = false)
+      : m_rows(n, std::vector<double>(n_columns, 0.))
+    {}
+    void set_coef(std::size_t i, std::size_t j, double value, bool /* is_new */ = false) { m_rows[i][j] = value; }
+    const std::vector<std::vector<double>>& rows() const { return m_rows; }
+
+  private:
+    std::vector<std::vector<double>> m_rows;
+  };
+
+  bool factor(const Matrix& matrix, double& denominator)
+  {
+    denominator = 1.;
+    m_lower = matrix.rows();
+    for(std::size_t i = 0; i < m_lower.size(); ++i)
+    {
+      for(std::size_t j = 0; j <= i; ++j)
+      {
+        double sum = m_lower[i][j];
+        for(std::size_t k = 0; k < j; ++k)
+        {
+          sum -= m_lower[i][k] * m_lower[j][k];
+        }
+        if(i == j && !(sum > 0.))
+        {
+          return false;
+        }
+        m_lower[i][j] = i == j ? std::sqrt(sum) : sum / m_lower[j][j];
+      }
+    }
+    return true;
+  }
+
+  bool linear_solver(const Vector& right, Vector& solution)
+  {
+    const auto index = [](std::size_t i) { return static_cast<std::ptrdiff_t>(i); };
+    const std::size_t n = m_lower.size();
+    for(std::size_t i = 0; i < n; ++i)
+    {
+      double sum = right[index(i)];
+      for(std::size_t k = 0; k < i; ++k)
+      {
+        sum -= m_lower[i][k] * solution[index(k)];
+      }
+      solution[index(i)] = sum / m_lower[i][i];
+    }
+    for(std::size_t i = n; i-- > 0;)
+    {
+      for(std::size_t k = i + 1; k < n; ++k)
+      {
+        solution[index(i)] -= m_lower[k][i] * solution[index(k)];
+      }
+      solution[index(i)] /= m_lower[i][i];
+    }
+    ++number_of_calls();
+    return true;
+  }
+
+  static int& number_of_calls()
+  {
+    static int n = 0;
+    return n;
+  }
+
+private:
+  std::vector<std::vector<double>> m_lower;
 };
 
 // SphericalParameterizer_3: projects a surface from the origin, which is a bijection if it is star-shaped about it.
@@ -200,11 +319,13 @@ TEST(Concept, default_in_each_place_is_the_default)
     EXPECT_TRUE(test_maps::have_same_bits(images(parameterizer), default_images()));
   };
   expect_default(Bld<Default, Default, Default, Default, Default>());
-  expect_default(Bld<SP::Hierarchical_parameterizer_3<Mesh>>());
+  expect_default(
+      Bld<SP::Hierarchical_parameterizer_3<Mesh, SP::Symmetric_Dirichlet_energy_3, SP::Relative_sharpness_3>>());
   expect_default(Bld<Default, SP::Symmetric_Dirichlet_energy_3>());
   expect_default(Bld<Default, Default, SP::Relative_sharpness_3>());
   expect_default(Bld<Default, Default, Default, SP::Two_phase_radius_3<>>());
   expect_default(Bld<Default, Default, Default, Default, SP::Newton_update_3>());
+  expect_default(Bld<Default, Default, Default, Default, Default, SP::Determinant_barrier_3>());
 }
 
 TEST(Concept, distortion_energy)
@@ -256,6 +377,35 @@ TEST(Concept, sphere_radius_policy)
     sum += area(get(map, a), get(map, b), get(map, c)) / area(mesh().point(a), mesh().point(b), mesh().point(c));
   }
   EXPECT_NEAR(sum / static_cast<double>(num_faces(mesh())), 1., 1e-12);
+}
+
+TEST(Concept, sphere_radius_policy_with_phases)
+{
+  Bld<Default, Default, Default, My_radius_in_phases> bld;
+  const auto map = test_maps::make_sentinel_map<Point_3>(mesh());
+  My_radius_in_phases::number_of_calls() = 0;
+  ASSERT_EQ(SP::parameterize(mesh(), bld, map, CGAL::parameters::number_of_iterations(1000u)), SP::OK);
+  // The run goes on as long as there is a next phase; then the last radius is asked for.
+  EXPECT_EQ(bld.report().stop_reason, SP::CONVERGED);
+  EXPECT_EQ(My_radius_in_phases::number_of_calls(), 5);
+  EXPECT_EQ(bld.report().radius, 1.5);
+  ASSERT_EQ(SP::parameterize(mesh(), bld, map, CGAL::parameters::number_of_iterations(2u)), SP::OK);
+  EXPECT_EQ(My_radius_in_phases::number_of_calls(), 6);
+  EXPECT_EQ(bld.report().radius, 1.1);
+}
+
+TEST(Concept, sparse_linear_algebra_traits)
+{
+  const auto expect_same_map = [&](auto&& by_my_solver, auto&& by_default) {
+    My_solver::number_of_calls() = 0;
+    const std::vector<Coordinates> mine = images(by_my_solver);
+    EXPECT_GT(My_solver::number_of_calls(), 3);
+    EXPECT_LT(test_maps::largest_distance(mine, images(by_default)), 1e-8);
+  };
+  expect_same_map(SP::Stereographic_parameterizer_3<Mesh, My_solver>(), SP::Stereographic_parameterizer_3<Mesh>());
+  expect_same_map(SP::Harmonic_parameterizer_3<Mesh, My_solver>(), SP::Harmonic_parameterizer_3<Mesh>());
+  expect_same_map(SP::ARAP_parameterizer_3<Mesh, Radial_projection, My_solver>(),
+                  SP::ARAP_parameterizer_3<Mesh, Radial_projection>());
 }
 
 TEST(Concept, vertex_update)
@@ -325,8 +475,10 @@ struct Giving_up
   template <class ConcurrencyTag, class TriangleMesh, class VertexSphereMap, class NamedParameters>
   SP::Error_code parameterize(const TriangleMesh&, VertexSphereMap, const NamedParameters&)
   {
-    return SP::ERROR_NO_1_TO_1_MAPPING;
+    return code;
   }
+
+  SP::Error_code code = SP::ERROR_INSUFFICIENT_PRECISION;
 };
 
 TEST(Concept, spherical_parameterizer_may_fail)
@@ -334,7 +486,10 @@ TEST(Concept, spherical_parameterizer_may_fail)
   const auto map = test_maps::make_sentinel_map<Point_3>(mesh());
   const std::vector<Coordinates> before = test_maps::images(mesh(), map);
   Bld<Giving_up> bld;
-  EXPECT_EQ(SP::parameterize(mesh(), bld, map), SP::ERROR_NO_1_TO_1_MAPPING);
+  EXPECT_EQ(SP::parameterize(mesh(), bld, map), SP::ERROR_INSUFFICIENT_PRECISION);
+  // A map that folds is nothing to start from; the caller's own map has not been written then.
+  Bld<Giving_up> from_folds(Giving_up{SP::ERROR_NO_1_TO_1_MAPPING});
+  EXPECT_EQ(SP::parameterize(mesh(), from_folds, map), SP::ERROR_INVALID_INITIAL_PARAMETERIZATION);
   EXPECT_TRUE(test_maps::have_same_bits(test_maps::images(mesh(), map), before));
 }
 

@@ -1,9 +1,10 @@
-// A folder of meshes found in the wild and of meshes made to break things, where there is one: every valid mesh is mapped
-// one-to-one, every invalid one is refused.
+// A folder of meshes found in the wild and of meshes made to break things, where there is one: every valid mesh is
+// mapped one-to-one, every invalid one is refused.
 
 #include <CGAL/spherical_parameterization.h>
 
 #include "test_maps.h"
+#include "test_runs.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Surface_mesh.h>
@@ -55,6 +56,30 @@ bool read(const std::string& file, Mesh& mesh)
   {
     return false;
   }
+}
+
+// Every method on the mesh: never OK on a map that folds, and no fold where a bijection is promised. Returns how many
+// got one.
+template <class Method>
+int run_method(const Mesh& mesh, bool may_fold)
+{
+  Method method;
+  const test_runs::Result result =
+      test_runs::run<Point_3>(mesh, method, may_fold, CGAL::parameters::number_of_iterations(20u));
+  EXPECT_TRUE(result.error == SP::OK || result.error == SP::ERROR_NO_1_TO_1_MAPPING ||
+              result.error == SP::ERROR_INSUFFICIENT_PRECISION)
+      << SP::get_error_message(result.error);
+  return result.error == SP::OK ? 1 : 0;
+}
+
+int run_all_methods(const Mesh& mesh)
+{
+  return run_method<SP::Stereographic_parameterizer_3<Mesh>>(mesh, false) +
+         run_method<SP::Harmonic_parameterizer_3<Mesh>>(mesh, false) +
+         run_method<SP::Hierarchical_parameterizer_3<Mesh>>(mesh, false) +
+         run_method<SP::Published_low_distortion_parameterizer_3<Mesh>>(mesh, false) +
+         run_method<SP::Conformal_parameterizer_3<Mesh>>(mesh, true) +
+         run_method<SP::ARAP_parameterizer_3<Mesh>>(mesh, true);
 }
 
 // Either the map is there and a bijection, or it is untouched.
@@ -118,6 +143,32 @@ TEST(Corpus, hard_meshes_are_mapped)
     n_mapped += error == SP::OK;
   }
   EXPECT_GE(n_mapped, 50u);
+}
+
+TEST(Corpus, guarantees_of_all_methods_hold)
+{
+  std::vector<std::string> names = files("meshes", "");
+  const std::vector<std::string> hard = files("nasty", "hard_");
+  names.insert(names.end(), hard.begin(), hard.end());
+  if(names.empty())
+  {
+    GTEST_SKIP() << "There is no folder of meshes.";
+  }
+  std::size_t n_meshes = 0, n_bijections = 0;
+  for(const std::string& name : names)
+  {
+    SCOPED_TRACE(name);
+    Mesh mesh;
+    if(read(name, mesh) && CGAL::is_closed(mesh) && num_vertices(mesh) < 7000)
+    {
+      const int n = run_all_methods(mesh);
+      EXPECT_GE(n, 1); // the hierarchical one
+      n_bijections += static_cast<std::size_t>(n);
+      ++n_meshes;
+    }
+  }
+  EXPECT_GE(n_meshes, 50u);
+  EXPECT_GE(n_bijections, 4 * n_meshes);
 }
 
 TEST(Corpus, invalid_meshes_are_refused)

@@ -1,4 +1,5 @@
-// The same input and options give the same bits: sequentially or in parallel, with any number of threads, again and again.
+// The same input and options give the same bits: sequentially or in parallel, with any number of threads, again and
+// again.
 
 #include <CGAL/spherical_parameterization.h>
 
@@ -89,6 +90,31 @@ TEST(Determinism, of_policies_with_a_state)
   ASSERT_EQ(SP::parameterize(small, parameterizer, map), SP::OK);
   EXPECT_EQ(parameterizer.report().number_of_average_iterations, n);
   EXPECT_TRUE(test_maps::have_same_bits(test_maps::images(small, map), first));
+}
+
+// The other methods, which have parallel parts of their own.
+template <class Method>
+class Determinism_of_method : public ::testing::Test
+{};
+
+using Methods = ::testing::Types<SP::Stereographic_parameterizer_3<Mesh>, SP::Harmonic_parameterizer_3<Mesh>,
+                                 SP::Conformal_parameterizer_3<Mesh>, SP::ARAP_parameterizer_3<Mesh>,
+                                 SP::Published_low_distortion_parameterizer_3<Mesh>>;
+TYPED_TEST_SUITE(Determinism_of_method, Methods, ); // without the last comma, Clang is pedantic about the macro
+
+TYPED_TEST(Determinism_of_method, sequential_and_parallel)
+{
+  TypeParam method;
+  const auto images_of = [&](auto tag) {
+    const auto map = test_maps::make_sentinel_map<Point_3>(mesh());
+    EXPECT_EQ(SP::parameterize<decltype(tag)>(mesh(), method, map, CGAL::parameters::number_of_iterations(5u)), SP::OK);
+    return test_maps::images(mesh(), map);
+  };
+  const std::vector<Coordinates> sequential = images_of(CGAL::Sequential_tag());
+  const double energy = method.report().average_energy;
+  EXPECT_TRUE(test_maps::have_same_bits(images_of(CGAL::Sequential_tag()), sequential));
+  EXPECT_TRUE(test_maps::have_same_bits(images_of(CGAL::Parallel_if_available_tag()), sequential));
+  EXPECT_EQ(method.report().average_energy, energy);
 }
 
 TEST(Determinism, of_the_default)

@@ -1,6 +1,7 @@
 // Each error code for what it is meant for, through the public functions; and that nothing is written then.
 
 #include <CGAL/spherical_parameterization.h>
+#include <CGAL/Spherical_parameterization/internal/Solver_traits.h>
 
 #include "test_maps.h"
 #include "test_meshes.h"
@@ -47,15 +48,20 @@ void expect_error(const Mesh& mesh, Parameterizer& parameterizer, SP::Error_code
   EXPECT_EQ(parameterizer.report().number_of_iterations(), 0u);
 }
 
-// The same with all parameterizers that read a mesh themselves.
+// The same with every method.
 void expect_error(const Mesh& mesh, SP::Error_code error)
 {
-  SP::Bijective_low_distortion_parameterizer_3<Mesh> bld;
-  expect_error(mesh, bld, error);
-  EXPECT_EQ(bld.report().stop_reason, SP::NOT_RUN);
-  SP::Hierarchical_parameterizer_3<Mesh> hierarchical;
-  expect_error(mesh, hierarchical, error);
-  EXPECT_EQ(hierarchical.report().stop_reason, SP::NOT_RUN);
+  const auto expect_error_of = [&](auto&& parameterizer) {
+    expect_error(mesh, parameterizer, error);
+    EXPECT_EQ(parameterizer.report().stop_reason, SP::NOT_RUN);
+  };
+  expect_error_of(SP::Bijective_low_distortion_parameterizer_3<Mesh>());
+  expect_error_of(SP::Hierarchical_parameterizer_3<Mesh>());
+  expect_error_of(SP::Stereographic_parameterizer_3<Mesh>());
+  expect_error_of(SP::Harmonic_parameterizer_3<Mesh>());
+  expect_error_of(SP::Conformal_parameterizer_3<Mesh>());
+  expect_error_of(SP::ARAP_parameterizer_3<Mesh>());
+  expect_error_of(SP::Published_low_distortion_parameterizer_3<Mesh>());
   const auto start = test_maps::make_sentinel_map<Point_3>(mesh);
   SP::Precomputed_parameterizer_3<Mesh, Vertex_map> precomputed(start);
   expect_error(mesh, precomputed, error);
@@ -319,6 +325,52 @@ TEST(Error_code, insufficient_precision)
   EXPECT_TRUE(test_maps::have_same_bits(test_maps::images(mesh, map), before));
 }
 
+// Fails when it is called for the `fails_at`th time.
+struct Failing_solver : SP::internal::Solver_traits<CGAL::Default>::type
+{
+  using Base = SP::internal::Solver_traits<CGAL::Default>::type;
+
+  bool factor(const Base::Matrix& matrix, Base::NT& denominator)
+  {
+    return ++number_of_calls != fails_at && Base::factor(matrix, denominator);
+  }
+  bool linear_solver(const Base::Vector& right, Base::Vector& solution)
+  {
+    return ++number_of_calls != fails_at && Base::linear_solver(right, solution);
+  }
+
+  static inline int number_of_calls = 0, fails_at = 0;
+};
+
+TEST(Error_code, cannot_solve_linear_system)
+{
+  const Mesh mesh = make_mesh(test_meshes::bumpy_sphere(1));
+  const auto map = test_maps::make_sentinel_map<Point_3>(mesh);
+  const std::vector<Coordinates> untouched = test_maps::images(mesh, map);
+  // Wherever the solver fails, the run ends, and nothing has been written.
+  const auto expect_error_anywhere = [&](auto&& parameterizer, int least_number_of_calls) {
+    Failing_solver::fails_at = Failing_solver::number_of_calls = 0;
+    ASSERT_EQ(SP::parameterize(mesh, parameterizer, test_maps::make_sentinel_map<Point_3>(mesh)), SP::OK);
+    const int n_calls = Failing_solver::number_of_calls;
+    EXPECT_GE(n_calls, least_number_of_calls);
+    for(Failing_solver::fails_at = 1; Failing_solver::fails_at <= n_calls; ++Failing_solver::fails_at)
+    {
+      Failing_solver::number_of_calls = 0;
+      EXPECT_EQ(SP::parameterize(mesh, parameterizer, map), SP::ERROR_CANNOT_SOLVE_LINEAR_SYSTEM);
+      EXPECT_EQ(Failing_solver::number_of_calls, Failing_solver::fails_at);
+    }
+    EXPECT_TRUE(test_maps::have_same_bits(test_maps::images(mesh, map), untouched));
+  };
+  using Default = CGAL::Default;
+  expect_error_anywhere(SP::Stereographic_parameterizer_3<Mesh, Failing_solver>(), 3);
+  expect_error_anywhere(SP::Harmonic_parameterizer_3<Mesh, Failing_solver>(), 10);
+  expect_error_anywhere(SP::Conformal_parameterizer_3<Mesh, Failing_solver>(), 10);
+  expect_error_anywhere(SP::ARAP_parameterizer_3<Mesh, Default, Failing_solver>(), 10);
+  // the code of the initial parameterizer is passed on
+  using Harmonic = SP::Harmonic_parameterizer_3<Mesh, Failing_solver>;
+  expect_error_anywhere(SP::Published_low_distortion_parameterizer_3<Mesh, Harmonic>(), 10);
+}
+
 template <class Energy, class Sharpness, class Radius, class Update>
 void expect_wrong_parameter(const Energy& energy, const Sharpness& sharpness, const Radius& radius,
                             const Update& update)
@@ -365,20 +417,19 @@ TEST(Error_code, wrong_parameter_of_the_other_policies)
                                                            SP::Relative_sharpness_3{beta});
     EXPECT_FALSE(bld.is_valid());
     expect_error(mesh, bld, SP::ERROR_WRONG_PARAMETER);
-    SP::Hierarchical_parameterizer_3<Mesh> hierarchical(SP::Symmetric_Dirichlet_energy_3(),
-                                                        SP::Relative_sharpness_3{beta});
+    SP::Hierarchical_parameterizer_3<Mesh> hierarchical(SP::Isometric_energy_3(), SP::Relative_sharpness_3{beta});
     expect_error(mesh, hierarchical, SP::ERROR_WRONG_PARAMETER);
   }
   // parameters of the initial parameterizer
-  SP::Hierarchical_parameterizer_3<Mesh> hierarchical(SP::Symmetric_Dirichlet_energy_3(), SP::Relative_sharpness_3(),
-                                                      SP::Newton_update_3(), 0);
+  using Hierarchical = SP::Hierarchical_parameterizer_3<Mesh>;
+  Hierarchical hierarchical(SP::Isometric_energy_3(), SP::Relative_sharpness_3(), SP::Newton_update_3(), 0);
   EXPECT_FALSE(hierarchical.is_valid());
   expect_error(mesh, hierarchical, SP::ERROR_WRONG_PARAMETER);
-  SP::Bijective_low_distortion_parameterizer_3<Mesh> from_hierarchical(hierarchical);
+  SP::Bijective_low_distortion_parameterizer_3<Mesh, Hierarchical> from_hierarchical(hierarchical);
   expect_error(mesh, from_hierarchical, SP::ERROR_WRONG_PARAMETER);
   // a part of a policy, and its own parameter
   using Radius = SP::Two_phase_radius_3<SP::Fixed_radius_3, SP::Area_balancing_radius_3>;
-  for(const Radius& radius : {Radius(SP::Fixed_radius_3(-1.)), Radius(SP::Fixed_radius_3(1.), {}, 0.)})
+  for(const Radius& radius : {Radius(SP::Fixed_radius_3(-1.)), Radius(SP::Fixed_radius_3(1.), {}, -1e-3)})
   {
     EXPECT_FALSE(radius.is_valid());
   }
@@ -432,9 +483,13 @@ TEST(Error_code, is_found_before_any_work)
        test_meshes::scaled(test_meshes::icosphere(1), 1., std::nan(""), 1.), Triangle_list()})
   {
     const Mesh mesh = make_mesh(list);
-    EXPECT_NE(SP::parameterize(mesh, test_maps::make_sentinel_map<Point_3>(mesh),
-                               CGAL::parameters::visitor(Failing_visitor())),
-              SP::OK);
+    const auto map = test_maps::make_sentinel_map<Point_3>(mesh);
+    const auto np = CGAL::parameters::visitor(Failing_visitor());
+    EXPECT_NE(SP::parameterize(mesh, map, np), SP::OK);
+    EXPECT_NE(SP::Stereographic_parameterizer_3<Mesh>().parameterize(mesh, map, np), SP::OK);
+    EXPECT_NE(SP::Harmonic_parameterizer_3<Mesh>().parameterize(mesh, map, np), SP::OK);
+    EXPECT_NE(SP::Conformal_parameterizer_3<Mesh>().parameterize(mesh, map, np), SP::OK);
+    EXPECT_NE(SP::ARAP_parameterizer_3<Mesh>().parameterize(mesh, map, np), SP::OK);
   }
 }
 

@@ -1,10 +1,11 @@
-// The flat meshes that the work is done on: rings, numbering, scaling and refusals of Indexed_mesh, the colouring, and the
-// hierarchy of coarser meshes.
+// The flat meshes that the work is done on: rings, numbering, scaling and refusals of Indexed_mesh, the colouring, and
+// the hierarchy of coarser meshes.
 
 #include <CGAL/Spherical_parameterization/internal/Independent_sets.h>
 #include <CGAL/Spherical_parameterization/internal/Indexed_mesh.h>
 #include <CGAL/Spherical_parameterization/internal/Mesh_hierarchy.h>
 
+#include "test_indexed_meshes.h"
 #include "test_meshes.h"
 
 #include <gtest/gtest.h>
@@ -31,31 +32,14 @@ using SP::internal::Indexed_mesh;
 using SP::internal::Mesh_hierarchy;
 using SP::internal::Vector_3d;
 using SP::internal::Vertex_rings;
+using test_indexed_meshes::Index_triangle;
+using test_indexed_meshes::indexed_mesh;
+using test_indexed_meshes::triangles_of;
 using test_meshes::Triangle_list;
-
-using Index_triangle = std::array<std::uint32_t, 3>;
-
-std::vector<Index_triangle> triangles_of(const Triangle_list& list)
-{
-  std::vector<Index_triangle> result;
-  for(const test_meshes::Triangle& t : list.triangles)
-  {
-    result.push_back(
-        {static_cast<std::uint32_t>(t[0]), static_cast<std::uint32_t>(t[1]), static_cast<std::uint32_t>(t[2])});
-  }
-  return result;
-}
 
 SP::Error_code assign(Indexed_mesh& mesh, const Triangle_list& list)
 {
   return mesh.assign(list.points, triangles_of(list));
-}
-
-Indexed_mesh indexed_mesh(const Triangle_list& list)
-{
-  Indexed_mesh mesh;
-  EXPECT_EQ(assign(mesh, list), SP::OK);
-  return mesh;
 }
 
 // the triangle with its smallest vertex first
@@ -308,7 +292,8 @@ TEST(Indexed_mesh, leaves_out_vertices_without_a_triangle)
 TEST(Indexed_mesh, counts_flat_faces)
 {
   EXPECT_EQ(indexed_mesh(test_meshes::icosphere(2)).number_of_flat_faces(), 0u);
-  // A vertex in the middle of an edge of an octahedron: one face of the edge is split, and one without area joins the other.
+  // A vertex in the middle of an edge of an octahedron: one face of the edge is split, and one without area joins the
+  // other.
   Triangle_list list = test_meshes::octahedron();
   list.points.push_back({0.5, 0.5, 0.});
   list.triangles[0] = {0, 6, 4};
@@ -496,7 +481,8 @@ TEST(Mesh_hierarchy, copes_with_vertices_of_huge_degree)
 
 TEST(Mesh_hierarchy, copes_with_a_thousand_nested_separating_triangles)
 {
-  // each vertex is put into a face of the vertex before, so that every removal but the last ones breaks the link condition
+  // each vertex is put into a face of the vertex before, so that every removal but the last ones breaks the link
+  // condition
   Triangle_list list = test_meshes::tetrahedron();
   std::size_t face = 0;
   for(std::size_t k = 0; k < 1000; ++k)

@@ -1,5 +1,5 @@
-// Any model of FaceListGraph with points of any kernel: the map is a bijection, it is the same for all whose coordinates are
-// doubles, and the mesh stays as it is.
+// Any model of FaceListGraph with points of any kernel: the map is a bijection, it is the same for all whose
+// coordinates are doubles, and the mesh stays as it is.
 
 #include <CGAL/spherical_parameterization.h>
 
@@ -108,6 +108,44 @@ TYPED_TEST(Mesh_type, is_mapped_and_not_changed)
   const auto after = content(mesh);
   EXPECT_TRUE(test_maps::have_same_bits(after.first, before.first));
   EXPECT_EQ(after.second, before.second);
+}
+
+// A mesh and points that have nothing in common with Surface_mesh and doubles, by the other methods.
+template <class Parameterizer, class Reference>
+void expect_same_images()
+{
+  using Other_mesh = typename Parameterizer::Triangle_mesh;
+  const Other_mesh other = test_meshes::make_mesh<Other_mesh>(list());
+  const Surface_mesh mesh = test_meshes::make_mesh<Surface_mesh>(list());
+  const auto other_map = test_maps::make_sentinel_map<Point_of<Other_mesh>>(other);
+  const auto map = test_maps::make_sentinel_map<Epick::Point_3>(mesh);
+  Parameterizer parameterizer;
+  Reference reference_parameterizer;
+  ASSERT_EQ(parameterizer.parameterize(other, other_map), SP::OK);
+  ASSERT_EQ(reference_parameterizer.parameterize(mesh, map), SP::OK);
+  EXPECT_TRUE(SP::is_bijective(other, other_map));
+  EXPECT_TRUE(test_maps::have_same_bits(test_maps::images(other, other_map), test_maps::images(mesh, map)));
+}
+
+TEST(Other_methods, do_not_depend_on_the_types)
+{
+  expect_same_images<SP::Harmonic_parameterizer_3<CGAL::Polyhedron_3<Double>>,
+                     SP::Harmonic_parameterizer_3<Surface_mesh>>();
+  expect_same_images<SP::ARAP_parameterizer_3<CGAL::Surface_mesh<Epeck::Point_3>>,
+                     SP::ARAP_parameterizer_3<Surface_mesh>>();
+}
+
+// A map that folds is written in full, and it is the same map.
+TEST(Other_methods, write_maps_that_fold)
+{
+  const CGAL::Polyhedron_3<Double> polyhedron = test_meshes::make_mesh<CGAL::Polyhedron_3<Double>>(list());
+  const Surface_mesh mesh = test_meshes::make_mesh<Surface_mesh>(list());
+  const auto other_map = test_maps::make_sentinel_map<Float::Point_3>(polyhedron);
+  const auto map = test_maps::make_sentinel_map<Epick::Point_3>(mesh);
+  ASSERT_EQ(SP::Conformal_parameterizer_3<CGAL::Polyhedron_3<Double>>().parameterize(polyhedron, other_map),
+            SP::ERROR_NO_1_TO_1_MAPPING);
+  ASSERT_EQ(SP::Conformal_parameterizer_3<Surface_mesh>().parameterize(mesh, map), SP::ERROR_NO_1_TO_1_MAPPING);
+  EXPECT_LT(test_maps::largest_distance(test_maps::images(polyhedron, other_map), test_maps::images(mesh, map)), 1e-6);
 }
 
 TEST(Surface_mesh, keeps_its_properties)

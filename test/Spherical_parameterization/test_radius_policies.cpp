@@ -1,5 +1,5 @@
-// The radius of the sphere: each formula against the sums that it is made of, and on whole runs against the map that was
-// written.
+// The radius of the sphere: each formula against the sums that it is made of, and on whole runs against the map that
+// was written.
 
 #include <CGAL/spherical_parameterization.h>
 
@@ -44,7 +44,8 @@ double dot(const Coordinates& a, const Coordinates& b)
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-// The faces of a surface on its image, whose vertices have the distance `radius` from the origin, from first principles.
+// The faces of a surface on its image, whose vertices have the distance `radius` from the origin, from first
+// principles.
 std::vector<SP::Face_invariants_3> faces_of(const Triangle_list& surface, const std::vector<Coordinates>& image,
                                             double radius)
 {
@@ -121,8 +122,8 @@ TEST(Radius, of_a_sphere_on_itself_stays)
   const std::vector<SP::Face_invariants_3> faces = faces_of(sphere, sphere.points, 1.);
   EXPECT_NEAR(SP::Area_preserving_radius_3()(energy, faces, 1.), 1., 1e-14);
   EXPECT_NEAR(SP::Area_balancing_radius_3()(energy, faces, 1.), 1., 1e-14);
-  // The energy's d is that of the planes' distance from the centre, a little below 1: about the largest triangles' inradius
-  // squared over two.
+  // The energy's d is that of the planes' distance from the centre, a little below 1: about the largest triangles'
+  // inradius squared over two.
   EXPECT_NEAR(SP::Optimal_radius_3()(energy, faces, 1.), 1., 1e-2);
   EXPECT_EQ(SP::Fixed_radius_3(0.75)(energy, faces, 1.), 0.75);
 }
@@ -274,6 +275,38 @@ TEST(Two_phase_radius, changes_when_the_first_phase_has_settled)
   }
 }
 
+// With the tolerance 0, only a call ends the first phase; it does so in any case.
+TEST(Two_phase_radius, changes_when_it_is_told_to)
+{
+  const std::vector<SP::Face_invariants_3> none;
+  for(const double tolerance : {0., 1e-3})
+  {
+    SP::Two_phase_radius_3<SP::Fixed_radius_3, SP::Fixed_radius_3> policy(SP::Fixed_radius_3(7.),
+                                                                          SP::Fixed_radius_3(42.), tolerance);
+    EXPECT_TRUE(policy.is_valid());
+    if(tolerance == 0.)
+    {
+      for(int k = 0; k < 10; ++k) // the radius has settled at once
+      {
+        EXPECT_EQ(policy(energy, none, 7.), 7.);
+      }
+    }
+    EXPECT_TRUE(policy.next_phase());
+    for(int k = 0; k < 3; ++k)
+    {
+      EXPECT_EQ(policy(energy, none, 7.), 42.);
+      EXPECT_FALSE(policy.next_phase()); // there is no third one
+    }
+  }
+  SP::Two_phase_radius_3<SP::Fixed_radius_3, SP::Fixed_radius_3> settled(SP::Fixed_radius_3(7.),
+                                                                         SP::Fixed_radius_3(42.));
+  EXPECT_EQ(settled(energy, none, 7.), 7.);
+  EXPECT_FALSE(settled.next_phase()); // it has begun already
+  using Two_phase = SP::Two_phase_radius_3<>;
+  EXPECT_FALSE(Two_phase({}, {}, -1e-3).is_valid());
+  EXPECT_FALSE(Two_phase({}, {}, std::nan("")).is_valid());
+}
+
 TEST(Two_phase_radius, is_equation_9_and_then_11_by_default)
 {
   const Ellipsoid_on_sphere map;
@@ -347,9 +380,12 @@ TEST(Radius_of_the_written_map, is_that_of_equation_11_by_default)
 {
   const Written_map<SP::Two_phase_radius_3<>> run{SP::Two_phase_radius_3<>()};
   EXPECT_NEAR(SP::Area_balancing_radius_3()(energy, run.faces, run.radius) / run.radius, 1., 1e-12);
-  // before any sweep, it is that of equation 9
-  const Written_map<SP::Two_phase_radius_3<>> start(SP::Two_phase_radius_3<>(), 0);
-  EXPECT_NEAR(SP::Area_preserving_radius_3()(energy, start.faces, start.radius) / start.radius, 1., 1e-12);
+  // also of a run that ends before the first phase has
+  for(const unsigned int iterations : {0u, 1u})
+  {
+    const Written_map<SP::Two_phase_radius_3<>> start(SP::Two_phase_radius_3<>(), iterations);
+    EXPECT_NEAR(SP::Area_balancing_radius_3()(energy, start.faces, start.radius) / start.radius, 1., 1e-12);
+  }
 }
 
 } // namespace

@@ -1,6 +1,9 @@
 // The energy of a star as a function of its vertex: the value from the positions in space, gradient and Hessian in the
 // tangential coordinates by central differences, and the Newton update on it.
 
+#include <CGAL/Spherical_parameterization/Determinant_barrier_3.h>
+#include <CGAL/Spherical_parameterization/Flat_area_barrier_3.h>
+#include <CGAL/Spherical_parameterization/Gradient_update_3.h>
 #include <CGAL/Spherical_parameterization/Isometric_energy_3.h>
 #include <CGAL/Spherical_parameterization/Newton_update_3.h>
 #include <CGAL/Spherical_parameterization/Symmetric_Dirichlet_energy_3.h>
@@ -15,6 +18,7 @@
 #include <cstdint>
 #include <limits>
 #include <random>
+#include <type_traits>
 #include <vector>
 
 namespace SP = CGAL::Spherical_parameterization;
@@ -35,8 +39,8 @@ double uniform(std::mt19937& random, double low, double high)
   return low + (high - low) * static_cast<double>(random()) / 0x1p32;
 }
 
-// The star of a vertex somewhere on the unit sphere: a ring of `degree` vertices about `size` away, and faces whose shape on
-// the surface is any, of about the size of their images.
+// The star of a vertex somewhere on the unit sphere: a ring of `degree` vertices about `size` away, and faces whose
+// shape on the surface is any, of about the size of their images.
 struct Random_star
 {
   Random_star(std::mt19937& random, std::size_t degree, double size)
@@ -57,14 +61,15 @@ struct Random_star
     rings.end_ring();
   }
 
-  template <class Energy>
-  void load_into(Star_energy<Energy>& star) const
+  template <class Star>
+  void load_into(Star& star) const
   {
     star.load(center, rings.ring(0), positions.data(), rest.data());
   }
 
-  // The energies of the faces with the vertex at u, with the invariants from edge lengths and a determinant.
-  template <class Energy>
+  // The energies of the faces with the vertex at u, with the invariants from edge lengths and a determinant or a flat
+  // area; infinite where a face is not positive.
+  template <class Barrier, class Energy>
   std::vector<double> energies(const Energy& energy, const Vector_3d& u, double squared_radius) const
   {
     std::vector<double> result;
@@ -85,8 +90,12 @@ struct Random_star
       const long double i =
           squared_radius * (r.opposite_0 * squared_length(1, 2) + r.opposite_1 * squared_length(2, 0) +
                             r.opposite_2 * squared_length(0, 1));
-      const long double d = squared_radius * r.inverse_area * determinant;
-      result.push_back(d > 0.L ? energy(static_cast<double>(i), static_cast<double>(d)) : infinity);
+      // Heron's formula, as twice the area
+      const long double pp = squared_length(1, 2), pq = squared_length(2, 0), qq = squared_length(0, 1);
+      const long double flat = 0.5L * std::sqrt((std::max)(4.L * pp * pq - (pp + pq - qq) * (pp + pq - qq), 0.L));
+      const bool is_flat = std::is_same<Barrier, SP::Flat_area_barrier_3>::value;
+      const long double d = squared_radius * r.inverse_area * (is_flat ? flat : determinant);
+      result.push_back(determinant > 0.L ? energy(static_cast<double>(i), static_cast<double>(d)) : infinity);
     }
     return result;
   }
@@ -97,18 +106,29 @@ struct Random_star
   std::vector<Rest_triangle> rest;
 };
 
-template <class Energy>
+template <class Energy_, class Barrier_>
+struct Model
+{
+  using Energy = Energy_;
+  using Barrier = Barrier_;
+  using Star = Star_energy<Energy, Barrier>;
+};
+
+template <class Model>
 class Star_energy_test : public ::testing::Test
 {};
 
-using Energies = ::testing::Types<SP::Symmetric_Dirichlet_energy_3, SP::Isometric_energy_3>;
-TYPED_TEST_SUITE(Star_energy_test, Energies, ); // without the last comma, Clang is pedantic about the macro
+using Models = ::testing::Types<Model<SP::Symmetric_Dirichlet_energy_3, SP::Determinant_barrier_3>,
+                                Model<SP::Isometric_energy_3, SP::Determinant_barrier_3>,
+                                Model<SP::Symmetric_Dirichlet_energy_3, SP::Flat_area_barrier_3>,
+                                Model<SP::Isometric_energy_3, SP::Flat_area_barrier_3>>;
+TYPED_TEST_SUITE(Star_energy_test, Models, ); // without the last comma, Clang is pedantic about the macro
 
 TYPED_TEST(Star_energy_test, is_the_sum_over_the_faces)
 {
-  const TypeParam energy;
+  const typename TypeParam::Energy energy;
   std::mt19937 random(1);
-  Star_energy<TypeParam> star(energy); // one object for all stars, larger and smaller ones
+  typename TypeParam::Star star(energy); // one object for all stars, larger and smaller ones
   for(int k = 0; k < 300; ++k)
   {
     const double sizes[] = {0.6, 0.1, 1e-3, 1e-6};
@@ -117,7 +137,8 @@ TYPED_TEST(Star_energy_test, is_the_sum_over_the_faces)
     const double squared_radius = uniform(random, 0.5, 2.);
     for(const double relative_sharpness : {0., 0.5, 12.})
     {
-      const std::vector<double> at_center = faces.energies(energy, faces.center, squared_radius);
+      const std::vector<double> at_center =
+          faces.template energies<typename TypeParam::Barrier>(energy, faces.center, squared_radius);
       const double largest = *std::max_element(at_center.begin(), at_center.end());
       const double sharpness = relative_sharpness / largest;
       star.set_objective(squared_radius, sharpness);
@@ -127,10 +148,14 @@ TYPED_TEST(Star_energy_test, is_the_sum_over_the_faces)
       std::array<double, 3> hessian;
       const double f = star.derivatives(gradient, hessian);
       EXPECT_NEAR(f, star(0., 0.), 1e-9 * f);
+      std::array<double, 2> gradient_alone;
+      EXPECT_EQ(star.gradient(gradient_alone), f);
+      EXPECT_EQ(gradient_alone, gradient);
 
       const double x = 0.2 * size * uniform(random, -1., 1.), y = 0.2 * size * uniform(random, -1., 1.);
       double sum = 0., amplification = 1.; // of the relative error, by the exponential
-      for(const double e : faces.energies(energy, star.point_at(x, y), squared_radius))
+      for(const double e :
+          faces.template energies<typename TypeParam::Barrier>(energy, star.point_at(x, y), squared_radius))
       {
         sum += sharpness > 0. ? std::exp(sharpness * (e - largest)) : e;
         amplification = (std::max)(amplification, sharpness * e);
@@ -152,13 +177,14 @@ TYPED_TEST(Star_energy_test, is_the_sum_over_the_faces)
 TYPED_TEST(Star_energy_test, has_the_derivatives_of_its_value)
 {
   std::mt19937 random(2);
-  Star_energy<TypeParam> star((TypeParam()));
+  typename TypeParam::Star star((typename TypeParam::Energy()));
   for(int k = 0; k < 300; ++k)
   {
     const double sizes[] = {0.6, 0.1, 1e-3, 1e-6};
     const Random_star faces(random, 3 + random() % 8, sizes[k % 4]);
     const double squared_radius = uniform(random, 0.5, 2.);
-    const std::vector<double> energies = faces.energies(TypeParam(), faces.center, squared_radius);
+    const std::vector<double> energies = faces.template energies<typename TypeParam::Barrier>(
+        typename TypeParam::Energy(), faces.center, squared_radius);
     for(const double relative_sharpness : {0., 1., 12.})
     {
       star.set_objective(squared_radius, relative_sharpness / *std::max_element(energies.begin(), energies.end()));
@@ -167,8 +193,8 @@ TYPED_TEST(Star_energy_test, has_the_derivatives_of_its_value)
       std::array<double, 3> h;
       const double f = star.derivatives(g, h);
 
-      // Everything in units of the shortest edge, of which the step is so small a part that the star does not notice, and
-      // so large that rounding does not matter.
+      // Everything in units of the shortest edge, of which the step is so small a part that the star does not notice,
+      // and so large that rounding does not matter.
       const double unit = star.shortest_edge(), step = 2e-4 * unit;
       const double fx = star(step, 0.), fX = star(-step, 0.), fy = star(0., step), fY = star(0., -step);
       const double scale = f + unit * std::hypot(g[0], g[1]) + unit * unit * (std::abs(h[0]) + std::abs(h[2]));
@@ -186,7 +212,7 @@ TYPED_TEST(Star_energy_test, has_the_derivatives_of_its_value)
 TYPED_TEST(Star_energy_test, is_infinite_where_a_face_is_not_positive)
 {
   std::mt19937 random(3);
-  Star_energy<TypeParam> star((TypeParam()));
+  typename TypeParam::Star star((typename TypeParam::Energy()));
   for(int k = 0; k < 100; ++k)
   {
     const double size = k % 2 == 0 ? 0.5 : 1e-4;
@@ -214,7 +240,7 @@ TYPED_TEST(Star_energy_test, is_infinite_where_a_face_is_not_positive)
 TYPED_TEST(Star_energy_test, does_not_overflow)
 {
   std::mt19937 random(4);
-  Star_energy<TypeParam> star((TypeParam()));
+  typename TypeParam::Star star((typename TypeParam::Energy()));
   for(const double sharpness : {1e3, 1e6})
   {
     const Random_star faces(random, 6, 0.1);
@@ -223,7 +249,7 @@ TYPED_TEST(Star_energy_test, does_not_overflow)
     std::array<double, 2> g;
     std::array<double, 3> h;
     const double f = star.derivatives(g, h);
-    EXPECT_GE(f, 1.);
+    EXPECT_GE(f, 1. - 1e-9); // the sharpness times the rounding of an energy
     EXPECT_LE(f, 6.);
     EXPECT_TRUE(std::isfinite(g[0] + g[1] + h[0] + h[1] + h[2]));
     EXPECT_GT(std::hypot(g[0], g[1]), 0.);
@@ -234,7 +260,7 @@ TYPED_TEST(Star_energy_test, does_not_overflow)
 TYPED_TEST(Star_energy_test, is_lowered_by_the_newton_update)
 {
   std::mt19937 random(5);
-  Star_energy<TypeParam> star((TypeParam()));
+  typename TypeParam::Star star((typename TypeParam::Energy()));
   for(const double over_relaxation : {1., 1.9})
   {
     const SP::Newton_update_3 update(over_relaxation);
@@ -259,11 +285,39 @@ TYPED_TEST(Star_energy_test, is_lowered_by_the_newton_update)
   }
 }
 
+TYPED_TEST(Star_energy_test, is_lowered_by_the_gradient_update)
+{
+  std::mt19937 random(9);
+  typename TypeParam::Star star((typename TypeParam::Energy()));
+  const SP::Gradient_update_3 update;
+  int n_moves = 0;
+  for(int k = 0; k < 200; ++k)
+  {
+    const Random_star faces(random, 3 + random() % 8, k % 2 == 0 ? 0.5 : 1e-5);
+    star.set_objective(1., k % 3 == 0 ? 0. : 0.5);
+    faces.load_into(star);
+    std::array<double, 2> step = {-7., -7.}, g;
+    if(update(star, step))
+    {
+      ++n_moves;
+      EXPECT_LT(star(step[0], step[1]), star(0., 0.));
+      EXPECT_LE(std::hypot(step[0], step[1]), star.shortest_edge());
+      star.gradient(g);
+      EXPECT_NEAR(step[0] * g[1], step[1] * g[0], 1e-12 * std::hypot(step[0], step[1]) * std::hypot(g[0], g[1]));
+    }
+    else
+    {
+      EXPECT_EQ(step, (std::array<double, 2>{-7., -7.}));
+    }
+  }
+  EXPECT_GE(n_moves, 195);
+}
+
 // A few updates of one vertex lead to a point where the gradient vanishes.
 TYPED_TEST(Star_energy_test, is_minimised_by_newton_updates)
 {
   std::mt19937 random(6);
-  Star_energy<TypeParam> star((TypeParam()));
+  typename TypeParam::Star star((typename TypeParam::Energy()));
   const SP::Newton_update_3 update(1.);
   for(int k = 0; k < 50; ++k)
   {

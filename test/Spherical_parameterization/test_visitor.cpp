@@ -28,8 +28,8 @@ using Point_3 = CGAL::Exact_predicates_inexact_constructions_kernel::Point_3;
 using Mesh = CGAL::Surface_mesh<Point_3>;
 using Parameterizer = SP::Bijective_low_distortion_parameterizer_3<Mesh>;
 
-// A visitor of its own, not derived from Default_visitor. It takes notes, and stops when it is asked the `stop_at`th time.
-// The member functions are the concept's.
+// A visitor of its own, not derived from Default_visitor. It takes notes, and stops when it is asked the `stop_at`th
+// time. The member functions are the concept's.
 struct Recorder
 {
   struct Event
@@ -338,6 +338,156 @@ TEST_F(Visitor, report_counts_isolated_vertices_and_flat_faces)
   EXPECT_EQ(bld.report().number_of_isolated_vertices, 2u);
   EXPECT_EQ(bld.report().number_of_flat_faces, 1u);
   EXPECT_EQ(bld.report().number_of_faces, 10u);
+}
+
+// The other methods that iterate.
+template <class Method>
+class Visitor_of_method : public ::testing::Test
+{
+protected:
+  const Mesh mesh = test_meshes::make_mesh<Mesh>(test_meshes::bumpy_sphere(1));
+  decltype(test_maps::make_sentinel_map<Point_3>(mesh)) map = test_maps::make_sentinel_map<Point_3>(mesh);
+  const std::vector<Coordinates> untouched = test_maps::images(mesh, map);
+  Method method;
+  Recorder recorder;
+
+  std::vector<Coordinates> images() const { return test_maps::images(mesh, map); }
+};
+
+using Methods = ::testing::Types<SP::Harmonic_parameterizer_3<Mesh>, SP::Conformal_parameterizer_3<Mesh>,
+                                 SP::ARAP_parameterizer_3<Mesh>, SP::Published_low_distortion_parameterizer_3<Mesh>>;
+TYPED_TEST_SUITE(Visitor_of_method, Methods, ); // without the last comma, Clang is pedantic about the macro
+
+TYPED_TEST(Visitor_of_method, is_called_in_order)
+{
+  ASSERT_EQ(SP::parameterize(this->mesh, this->method, this->map, params::visitor(std::ref(this->recorder))), SP::OK);
+  const SP::Parameterization_report& report = this->method.report();
+  const std::vector<Recorder::Event>& events = this->recorder.events;
+  EXPECT_EQ(events.front().name, "initialization_begin");
+  EXPECT_EQ(events.front().number, num_vertices(this->mesh));
+  EXPECT_EQ(events.back().name, "optimization_end");
+  EXPECT_EQ(this->recorder.count("initialization_begin"), 1u);
+  EXPECT_EQ(this->recorder.count("initialization_end"), 1u);
+  EXPECT_EQ(this->recorder.count("optimization_end"), 1u);
+
+  std::size_t k = 1, iteration = 0;
+  for(; events[k].name != "initialization_end"; ++k)
+  {
+    EXPECT_TRUE(events[k].name == "level" || (events[k].name == "question" && events[k].number == 0));
+  }
+  double energy = 0., radius = 0.;
+  for(++k; events[k].name != "optimization_end"; ++k)
+  {
+    ASSERT_EQ(events[k].name, "iteration");
+    EXPECT_EQ(events[k].number, ++iteration);
+    energy = events[k].energy;
+    radius = events[k].radius;
+    EXPECT_GT(energy, 0.);
+    EXPECT_GT(radius, 0.);
+    ASSERT_EQ(events[++k].name, "question");
+    EXPECT_EQ(events[k].number, iteration);
+    EXPECT_EQ(events[k].energy, energy);
+  }
+  EXPECT_GE(iteration, 5u);
+  EXPECT_EQ(iteration, report.number_of_iterations());
+  EXPECT_EQ(report.stop_reason, SP::CONVERGED);
+  EXPECT_NEAR(radius / report.radius, 1., 1e-3);
+  EXPECT_EQ(report.number_of_vertices, num_vertices(this->mesh));
+  EXPECT_EQ(report.number_of_faces, num_faces(this->mesh));
+  EXPECT_GT(report.initial_energy, report.average_energy);
+  EXPECT_GT(report.average_energy, 0.);
+  EXPECT_GT(report.seconds_for_embedding, 0.);
+  EXPECT_GT(report.seconds_for_optimization, 0.);
+  EXPECT_GT(report.seconds_for_certificate, 0.);
+
+  // watching has no influence
+  const std::vector<Coordinates> watched = this->images();
+  ASSERT_EQ(SP::parameterize(this->mesh, this->method, this->map), SP::OK);
+  EXPECT_TRUE(test_maps::have_same_bits(this->images(), watched));
+}
+
+TYPED_TEST(Visitor_of_method, may_stop_anywhere)
+{
+  const auto np = params::visitor(std::ref(this->recorder)).number_of_iterations(6u);
+  ASSERT_EQ(SP::parameterize(this->mesh, this->method, this->map, np), SP::OK);
+  const std::size_t n_questions = this->recorder.n_questions;
+  const std::size_t n_before = n_questions - this->method.report().number_of_iterations();
+  ASSERT_EQ(this->method.report().number_of_iterations(), 6u);
+  for(std::size_t stop_at = 1; stop_at < n_questions; ++stop_at)
+  {
+    SCOPED_TRACE(stop_at);
+    Recorder stopper;
+    stopper.stop_at = stop_at;
+    ASSERT_EQ(SP::parameterize(this->mesh, this->method, this->map, params::visitor(std::ref(stopper))), SP::OK);
+    EXPECT_TRUE(SP::is_bijective(this->mesh, this->map));
+    const SP::Parameterization_report& report = this->method.report();
+    EXPECT_EQ(report.stop_reason, SP::STOPPED);
+    EXPECT_EQ(stopper.n_questions, stop_at); // it is not asked again
+    EXPECT_EQ(stopper.events.back().name, "optimization_end");
+    EXPECT_EQ(stopper.count("iteration"), report.number_of_iterations());
+    EXPECT_EQ(report.number_of_iterations(), stop_at <= n_before ? 1 : stop_at - n_before);
+    if(stop_at > n_before)
+    {
+      // it is the run with so many iterations at most
+      const std::vector<Coordinates> stopped = this->images();
+      ASSERT_EQ(SP::parameterize(this->mesh, this->method, this->map,
+                                 params::number_of_iterations(report.number_of_iterations())),
+                SP::OK);
+      EXPECT_TRUE(test_maps::have_same_bits(this->images(), stopped));
+      EXPECT_EQ(report.stop_reason, SP::ITERATION_LIMIT);
+    }
+  }
+}
+
+TYPED_TEST(Visitor_of_method, may_throw_and_the_map_stays)
+{
+  ASSERT_EQ(SP::parameterize(this->mesh, this->method, test_maps::make_sentinel_map<Point_3>(this->mesh),
+                             params::visitor(std::ref(this->recorder)).number_of_iterations(3u)),
+            SP::OK);
+  for(std::size_t throw_at = 1; throw_at <= this->recorder.events.size(); ++throw_at)
+  {
+    Recorder thrower;
+    thrower.throw_at = throw_at;
+    EXPECT_THROW(SP::parameterize(this->mesh, this->method, this->map,
+                                  params::visitor(std::ref(thrower)).number_of_iterations(3u)),
+                 std::runtime_error);
+  }
+  EXPECT_TRUE(test_maps::have_same_bits(this->images(), this->untouched));
+}
+
+TYPED_TEST(Visitor_of_method, maximum_running_time_leaves_a_bijection)
+{
+  ASSERT_EQ(SP::parameterize(this->mesh, this->method, this->map, params::maximum_running_time(1e-12)), SP::OK);
+  EXPECT_TRUE(SP::is_bijective(this->mesh, this->map));
+  EXPECT_EQ(this->method.report().stop_reason, SP::TIME_LIMIT);
+  EXPECT_EQ(this->method.report().number_of_iterations(), 1u);
+  ASSERT_EQ(SP::parameterize(this->mesh, this->method, this->map, params::maximum_running_time(1e6)), SP::OK);
+  EXPECT_EQ(this->method.report().stop_reason, SP::CONVERGED);
+}
+
+TEST_F(Visitor, sees_a_method_without_iterations_as_well)
+{
+  SP::Stereographic_parameterizer_3<Mesh> stereographic;
+  ASSERT_EQ(SP::parameterize(mesh, stereographic, map, params::visitor(std::ref(recorder))), SP::OK);
+  ASSERT_EQ(recorder.events.size(), 2u);
+  EXPECT_EQ(recorder.events[0].name, "initialization_begin");
+  EXPECT_EQ(recorder.events[0].number, num_vertices(mesh));
+  EXPECT_EQ(recorder.events[1].name, "initialization_end");
+  EXPECT_EQ(stereographic.report().stop_reason, SP::CONVERGED);
+  EXPECT_EQ(stereographic.report().number_of_iterations(), 0u);
+  EXPECT_GT(stereographic.report().seconds_for_embedding, 0.);
+}
+
+// A start that has been told to stop tells the method that goes on from it.
+TEST_F(Visitor, stops_the_initial_parameterizer)
+{
+  SP::Published_low_distortion_parameterizer_3<Mesh> published;
+  recorder.stop_at = 4;
+  ASSERT_EQ(SP::parameterize(mesh, published, map, params::visitor(std::ref(recorder))), SP::OK);
+  EXPECT_TRUE(SP::is_bijective(mesh, map));
+  EXPECT_EQ(published.report().stop_reason, SP::STOPPED);
+  EXPECT_EQ(published.report().number_of_iterations(), 1u);
+  EXPECT_EQ(recorder.n_questions, 4u);
 }
 
 } // namespace

@@ -40,5 +40,9 @@ public:
   template <class Energy, class FaceRange>
   double operator()(const Energy& energy, const FaceRange& faces, double radius);
 
+  /// starts the next phase of the policy and returns whether there is one. It is called when energy and radius have
+  /// settled, and before the last radius is asked for. A policy without phases may leave this function out.
+  bool next_phase();
+
   /// @}
 };

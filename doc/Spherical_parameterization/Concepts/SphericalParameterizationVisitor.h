@@ -6,8 +6,10 @@ The concept `SphericalParameterizationVisitor` describes what is told of the pro
 All functions are called from the thread that called `CGAL::Spherical_parameterization::parameterize()`. An exception
 that is thrown by one of them leaves the output map as it was.
 
-`Bijective_low_distortion_parameterizer_3` calls all of them, `Hierarchical_parameterizer_3` all but `after_iteration()` and
-`on_optimization_end()`, `Precomputed_parameterizer_3` none.
+`Bijective_low_distortion_parameterizer_3` and `ARAP_parameterizer_3` call all of them, `Harmonic_parameterizer_3` and
+`Conformal_parameterizer_3` all but `on_level()`, `Hierarchical_parameterizer_3` all but `after_iteration()` and
+`on_optimization_end()`, `Stereographic_parameterizer_3` the first and the last that concern the initial map, which is all there
+is, and `Precomputed_parameterizer_3` none.
 
 \cgalRefines{CopyConstructible}
 
@@ -28,29 +30,30 @@ public:
 
   /// called when a level of the hierarchy has been mapped.
   ///
-  /// \param number_of_vertices the vertices of the level; they grow from call to call, but start again if an attempt failed
+  /// \param number_of_vertices the vertices of the level; they grow from call to call, but start again if an attempt
+  ///        failed
   void on_level(std::size_t number_of_vertices);
 
   /// called when the initial map is there; from now on, stopping leaves a bijection at once.
   void on_initialization_end();
 
-  /// called after each sweep over the mesh.
+  /// called after each sweep over the mesh, or each step of a method that moves all vertices at once.
   ///
-  /// \param iteration number of the sweep, from 1
+  /// \param iteration number of the sweep or step, from 1
   /// \param energy the mean of the energies of the faces that the sweep has lowered:
-  ///        \f$ \log( \frac{1}{n} \sum \exp( s E ) ) / s \f$, or the average for \f$ s = 0 \f$; where \f$ s \f$ changes from
-  ///        sweep to sweep, it may grow
+  ///        \f$ \log( \frac{1}{n} \sum \exp( s E ) ) / s \f$, or the average for \f$ s = 0 \f$; where \f$ s \f$ changes
+  ///        from sweep to sweep, it may grow. Of the other methods, the energy that they minimise, in units of the area
   /// \param radius the radius of the sphere in the unit of length of the mesh
   void after_iteration(std::size_t iteration, double energy, double radius);
 
-  /// called after `after_iteration()`, and now and then on the levels of the hierarchy, there with `iteration` 0 and the
-  /// average energy of the level.
+  /// called after `after_iteration()`, and now and then on the levels of the hierarchy, there with `iteration` 0 and
+  /// the average energy of the level.
   ///
-  /// \return `false` to stop as soon as possible: the map that has been reached is certified and returned. On the levels,
-  ///         the rest of the hierarchy is mapped in the least time first.
+  /// \return `false` to stop as soon as possible: the map that has been reached is certified and returned. On the
+  ///         levels, the rest of the hierarchy is mapped in the least time first.
   bool go_further(std::size_t iteration, double energy);
 
-  /// called after the last sweep, before the map is certified and written.
+  /// called after the last sweep or step, before the map is certified and written.
   void on_optimization_end();
 
   /// @}

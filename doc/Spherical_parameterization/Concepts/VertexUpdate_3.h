@@ -11,6 +11,7 @@ A model may have `bool is_valid() const` in addition, whether its parameters are
 
 \cgalHasModelsBegin
 \cgalHasModels{CGAL::Spherical_parameterization::Newton_update_3}
+\cgalHasModels{CGAL::Spherical_parameterization::Gradient_update_3}
 \cgalHasModelsEnd
 */
 class VertexUpdate_3

@@ -23,14 +23,16 @@ namespace Spherical_parameterization {
 
 /// \ingroup PkgSphericalParameterizationSharpness
 ///
-/// The class `Absolute_sharpness_3` is the schedule of the BLD paper: the plain sum of the energies (eq. 6, \f$ s = 0 \f$)
-/// first, then \f$ \sum \exp( s E ) \f$ (eq. 7) with \f$ s \f$ growing from 0.1 to 10.
+/// The class `Absolute_sharpness_3` is the schedule of the BLD paper: the plain sum of the energies (eq. 6,
+/// \f$ s = 0 \f$) first, then \f$ \sum \exp( s E ) \f$ (eq. 7) with \f$ s \f$ growing from 0.1 to 10.
 ///
-/// The paper leaves eq. 6 after 100 sweeps and names the criterion as open. Here it is left as soon as a sweep lowers the
-/// average energy by less than a thousandth; and \f$ s \f$ is raised by a quarter whenever a sweep has lowered the
-/// largest energy by less than a hundredth, that is, when the current value has done its work.
+/// The paper leaves eq. 6 after 100 sweeps and names the criterion as open. Here it is left as soon as a sweep lowers
+/// the average energy by less than a thousandth; and \f$ s \f$ is raised by a quarter whenever a sweep has lowered the
+/// largest energy by less than a hundredth, that is, when the current value has done its work. The paper says no more
+/// of the growth than that it adapts.
 ///
-/// If both values are the same, \f$ s \f$ is fixed from the first sweep on, as in AMIPS.
+/// If both values are the same, \f$ s \f$ is fixed from the first sweep on, as in AMIPS. A given number of sweeps of
+/// eq. 6, 0 for none, overrules both.
 ///
 /// \cgalModels{SharpnessPolicy_3}
 ///
@@ -43,6 +45,15 @@ public:
     : m_first(first)
     , m_last(last)
     , m_current(first == last ? last : 0.)
+  {}
+
+  /// constructs the schedule from `first` to `last`, 0 < `first` <= `last`, after exactly `number_of_average_sweeps`
+  /// sweeps of eq. 6; the paper takes 100.
+  Absolute_sharpness_3(double first, double last, std::size_t number_of_average_sweeps)
+    : m_first(first)
+    , m_last(last)
+    , m_current(number_of_average_sweeps == 0 ? first : 0.)
+    , m_number_of_average_sweeps(number_of_average_sweeps)
   {}
 
   /// returns the first positive value of the sharpness.
@@ -61,7 +72,10 @@ public:
     {
       if(m_current == 0.)
       {
-        if(average_energy > (1. - least_fall_of_average) * m_average_energy)
+        const bool is_over = m_number_of_average_sweeps == adaptive
+                                 ? average_energy > (1. - least_fall_of_average) * m_average_energy
+                                 : sweep >= m_number_of_average_sweeps;
+        if(is_over)
           m_current = m_first;
       }
       else if(largest_energy > (1. - least_fall_of_largest) * m_largest_energy)
@@ -82,8 +96,10 @@ private:
   static constexpr double least_fall_of_average = 1e-3;
   static constexpr double least_fall_of_largest = 1e-2;
   static constexpr double growth = 1.25;
+  static constexpr std::size_t adaptive = static_cast<std::size_t>(-1);
 
   double m_first, m_last, m_current;
+  std::size_t m_number_of_average_sweeps = adaptive;
   double m_average_energy = 0., m_largest_energy = 0.; // before the last sweep
 };
 

@@ -13,6 +13,7 @@
 
 #include <CGAL/license/Spherical_parameterization.h>
 
+#include <CGAL/Spherical_parameterization/Determinant_barrier_3.h>
 #include <CGAL/Spherical_parameterization/Error_code.h>
 #include <CGAL/Spherical_parameterization/Hierarchical_parameterizer_3.h>
 #include <CGAL/Spherical_parameterization/Newton_update_3.h>
@@ -23,6 +24,8 @@
 #include <CGAL/Spherical_parameterization/internal/Block_coordinate_descent.h>
 #include <CGAL/Spherical_parameterization/internal/Initial_map.h>
 #include <CGAL/Spherical_parameterization/internal/is_valid_policy.h>
+#include <CGAL/Spherical_parameterization/internal/next_phase.h>
+#include <CGAL/Spherical_parameterization/internal/read_number_of_iterations.h>
 #include <CGAL/Spherical_parameterization/internal/run_parameterization.h>
 
 #include <CGAL/Default.h>
@@ -43,15 +46,17 @@ namespace Spherical_parameterization {
 /// \ingroup PkgSphericalParameterizationMethods
 ///
 /// The class `Bijective_low_distortion_parameterizer_3` implements the method BLD \cgalCite{cgal:bld-16}: it starts
-/// from a one-to-one map onto the sphere, however distorted, and lowers \f$ \sum E \f$ (eq. 6) or \f$ \sum \exp( s E ) \f$
-/// (eq. 7) by block coordinate descent over the vertices (eq. 8) and the radius of the sphere (eq. 9 to 11). The vertices of
-/// one colour of a graph colouring are moved in parallel. No step ever inverts a face.
+/// from a one-to-one map onto the sphere, however distorted, and lowers \f$ \sum E \f$ (eq. 6) or
+/// \f$ \sum \exp( s E ) \f$ (eq. 7) by block coordinate descent over the vertices (eq. 8) and the radius of the sphere
+/// (eq. 9 to 11). The vertices of one colour of a graph colouring are moved in parallel. No step ever inverts a face.
 ///
-/// If the sharpness is positive, each sweep over all vertices is followed by some over those around the worst faces, as long as
-/// they are not more than a fifth: they settle slowest, and the largest distortion is theirs. The report does not count them.
+/// If the sharpness is positive, each sweep over all vertices is followed by some over those around the worst faces, as
+/// long as they are not more than a fifth: they settle slowest, and the largest distortion is theirs. The report does
+/// not count them.
 ///
-/// A one-to-one mapping is guaranteed whenever `OK` is returned: the orientation of every face and the degree of the map are
-/// computed by exact predicates on the points as they have been written. This holds for a run that was stopped early as well.
+/// A one-to-one mapping is guaranteed whenever `OK` is returned: the orientation of every face and the degree of the
+/// map are computed by exact predicates on the points as they have been written. This holds for a run that was stopped
+/// early as well.
 ///
 /// A sweep takes linear time. The result is the same to the last bit for any number of threads.
 ///
@@ -60,7 +65,7 @@ namespace Spherical_parameterization {
 /// \tparam TriangleMesh_ must be a model of `FaceListGraph`.
 /// \tparam InitialParameterizer_ must be a model of `SphericalParameterizer_3`.<br> <b>%Default:</b>
 /// \code
-///   Hierarchical_parameterizer_3<TriangleMesh_, Energy_, Sharpness_, VertexUpdate_>
+///   Hierarchical_parameterizer_3<TriangleMesh_, Energy, Sharpness, Vertex_update>
 /// \endcode
 /// \tparam Energy_ must be a model of `DistortionEnergy_3`.<br> <b>%Default:</b>
 /// \code
@@ -78,11 +83,16 @@ namespace Spherical_parameterization {
 /// \code
 ///   Newton_update_3
 /// \endcode
+/// \tparam Barrier_ must be `Determinant_barrier_3` or `Flat_area_barrier_3`.<br> <b>%Default:</b>
+/// \code
+///   Determinant_barrier_3
+/// \endcode
 ///
 /// \sa `Hierarchical_parameterizer_3`
 /// \sa `Precomputed_parameterizer_3`
+/// \sa `Published_low_distortion_parameterizer_3`
 template <class TriangleMesh_, class InitialParameterizer_ = Default, class Energy_ = Default,
-          class Sharpness_ = Default, class Radius_ = Default, class VertexUpdate_ = Default>
+          class Sharpness_ = Default, class Radius_ = Default, class VertexUpdate_ = Default, class Barrier_ = Default>
 class Bijective_low_distortion_parameterizer_3
 {
 public:
@@ -91,9 +101,10 @@ public:
   using Sharpness = typename Default::Get<Sharpness_, Relative_sharpness_3>::type;
   using Radius = typename Default::Get<Radius_, Two_phase_radius_3<>>::type;
   using Vertex_update = typename Default::Get<VertexUpdate_, Newton_update_3>::type;
+  using Barrier = typename Default::Get<Barrier_, Determinant_barrier_3>::type;
   using Initial_parameterizer =
       typename Default::Get<InitialParameterizer_,
-                            Hierarchical_parameterizer_3<TriangleMesh_, Energy_, Sharpness_, VertexUpdate_>>::type;
+                            Hierarchical_parameterizer_3<TriangleMesh_, Energy, Sharpness, Vertex_update>>::type;
 #else
   /// Energy type
   using Energy = Energy_;
@@ -103,6 +114,8 @@ public:
   using Radius = Radius_;
   /// Vertex update type
   using Vertex_update = VertexUpdate_;
+  /// Barrier tag
+  using Barrier = Barrier_;
   /// Initial parameterizer type
   using Initial_parameterizer = InitialParameterizer_;
 #endif
@@ -111,8 +124,8 @@ public:
   /// Triangle mesh type
   using TriangleMesh = TriangleMesh_;
 
-  /// constructs the parameterizer with an initial parameterizer of its own kind: the default one is given the energy, the
-  /// sharpness and the vertex update, any other one is default constructed.
+  /// constructs the parameterizer with an initial parameterizer of its own kind: the default one is given the energy,
+  /// the sharpness and the vertex update, any other one is default constructed.
   ///
   /// \param energy the energy that is lowered
   /// \param sharpness the sharpness policy
@@ -147,8 +160,9 @@ public:
 
   /// sets the tolerances of the stopping rule: a run has converged when a sweep changes the energy by at most
   /// `energy_tolerance` and the radius by at most `radius_tolerance`, both relative, and the sharpness is final. As the
-  /// sharpness may move with the map, energies are compared that do so little or not at all, and all have to settle: the mean
-  /// \f$ \log( \frac{1}{n} \sum \exp( s E ) ) / s \f$, the average, and, up to ten times the tolerance, the largest one.
+  /// sharpness may move with the map, energies are compared that do so little or not at all, and all have to settle:
+  /// the mean \f$ \log( \frac{1}{n} \sum \exp( s E ) ) / s \f$, the average, and, up to ten times the tolerance, the
+  /// largest one.
   ///
   /// \param energy_tolerance at least 0, by default 1e-5
   /// \param radius_tolerance at least 0, by default 1e-3
@@ -156,6 +170,22 @@ public:
   {
     m_energy_tolerance = energy_tolerance;
     m_radius_tolerance = radius_tolerance;
+  }
+
+  /// sets the most sweeps over the vertices of the mesh that are made if the named parameter `number_of_iterations` is
+  /// not given, by default 100.
+  void set_number_of_iterations(unsigned int number_of_iterations)
+  {
+    m_number_of_iterations = number_of_iterations;
+  }
+
+  /// sets whether the descent is accelerated beyond what the paper describes, as it is by default. If not, no sweeps
+  /// are spent on the worst faces alone, the radius makes full steps, and the run has converged when the sum of eq. 6
+  /// or 7 itself and the radius have settled. The other differences to the paper are those of the policies; see
+  /// `Published_low_distortion_parameterizer_3`.
+  void set_acceleration(bool is_accelerated)
+  {
+    m_is_accelerated = is_accelerated;
   }
 
   /// computes a one-to-one map from `tmesh` to a sphere around the origin.
@@ -169,7 +199,8 @@ public:
   /// \param tmesh a triangle mesh that is closed, connected and of genus 0
   /// \param vertex_sphere_map the map to be written; it is left as it is unless `OK` is returned
   /// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters": `vertex_point_map`, `visitor`,
-  ///        `number_of_iterations` and `maximum_running_time`, as for `CGAL::Spherical_parameterization::parameterize()`
+  ///        `number_of_iterations` and `maximum_running_time`, as for
+  ///        `CGAL::Spherical_parameterization::parameterize()`
   ///
   /// \return `OK`, or what is wrong with the mesh, a parameter or the initial map
   template <class ConcurrencyTag = Parallel_if_available_tag, class VertexSphereMap,
@@ -177,28 +208,20 @@ public:
   Error_code parameterize(const Triangle_mesh& tmesh, VertexSphereMap vertex_sphere_map,
                           const CGAL_NP_CLASS& np = parameters::default_values())
   {
-    using parameters::choose_parameter;
-    using parameters::get_parameter;
-
     m_report = Parameterization_report();
     if(!is_valid())
       return ERROR_WRONG_PARAMETER;
-    const auto number_of_iterations =
-        choose_parameter(get_parameter(np, internal_np::number_of_iterations), default_number_of_iterations);
-    if constexpr(std::is_signed<std::decay_t<decltype(number_of_iterations)>>::value)
-      if(number_of_iterations < 0)
-        return ERROR_WRONG_PARAMETER;
-    const std::size_t most_iterations = static_cast<std::size_t>(number_of_iterations);
+    std::size_t most_iterations = m_number_of_iterations;
+    if(!internal::read_number_of_iterations(np, most_iterations))
+      return ERROR_WRONG_PARAMETER;
     return internal::run_parameterization(
-        tmesh, vertex_sphere_map, np, m_report,
+        tmesh, vertex_sphere_map, np, m_report, internal::Guarantee::ONE_TO_ONE,
         [&](const internal::Indexed_mesh& mesh, const auto& vertices_of_mesh,
             std::vector<internal::Vector_3d>& positions, double& radius, auto& control) {
-          control.visitor().on_initialization_begin(mesh.number_of_vertices());
-          const Error_code error = internal::Initial_map<Initial_parameterizer>::template compute<ConcurrencyTag>(
-              m_initial_parameterizer, tmesh, mesh, vertices_of_mesh, np, positions, control);
+          const Error_code error = internal::make_initial_map<ConcurrencyTag>(m_initial_parameterizer, tmesh, mesh,
+                                                                              vertices_of_mesh, np, positions, control);
           if(error != OK)
             return error;
-          control.visitor().on_initialization_end();
           optimize<ConcurrencyTag>(mesh, most_iterations, positions, radius, control);
           control.visitor().on_optimization_end();
           return OK;
@@ -221,10 +244,8 @@ public:
   }
 
 private:
-  static constexpr unsigned int default_number_of_iterations = 100;
-
-  // The vertices around faces above this share of the largest energy are swept so many times more, but not more often than
-  // takes the time of a sweep over all vertices, nor if that is too little to be worth it.
+  // The vertices around faces above this share of the largest energy are swept so many times more, but not more often
+  // than takes the time of a sweep over all vertices, nor if that is too little to be worth it.
   static constexpr double focus_energy = 0.6;
   static constexpr std::size_t least_focus_sweeps = 5;
   static constexpr std::size_t most_focus_sweeps = 10;
@@ -249,12 +270,27 @@ private:
     return std::abs(value - last_value) <= tolerance * last_value;
   }
 
+  // Whether a sweep has changed nothing that matters. As the sharpness may move with the map, the accelerated descent
+  // compares energies that do so little or not at all, and all have to settle; the paper's rule is about the sum alone,
+  // whose relative change is that of exp(s mean()).
+  bool has_converged(const internal::Energy_summary& summary, const internal::Energy_summary& last_summary,
+                     double radius, double last_radius, double sharpness) const
+  {
+    if(!is_settled(radius, last_radius, m_radius_tolerance))
+      return false;
+    if(!m_is_accelerated && sharpness > 0.)
+      return std::abs(std::expm1(sharpness * (summary.mean() - last_summary.mean()))) <= m_energy_tolerance;
+    return is_settled(summary.mean(), last_summary.mean(), m_energy_tolerance) &&
+           is_settled(summary.average(), last_summary.average(), m_energy_tolerance) &&
+           (!m_is_accelerated || is_settled(summary.largest(), last_summary.largest(), 10. * m_energy_tolerance));
+  }
+
   // Lowers the energy of the positions on the unit sphere; `radius` is set to that of the sphere.
   template <class ConcurrencyTag, class RunControl>
   void optimize(const internal::Indexed_mesh& mesh, std::size_t most_iterations,
                 std::vector<internal::Vector_3d>& positions, double& radius, RunControl& control)
   {
-    using Descent = internal::Block_coordinate_descent<Energy, Vertex_update, ConcurrencyTag>;
+    using Descent = internal::Block_coordinate_descent<Energy, Vertex_update, ConcurrencyTag, Barrier>;
 
     Sharpness next_sharpness = m_sharpness; // policies may keep a state: each run has its own
     Radius next_radius = m_radius;
@@ -277,10 +313,10 @@ private:
       // the two never settle.
       const double aim = next_radius(m_energy, descent.faces(), radius);
       if(is_positive_and_finite(aim))
-        radius = i == 0 ? aim : radius * std::sqrt(aim / radius);
+        radius = i == 0 || !m_is_accelerated ? aim : radius * std::sqrt(aim / radius);
       const double sharpness = next_sharpness(i, summary.average(), summary.largest());
       descent.sweep(positions, scaled(radius), sharpness);
-      if(sharpness > 0.)
+      if(sharpness > 0. && m_is_accelerated)
       {
         const std::size_t focus = descent.focus_on_faces_above(focus_energy * summary.largest());
         const std::size_t affordable = mesh.number_of_vertices() / (std::max)(focus, std::size_t(1));
@@ -296,10 +332,8 @@ private:
       control.visitor().after_iteration(i + 1, energy, radius);
       if(!control.go_further(i + 1, energy))
         break;
-      if(is_final && is_settled(energy, last_summary.mean(), m_energy_tolerance) &&
-         is_settled(summary.average(), last_summary.average(), m_energy_tolerance) &&
-         is_settled(summary.largest(), last_summary.largest(), 10. * m_energy_tolerance) &&
-         is_settled(radius, last_radius, m_radius_tolerance))
+      if(is_final && has_converged(summary, last_summary, radius, last_radius, sharpness) &&
+         !internal::next_phase(next_radius))
       {
         m_report.stop_reason = CONVERGED;
         break;
@@ -308,6 +342,7 @@ private:
     }
     if(control.stop_reason() != NOT_RUN)
       m_report.stop_reason = control.stop_reason();
+    internal::next_phase(next_radius); // a run that was ended early gets the last radius as well
     const double last_radius = next_radius(m_energy, descent.faces(), radius);
     if(is_positive_and_finite(last_radius))
       radius = last_radius;
@@ -323,6 +358,8 @@ private:
   Radius m_radius;
   Vertex_update m_vertex_update;
   double m_energy_tolerance = 1e-5, m_radius_tolerance = 1e-3;
+  unsigned int m_number_of_iterations = 100;
+  bool m_is_accelerated = true;
   Parameterization_report m_report;
 };
 

@@ -37,13 +37,14 @@ enum Error_code
   ERROR_INVALID_INITIAL_PARAMETERIZATION, ///< The initial map is not one-to-one, or only just so.
   ERROR_NO_1_TO_1_MAPPING,                ///< The map that has been computed is not one-to-one.
   ERROR_INSUFFICIENT_PRECISION,           ///< No one-to-one map was found that double precision numbers can hold.
+  ERROR_CANNOT_SOLVE_LINEAR_SYSTEM,       ///< The solver of a method that needs one has failed.
   ERROR_WRONG_PARAMETER                   ///< A parameter is out of its range.
 };
 
 /// \ingroup PkgSphericalParameterizationEnums
 ///
-/// returns one English sentence that says what `error_code` means and what to do about it. The text is a constant; it is
-/// never a null pointer, and a different one for each value.
+/// returns one English sentence that says what `error_code` means and what to do about it. The text is a constant; it
+/// is never a null pointer, and a different one for each value.
 ///
 /// \param error_code a value returned by `CGAL::Spherical_parameterization::parameterize()`
 inline const char* get_error_message(Error_code error_code)
@@ -81,6 +82,9 @@ inline const char* get_error_message(Error_code error_code)
   case ERROR_INSUFFICIENT_PRECISION:
     return "No one-to-one map was found that double precision numbers can hold: parts of the surface would have to be "
            "smaller than their resolution; try an energy that also preserves areas.";
+  case ERROR_CANNOT_SOLVE_LINEAR_SYSTEM:
+    return "The linear system of the method could not be solved: try another solver, or a method without one, such as "
+           "Hierarchical_parameterizer_3.";
   case ERROR_WRONG_PARAMETER:
     return "A parameter is out of its range: see the documentation of the function or class for the values it accepts.";
   }

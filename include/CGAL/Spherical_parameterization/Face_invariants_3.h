@@ -27,7 +27,7 @@ struct Face_invariants_3
 {
   double area; ///< \f$ A \f$, twice the area of the face on the surface, in a unit in which that of the surface is 8 pi
   double i;    ///< \f$ I = \sigma_1^2 + \sigma_2^2 \f$ of the map onto the flat image triangle
-  double d;    ///< the determinant that the energy sees: \f$ \det(u_0, u_1, u_2) / (A r) \f$, positive iff not inverted
+  double d;    ///< what the energy sees: \f$ \det(u_0, u_1, u_2) / (A r) \f$, or `flat_d` with `Flat_area_barrier_3`
   double flat_d; ///< \f$ \sigma_1 \sigma_2 = a / A \f$ of the map onto the flat image triangle
 };
 

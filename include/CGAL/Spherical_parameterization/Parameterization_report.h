@@ -28,6 +28,7 @@ enum Stop_reason
   NOT_RUN = 0,     ///< It has not run yet, or has refused the mesh.
   CONVERGED,       ///< Energy and radius have settled.
   ITERATION_LIMIT, ///< The given number of sweeps has been made.
+  OBSTRUCTED,      ///< Every further step would turn a face over or raise the energy.
   TIME_LIMIT,      ///< The given time was over.
   STOPPED          ///< The visitor has asked for it.
 };
@@ -45,6 +46,8 @@ inline const char* get_stop_message(Stop_reason reason)
     return "converged";
   case ITERATION_LIMIT:
     return "iteration limit";
+  case OBSTRUCTED:
+    return "no acceptable step left";
   case TIME_LIMIT:
     return "time limit";
   case STOPPED:
@@ -55,8 +58,9 @@ inline const char* get_stop_message(Stop_reason reason)
 
 /// \ingroup PkgSphericalParameterizationMethods
 ///
-/// What a parameterizer did in its last run. The energies, the sharpness and the sweeps over the finest mesh are those of
-/// `Bijective_low_distortion_parameterizer_3`; others leave them 0.
+/// What a parameterizer did in its last run. The energies are those of the method, per face for
+/// `Bijective_low_distortion_parameterizer_3` and per area for the others that iterate; what a method does not have is
+/// 0.
 struct Parameterization_report
 {
   std::size_t number_of_vertices = 0;          ///< vertices that were mapped
@@ -68,22 +72,23 @@ struct Parameterization_report
   Stop_reason stop_reason = NOT_RUN;  ///< why the last phase ended
   std::size_t number_of_levels = 0;   ///< levels of the hierarchy
   std::size_t number_of_attempts = 0; ///< times that the hierarchy was mapped; above 1, the first attempts failed
-  std::size_t number_of_level_iterations = 0;   ///< sweeps over levels of the hierarchy
-  std::size_t number_of_average_iterations = 0; ///< sweeps over the finest mesh with sharpness 0 (eq. 6)
-  std::size_t number_of_sharp_iterations = 0;   ///< sweeps over the finest mesh with a positive sharpness (eq. 7)
-  double sharpness = 0.;                        ///< of the last sweep
-  double initial_energy = 0.;                   ///< average energy of the faces of the initial map
-  double average_energy = 0.;                   ///< average energy of the faces
-  double largest_energy = 0.;                   ///< largest energy of a face
+  std::size_t number_of_level_iterations = 0; ///< sweeps over levels of the hierarchy
+  std::size_t number_of_average_iterations =
+      0;                                      ///< sweeps over the finest mesh with sharpness 0 (eq. 6), or global steps
+  std::size_t number_of_sharp_iterations = 0; ///< sweeps over the finest mesh with a positive sharpness (eq. 7)
+  double sharpness = 0.;                      ///< of the last sweep
+  double initial_energy = 0.;                 ///< average energy of the initial map
+  double average_energy = 0.;                 ///< average energy of the map
+  double largest_energy = 0.;                 ///< largest energy of a face
 
   double seconds_for_reading = 0.;   ///< checking and copying the mesh
   double seconds_for_hierarchy = 0.; ///< removing vertices down to a tetrahedron
   double seconds_for_embedding =
       0.; ///< inserting them again, with the sweeps over the coarse levels; or the initial map
-  double seconds_for_optimization = 0.; ///< sweeps over the finest mesh
+  double seconds_for_optimization = 0.; ///< sweeps over the finest mesh, or global steps
   double seconds_for_certificate = 0.;  ///< writing the map and certifying it
 
-  /// returns the number of sweeps over the finest mesh.
+  /// returns the number of sweeps over the finest mesh, or of global steps.
   std::size_t number_of_iterations() const { return number_of_average_iterations + number_of_sharp_iterations; }
 
   /// returns the time of all stages.

@@ -30,17 +30,18 @@ namespace Spherical_parameterization {
 
 /// \ingroup PkgSphericalParameterizationMethods
 ///
-/// The class `Precomputed_parameterizer_3` hands out a map that the caller has already, projected to the unit sphere, so that
-/// it can start another parameterizer, for example one that was stopped.
+/// The class `Precomputed_parameterizer_3` hands out a map that the caller has already, projected to the unit sphere,
+/// so that it can start another parameterizer, for example one that was stopped.
 ///
-/// The visitor is not called. A one-to-one mapping is guaranteed: if the caller's map is none, `ERROR_INVALID_INITIAL_PARAMETERIZATION` is returned.
+/// The visitor is not called. A one-to-one mapping is guaranteed: if the caller's map is none,
+/// `ERROR_INVALID_INITIAL_PARAMETERIZATION` is returned.
 ///
 /// \cgalModels{SphericalParameterizer_3}
 ///
 /// \tparam TriangleMesh_ must be a model of `FaceListGraph`.
 /// \tparam VertexSphereMap_ must be a model of `ReadablePropertyMap` with
-///         `boost::graph_traits<TriangleMesh_>::%vertex_descriptor` as key type and `%Point_3` as value type. The images may be
-///         at any distance from the origin.
+///         `boost::graph_traits<TriangleMesh_>::%vertex_descriptor` as key type and `%Point_3` as value type. The
+///         images may be at any distance from the origin.
 template <class TriangleMesh_, class VertexSphereMap_>
 class Precomputed_parameterizer_3
 {
@@ -74,7 +75,7 @@ public:
                           const CGAL_NP_CLASS& np = parameters::default_values())
   {
     m_report = Parameterization_report();
-    return internal::run_parameterization(tmesh, vertex_sphere_map, np, m_report,
+    return internal::run_parameterization(tmesh, vertex_sphere_map, np, m_report, internal::Guarantee::ONE_TO_ONE,
                                           [&](const internal::Indexed_mesh& mesh, const auto& vertices_of_mesh,
                                               std::vector<internal::Vector_3d>& positions, double&, auto& control) {
                                             const bool is_bijective =

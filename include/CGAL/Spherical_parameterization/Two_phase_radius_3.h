@@ -28,9 +28,9 @@ namespace Spherical_parameterization {
 
 /// \ingroup PkgSphericalParameterizationRadius
 ///
-/// The class `Two_phase_radius_3` follows one radius policy until the radius settles, and another one from then on. By default
-/// it is the scheme of the BLD paper: eq. 9, which a very distorted initial map cannot mislead, then eq. 11, which gives the
-/// lower distortion. It is the default of the package.
+/// The class `Two_phase_radius_3` follows one radius policy until the radius settles, and another one from then on. By
+/// default it is the scheme of the BLD paper: eq. 9, which a very distorted initial map cannot mislead, then eq. 11,
+/// which gives the lower distortion. It is the default of the package.
 ///
 /// \cgalModels{SphereRadiusPolicy_3}
 ///
@@ -60,7 +60,8 @@ public:
   ///
   /// \param first the policy of the first phase
   /// \param second the policy of the second phase
-  /// \param tolerance the first phase ends with a relative change of the radius below this
+  /// \param tolerance the first phase ends with a relative change of the radius below this; with 0 it lasts until the
+  ///        energy has settled as well, as in the paper
   explicit Two_phase_radius_3(const First_radius& first = First_radius(), const Second_radius& second = Second_radius(),
                               double tolerance = 1e-3)
     : m_first(first)
@@ -68,10 +69,10 @@ public:
     , m_tolerance(tolerance)
   {}
 
-  /// returns whether both policies are valid and the tolerance is positive.
+  /// returns whether both policies are valid and the tolerance is at least 0.
   bool is_valid() const
   {
-    return internal::is_valid_policy(m_first) && internal::is_valid_policy(m_second) && m_tolerance > 0.;
+    return internal::is_valid_policy(m_first) && internal::is_valid_policy(m_second) && m_tolerance >= 0.;
   }
 
   /// returns the radius to start with, that of the first phase.
@@ -87,8 +88,17 @@ public:
     if(m_is_settled)
       return m_second(energy, faces, radius);
     const double next = m_first(energy, faces, radius);
-    m_is_settled = !(std::abs(next - radius) > m_tolerance * radius);
+    m_is_settled = m_tolerance > 0. && !(std::abs(next - radius) > m_tolerance * radius);
     return next;
+  }
+
+  /// starts the second phase, and returns whether the first one was still going on. It is called when the map has
+  /// settled.
+  bool next_phase()
+  {
+    const bool is_new = !m_is_settled;
+    m_is_settled = true;
+    return is_new;
   }
 
 private:

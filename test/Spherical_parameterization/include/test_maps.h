@@ -44,7 +44,7 @@ std::vector<Coordinates> images(const Mesh& mesh, const VertexPointMap& map)
 // Whether two maps are the same to the last bit; unlike ==, this tells 0 from -0, and a NaN is equal to itself.
 inline bool have_same_bits(const std::vector<Coordinates>& a, const std::vector<Coordinates>& b)
 {
-  return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(Coordinates)) == 0;
+  return a.size() == b.size() && (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(Coordinates)) == 0);
 }
 
 inline double norm(const Coordinates& p)

@@ -184,6 +184,59 @@ inline Triangle_list bumpy_sphere(unsigned int subdivisions)
   return list;
 }
 
+// A sphere with a tentacle of `n_rings` rings of 8 vertices, `length` long and 0.2 thick. A conformal map shrinks it
+// like exp(-2 pi length / circumference): beyond what doubles resolve.
+inline Triangle_list with_tentacle(std::size_t n_rings, double length)
+{
+  const std::size_t d = 8;
+  Triangle_list list;
+  const auto at = [&](double r, double z, std::size_t j, bool is_odd) {
+    const double angle = 2. * pi * (static_cast<double>(j) + (is_odd ? 0.5 : 0.)) / static_cast<double>(d);
+    list.points.push_back({r * std::cos(angle), r * std::sin(angle), z});
+  };
+  std::vector<std::pair<double, double>> profile; // radius and height of the rings
+  for(int k = 1; k < 12; ++k)
+  {
+    const double angle = pi * static_cast<double>(k) / 12.;
+    profile.emplace_back(std::sin(angle), -std::cos(angle));
+  }
+  for(std::size_t k = 0; k < n_rings; ++k)
+  {
+    profile.emplace_back(0.1, 1. + length * static_cast<double>(k) / static_cast<double>(n_rings));
+  }
+  for(std::size_t k = 0; k < profile.size(); ++k)
+  {
+    for(std::size_t j = 0; j < d; ++j)
+    {
+      at(profile[k].first, profile[k].second, j, k % 2 == 1);
+    }
+  }
+  const std::size_t n = list.points.size();
+  list.points.push_back({0., 0., -1.});
+  list.points.push_back({0., 0., 1. + length});
+  for(std::size_t j = 0; j < d; ++j)
+  {
+    const std::size_t i = (j + 1) % d;
+    list.triangles.push_back({n, i, j});
+    list.triangles.push_back({n + 1, n - d + j, n - d + i});
+    for(std::size_t k = 0; k + 1 < profile.size(); ++k)
+    {
+      const std::size_t a = k * d, b = a + d;
+      if(k % 2 == 0)
+      {
+        list.triangles.push_back({a + j, a + i, b + j});
+        list.triangles.push_back({a + i, b + i, b + j});
+      }
+      else
+      {
+        list.triangles.push_back({a + j, a + i, b + i});
+        list.triangles.push_back({a + j, b + i, b + j});
+      }
+    }
+  }
+  return list;
+}
+
 // A random order of 0, ..., n - 1, the same on every machine.
 inline std::vector<std::size_t> random_permutation(std::size_t n, std::uint32_t seed)
 {

@@ -15,6 +15,7 @@
 
 #include <CGAL/Spherical_parameterization/Face_invariants_3.h>
 #include <CGAL/Spherical_parameterization/internal/Energy_summary.h>
+#include <CGAL/Spherical_parameterization/internal/Image_area.h>
 #include <CGAL/Spherical_parameterization/internal/Independent_sets.h>
 #include <CGAL/Spherical_parameterization/internal/Per_thread.h>
 #include <CGAL/Spherical_parameterization/internal/Rest_triangle.h>
@@ -32,23 +33,24 @@ namespace CGAL {
 namespace Spherical_parameterization {
 namespace internal {
 
-// Block coordinate descent on the positions of the vertices of one mesh on the unit sphere: each sweep moves every vertex
-// once, one independent set after the other, the vertices of a set in parallel. Every face that is positively oriented
-// before a sweep is so after it.
+// Block coordinate descent on the positions of the vertices of one mesh on the unit sphere: each sweep moves every
+// vertex once, one independent set after the other, the vertices of a set in parallel. Every face that is positively
+// oriented before a sweep is so after it.
 //
 // The stars are laid out in the order in which a sweep visits them, so that it reads them front to back.
-template <class Energy, class VertexUpdate, class ConcurrencyTag>
+template <class Energy, class VertexUpdate, class ConcurrencyTag, class Barrier = Determinant_barrier_3>
 class Block_coordinate_descent
 {
 public:
-  // `points` are those of the surface, scaled such that its area is 4 pi. If `densities` are given, one for each vertex, a
-  // face gets the shape that it has on the surface but as many times its area as the mean of the densities of its vertices.
+  // `points` are those of the surface, scaled such that its area is 4 pi. If `densities` are given, one for each
+  // vertex, a face gets the shape that it has on the surface but as many times its area as the mean of the densities of
+  // its vertices.
   Block_coordinate_descent(const Vertex_rings& rings, const std::vector<Vector_3d>& points,
                            const std::vector<double>& densities, const Energy& energy, const VertexUpdate& update)
     : m_energy(energy)
     , m_update(update)
     , m_sets(rings)
-    , m_stars(Star_energy<Energy>(energy))
+    , m_stars(Star_energy<Energy, Barrier>(energy))
   {
     const std::size_t n = rings.number_of_vertices();
     const std::vector<std::uint32_t>& order = m_sets.vertices();
@@ -84,7 +86,8 @@ public:
     });
   }
 
-  // Moves every vertex once. The energy is that on the sphere of radius `radius`; `sharpness` is the s of exp(s E), or 0.
+  // Moves every vertex once. The energy is that on the sphere of radius `radius`; `sharpness` is the s of exp(s E), or
+  // 0.
   void sweep(std::vector<Vector_3d>& positions, double radius, double sharpness)
   {
     for(std::size_t set = 0; set < m_sets.number_of_sets(); ++set)
@@ -182,7 +185,7 @@ private:
                 double radius, double sharpness)
   {
     for_each_block<ConcurrencyTag>(begin, end, block_size, [&](std::size_t first, std::size_t last) {
-      Star_energy<Energy>& star = m_stars.local();
+      Star_energy<Energy, Barrier>& star = m_stars.local();
       star.set_objective(radius * radius, sharpness);
       for(std::size_t k = first; k < last; ++k)
       {
@@ -207,8 +210,8 @@ private:
     const Vector_3d n = cross(to_p, to_q);
     const double i = rest.opposite_0 * squared_length(q - p) + rest.opposite_1 * squared_length(to_q) +
                      rest.opposite_2 * squared_length(to_p);
-    return {1. / rest.inverse_area, scale * i, scale * rest.inverse_area * dot(u, n),
-            scale * rest.inverse_area * length(n)};
+    const double to_d = scale * rest.inverse_area;
+    return {1. / rest.inverse_area, scale * i, to_d * Image_area<Barrier>::value(dot(u, n), n), to_d * length(n)};
   }
 
   Energy m_energy;
@@ -221,7 +224,7 @@ private:
   std::vector<Energy_summary> m_partial;
   std::vector<std::uint32_t> m_focus; // slots
   std::vector<std::size_t> m_first_in_focus;
-  Per_thread<ConcurrencyTag, Star_energy<Energy>> m_stars;
+  Per_thread<ConcurrencyTag, Star_energy<Energy, Barrier>> m_stars;
 };
 
 } // namespace internal

@@ -26,7 +26,6 @@
 #include <CGAL/boost/graph/properties.h>
 
 #include <cstddef>
-#include <cstdint>
 #include <functional>
 #include <vector>
 
@@ -71,19 +70,32 @@ struct Initial_map
     Initial_map_visitor<RunControl> visitor(control);
     const Error_code error = parameterizer.template parameterize<ConcurrencyTag>(
         tmesh, map, parameters::vertex_point_map(vpm).visitor(std::ref(visitor)));
+    if(error == ERROR_NO_1_TO_1_MAPPING)
+      return ERROR_INVALID_INITIAL_PARAMETERIZATION; // the caller's own map is untouched
     if(error != OK)
       return error;
     // The sweeps compute with rounding, so a face that is positive by less than that would not be safe with them.
-    bool is_safe = read_map(mesh, vertices_of_mesh, map, positions);
-    mesh.rings().for_each_face([&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
-      const Vector_3d ab = positions[b] - positions[a], ac = positions[c] - positions[a];
-      is_safe =
-          is_safe && is_safely_positive(dot(positions[a], cross(ab, ac)), squared_length(ab) + squared_length(ac));
-    });
+    const bool is_safe =
+        read_map(mesh, vertices_of_mesh, map, positions) && are_safely_positive(mesh.rings(), positions);
     control.report().seconds_for_embedding = control.lap();
     return is_safe ? OK : ERROR_INVALID_INITIAL_PARAMETERIZATION;
   }
 };
+
+// Makes the map that a method starts from, and tells the visitor of it.
+template <class ConcurrencyTag, class Parameterizer, class TriangleMesh, class VertexDescriptor, class NamedParameters,
+          class RunControl>
+Error_code make_initial_map(Parameterizer& parameterizer, const TriangleMesh& tmesh, const Indexed_mesh& mesh,
+                            const std::vector<VertexDescriptor>& vertices_of_mesh, const NamedParameters& np,
+                            std::vector<Vector_3d>& positions, RunControl& control)
+{
+  control.visitor().on_initialization_begin(mesh.number_of_vertices());
+  const Error_code error = Initial_map<Parameterizer>::template compute<ConcurrencyTag>(
+      parameterizer, tmesh, mesh, vertices_of_mesh, np, positions, control);
+  if(error == OK)
+    control.visitor().on_initialization_end();
+  return error;
+}
 
 } // namespace internal
 } // namespace Spherical_parameterization

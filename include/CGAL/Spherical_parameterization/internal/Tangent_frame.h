@@ -30,7 +30,8 @@ public:
   explicit Tangent_frame(const Vector_3d& n)
     : m_n(n)
   {
-    // The two axes as smooth functions of n but for the plane n.z = 0, where the sign keeps the denominator away from 0.
+    // The two axes as smooth functions of n but for the plane n.z = 0, where the sign keeps the denominator away from
+    // 0.
     const double sign = std::copysign(1., n[2]);
     const double a = -1. / (sign + n[2]);
     const double b = n[0] * n[1] * a;
@@ -39,11 +40,13 @@ public:
   }
 
   // the offset of `p` from the origin of the frame, in the coordinates of the frame
-  Vector_3d offset_of(const Vector_3d& p) const
-  {
-    const Vector_3d offset = p - m_n;
-    return {dot(offset, m_t1), dot(offset, m_t2), dot(offset, m_n)};
-  }
+  Vector_3d offset_of(const Vector_3d& p) const { return coordinates_of(p - m_n); }
+
+  // a vector in the coordinates of the frame
+  Vector_3d coordinates_of(const Vector_3d& v) const { return {dot(v, m_t1), dot(v, m_t2), dot(v, m_n)}; }
+
+  // the tangential vector with the given coordinates
+  Vector_3d vector_of(double x, double y) const { return x * m_t1 + y * m_t2; }
 
   // the point of the sphere whose offset has the tangential coordinates `x` and `y`, x^2 + y^2 < 1
   Vector_3d point_at(double x, double y) const

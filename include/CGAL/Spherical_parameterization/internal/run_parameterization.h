@@ -16,6 +16,7 @@
 #include <CGAL/Spherical_parameterization/Default_visitor.h>
 #include <CGAL/Spherical_parameterization/Error_code.h>
 #include <CGAL/Spherical_parameterization/Parameterization_report.h>
+#include <CGAL/Spherical_parameterization/internal/Guarantee.h>
 #include <CGAL/Spherical_parameterization/internal/Indexed_mesh.h>
 #include <CGAL/Spherical_parameterization/internal/Run_control.h>
 #include <CGAL/Spherical_parameterization/internal/read_mesh.h>
@@ -33,13 +34,13 @@ namespace CGAL {
 namespace Spherical_parameterization {
 namespace internal {
 
-// What every parameterizer does around its own work: reads the named parameters, checks and copies the mesh, certifies and
-// writes the map. The report is to be a new one. The work itself is
+// What every parameterizer does around its own work: reads the named parameters, checks and copies the mesh, certifies
+// and writes the map, by what the method guarantees. The report is to be a new one. The work itself is
 //   Error_code compute(mesh, vertices_of_mesh, positions, radius, control)
 // which sets the positions on the unit sphere and the radius in the caller's unit of length.
 template <class TriangleMesh, class VertexSphereMap, class NamedParameters, class Compute>
 Error_code run_parameterization(const TriangleMesh& tmesh, VertexSphereMap vertex_sphere_map, const NamedParameters& np,
-                                Parameterization_report& report, const Compute& compute)
+                                Parameterization_report& report, Guarantee guarantee, const Compute& compute)
 {
   using parameters::choose_parameter;
   using parameters::get_parameter;
@@ -65,7 +66,7 @@ Error_code run_parameterization(const TriangleMesh& tmesh, VertexSphereMap verte
   double radius = 1.;
   error = compute(mesh, vertices_of_mesh, positions, radius, control);
   if(error == OK)
-    error = write_map(mesh, vertices_of_mesh, positions, radius, vertex_sphere_map);
+    error = write_map(mesh, vertices_of_mesh, positions, radius, guarantee, vertex_sphere_map);
   report.radius = radius;
   report.seconds_for_certificate = control.lap();
   return error;

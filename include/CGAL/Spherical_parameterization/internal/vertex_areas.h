@@ -19,6 +19,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <numeric>
 #include <vector>
 
 namespace CGAL {
@@ -38,8 +39,17 @@ inline std::vector<double> vertex_areas(const Vertex_rings& rings, const std::ve
   return areas;
 }
 
-// How much more area the vertices of a coarse mesh stand for than they have: 1 where nothing has been lost. A vertex whose
-// faces have no area is left alone, as their rest shapes are not their own.
+// the same to weigh the vertices with, so that they have a centre of mass even if the surface has no area
+inline std::vector<double> vertex_masses(const Vertex_rings& rings, const std::vector<Vector_3d>& points)
+{
+  std::vector<double> masses = vertex_areas(rings, points);
+  if(!(std::accumulate(masses.begin(), masses.end(), 0.) > 0.))
+    masses.assign(masses.size(), 1.);
+  return masses;
+}
+
+// How much more area the vertices of a coarse mesh stand for than they have: 1 where nothing has been lost. A vertex
+// whose faces have no area is left alone, as their rest shapes are not their own.
 inline std::vector<double> vertex_densities(const Vertex_rings& rings, const std::vector<Vector_3d>& points,
                                             const std::vector<double>& areas)
 {

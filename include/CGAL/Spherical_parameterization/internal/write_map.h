@@ -16,6 +16,7 @@
 #include <CGAL/Spherical_parameterization/Error_code.h>
 #include <CGAL/Spherical_parameterization/internal/Bijectivity_certificate.h>
 #include <CGAL/Spherical_parameterization/internal/Exact_predicates_kernel.h>
+#include <CGAL/Spherical_parameterization/internal/Guarantee.h>
 #include <CGAL/Spherical_parameterization/internal/Indexed_mesh.h>
 
 #include <CGAL/Kernel_traits.h>
@@ -32,11 +33,13 @@ namespace CGAL {
 namespace Spherical_parameterization {
 namespace internal {
 
-// Scales the positions from the unit sphere to the sphere of radius `radius`, certifies the points exactly as the caller will
-// get them, and only then writes them: the second of the two places that touch the caller's data.
+// Scales the positions from the unit sphere to the sphere of radius `radius`, certifies the points exactly as the
+// caller will get them, and only then writes them: the second of the two places that touch the caller's data. A map
+// that is not one-to-one is written only if nothing else was promised.
 template <class VertexDescriptor, class VertexSphereMap>
 Error_code write_map(const Indexed_mesh& mesh, const std::vector<VertexDescriptor>& vertices_of_mesh,
-                     const std::vector<Vector_3d>& positions, double radius, VertexSphereMap vertex_sphere_map)
+                     const std::vector<Vector_3d>& positions, double radius, Guarantee guarantee,
+                     VertexSphereMap vertex_sphere_map)
 {
   using Point_3 = typename boost::property_traits<VertexSphereMap>::value_type;
   using Selection = Exact_predicates_kernel_of_map<VertexSphereMap>;
@@ -55,16 +58,19 @@ Error_code write_map(const Indexed_mesh& mesh, const std::vector<VertexDescripto
   exact_points.reserve(positions.size());
   for(const Vector_3d& u : positions)
   {
+    if(!std::isfinite(u[0]) || !std::isfinite(u[1]) || !std::isfinite(u[2]))
+      return ERROR_INSUFFICIENT_PRECISION;
     points.push_back(
         Point_3(static_cast<FT>(radius * u[0]), static_cast<FT>(radius * u[1]), static_cast<FT>(radius * u[2])));
     exact_points.push_back(Selection::convert(points.back()));
   }
-  if(!certify_bijectivity<Exact_kernel>(exact_points, mesh.triangles()).is_bijective())
+  const bool is_bijective = certify_bijectivity<Exact_kernel>(exact_points, mesh.triangles()).is_bijective();
+  if(!is_bijective && guarantee == Guarantee::ONE_TO_ONE)
     return ERROR_INSUFFICIENT_PRECISION;
 
   for(std::size_t v = 0; v < points.size(); ++v)
     put(vertex_sphere_map, vertices_of_mesh[mesh.original(v)], points[v]);
-  return OK;
+  return is_bijective ? OK : ERROR_NO_1_TO_1_MAPPING;
 }
 
 } // namespace internal

@@ -1,0 +1,127 @@
+// Copyright (c) 2026  The Spherical_parameterization authors.
+// All rights reserved.
+//
+// This file is part of the Spherical_parameterization package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Spherical_parameterization authors
+//
+
+#ifndef CGAL_SPHERICAL_PARAMETERIZATION_HARMONIC_PARAMETERIZER_3_H
+#define CGAL_SPHERICAL_PARAMETERIZATION_HARMONIC_PARAMETERIZER_3_H
+
+#include <CGAL/license/Spherical_parameterization.h>
+
+#include <CGAL/Spherical_parameterization/Error_code.h>
+#include <CGAL/Spherical_parameterization/Parameterization_report.h>
+#include <CGAL/Spherical_parameterization/internal/Solver_traits.h>
+#include <CGAL/Spherical_parameterization/internal/map_harmonically.h>
+#include <CGAL/Spherical_parameterization/internal/read_number_of_iterations.h>
+#include <CGAL/Spherical_parameterization/internal/run_parameterization.h>
+
+#include <CGAL/Default.h>
+#include <CGAL/Named_function_parameters.h>
+#include <CGAL/tags.h>
+
+#include <cstddef>
+#include <vector>
+
+/// \file Harmonic_parameterizer_3.h
+
+namespace CGAL {
+namespace Spherical_parameterization {
+
+/// \ingroup PkgSphericalParameterizationMethods
+///
+/// The class `Harmonic_parameterizer_3` maps a surface to the unit sphere with the least discrete harmonic energy
+/// \f$ \frac{1}{2} \sum w_{ij} | u_i - u_j |^2 \f$, where the weights of the edges are half the sums of the two opposite
+/// cotangents, raised to a small positive value where they are below. It is the map that BLD starts from in the paper
+/// \cgalCite{cgal:bld-16}: angles are nearly kept, and areas differ by many orders of magnitude where a surface has
+/// limbs.
+///
+/// The energy alone would be least if all vertices were mapped to one point. So Moebius transformations keep the centre
+/// of the area of the surface at the centre of the sphere.
+///
+/// The iteration starts from the map of `Stereographic_parameterizer_3`, and each step solves a sparse system, whose
+/// matrix is factored once; some ten steps are enough. It ends when a step changes the energy by less than 1e-9 of it.
+///
+/// A one-to-one mapping is guaranteed whenever `OK` is returned: the map is so all the way, as steps that would turn a
+/// face over are shortened, and it is certified as it has been written. If limbs would get smaller than double
+/// precision numbers resolve, `ERROR_INSUFFICIENT_PRECISION` is returned.
+///
+/// \cgalModels{SphericalParameterizer_3}
+///
+/// \tparam TriangleMesh_ must be a model of `FaceListGraph`.
+/// \tparam SolverTraits_ must be a model of `SparseLinearAlgebraWithFactorTraits_d`.<br> <b>%Default:</b> if
+///         \ref thirdpartyEigen "Eigen" 3.1 or greater is available and `CGAL_EIGEN3_ENABLED` is defined,
+/// \code
+///   CGAL::Eigen_solver_traits<
+///           Eigen::SimplicialLDLT<Eigen_sparse_symmetric_matrix<double>::EigenType> >
+/// \endcode
+///
+/// \sa `Stereographic_parameterizer_3`
+/// \sa `Conformal_parameterizer_3`
+/// \sa `Published_low_distortion_parameterizer_3`
+template <class TriangleMesh_, class SolverTraits_ = Default>
+class Harmonic_parameterizer_3
+{
+public:
+#ifndef DOXYGEN_RUNNING
+  using Solver_traits = typename internal::Solver_traits<SolverTraits_>::type;
+#else
+  /// Solver traits type
+  using Solver_traits = SolverTraits_;
+#endif
+  /// Triangle mesh type
+  using Triangle_mesh = TriangleMesh_;
+  /// Triangle mesh type
+  using TriangleMesh = TriangleMesh_;
+
+  /// computes a one-to-one map from `tmesh` to the unit sphere around the origin.
+  ///
+  /// \tparam ConcurrencyTag enables sequential versus parallel algorithm. Possible values are `Sequential_tag`,
+  ///         `Parallel_tag`, and `Parallel_if_available_tag`. The result does not depend on it.
+  /// \tparam VertexSphereMap must be a model of `WritablePropertyMap` with
+  ///         `boost::graph_traits<Triangle_mesh>::%vertex_descriptor` as key type and `%Point_3` as value type.
+  /// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+  ///
+  /// \param tmesh a triangle mesh that is closed, connected and of genus 0
+  /// \param vertex_sphere_map the map to be written; it is left as it is unless `OK` is returned
+  /// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters": `vertex_point_map`, `visitor`,
+  ///        `number_of_iterations`, here the most global steps, by default 100, and `maximum_running_time`, as for
+  ///        `CGAL::Spherical_parameterization::parameterize()`
+  ///
+  /// \return `OK`, or what is wrong with the mesh, `ERROR_CANNOT_SOLVE_LINEAR_SYSTEM` or `ERROR_INSUFFICIENT_PRECISION`
+  template <class ConcurrencyTag = Parallel_if_available_tag, class VertexSphereMap,
+            typename CGAL_NP_TEMPLATE_PARAMETERS>
+  Error_code parameterize(const Triangle_mesh& tmesh, VertexSphereMap vertex_sphere_map,
+                          const CGAL_NP_CLASS& np = parameters::default_values())
+  {
+    m_report = Parameterization_report();
+    std::size_t most_iterations = 100;
+    if(!internal::read_number_of_iterations(np, most_iterations))
+      return ERROR_WRONG_PARAMETER;
+    return internal::run_parameterization(tmesh, vertex_sphere_map, np, m_report, internal::Guarantee::ONE_TO_ONE,
+                                          [&](const internal::Indexed_mesh& mesh, const auto&,
+                                              std::vector<internal::Vector_3d>& positions, double&, auto& control) {
+                                            return internal::map_harmonically<Solver_traits, ConcurrencyTag>(
+                                                mesh, internal::Guarantee::ONE_TO_ONE, most_iterations, positions,
+                                                control);
+                                          });
+  }
+
+  /// returns what the last run did.
+  const Parameterization_report& report() const
+  {
+    return m_report;
+  }
+
+private:
+  Parameterization_report m_report;
+};
+
+} // namespace Spherical_parameterization
+} // namespace CGAL
+
+#endif // CGAL_SPHERICAL_PARAMETERIZATION_HARMONIC_PARAMETERIZER_3_H

@@ -1,0 +1,126 @@
+// Copyright (c) 2026  The Spherical_parameterization authors.
+// All rights reserved.
+//
+// This file is part of the Spherical_parameterization package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Spherical_parameterization authors
+//
+
+#ifndef CGAL_SPHERICAL_PARAMETERIZATION_STEREOGRAPHIC_PARAMETERIZER_3_H
+#define CGAL_SPHERICAL_PARAMETERIZATION_STEREOGRAPHIC_PARAMETERIZER_3_H
+
+#include <CGAL/license/Spherical_parameterization.h>
+
+#include <CGAL/Spherical_parameterization/Error_code.h>
+#include <CGAL/Spherical_parameterization/Parameterization_report.h>
+#include <CGAL/Spherical_parameterization/internal/Solver_traits.h>
+#include <CGAL/Spherical_parameterization/internal/Stereographic_embedding.h>
+#include <CGAL/Spherical_parameterization/internal/run_parameterization.h>
+
+#include <CGAL/Default.h>
+#include <CGAL/Named_function_parameters.h>
+#include <CGAL/tags.h>
+
+#include <vector>
+
+/// \file Stereographic_parameterizer_3.h
+
+namespace CGAL {
+namespace Spherical_parameterization {
+
+/// \ingroup PkgSphericalParameterizationMethods
+///
+/// The class `Stereographic_parameterizer_3` maps a surface to the unit sphere through the plane: a vertex in the
+/// middle of the surface is removed, and the rest gets a Tutte embedding with the neighbours of that vertex on a circle
+/// and with cotangent weights, raised where they would not be positive. The plane goes to the sphere by the inverse of
+/// the stereographic projection, and a Moebius transformation balances the two sides: it brings the centre of the area
+/// of the surface to the centre of the sphere. Angles are kept but for what the roundness of the circle costs, and
+/// areas differ by many orders of magnitude where a surface has limbs.
+///
+/// A one-to-one mapping is guaranteed whenever `OK` is returned, because the map is certified as it has been written.
+/// It exists for every mesh: where the inverse stereographic projection would turn a large face over, the plane is
+/// projected from the centre of the sphere. But limbs may get smaller than double precision numbers resolve; then
+/// `ERROR_INSUFFICIENT_PRECISION` is returned.
+///
+/// One sparse system with two right-hand sides is solved, which in practice takes less time than reading the mesh from
+/// a file.
+///
+/// \cgalModels{SphericalParameterizer_3}
+///
+/// \tparam TriangleMesh_ must be a model of `FaceListGraph`.
+/// \tparam SolverTraits_ must be a model of `SparseLinearAlgebraWithFactorTraits_d`.<br> <b>%Default:</b> if
+///         \ref thirdpartyEigen "Eigen" 3.1 or greater is available and `CGAL_EIGEN3_ENABLED` is defined,
+/// \code
+///   CGAL::Eigen_solver_traits<
+///           Eigen::SimplicialLDLT<Eigen_sparse_symmetric_matrix<double>::EigenType> >
+/// \endcode
+///
+/// \sa `Harmonic_parameterizer_3`
+/// \sa `Hierarchical_parameterizer_3`
+template <class TriangleMesh_, class SolverTraits_ = Default>
+class Stereographic_parameterizer_3
+{
+public:
+#ifndef DOXYGEN_RUNNING
+  using Solver_traits = typename internal::Solver_traits<SolverTraits_>::type;
+#else
+  /// Solver traits type
+  using Solver_traits = SolverTraits_;
+#endif
+  /// Triangle mesh type
+  using Triangle_mesh = TriangleMesh_;
+  /// Triangle mesh type
+  using TriangleMesh = TriangleMesh_;
+
+  /// computes a one-to-one map from `tmesh` to the unit sphere around the origin.
+  ///
+  /// \tparam ConcurrencyTag has no influence.
+  /// \tparam VertexSphereMap must be a model of `WritablePropertyMap` with
+  ///         `boost::graph_traits<Triangle_mesh>::%vertex_descriptor` as key type and `%Point_3` as value type.
+  /// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+  ///
+  /// \param tmesh a triangle mesh that is closed, connected and of genus 0
+  /// \param vertex_sphere_map the map to be written; it is left as it is unless `OK` is returned
+  /// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters": `vertex_point_map` and `visitor`,
+  ///        as for `CGAL::Spherical_parameterization::parameterize()`
+  ///
+  /// \return `OK`, or what is wrong with the mesh, `ERROR_CANNOT_SOLVE_LINEAR_SYSTEM` or `ERROR_INSUFFICIENT_PRECISION`
+  template <class ConcurrencyTag = Parallel_if_available_tag, class VertexSphereMap,
+            typename CGAL_NP_TEMPLATE_PARAMETERS>
+  Error_code parameterize(const Triangle_mesh& tmesh, VertexSphereMap vertex_sphere_map,
+                          const CGAL_NP_CLASS& np = parameters::default_values())
+  {
+    m_report = Parameterization_report();
+    return internal::run_parameterization(tmesh, vertex_sphere_map, np, m_report, internal::Guarantee::ONE_TO_ONE,
+                                          [&](const internal::Indexed_mesh& mesh, const auto&,
+                                              std::vector<internal::Vector_3d>& positions, double&, auto& control) {
+                                            control.visitor().on_initialization_begin(mesh.number_of_vertices());
+                                            internal::Stereographic_embedding<Solver_traits> embedding(mesh);
+                                            if(!embedding.solve())
+                                              return ERROR_CANNOT_SOLVE_LINEAR_SYSTEM;
+                                            const bool is_bijective = embedding.project_bijectively(positions);
+                                            m_report.seconds_for_embedding = control.lap();
+                                            if(!is_bijective)
+                                              return ERROR_INSUFFICIENT_PRECISION;
+                                            control.visitor().on_initialization_end();
+                                            m_report.stop_reason = CONVERGED;
+                                            return OK;
+                                          });
+  }
+
+  /// returns what the last run did.
+  const Parameterization_report& report() const
+  {
+    return m_report;
+  }
+
+private:
+  Parameterization_report m_report;
+};
+
+} // namespace Spherical_parameterization
+} // namespace CGAL
+
+#endif // CGAL_SPHERICAL_PARAMETERIZATION_STEREOGRAPHIC_PARAMETERIZER_3_H

@@ -1,0 +1,45 @@
+// Copyright (c) 2026  The Spherical_parameterization authors.
+// All rights reserved.
+//
+// This file is part of the Spherical_parameterization package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Spherical_parameterization authors
+//
+
+#ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_NEXT_PHASE_H
+#define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_NEXT_PHASE_H
+
+#include <CGAL/license/Spherical_parameterization.h>
+
+#include <type_traits>
+#include <utility>
+
+namespace CGAL {
+namespace Spherical_parameterization {
+namespace internal {
+
+template <class Policy, class = void>
+struct Has_next_phase : std::false_type
+{};
+
+template <class Policy>
+struct Has_next_phase<Policy, std::void_t<decltype(std::declval<Policy&>().next_phase())>> : std::true_type
+{};
+
+// starts the next phase of a policy and returns whether there is one; a policy that does not know of phases has one
+template <class Policy>
+bool next_phase(Policy& policy)
+{
+  if constexpr(Has_next_phase<Policy>::value)
+    return policy.next_phase();
+  else
+    return false;
+}
+
+} // namespace internal
+} // namespace Spherical_parameterization
+} // namespace CGAL
+
+#endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_NEXT_PHASE_H
