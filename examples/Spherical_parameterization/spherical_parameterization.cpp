@@ -3,11 +3,12 @@
 
 #include "include/Colored_mesh.h"
 #include "include/Input_mesh.h"
+#include "include/Method_runner.h"
 #include "include/Output_files.h"
 #include "include/Program_error.h"
 #include "include/Program_options.h"
 #include "include/Run_report.h"
-#include "include/parameterize_mesh.h"
+#include "include/balanced_radius.h"
 #include "include/read_soup.h"
 #include "include/write_soup.h"
 
@@ -45,7 +46,22 @@ std::vector<Point_3> points_of(const Map& map)
   return std::vector<Point_3>(map.begin(), map.end());
 }
 
-void map_to_sphere(const Program_options& options)
+// measures the map, and each face, with the radius of eq. 11; does nothing if no number holds that radius
+std::optional<SP::Distortion_summary> measure_balanced(Mesh& mesh, const Sphere_map& sphere, double radius,
+                                                       const Distortion_map& distortions)
+{
+  const double balanced = balanced_radius(mesh, sphere, radius, distortions);
+  if(balanced == 0.)
+    return std::nullopt;
+  const Sphere_map scaled = mesh.add_property_map<Vertex_index, Point_3>("v:balanced", Point_3(0, 0, 0)).first;
+  for(const Vertex_index v : mesh.vertices())
+    scaled[v] = Point_3(balanced * (sphere[v].x() / radius), balanced * (sphere[v].y() / radius),
+                        balanced * (sphere[v].z() / radius));
+  return SP::measure_distortion(mesh, scaled, distortions);
+}
+
+// returns the exit status
+int map_to_sphere(const Program_options& options)
 {
   Output_files files(options); // before any work
   Run_report report(options);
@@ -58,11 +74,13 @@ void map_to_sphere(const Program_options& options)
 
   // A vertex without a face stays at the origin.
   const Sphere_map sphere = mesh.add_property_map<Vertex_index, Point_3>("v:sphere", Point_3(0, 0, 0)).first;
-  report.run = parameterize_mesh(input, sphere, options);
+  report.result = Method_runner(input, sphere, options).run();
 
   lap(timer);
-  const auto distortions = mesh.add_property_map<Mesh::Face_index, SP::Face_distortion>("f:distortion").first;
+  const Distortion_map distortions = mesh.add_property_map<Mesh::Face_index, SP::Face_distortion>("f:distortion").first;
   report.distortion = SP::measure_distortion(mesh, sphere, distortions);
+  if(options.is_unit_sphere)
+    report.balanced = measure_balanced(mesh, sphere, report.distortion.radius, distortions);
   report.seconds_for_measuring = lap(timer);
 
   if(files.sphere)
@@ -71,7 +89,7 @@ void map_to_sphere(const Program_options& options)
   std::optional<Colored_mesh> colored;
   if(files.colored_surface)
   {
-    const bool is_conformal = options.energy == Energy_choice::CONFORMAL;
+    const bool is_conformal = options.is_conformal();
     std::vector<double> values;
     for(const SP::Face_distortion& distortion : distortions)
       values.push_back(is_conformal ? distortion.angle : distortion.isometric);
@@ -88,6 +106,12 @@ void map_to_sphere(const Program_options& options)
 
   if(!options.is_quiet)
     report.print(std::cout);
+  if(report.result.is_one_to_one)
+    return EXIT_SUCCESS;
+  constexpr int exit_folded = 2;
+  std::cerr << "spherical_parameterization: " << options.input << ": the map is not one-to-one: " << report.fault()
+            << "\n--method " << name_of(methods, options.method) << " does not exclude that; --method bld does.\n";
+  return exit_folded;
 }
 
 int main(int argc, char** argv)
@@ -100,7 +124,7 @@ int main(int argc, char** argv)
     else if(options.wants_version)
       std::cout << "spherical_parameterization " << version << ", built with CGAL " << CGAL_VERSION_STR << '\n';
     else
-      map_to_sphere(options);
+      return map_to_sphere(options);
     return EXIT_SUCCESS;
   }
   catch(const std::exception& error)

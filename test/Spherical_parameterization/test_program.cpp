@@ -15,8 +15,10 @@
 #include <fstream>
 #include <iterator>
 #include <ostream>
+#include <set>
 #include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 // In CGAL's tree the examples are not built along with the tests.
@@ -74,15 +76,28 @@ protected:
     return {status % 256 == 0 ? status / 256 : status, content(path("stdout.txt")), content(path("stderr.txt"))};
   }
 
-  void expect_refused(const std::string& arguments, const std::string& part_of_message) const
+  void expect_message(const std::string& arguments, const std::string& part_of_message) const
   {
     SCOPED_TRACE(arguments);
     const Outcome outcome = run(arguments);
     EXPECT_EQ(outcome.status, 1);
     EXPECT_NE(outcome.err.find(part_of_message), std::string::npos) << outcome.err;
     EXPECT_TRUE(outcome.out.empty()) << outcome.out;
+  }
+
+  void expect_refused(const std::string& arguments, const std::string& part_of_message) const
+  {
+    expect_message(arguments, part_of_message);
+    SCOPED_TRACE(arguments);
     for(const char* name : {"result.off", "result.json", "result_surface.ply", "result_sphere.ply"})
       EXPECT_FALSE(fs::exists(path(name))) << name;
+  }
+
+  boost::property_tree::ptree json(const std::string& name = "result.json") const
+  {
+    boost::property_tree::ptree tree;
+    boost::property_tree::read_json(path(name).string(), tree);
+    return tree;
   }
 
   std::size_t number_of_files() const
@@ -105,11 +120,11 @@ TEST_F(Program, writes_all_that_is_asked_for)
   EXPECT_EQ(content(path("result_sphere.ply")).substr(0, 3), "ply");
   EXPECT_EQ(number_of_files(), 7u); // input, four files, two streams: nothing temporary is left
 
-  boost::property_tree::ptree json;
-  boost::property_tree::read_json(path("result.json").string(), json);
-  EXPECT_EQ(json.get<std::size_t>("vertices"), 162u);
-  EXPECT_TRUE(json.get<bool>("one_to_one"));
-  EXPECT_LT(json.get<double>("distortion.D_iso.maximum"), 1.02);
+  const boost::property_tree::ptree report = json();
+  EXPECT_EQ(report.get<std::size_t>("vertices"), 162u);
+  EXPECT_TRUE(report.get<bool>("one_to_one"));
+  EXPECT_LT(report.get<double>("distortion.D_iso.maximum"), 1.02);
+  EXPECT_FALSE(report.get_child_optional("balanced")); // the radius is a part of the result already
 
   // the same faces in the same order, each with the same first corner
   const auto faces_of = [&](const std::string& name) {
@@ -138,19 +153,194 @@ TEST_F(Program, writes_the_same_bytes_with_any_number_of_threads)
 
 TEST_F(Program, takes_every_setting)
 {
-  for(const char* arguments :
-      {"--energy isometric", "--energy conformal", "--prefer average", "--prefer worst", "--sharpness 3.5",
-       "--s-first 0.5 --s-last 5", "--radius optimal", "--radius area", "--radius fixed=2.5", "--radius two-phase",
-       "--initial hierarchical", "--iterations 3", "--iterations 0", "--time-limit 100"})
+  for(const char* arguments : {"--energy isometric",
+                               "--energy conformal",
+                               "--prefer average",
+                               "--prefer worst",
+                               "--sharpness 3.5",
+                               "--s-first 0.5 --s-last 5",
+                               "--s-last 2 --average-sweeps 3",
+                               "--s-first 5 --s-last 5 --average-sweeps 0",
+                               "--radius optimal",
+                               "--radius area",
+                               "--radius balanced",
+                               "--radius fixed=2.5",
+                               "--radius two-phase",
+                               "--initial hierarchical",
+                               "--initial stereographic",
+                               "--initial harmonic",
+                               "--initial conformal",
+                               "--update newton",
+                               "--update gradient",
+                               "--barrier determinant",
+                               "--barrier flat",
+                               "--method bld --energy isometric",
+                               "--method hierarchical",
+                               "--method hierarchical --energy conformal --update gradient",
+                               "--method hierarchical --prefer worst",
+                               "--method hierarchical --sharpness 3",
+                               "--method harmonic",
+                               "--method harmonic --iterations 2",
+                               "--method conformal",
+                               "--method arap",
+                               "--method arap --initial harmonic",
+                               "--method arap --initial sphere.off",
+                               "--method stereographic",
+                               "--paper --iterations 30",
+                               "--paper --iterations 30 --initial hierarchical --radius area",
+                               "--paper --s-first 1 --s-last 1 --average-sweeps 5",
+                               "--iterations 3",
+                               "--iterations 0",
+                               "--time-limit 100"})
   {
     SCOPED_TRACE(arguments);
     const Outcome outcome = run(std::string("sphere.off -o result.off --json result.json ") + arguments);
     EXPECT_EQ(outcome.status, 0) << outcome.err;
+    EXPECT_TRUE(json().get<bool>("one_to_one"));
+    EXPECT_LT(json().get<double>("distortion.D_angle.maximum"), 2.2);
   }
-  boost::property_tree::ptree json;
   run("sphere.off --json result.json --radius fixed=2.5");
-  boost::property_tree::read_json(path("result.json").string(), json);
-  EXPECT_EQ(json.get<double>("radius"), 2.5);
+  EXPECT_EQ(json().get<double>("radius"), 2.5);
+}
+
+TEST_F(Program, combines_energies_updates_barriers_and_starts)
+{
+  write_off("bumpy.off", test_meshes::bumpy_sphere(2));
+  std::set<std::string> maps;
+  for(const char* energy : {"symmetric-dirichlet", "isometric", "conformal"})
+    for(const char* update : {"newton", "gradient"})
+      for(const char* barrier : {"determinant", "flat"})
+        for(const char* start : {"hierarchical", "harmonic"})
+        {
+          const std::string arguments = std::string("--energy ") + energy + " --update " + update + " --barrier " +
+                                        barrier + " --initial " + start;
+          SCOPED_TRACE(arguments);
+          const Outcome outcome = run("bumpy.off -o result.off --json result.json --iterations 5 " + arguments);
+          EXPECT_EQ(outcome.status, 0) << outcome.err;
+          maps.insert(content(path("result.off")));
+          for(const char* word : {energy, update, barrier, start})
+            EXPECT_NE(json().get<std::string>("method").find(word), std::string::npos) << word;
+        }
+  EXPECT_EQ(maps.size(), 24u); // no option is without effect
+}
+
+TEST_F(Program, tells_the_history_of_the_sweeps)
+{
+  write_off("bumpy.off", test_meshes::bumpy_sphere(2));
+  for(const char* arguments :
+      {"", "--iterations 7", "--iterations 0", "--prefer average", "--paper --iterations 120", "--method harmonic",
+       "--method conformal", "--method arap", "--method hierarchical", "--method stereographic"})
+  {
+    SCOPED_TRACE(arguments);
+    ASSERT_NE(run(std::string("bumpy.off --json result.json ") + arguments).status, 1);
+    const boost::property_tree::ptree report = json();
+    const std::size_t sweeps = report.get<std::size_t>("sweeps.average") + report.get<std::size_t>("sweeps.sharp");
+    std::size_t iteration = 0;
+    double radius = 0.;
+    for(const auto& row : report.get_child("history"))
+    {
+      std::vector<double> values;
+      for(const auto& value : row.second)
+        values.push_back(value.second.get_value<double>());
+      ASSERT_EQ(values.size(), 3u);
+      EXPECT_EQ(values[0], static_cast<double>(++iteration));
+      EXPECT_GT(values[1], 0.);
+      radius = values[2];
+    }
+    EXPECT_EQ(iteration, sweeps);
+    // the last row is of the map that was written, but for a last step of the radius
+    EXPECT_NEAR(radius, iteration > 0 ? report.get<double>("radius") : 0., 0.3 * radius);
+  }
+}
+
+TEST_F(Program, counts_the_sweeps_of_the_schedules)
+{
+  write_off("bumpy.off", test_meshes::bumpy_sphere(2));
+  const auto sweeps = [&](const std::string& arguments) {
+    EXPECT_EQ(run("bumpy.off --json result.json " + arguments).status, 0) << arguments;
+    return std::make_pair(json().get<int>("sweeps.average"), json().get<int>("sweeps.sharp"));
+  };
+  EXPECT_EQ(sweeps("--paper --iterations 120"), std::make_pair(100, 20));
+  EXPECT_EQ(sweeps("--paper --iterations 20 --average-sweeps 15"), std::make_pair(15, 5));
+  EXPECT_EQ(sweeps("--s-first 1 --s-last 3 --average-sweeps 4 --iterations 6"), std::make_pair(4, 2));
+  EXPECT_EQ(sweeps("--s-first 5 --s-last 5 --iterations 3"), std::make_pair(0, 3));
+  EXPECT_EQ(sweeps("--s-last 5 --average-sweeps 0 --iterations 1"), std::make_pair(0, 1));
+  EXPECT_EQ(json().get<double>("sharpness"), 0.1);
+}
+
+TEST_F(Program, writes_a_map_that_folds_and_says_so)
+{
+  write_off("spiky.off", test_meshes::random_stacked_sphere(300, 7));
+  for(const char* method : {"conformal", "arap"})
+  {
+    SCOPED_TRACE(method);
+    for(const char* name : {"result.off", "result.json", "result_surface.ply", "result_sphere.ply"})
+      fs::remove(path(name));
+    const Outcome outcome =
+        run(std::string("spiky.off -o result.off --json result.json --colored result --method ") + method);
+    EXPECT_EQ(outcome.status, 2);
+    const boost::property_tree::ptree report = json();
+    EXPECT_FALSE(report.get<bool>("one_to_one"));
+    const std::size_t number_of_inverted_faces = report.get<std::size_t>("distortion.inverted_faces");
+    EXPECT_GT(number_of_inverted_faces, 0u);
+    const std::string fault = std::to_string(number_of_inverted_faces) + " faces are inverted";
+    EXPECT_NE(outcome.out.find("Not one-to-one: " + fault), std::string::npos) << outcome.out;
+    EXPECT_EQ(outcome.out.find("Certified"), std::string::npos) << outcome.out;
+    EXPECT_NE(outcome.err.find(fault), std::string::npos) << outcome.err;
+    for(const char* name : {"result.off", "result_surface.ply", "result_sphere.ply"})
+      EXPECT_GT(content(path(name)).size(), 1000u) << name;
+    // it is a map, but none to start from
+    expect_message(std::string("spiky.off --initial result.off"), "one-to-one");
+  }
+  for(const char* method : {"--method arap", "--paper", "--method bld"})
+    expect_message(std::string("spiky.off --initial conformal ") + method, "--initial hierarchical");
+}
+
+TEST_F(Program, advises_another_start_where_one_needs_more_precision)
+{
+  write_off("tentacle.off", test_meshes::with_tentacle(400, 60.));
+  for(const char* start : {"stereographic", "harmonic"})
+  {
+    expect_message(std::string("tentacle.off --initial ") + start, "--initial hierarchical");
+    expect_message(std::string("tentacle.off --initial ") + start, std::string("no one-to-one ") + start + " start");
+    expect_message(std::string("tentacle.off --method ") + start, "--method hierarchical");
+  }
+  EXPECT_EQ(run("tentacle.off --initial hierarchical --iterations 1").status, 0);
+}
+
+TEST_F(Program, compares_maps_to_the_unit_sphere_at_their_balanced_radius)
+{
+  // Where a small sphere is mapped to the unit sphere, only the balanced radius tells that its shape is kept.
+  test_meshes::Triangle_list list = test_meshes::scaled(test_meshes::icosphere(2), 1e-200, 1e-200, 1e-200);
+  write_off("small.off", list);
+  for(const char* arguments : {"--method hierarchical", "--method harmonic", "--method conformal",
+                               "--method stereographic", "--energy conformal"})
+  {
+    SCOPED_TRACE(arguments);
+    const Outcome outcome = run(std::string("small.off --json result.json ") + arguments);
+    ASSERT_EQ(outcome.status, 0) << outcome.err;
+    EXPECT_NE(outcome.out.find("balanced areas"), std::string::npos);
+    const boost::property_tree::ptree report = json();
+    EXPECT_GT(report.get<double>("distortion.D_iso.average"), 1e199);
+    EXPECT_NEAR(report.get<double>("balanced.radius"), 1e-200, 1e-202);
+    EXPECT_LT(report.get<double>("balanced.D_iso.maximum"), 1.2);
+    EXPECT_NEAR(report.get<double>("balanced.D_area.average"), 2., 0.01);
+  }
+  const std::vector<std::pair<const char*, const char*>> measures = {
+      {"hierarchical", "balanced D_iso"}, {"harmonic", "D_angle"}, {"bld", "D_iso"}};
+  for(const auto& [method, measure] : measures)
+  {
+    ASSERT_EQ(run(std::string("small.off --json result.json --colored result --method ") + method).status, 0);
+    EXPECT_EQ(json().get<std::string>("colors.measure"), measure);
+    EXPECT_LT(json().get<double>("colors.largest"), 2.2);
+  }
+  // a radius that was chosen is meant
+  for(const char* arguments : {"--energy conformal --radius fixed=3", "--method arap"})
+  {
+    SCOPED_TRACE(arguments);
+    ASSERT_EQ(run(std::string("small.off --json result.json ") + arguments).status, 0);
+    EXPECT_FALSE(json().get_child_optional("balanced"));
+  }
 }
 
 TEST_F(Program, starts_from_a_map)
@@ -161,7 +351,6 @@ TEST_F(Program, starts_from_a_map)
   EXPECT_EQ(run("sphere.off -o third.off --initial sphere.off --quiet").status, 0);
 
   expect_refused("sphere.off -o result.off --initial missing.off", "missing.off");
-  expect_refused("sphere.off -o result.off --initial harmonic", "hierarchical");
   write_off("coarse.off", test_meshes::icosphere(1));
   expect_refused("sphere.off -o result.off --initial coarse.off", "vertices");
   test_meshes::Triangle_list mirrored = test_meshes::icosphere(2);
@@ -173,24 +362,65 @@ TEST_F(Program, starts_from_a_map)
 
 TEST_F(Program, refuses_bad_values_with_the_good_ones)
 {
-  const std::string call = "sphere.off -o result.off ";
-  expect_refused(call + "--energy elastic", "symmetric-dirichlet");
-  expect_refused(call + "--prefer best", "balance");
-  expect_refused(call + "--radius 2", "two-phase");
-  expect_refused(call + "--radius fixed=0", "fixed=");
-  expect_refused(call + "--radius fixed=-1", "fixed=");
-  expect_refused(call + "--radius fixed=nan", "fixed=");
-  expect_refused(call + "--sharpness -1", "sharpness");
-  expect_refused(call + "--sharpness nan", "sharpness");
-  expect_refused(call + "--s-first 5 --s-last 1", "s-first");
-  expect_refused(call + "--s-first 1 --prefer worst", "s-first");
-  expect_refused(call + "--sharpness 1 --prefer worst", "prefer");
-  expect_refused(call + "--iterations -1", "iterations");
-  expect_refused(call + "--iterations many", "iterations");
-  expect_refused(call + "--time-limit -1", "time-limit");
-  expect_refused(call + "--threads 0", "threads");
-  expect_refused(call + "--unknown", "unknown");
+  const std::vector<std::pair<const char*, const char*>> table = {
+      {"--method tutte", "bld, hierarchical, harmonic, conformal, arap or stereographic"},
+      {"--energy elastic", "symmetric-dirichlet, isometric or conformal"},
+      {"--prefer best", "average, balance or worst"},
+      {"--update steepest", "newton or gradient"},
+      {"--barrier none", "determinant or flat"},
+      {"--initial spherical", "hierarchical, stereographic, harmonic or conformal, or the name of a file"},
+      {"--radius 2", "two-phase, optimal, area, balanced or fixed=R"},
+      {"--radius fixed=0", "greater than 0"},
+      {"--radius fixed=-1", "greater than 0"},
+      {"--radius fixed=nan", "greater than 0"},
+      {"--radius fixed=inf", "greater than 0"},
+      {"--radius fixed=", "greater than 0"},
+      {"--radius fixed=1x", "greater than 0"},
+      {"--sharpness -1", "from 0 to 1e6"},
+      {"--sharpness nan", "from 0 to 1e6"},
+      {"--s-first 0", "greater than 0"},
+      {"--s-last 1e7", "at most 1e6"},
+      {"--s-first 5 --s-last 1", "0 < s-first <= s-last"},
+      {"--s-first 20", "0 < s-first <= s-last"},
+      {"--s-last 1 --average-sweeps -1", "a whole number from 0"},
+      {"--s-last 1 --average-sweeps 1.5", "a whole number from 0"},
+      {"--iterations -1", "a whole number from 0"},
+      {"--iterations many", "a whole number from 0"},
+      {"--time-limit -1", "greater than 0"},
+      {"--threads 0", "a whole number from 1"},
+      {"--unknown", "unknown"},
+  };
+  for(const auto& [arguments, valid] : table)
+    expect_refused(std::string("sphere.off -o result.off --json result.json ") + arguments, valid);
   expect_refused("", "INPUT");
+}
+
+TEST_F(Program, refuses_options_that_would_be_ignored)
+{
+  const std::vector<std::pair<const char*, const char*>> table = {
+      {"--s-first 1 --prefer worst", "--s-first and --prefer"},
+      {"--sharpness 1 --prefer worst", "--prefer and --sharpness"},
+      {"--s-last 3 --sharpness 1", "--s-last and --sharpness"},
+      {"--average-sweeps 5", "--s-first, --s-last or --paper"},
+      {"--average-sweeps 5 --sharpness 1", "--average-sweeps and --sharpness"},
+      {"--method harmonic --energy isometric", "bld or hierarchical"},
+      {"--method harmonic --initial stereographic", "bld or arap"},
+      {"--method arap --sharpness 1", "bld or hierarchical"},
+      {"--method arap --radius area", "arap knows --initial, --iterations and --time-limit"},
+      {"--method conformal --barrier flat", "conformal knows --iterations and --time-limit"},
+      {"--method stereographic --iterations 5", "bld, harmonic, conformal or arap"},
+      {"--method stereographic --time-limit 5", "stereographic has no settings"},
+      {"--method hierarchical --iterations 5", "hierarchical knows --energy, --prefer, --sharpness"},
+      {"--method hierarchical --s-first 1", "--method bld"},
+      {"--paper --method bld", "--method"},
+      {"--paper --energy isometric", "--initial, --s-first, --s-last, --average-sweeps, --radius, --iterations"},
+      {"--paper --prefer worst", "--initial, --s-first"},
+      {"--paper --sharpness 1", "--initial, --s-first"},
+      {"--paper --update newton", "--initial, --s-first"},
+      {"--paper --barrier flat", "--initial, --s-first"},
+  };
+  for(const auto& [arguments, valid] : table)
+    expect_refused(std::string("sphere.off -o result.off --json result.json ") + arguments, valid);
 }
 
 TEST_F(Program, refuses_what_it_cannot_read_or_write)

@@ -11,6 +11,7 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_EXAMPLES_ANY_RADIUS_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_EXAMPLES_ANY_RADIUS_H
 
+#include <CGAL/Spherical_parameterization/Area_balancing_radius_3.h>
 #include <CGAL/Spherical_parameterization/Area_preserving_radius_3.h>
 #include <CGAL/Spherical_parameterization/Fixed_radius_3.h>
 #include <CGAL/Spherical_parameterization/Optimal_radius_3.h>
@@ -28,12 +29,13 @@ class Any_radius
 public:
   using Two_phase_radius_3 = CGAL::Spherical_parameterization::Two_phase_radius_3<>;
   using Optimal_radius_3 = CGAL::Spherical_parameterization::Optimal_radius_3;
+  using Area_balancing_radius_3 = CGAL::Spherical_parameterization::Area_balancing_radius_3;
   using Area_preserving_radius_3 = CGAL::Spherical_parameterization::Area_preserving_radius_3;
   using Fixed_radius_3 = CGAL::Spherical_parameterization::Fixed_radius_3;
   using Two_phase_optimal_radius_3 =
       CGAL::Spherical_parameterization::Two_phase_radius_3<CGAL::Default, Optimal_radius_3>;
 
-  using Policy = std::variant<Two_phase_radius_3, Two_phase_optimal_radius_3, Optimal_radius_3,
+  using Policy = std::variant<Two_phase_radius_3, Two_phase_optimal_radius_3, Optimal_radius_3, Area_balancing_radius_3,
                               Area_preserving_radius_3, Fixed_radius_3>;
 
   Any_radius() = default;
@@ -58,7 +60,24 @@ public:
     return std::visit([&](auto& policy) { return policy(energy, faces, radius); }, m_policy);
   }
 
+  bool next_phase()
+  {
+    return std::visit([](auto& policy) { return start_next_phase(policy); }, m_policy);
+  }
+
 private:
+  template <class Radius>
+  static bool start_next_phase(Radius& /* policy */)
+  {
+    return false; // there is one phase only
+  }
+
+  template <class FirstRadius, class SecondRadius>
+  static bool start_next_phase(CGAL::Spherical_parameterization::Two_phase_radius_3<FirstRadius, SecondRadius>& policy)
+  {
+    return policy.next_phase();
+  }
+
   Policy m_policy;
 };
 

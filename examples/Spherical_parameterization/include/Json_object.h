@@ -11,6 +11,7 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_EXAMPLES_JSON_OBJECT_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_EXAMPLES_JSON_OBJECT_H
 
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdio>
@@ -30,13 +31,7 @@ public:
   Json_object& add(const char* name, const Json_object& value) { return add_text(name, value.text()); }
 
   /// adds a number with 17 digits, or null if it is infinite or not a number, which JSON has no words for.
-  Json_object& add(const char* name, double value)
-  {
-    constexpr int most_characters = 32;
-    char digits[most_characters];
-    std::snprintf(digits, sizeof digits, "%.17g", value);
-    return add_text(name, std::isfinite(value) ? digits : "null");
-  }
+  Json_object& add(const char* name, double value) { return add_text(name, number(value)); }
 
   Json_object& add(const char* name, const std::vector<std::string>& values)
   {
@@ -44,6 +39,21 @@ public:
     for(const std::string& value : values)
       list += (list.empty() ? "" : ", ") + quote(value);
     return add_text(name, "[" + list + "]");
+  }
+
+  /// adds an array of rows, each an array of numbers.
+  template <std::size_t n>
+  Json_object& add(const char* name, const std::vector<std::array<double, n>>& rows)
+  {
+    std::string list;
+    for(const std::array<double, n>& row : rows)
+    {
+      std::string numbers;
+      for(const double value : row)
+        numbers += (numbers.empty() ? "" : ", ") + number(value);
+      list += (list.empty() ? "\n  [" : ",\n  [") + numbers + "]";
+    }
+    return add_text(name, "[" + list + (list.empty() ? "]" : "\n]"));
   }
 
   std::string text() const
@@ -60,6 +70,14 @@ private:
   {
     m_members += (m_members.empty() ? "\n" : ",\n") + quote(name) + ": " + value;
     return *this;
+  }
+
+  static std::string number(double value)
+  {
+    constexpr int most_characters = 32;
+    char digits[most_characters];
+    std::snprintf(digits, sizeof digits, "%.17g", value);
+    return std::isfinite(value) ? digits : "null";
   }
 
   static std::string quote(const std::string& text)

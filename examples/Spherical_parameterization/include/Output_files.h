@@ -46,7 +46,7 @@ public:
     const std::vector<Output_file*> files = wanted();
     for(auto file = files.begin(); file != files.end(); ++file)
     {
-      for(const std::string& input : {options.input, options.initial})
+      for(const std::string& input : {options.input, options.start_file})
         if(std::filesystem::equivalent((*file)->path(), input, ignored))
           throw Program_error((*file)->name() + ": would replace the input; choose another name");
       for(auto other = files.begin(); other != file; ++other)

@@ -13,26 +13,21 @@
 
 #include "Any_radius.h"
 #include "Any_sharpness.h"
-#include "Program_error.h"
+#include "Any_update.h"
+#include "Command_line.h"
+#include "choices.h"
 #include "file_format.h"
 
-#include <boost/program_options.hpp>
-
-#include <cmath>
-#include <cstdlib>
+#include <algorithm>
+#include <cstddef>
 #include <filesystem>
 #include <limits>
+#include <optional>
 #include <sstream>
 #include <string>
+#include <vector>
 
 namespace Program {
-
-enum class Energy_choice
-{
-  SYMMETRIC_DIRICHLET,
-  ISOMETRIC,
-  CONFORMAL
-};
 
 /// What the command line asks for.
 class Program_options
@@ -40,277 +35,339 @@ class Program_options
 public:
   /// reads the command line.
   ///
-  /// \throws Program_error if an option is unknown, out of its range, or contradicts another one
+  /// \throws Program_error if an option is unknown, out of its range, of no use, or contradicts another one
   Program_options(int argc, const char* const* argv)
+    : m_line(argc, argv)
   {
-    try
-    {
-      read(argc, argv);
-    }
-    catch(const boost::program_options::too_many_positional_options_error&)
-    {
-      fail("there is more than one INPUT; a name with blanks has to be quoted");
-    }
-    catch(const boost::program_options::error& error)
-    {
-      fail(error.what());
-    }
+    wants_help = m_line.has("help");
+    wants_version = m_line.has("version");
+    if(wants_help || wants_version)
+      return;
+    if(!m_line.has("input"))
+      Command_line::fail("there is no INPUT");
+    input = m_line.text("input");
+    read_method();
+    if(knows("initial"))
+      read_initial();
+    if(knows("energy"))
+      read_energy();
+    if(knows("sharpness"))
+      read_sharpness();
+    if(knows("radius"))
+      read_radius();
+    if(knows("update"))
+      read_update();
+    if(knows("barrier"))
+      read_barrier();
+    read_limits();
+    read_outputs();
   }
 
   /// returns the explanation of all options.
-  const std::string& help() const { return m_help; }
+  const std::string& help() const { return m_line.help(); }
+
+  /// returns whether the method only cares for angles.
+  bool is_conformal() const
+  {
+    return energy == Energy_choice::CONFORMAL || method == Method_choice::CONFORMAL ||
+           method == Method_choice::HARMONIC || method == Method_choice::STEREOGRAPHIC;
+  }
 
   bool wants_help = false, wants_version = false, is_quiet = false;
   std::string input;
-  std::string initial; ///< a file, or empty for the hierarchy
+  Method_choice method = Method_choice::BLD;
+  bool is_published = false; ///< BLD with the settings of the paper
+  Start_choice start = Start_choice::HIERARCHICAL;
+  std::string start_file; ///< empty if the start is not precomputed
   Energy_choice energy = Energy_choice::SYMMETRIC_DIRICHLET;
   Any_sharpness sharpness;
   Any_radius radius;
-  std::string method; ///< energy, sharpness and radius in words
+  Any_update update;
+  Barrier_choice barrier = Barrier_choice::DETERMINANT;
+  bool is_unit_sphere = false; ///< whether the radius is 1 because nothing else has chosen one
+  std::string description;     ///< the method with all of its settings in words
   unsigned int most_iterations = 100;
   double most_seconds = 0.;          ///< 0 if there is no limit
   unsigned int most_threads = 0;     ///< 0 if there is no limit
   std::string output, json, colored; ///< empty if not wanted
 
 private:
-  [[noreturn]] static void fail(const std::string& what)
+  // Which methods an option goes with; options that are not listed go with all.
+  struct Scope
   {
-    throw Program_error(what + "\nAll options are explained by: spherical_parameterization --help");
+    const char* option;
+    std::vector<Method_choice> methods;
+    bool goes_with_paper;
+  };
+
+  static const std::vector<Scope>& scopes()
+  {
+    using M = Method_choice;
+    static const std::vector<Scope> list = {
+        {"initial", {M::BLD, M::ARAP}, true},
+        {"energy", {M::BLD, M::HIERARCHICAL}, false},
+        {"prefer", {M::BLD, M::HIERARCHICAL}, false},
+        {"sharpness", {M::BLD, M::HIERARCHICAL}, false},
+        {"s-first", {M::BLD}, true},
+        {"s-last", {M::BLD}, true},
+        {"average-sweeps", {M::BLD}, true},
+        {"radius", {M::BLD}, true},
+        {"update", {M::BLD, M::HIERARCHICAL}, false},
+        {"barrier", {M::BLD}, false},
+        {"iterations", {M::BLD, M::HARMONIC, M::CONFORMAL, M::ARAP}, true},
+        {"time-limit", {M::BLD, M::HIERARCHICAL, M::HARMONIC, M::CONFORMAL, M::ARAP}, true},
+    };
+    return list;
   }
 
-  [[noreturn]] static void refuse(const std::string& option, const std::string& value, const std::string& valid)
+  static bool goes_with(const Scope& scope, Method_choice method)
   {
-    fail("--" + option + " has to be " + valid + ", not '" + value + "'");
+    return std::find(scope.methods.begin(), scope.methods.end(), method) != scope.methods.end();
   }
 
-  void read(int argc, const char* const* argv)
+  // returns whether the method has a setting of the name of `option`
+  bool knows(const std::string& option) const
   {
-    namespace po = boost::program_options;
-    const po::options_description visible = describe_options();
-    po::options_description all;
-    all.add(visible).add_options()("input", po::value<std::string>());
-    po::positional_options_description positions;
-    positions.add("input", 1);
-    const int style = po::command_line_style::unix_style & ~po::command_line_style::allow_guessing;
-    po::store(po::command_line_parser(argc, argv).options(all).positional(positions).style(style).run(), m_values);
+    return std::any_of(scopes().begin(), scopes().end(),
+                       [&](const Scope& scope) { return scope.option == option && goes_with(scope, method); });
+  }
 
-    m_help = usage(visible);
-    wants_help = has("help");
-    wants_version = has("version");
-    if(wants_help || wants_version)
+  template <class Filter>
+  static std::vector<std::string> options_where(const Filter& is_wanted)
+  {
+    std::vector<std::string> names;
+    for(const Scope& scope : scopes())
+      if(is_wanted(scope))
+        names.push_back("--" + std::string(scope.option));
+    return names;
+  }
+
+  void read_method()
+  {
+    method = m_line.choice("method", methods, Method_choice::BLD);
+    is_published = m_line.has("paper");
+    if(is_published && m_line.has("method"))
+      Command_line::fail("--paper is a method of its own: leave out --method");
+    for(const Scope& scope : scopes())
+      if(m_line.has(scope.option))
+        check_scope(scope);
+    is_unit_sphere = method != Method_choice::BLD && method != Method_choice::ARAP;
+    description = std::string(name_of(methods, method)) + (is_published ? " as published" : "");
+  }
+
+  // refuses an option that would be ignored
+  void check_scope(const Scope& scope) const
+  {
+    const std::string option = "--" + std::string(scope.option);
+    if(is_published && !scope.goes_with_paper)
+      Command_line::fail(option + " is among the settings of --paper, which can be combined with " +
+                         list_of(options_where([](const Scope& s) { return s.goes_with_paper; }), " and ") + " only");
+    if(goes_with(scope, method))
       return;
-    if(!has("input"))
-      fail("there is no INPUT");
-    input = text("input");
-    read_energy();
-    read_sharpness();
-    read_radius();
-    read_initial();
-    read_limits();
-    read_outputs();
+    std::vector<std::string> names;
+    for(const Method_choice other : scope.methods)
+      names.push_back(name_of(methods, other));
+    const std::vector<std::string> known = options_where([&](const Scope& s) { return goes_with(s, method); });
+    Command_line::fail(option + " goes with --method " + list_of(names) + "; " + name_of(methods, method) +
+                       (known.empty() ? " has no settings" : " knows " + list_of(known, " and ") + " only"));
   }
-
-  static boost::program_options::options_description describe_options()
-  {
-    namespace po = boost::program_options;
-    constexpr unsigned int line_length = 100;
-    po::options_description options("Options", line_length);
-    const auto word = [](const char* name) { return po::value<std::string>()->value_name(name); };
-    // clang-format off
-    options.add_options()
-      ("output,o", word("SPHERE"), "write the sphere: the faces of INPUT, with the images of its vertices in the same "
-                                   "order (0 0 0 for a vertex without a face) and 17 digits; .off, .obj, .ply or .ts")
-      ("energy", word("ENERGY"), "symmetric-dirichlet: lengths and areas, the default; isometric: the paper's; "
-                                 "conformal: angles only")
-      ("prefer", word("WHAT"), "the lowest average distortion, the lowest worst, or a balance of both, the default: "
-                               "average, balance or worst, which is sharpness 0, 12 or 50; average also takes the radius "
-                               "of the lowest energy in the end, since the average is lowest there")
-      ("sharpness", word("B"), "anything between: 0 or more")
-      ("s-first", word("S"), "the paper's schedule instead of a sharpness: exp(s E) with s from here, 0.1 ...")
-      ("s-last", word("S"), "... to here, 10")
-      ("radius", word("RADIUS"), "two-phase: equal area at first, then balanced areas, the default; optimal: of the lowest "
-                                 "energy; area: equal area; fixed=R: R, the default for conformal, with R = 1")
-      ("initial", word("START"), "hierarchical, the default; or FILE: a map written before for the same mesh")
-      ("iterations", word("N"), "most sweeps over the mesh: 100, if not given; 0 leaves the initial map")
-      ("time-limit", word("SECONDS"), "sweep no longer than this; the map reached is written")
-      ("threads", word("N"), "use no more threads; the result is always the same")
-      ("json", word("FILE"), "write the report and the distortions as JSON")
-      ("colored", word("PREFIX"), "write PREFIX_surface.ply and PREFIX_sphere.ply, with the distortion as colour")
-      ("quiet", "print nothing but errors")
-      ("help,h", "print this")
-      ("version", "print the version");
-    // clang-format on
-    return options;
-  }
-
-  static std::string usage(const boost::program_options::options_description& options)
-  {
-    std::ostringstream text;
-    text << "Usage: spherical_parameterization INPUT [-o SPHERE] [options]\n\n"
-            "Maps a closed triangle mesh of genus 0 to a sphere, one-to-one and with low distortion. INPUT is a file "
-            "of\n"
-            "any format that CGAL reads: "
-         << list_of(input_formats)
-         << ". The result is certified by exact arithmetic.\n"
-            "Without -o nothing but the report is printed. Ctrl-C ends the sweeps; the map reached is written.\n\n"
-         << options
-         << "\nExit status: 0, a certified one-to-one map was found and all files were written; 1, an error, of which "
-            "a\n"
-            "message tells, and no map was written.\n";
-    return text.str();
-  }
-
-  bool has(const char* option) const { return m_values.count(option) > 0; }
-  const std::string& text(const char* option) const { return m_values[option].as<std::string>(); }
 
   void refuse_both(const std::string& option, const std::string& other) const
   {
-    if(has(option.c_str()) && has(other.c_str()))
-      fail("--" + option + " and --" + other + " contradict each other: give one of them");
-  }
-
-  // returns a number in [least, largest]; `range` is that in words
-  static double number(const std::string& option, const std::string& value, double least, double largest,
-                       const std::string& range)
-  {
-    char* end = nullptr;
-    const double x = std::strtod(value.c_str(), &end);
-    if(value.empty() || *end != '\0' || !(x >= least && x <= largest))
-      refuse(option, value, range);
-    return x;
-  }
-
-  static double positive_number(const std::string& option, const std::string& value)
-  {
-    return number(option, value, std::numeric_limits<double>::min(), std::numeric_limits<double>::max(),
-                  "a number greater than 0");
-  }
-
-  static unsigned int whole_number(const std::string& option, const std::string& value, unsigned int least)
-  {
-    constexpr double largest = 1e9;
-    const std::string range = "a whole number from " + std::to_string(least) + " to 1e9";
-    const double x = number(option, value, least, largest, range);
-    if(x != std::floor(x))
-      refuse(option, value, range);
-    return static_cast<unsigned int>(x);
-  }
-
-  void read_energy()
-  {
-    const std::string value = has("energy") ? text("energy") : "symmetric-dirichlet";
-    if(value == "symmetric-dirichlet")
-      energy = Energy_choice::SYMMETRIC_DIRICHLET;
-    else if(value == "isometric")
-      energy = Energy_choice::ISOMETRIC;
-    else if(value == "conformal")
-      energy = Energy_choice::CONFORMAL;
-    else
-      refuse("energy", value, "symmetric-dirichlet, isometric or conformal");
-    method = value + " energy";
-  }
-
-  void read_sharpness()
-  {
-    using CGAL::Spherical_parameterization::Absolute_sharpness_3;
-    using CGAL::Spherical_parameterization::Relative_sharpness_3;
-    constexpr double largest = 1e6; // of both policies
-    constexpr double average = 0., balance = 12., worst = 50.;
-
-    refuse_both("prefer", "sharpness");
-    for(const char* schedule : {"s-first", "s-last"})
-      for(const char* dial : {"prefer", "sharpness"})
-        refuse_both(schedule, dial);
-
-    if(has("s-first") || has("s-last"))
-    {
-      const Absolute_sharpness_3 usual;
-      const char* range = "a number greater than 0, at most 1e6";
-      const double least = std::numeric_limits<double>::min();
-      const double first = has("s-first") ? number("s-first", text("s-first"), least, largest, range) : usual.first();
-      const double last = has("s-last") ? number("s-last", text("s-last"), least, largest, range) : usual.last();
-      if(first > last)
-        fail("--s-first must not be greater than --s-last, but they are " + short_text(first) + " and " +
-             short_text(last));
-      sharpness = Any_sharpness(Absolute_sharpness_3(first, last));
-      method += ", s " + (first < last ? "from " + short_text(first) + " to " : "= ") + short_text(last);
-      return;
-    }
-    double beta = balance;
-    if(has("sharpness"))
-      beta = number("sharpness", text("sharpness"), 0., largest, "a number from 0 to 1e6");
-    else if(has("prefer"))
-    {
-      if(text("prefer") == "average")
-        beta = average;
-      else if(text("prefer") == "worst")
-        beta = worst;
-      else if(text("prefer") != "balance")
-        refuse("prefer", text("prefer"), "average, balance or worst");
-    }
-    sharpness = Any_sharpness(Relative_sharpness_3(beta));
-    method += ", sharpness " + short_text(beta);
-  }
-
-  void read_radius()
-  {
-    const std::string value = has("radius") ? text("radius") : "";
-    const std::string fixed = "fixed=";
-    if(value == "two-phase")
-      radius = Any_radius(Any_radius::Two_phase_radius_3());
-    else if(value == "optimal")
-      radius = Any_radius(Any_radius::Optimal_radius_3());
-    else if(value == "area")
-      radius = Any_radius(Any_radius::Area_preserving_radius_3());
-    else if(value.compare(0, fixed.size(), fixed) == 0)
-      radius = Any_radius(Any_radius::Fixed_radius_3(positive_number("radius fixed=R", value.substr(fixed.size()))));
-    else if(has("radius"))
-      refuse("radius", value, "two-phase, optimal, area or fixed=R with a number R");
-    else if(energy == Energy_choice::CONFORMAL)
-      radius = Any_radius(Any_radius::Fixed_radius_3());
-    else if(has("prefer") && text("prefer") == "average")
-      radius = Any_radius(Any_radius::Two_phase_optimal_radius_3());
+    if(m_line.has(option) && m_line.has(other))
+      Command_line::fail("--" + option + " and --" + other + " contradict each other: give one of them");
   }
 
   void read_initial()
   {
-    initial = has("initial") && text("initial") != "hierarchical" ? text("initial") : "";
-    if(!initial.empty() && !std::filesystem::exists(initial))
-      refuse("initial", initial, "hierarchical, or the name of a file with a map");
+    const std::string value = m_line.text("initial");
+    if(!m_line.has("initial") || is_among(value, starts))
+    {
+      start = m_line.choice("initial", starts, is_published ? Start_choice::HARMONIC : Start_choice::HIERARCHICAL);
+      description += std::string(", ") + name_of(starts, start) + " start";
+      return;
+    }
+    if(!std::filesystem::exists(value))
+      m_line.refuse("initial", list_of(starts) + ", or the name of a file with a map");
+    start = Start_choice::PRECOMPUTED;
+    start_file = value;
+    description += ", start from " + start_file;
+  }
+
+  void read_energy()
+  {
+    const bool is_usually_isometric = is_published || method == Method_choice::HIERARCHICAL;
+    energy = m_line.choice("energy", energies,
+                           is_usually_isometric ? Energy_choice::ISOMETRIC : Energy_choice::SYMMETRIC_DIRICHLET);
+    description += std::string(", ") + name_of(energies, energy) + " energy";
+  }
+
+  void read_sharpness()
+  {
+    refuse_both("prefer", "sharpness");
+    for(const char* schedule : {"s-first", "s-last", "average-sweeps"})
+      for(const char* dial : {"prefer", "sharpness"})
+        refuse_both(schedule, dial);
+
+    if(is_published || m_line.has("s-first") || m_line.has("s-last"))
+      read_schedule();
+    else if(m_line.has("average-sweeps"))
+      Command_line::fail("--average-sweeps goes with --s-first, --s-last or --paper");
+    else
+      read_dial();
+  }
+
+  void read_schedule()
+  {
+    using CGAL::Spherical_parameterization::Absolute_sharpness_3;
+    const Absolute_sharpness_3 usual;
+    const double least = std::numeric_limits<double>::min();
+    const char* range = "a number greater than 0, at most 1e6";
+    const double first = m_line.number("s-first", least, largest_sharpness, range, usual.first());
+    const double last = m_line.number("s-last", least, largest_sharpness, range, usual.last());
+    if(first > last)
+      Command_line::fail("--s-first must not be greater than --s-last, but they are " + short_text(first) + " and " +
+                         short_text(last) + "; valid are 0 < s-first <= s-last <= 1e6, by default " +
+                         short_text(usual.first()) + " and " + short_text(usual.last()));
+    description += ", s " + (first < last ? "from " + short_text(first) + " to " : "= ") + short_text(last);
+    if(is_published || m_line.has("average-sweeps"))
+    {
+      constexpr unsigned int of_paper = 100;
+      const unsigned int n = m_line.whole_number("average-sweeps", 0, of_paper);
+      sharpness = Any_sharpness(Absolute_sharpness_3(first, last, n));
+      description += " after " + std::to_string(n) + " sweeps of the plain sum";
+      return;
+    }
+    sharpness = Any_sharpness(Absolute_sharpness_3(first, last));
+    if(first < last)
+      description += " after sweeps of the plain sum while they help";
+  }
+
+  void read_dial()
+  {
+    using CGAL::Spherical_parameterization::Relative_sharpness_3;
+    const Relative_sharpness_3 usual(method == Method_choice::HIERARCHICAL ? 0. : Relative_sharpness_3().beta());
+    const double beta = m_line.number("sharpness", 0., largest_sharpness, "a number from 0 to 1e6",
+                                      m_line.choice("prefer", preferences, usual.beta()));
+    sharpness = Any_sharpness(Relative_sharpness_3(beta));
+    description += ", sharpness " + short_text(beta);
+  }
+
+  void read_radius()
+  {
+    const std::string value = m_line.text("radius"), fixed = "fixed=";
+    double r = 0.;
+    if(!m_line.has("radius"))
+    {
+      set_usual_radius();
+      return;
+    }
+    if(value == "two-phase")
+      radius = two_phase_radius();
+    else if(value == "optimal")
+      radius = Any_radius(Any_radius::Optimal_radius_3());
+    else if(value == "area")
+      radius = Any_radius(Any_radius::Area_preserving_radius_3());
+    else if(value == "balanced")
+      radius = Any_radius(Any_radius::Area_balancing_radius_3());
+    else if(value.compare(0, fixed.size(), fixed) == 0 && Command_line::read_number(value.substr(fixed.size()), r) &&
+            r >= std::numeric_limits<double>::min() && r <= std::numeric_limits<double>::max())
+      radius = Any_radius(Any_radius::Fixed_radius_3(r));
+    else
+      m_line.refuse("radius", "two-phase, optimal, area, balanced or fixed=R with a number R greater than 0");
+    description += ", radius " + value;
+  }
+
+  void set_usual_radius()
+  {
+    if(energy == Energy_choice::CONFORMAL)
+    {
+      radius = Any_radius(Any_radius::Fixed_radius_3(1.));
+      is_unit_sphere = true;
+      description += ", radius fixed=1";
+    }
+    else if(m_line.text("prefer") == "average")
+    {
+      radius = Any_radius(Any_radius::Two_phase_optimal_radius_3());
+      description += ", radius two-phase, of the lowest energy in the end";
+    }
+    else
+    {
+      radius = two_phase_radius();
+      description += ", radius two-phase";
+    }
+  }
+
+  // In the paper the second phase waits for the energy as well.
+  Any_radius two_phase_radius() const
+  {
+    using Radius = Any_radius::Two_phase_radius_3;
+    return Any_radius(is_published ? Radius(Radius::First_radius(), Radius::Second_radius(), 0.) : Radius());
+  }
+
+  void read_update()
+  {
+    const Update_choice value =
+        m_line.choice("update", updates, is_published ? Update_choice::GRADIENT : Update_choice::NEWTON);
+    if(value == Update_choice::GRADIENT)
+      update = Any_update(CGAL::Spherical_parameterization::Gradient_update_3());
+    description += std::string(", ") + name_of(updates, value) + " update";
+  }
+
+  void read_barrier()
+  {
+    barrier = m_line.choice("barrier", barriers, is_published ? Barrier_choice::FLAT : Barrier_choice::DETERMINANT);
+    description += std::string(", ") + name_of(barriers, barrier) + " barrier";
   }
 
   void read_limits()
   {
-    if(has("iterations"))
-      most_iterations = whole_number("iterations", text("iterations"), 0);
-    if(has("time-limit"))
-      most_seconds = positive_number("time-limit", text("time-limit"));
-    if(has("threads"))
-      most_threads = whole_number("threads", text("threads"), 1);
+    constexpr unsigned int usual = 100, usual_of_paper = 2000, usual_of_arap = 500;
+    const bool is_arap = method == Method_choice::ARAP;
+    most_iterations =
+        m_line.whole_number("iterations", 0, is_published ? usual_of_paper : (is_arap ? usual_of_arap : usual));
+    if(knows("iterations"))
+      description +=
+          ", at most " + std::to_string(most_iterations) + (method == Method_choice::BLD ? " sweeps" : " global steps");
+    most_seconds = m_line.number("time-limit", std::numeric_limits<double>::min(), std::numeric_limits<double>::max(),
+                                 "a number greater than 0", 0.);
+    if(most_seconds > 0.)
+      description += ", at most " + short_text(most_seconds) + " seconds";
+    most_threads = m_line.whole_number("threads", 1, 0);
   }
 
   void read_outputs()
   {
-    is_quiet = has("quiet");
-    output = has("output") ? text("output") : "";
-    json = has("json") ? text("json") : "";
-    colored = has("colored") ? text("colored") : "";
+    is_quiet = m_line.has("quiet");
+    output = m_line.text("output");
+    json = m_line.text("json");
+    colored = m_line.text("colored");
     for(const char* option : {"output", "json", "colored"})
-      if(has(option) && text(option).empty())
-        fail("--" + std::string(option) + " needs a name");
-    if(has("output") && !is_among(file_format(output), output_formats))
-      refuse("output", output, "a name that ends with one of " + list_of(output_formats));
+      if(m_line.has(option) && m_line.text(option).empty())
+        Command_line::fail("--" + std::string(option) + " needs a name");
+    if(m_line.has("output") && !is_among(file_format(output), output_formats))
+      m_line.refuse("output", "a name that ends with one of " + list_of(output_formats));
   }
 
+  // as many digits as it takes to read the same number again
   static std::string short_text(double x)
   {
-    std::ostringstream text;
-    text << x;
-    return text.str();
+    std::string text;
+    double again = 0.;
+    for(int digits = 6; digits <= std::numeric_limits<double>::max_digits10 && (text.empty() || again != x); ++digits)
+    {
+      std::ostringstream out;
+      out.precision(digits);
+      out << x;
+      text = out.str();
+      Command_line::read_number(text, again);
+    }
+    return text;
   }
 
-  boost::program_options::variables_map m_values;
-  std::string m_help;
+  static constexpr double largest_sharpness = 1e6; // of both policies
+
+  Command_line m_line;
 };
 
 } // namespace Program

@@ -14,12 +14,16 @@
 #include "Colored_mesh.h"
 #include "Json_object.h"
 #include "Program_options.h"
+#include "Run_result.h"
+#include "choices.h"
 
 #include <CGAL/Spherical_parameterization/Distortion_statistics.h>
 #include <CGAL/Spherical_parameterization/Distortion_summary.h>
 #include <CGAL/Spherical_parameterization/Parameterization_report.h>
 
+#include <cstddef>
 #include <iomanip>
+#include <optional>
 #include <ostream>
 #include <sstream>
 #include <string>
@@ -35,8 +39,10 @@ public:
     : m_options(options)
   {}
 
-  CGAL::Spherical_parameterization::Parameterization_report run;
+  Run_result result;
   CGAL::Spherical_parameterization::Distortion_summary distortion;
+  /// with the radius of eq. 11, if the map is to the unit sphere, whatever the size of the surface
+  std::optional<CGAL::Spherical_parameterization::Distortion_summary> balanced;
   double seconds_for_input = 0.; ///< reading and checking the file
   double seconds_for_measuring = 0.;
   double seconds_for_output = 0.;        ///< writing all files but that with this report
@@ -45,14 +51,20 @@ public:
 
   void print(std::ostream& out) const
   {
+    const Report& run = result.report;
     out << "Mesh      " << m_options.input << ": " << run.number_of_vertices << " vertices, " << run.number_of_faces
         << " faces";
     if(run.number_of_isolated_vertices > 0)
       out << ", and " << run.number_of_isolated_vertices << " vertices without a face";
     if(run.number_of_flat_faces > 0)
       out << "; " << run.number_of_flat_faces << " faces have no area";
-    out << "\nMethod    " << m_options.method << "\nSweeps    " << run.number_of_iterations() << " (" << stop_reason()
-        << ")\nRadius    " << fixed_text(run.radius, 10, false) << "\nSeconds   " << fixed_text(seconds(), 2) << " = "
+    out << "\nMethod    " << m_options.description << '\n';
+    if(m_options.method == Method_choice::HIERARCHICAL)
+      out << "Sweeps    " << run.number_of_level_iterations << " over " << run.number_of_levels << " levels\n";
+    else if(m_options.method != Method_choice::STEREOGRAPHIC)
+      out << (m_options.method == Method_choice::BLD ? "Sweeps    " : "Steps     ") << run.number_of_iterations()
+          << " (" << stop_reason() << ")\n";
+    out << "Radius    " << fixed_text(run.radius, 10, false) << "\nSeconds   " << fixed_text(seconds(), 2) << " = "
         << fixed_text(seconds_for_input, 2) << " input + " << fixed_text(run.seconds_for_reading, 2) << " copy + "
         << fixed_text(run.seconds_for_hierarchy, 2) << " hierarchy + " << fixed_text(run.seconds_for_embedding, 2)
         << " initial map + " << fixed_text(run.seconds_for_optimization, 2) << " sweeps + "
@@ -62,9 +74,15 @@ public:
     print_line(out, "D_iso  ", distortion.isometric);
     print_line(out, "D_area ", distortion.area);
     print_line(out, "D_angle", distortion.angle);
+    if(balanced)
+    {
+      out << "with the radius " << fixed_text(balanced->radius, 10, false) << " of balanced areas (eq. 11):\n";
+      print_line(out, "D_iso  ", balanced->isometric);
+      print_line(out, "D_area ", balanced->area);
+    }
     out << distortion.number_of_inverted_faces << " inverted faces, " << distortion.number_of_degenerate_faces
-        << " degenerate faces" << (distortion.number_of_degenerate_faces > 0 ? ", which are left out" : "")
-        << "\n\nCertified: the map is one-to-one.\n";
+        << " degenerate faces" << (distortion.number_of_degenerate_faces > 0 ? ", which are left out" : "") << "\n\n"
+        << (result.is_one_to_one ? "Certified: the map is one-to-one." : "Not one-to-one: " + fault()) << '\n';
     for(const std::string& file : files)
       out << "Written:   " << file << '\n';
     if(colored != nullptr)
@@ -73,8 +91,18 @@ public:
     out << std::flush;
   }
 
+  /// returns what is wrong with a map that is not one-to-one.
+  std::string fault() const
+  {
+    const std::size_t n = distortion.number_of_inverted_faces;
+    if(n == 0)
+      return "the faces cover the sphere more than once.";
+    return n == 1 ? "1 face is inverted." : std::to_string(n) + " faces are inverted.";
+  }
+
   std::string json() const
   {
+    const Report& run = result.report;
     Json_object sweeps;
     sweeps.add("levels", run.number_of_level_iterations)
         .add("average", run.number_of_average_iterations)
@@ -105,8 +133,8 @@ public:
         .add("faces", run.number_of_faces)
         .add("isolated_vertices", run.number_of_isolated_vertices)
         .add("flat_faces", run.number_of_flat_faces)
-        .add("method", m_options.method)
-        .add("one_to_one", true)
+        .add("method", m_options.description)
+        .add("one_to_one", result.is_one_to_one)
         .add("stop_reason", stop_reason())
         .add("levels", run.number_of_levels)
         .add("attempts", run.number_of_attempts)
@@ -114,8 +142,14 @@ public:
         .add("sharpness", run.sharpness)
         .add("radius", run.radius)
         .add("energy", energy)
-        .add("distortion", measures)
-        .add("seconds", stages);
+        .add("history", result.history)
+        .add("distortion", measures);
+    if(balanced)
+      all.add("balanced", Json_object()
+                              .add("radius", balanced->radius)
+                              .add("D_iso", statistics(balanced->isometric))
+                              .add("D_area", statistics(balanced->area)));
+    all.add("seconds", stages);
     if(colored != nullptr)
       all.add(
           "colors",
@@ -124,15 +158,24 @@ public:
   }
 
 private:
+  using Report = CGAL::Spherical_parameterization::Parameterization_report;
+
   std::string stop_reason() const
   {
     using namespace CGAL::Spherical_parameterization;
+    const Report& run = result.report;
     return run.stop_reason == STOPPED ? "interrupted" : get_stop_message(run.stop_reason);
   }
 
-  const char* color_name() const { return m_options.energy == Energy_choice::CONFORMAL ? "D_angle" : "D_iso"; }
+  const char* color_name() const
+  {
+    return m_options.is_conformal() ? "D_angle" : (balanced ? "balanced D_iso" : "D_iso");
+  }
 
-  double seconds() const { return seconds_for_input + run.seconds() + seconds_for_measuring + seconds_for_output; }
+  double seconds() const
+  {
+    return seconds_for_input + result.report.seconds() + seconds_for_measuring + seconds_for_output;
+  }
 
   static std::string fixed_text(double x, int digits, bool is_fixed = true)
   {
