@@ -143,7 +143,7 @@ TEST(Determinism, of_any_number_of_threads)
 // Two runs at once do not disturb each other.
 TEST(Determinism, of_runs_side_by_side)
 {
-  const Mesh copy = mesh(); // property maps of one mesh may not be added by two threads
+  const Mesh copy = mesh(); // images() adds a property map to its mesh
   std::vector<Coordinates> first, second;
   sequential_images();
   std::thread one([&] { first = images<CGAL::Parallel_tag>(mesh()); });

@@ -19,6 +19,7 @@
 #include <CGAL/Origin.h>
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/named_params_helper.h>
+#include <CGAL/boost/graph/properties.h>
 
 #include <boost/graph/graph_traits.hpp>
 #include <boost/property_map/property_map.hpp>
@@ -69,7 +70,7 @@ namespace Spherical_parameterization {
 ///     \cgalParamType{a class model of `ReadablePropertyMap` with
 ///                    `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and `std::size_t` as value
 ///                    type}
-///     \cgalParamDefault{an automatically indexed internal map}
+///     \cgalParamDefault{an index made for the purpose; the mesh is only read}
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
@@ -89,7 +90,15 @@ bool is_bijective(const TriangleMesh& tmesh, VertexSphereMap vertex_sphere_map,
     return false;
   }
 
-  const auto index_map = CGAL::get_initialized_vertex_index_map(tmesh, np);
+  // By default not the indices that the mesh may have itself: if they were not valid, they would have to be written.
+  const auto index_map = parameters::choose_parameter(parameters::get_parameter(np, internal_np::vertex_index),
+                                                      get(CGAL::dynamic_vertex_property_t<std::size_t>(), tmesh));
+  if constexpr(parameters::is_default_parameter<CGAL_NP_CLASS, internal_np::vertex_index_t>::value)
+  {
+    std::size_t n = 0;
+    for(const auto v : vertices(tmesh))
+      put(index_map, v, n++);
+  }
 
   std::vector<Point_3> points(num_vertices(tmesh), Point_3(ORIGIN));
   for(const auto v : vertices(tmesh))
