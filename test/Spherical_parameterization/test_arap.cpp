@@ -49,6 +49,12 @@ using Energy = SP::internal::ARAP_energy<CGAL::Sequential_tag>;
 
 constexpr double pi = test_meshes::pi;
 
+// The energy has settled, or, where it is not smooth because a face folds, no step lowers it.
+bool has_come_to_an_end(const SP::Parameterization_report& report)
+{
+  return report.stop_reason == SP::CONVERGED || report.stop_reason == SP::OBSTRUCTED;
+}
+
 // The energy of the map u on the sphere of radius r by its singular values: their squares add up to I and their
 // product, negative for a face that is turned over, is d, so their sum is the root of I + 2 d.
 double energy_of(const Indexed_mesh& mesh, const std::vector<Vector_3d>& u, double r)
@@ -202,7 +208,7 @@ TEST(ARAP, energy_never_rises)
     }
     EXPECT_EQ(result.report.average_energy, last);
     EXPECT_EQ(result.report.radius, visitor.radii.back());
-    EXPECT_EQ(result.report.stop_reason, SP::CONVERGED);
+    EXPECT_TRUE(has_come_to_an_end(result.report));
 
     // what is reported is the energy of the map that was written, and its radius is the best one
     const Indexed_mesh indexed = indexed_mesh(list);
@@ -286,7 +292,7 @@ TEST(ARAP, folds_are_told_of)
     const Result result = test_runs::run<Point_3>(mesh, arap, true);
     EXPECT_EQ(result.error, SP::ERROR_NO_1_TO_1_MAPPING);
     EXPECT_GT(result.distortion.number_of_inverted_faces, 0u);
-    EXPECT_EQ(result.report.stop_reason, SP::CONVERGED);
+    EXPECT_TRUE(has_come_to_an_end(result.report));
     EXPECT_LT(result.report.average_energy, result.report.initial_energy);
     // what never folds does not on these either, from the same start
     SP::Bijective_low_distortion_parameterizer_3<Mesh> bld;

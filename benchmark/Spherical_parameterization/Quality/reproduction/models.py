@@ -46,6 +46,7 @@ OTHERS = (
     Model("armadillo", "Armadillo", ("armadillo_26002", "armadillo")),
     Model("bull", "Bull", ("bull_6200", "bull")),
     Model("blub", "Blub", ("blub_7106", "blub")),
+    Model("brain", "Brain", ("brain_fsaverage5_lh_pial",)),
     Model("spool", "Spool", ("spool_649", "spool")),
     Model("bimba", "Bimba", ("bimba_filled", "bimba"), ("bimba_45k",)),
     Model("vaselion", "Vase-Lion", ("vaselion_369650",)),

@@ -25,7 +25,7 @@ from .session import (
 )
 
 STARTS = ("stereographic", "harmonic", "hierarchical", "conformal")
-START_MODELS = tuple("fandisk skull maxplanck santa buddha bunny hand cow spot horse armadillo bimba".split())
+START_MODELS = tuple("fandisk skull maxplanck santa buddha bunny hand cow spot blub brain horse armadillo bimba".split())
 MOST_OF_AVERAGE, MOST_OF_MAXIMUM = 0.03, 0.10  # by which results of different starts may differ
 
 

@@ -13,7 +13,7 @@ HARMONIC, HIERARCHICAL, ARAP = ["--method", "harmonic"], ["--method", "hierarchi
 DEFAULT: list[str] = []
 PAPER_ENERGY = ["--energy", "isometric", "--s-first", "0.1", "--s-last", "10"]
 # Enough for every run to converge; only then can the results be compared.
-CONVERGED = ["--iterations", "2000"]
+CONVERGED = ["--iterations", "10000"]
 
 SHORT_SWEEPS = 150  # of paper mode: 100 of eq. 6, and some of eq. 7
 FULL_SWEEPS = 2000

@@ -152,8 +152,8 @@ def _compared(name: str, value, text, pairs: list[Comparison]) -> str:
         of_kind = [pair for pair in pairs if pair.kind == kind]
         by_kind.append(f"{sum(pair in lower for pair in of_kind)} of {len(of_kind)}{f' ({kind})' if kind else ''}")
     result = (
-        f"**{name}: the default is {words}**: lower on {listed(by_kind)}, {number(mean)} times paper mode's in the"
-        f" geometric mean, from {number(least[0])} ({least[1].mesh.name}) to {number(largest[0])}"
+        f"**{name}: the default is {words}**: lower on {listed(by_kind)}, {mean:.3g} times paper mode's in the"
+        f" geometric mean, from {least[0]:.3g} ({least[1].mesh.name}) to {largest[0]:.3g}"
         f" ({largest[1].mesh.name})"
     )
     if higher:
