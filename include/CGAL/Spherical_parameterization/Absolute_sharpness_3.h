@@ -26,13 +26,14 @@ namespace Spherical_parameterization {
 /// The class `Absolute_sharpness_3` is the schedule of the BLD paper: the plain sum of the energies (eq. 6,
 /// \f$ s = 0 \f$) first, then \f$ \sum \exp( s E ) \f$ (eq. 7) with \f$ s \f$ growing from 0.1 to 10.
 ///
-/// The paper leaves eq. 6 after 100 sweeps and names the criterion as open. Here it is left as soon as a sweep lowers
-/// the average energy by less than a thousandth; and \f$ s \f$ is raised by a quarter whenever a sweep has lowered the
-/// largest energy by less than a hundredth, that is, when the current value has done its work. The paper says no more
-/// of the growth than that it adapts.
+/// The paper leaves eq. 6 after 100 sweeps and names the criterion as open, and of the growth of \f$ s \f$ it says that
+/// it adapts. Here \f$ s \f$ is raised by a quarter whenever the current value has done its work: when a sweep has
+/// lowered neither the largest nor the average energy by a certain share, a hundredth by default. Eq. 6 is left as soon
+/// as a sweep lowers the average energy by less than a thousandth, or after a given number of sweeps, 0 for none; as
+/// this is the schedule for plain gradient steps, which are slow, the share is a thousandth then.
 ///
-/// If both values are the same, \f$ s \f$ is fixed from the first sweep on, as in AMIPS. A given number of sweeps of
-/// eq. 6, 0 for none, overrules both.
+/// If both values are the same and no number of sweeps is given, \f$ s \f$ is fixed from the first sweep on, as in
+/// AMIPS.
 ///
 /// \cgalModels{SharpnessPolicy_3}
 ///
@@ -54,6 +55,7 @@ public:
     , m_last(last)
     , m_current(number_of_average_sweeps == 0 ? first : 0.)
     , m_number_of_average_sweeps(number_of_average_sweeps)
+    , m_least_fall(least_fall_of_average)
   {}
 
   /// returns the first positive value of the sharpness.
@@ -78,7 +80,8 @@ public:
         if(is_over)
           m_current = m_first;
       }
-      else if(largest_energy > (1. - least_fall_of_largest) * m_largest_energy)
+      else if(largest_energy > (1. - m_least_fall) * m_largest_energy &&
+              average_energy > (1. - m_least_fall) * m_average_energy)
         m_current = (std::min)(growth * m_current, m_last);
     }
     m_average_energy = average_energy;
@@ -94,12 +97,13 @@ public:
 
 private:
   static constexpr double least_fall_of_average = 1e-3;
-  static constexpr double least_fall_of_largest = 1e-2;
+  static constexpr double usual_least_fall = 1e-2;
   static constexpr double growth = 1.25;
   static constexpr std::size_t adaptive = static_cast<std::size_t>(-1);
 
   double m_first, m_last, m_current;
   std::size_t m_number_of_average_sweeps = adaptive;
+  double m_least_fall = usual_least_fall;
   double m_average_energy = 0., m_largest_energy = 0.; // before the last sweep
 };
 
