@@ -103,6 +103,26 @@ TEST(Absolute_sharpness, rises_when_the_largest_energy_settles)
   }
 }
 
+TEST(Absolute_sharpness, waits_while_the_average_falls)
+{
+  SP::Absolute_sharpness_3 policy(0.2, 3.);
+  EXPECT_EQ(policy(0, 2., 100.), 0.);
+  EXPECT_EQ(policy(1, 2., 100.), 0.2);
+  EXPECT_EQ(policy(2, 1.96, 100.), 0.2);
+  EXPECT_GT(policy(3, 1.95, 100.), 0.2);
+}
+
+// With a given number of sweeps of the plain sum, which is for slow steps, it takes a thousandth instead of a hundredth.
+TEST(Absolute_sharpness, is_patient_with_slow_steps)
+{
+  SP::Absolute_sharpness_3 policy(0.2, 3., 1);
+  EXPECT_EQ(policy(0, 2., 100.), 0.);
+  EXPECT_EQ(policy(1, 2., 100.), 0.2);
+  EXPECT_EQ(policy(2, 2., 99.8), 0.2);
+  EXPECT_EQ(policy(3, 1.996, 99.8), 0.2);
+  EXPECT_GT(policy(4, 1.995, 99.75), 0.2);
+}
+
 TEST(Absolute_sharpness, is_fixed_if_both_values_are_the_same)
 {
   SP::Absolute_sharpness_3 policy(0.7, 0.7);

@@ -70,10 +70,13 @@ namespace Spherical_parameterization {
 ///                     must be available in `TriangleMesh`.}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{number_of_iterations}
-///     \cgalParamDescription{the most sweeps over the vertices of `tmesh` itself}
+///     \cgalParamDescription{the most sweeps over the vertices of `tmesh` itself, or the most steps of a method that
+///                           moves all vertices at once}
 ///     \cgalParamType{unsigned int}
-///     \cgalParamDefault{`100`}
-///     \cgalParamExtra{Not used by `Hierarchical_parameterizer_3` and `Precomputed_parameterizer_3`.}
+///     \cgalParamDefault{`100`; `2000` for `Published_low_distortion_parameterizer_3`, `500` for
+///                       `ARAP_parameterizer_3`}
+///     \cgalParamExtra{Not used by `Hierarchical_parameterizer_3`, `Stereographic_parameterizer_3` and
+///                     `Precomputed_parameterizer_3`.}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{maximum_running_time}
 ///     \cgalParamDescription{the time in seconds after which the map reached by then is certified and returned. The
@@ -85,7 +88,8 @@ namespace Spherical_parameterization {
 ///     \cgalParamDescription{a visitor that is told of the progress and may stop it}
 ///     \cgalParamType{a model of `SphericalParameterizationVisitor`, or an `std::reference_wrapper` of one}
 ///     \cgalParamDefault{`Default_visitor`}
-///     \cgalParamExtra{Not used by `Precomputed_parameterizer_3`, nor is `maximum_running_time`.}
+///     \cgalParamExtra{Not used by `Precomputed_parameterizer_3`; `Stereographic_parameterizer_3`, which makes one
+///                     step, cannot be stopped, and neither knows `maximum_running_time`.}
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///

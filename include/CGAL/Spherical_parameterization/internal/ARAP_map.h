@@ -51,8 +51,7 @@ public:
     const std::vector<double> weights =
         cotangent_weights(m_mesh.rings(), m_mesh.points(), std::numeric_limits<double>::lowest());
     Laplacian_system<SolverTraits> system;
-    if(!system.factor(
-           m_mesh.rings(), weights, [](std::uint32_t) { return 0.; }, [](std::uint32_t v) { return v == 0; }))
+    if(!system.factor(m_mesh.rings(), weights, [](std::uint32_t v) { return v == 0; }))
       return false;
     double energy = m_energy.fit(positions), scaled_radius = m_energy.radius();
     radius = scaled_radius * m_mesh.equal_area_radius();

@@ -25,17 +25,16 @@ namespace CGAL {
 namespace Spherical_parameterization {
 namespace internal {
 
-// The linear system of a weighted Laplacian plus a diagonal, factored once and solved for many right-hand sides, each
-// of them three at a time. Single vertices may be held at 0.
+// The linear system of a weighted Laplacian, factored once and solved for many right-hand sides, each of them three at a
+// time. Some vertices are held at 0: without, the system would be singular, as constants are the kernel of a Laplacian.
 template <class SolverTraits>
 class Laplacian_system
 {
 public:
-  // `weights` are those of the edges in the order of the corners of `rings`, `diagonal` is added to the sum of the
-  // weights of a vertex, and `is_fixed` names the vertices that are held. Returns false if the solver fails.
-  template <class Diagonal, class IsFixed>
-  bool factor(const Vertex_rings& rings, const std::vector<double>& weights, const Diagonal& diagonal,
-              const IsFixed& is_fixed)
+  // `weights` are those of the edges in the order of the corners of `rings`; `is_fixed` names the vertices that are held.
+  // Returns false if the solver fails.
+  template <class IsFixed>
+  bool factor(const Vertex_rings& rings, const std::vector<double>& weights, const IsFixed& is_fixed)
   {
     const std::size_t n = rings.number_of_vertices();
     m_vertices.clear();
@@ -50,7 +49,7 @@ public:
     for(const std::uint32_t v : m_vertices)
     {
       const Vertex_rings::Ring ring = rings.ring(v);
-      double sum = diagonal(v);
+      double sum = 0.;
       for(std::size_t j = 0; j < ring.size(); ++j)
       {
         const double weight = weights[rings.offset(v) + j];

@@ -63,9 +63,7 @@ public:
     double energy = m_energy(positions, m_shares);
     report.initial_energy = m_lowest_energy = energy;
     report.stop_reason = ITERATION_LIMIT;
-    // The Laplacian has the constants as its kernel; holding any vertex removes them.
-    if(!m_system.factor(
-           m_mesh.rings(), m_weights, [](std::uint32_t) { return 0.; }, [](std::uint32_t v) { return v == 0; }))
+    if(!m_system.factor(m_mesh.rings(), m_weights, [](std::uint32_t v) { return v == 0; }))
       return false;
     std::vector<Vector_3d> target, candidate(positions.size());
     for(std::size_t i = 0; i < most_iterations; ++i)

@@ -118,8 +118,7 @@ private:
   {
     const std::vector<double> weights = cotangent_weights(m_rings, m_mesh.points(), least_positive_weight);
     Laplacian_system<SolverTraits> system;
-    if(!system.factor(
-           m_rings, weights, [](std::uint32_t) { return 0.; }, [&](std::uint32_t v) { return m_is_fixed[v] != 0; }))
+    if(!system.factor(m_rings, weights, [&](std::uint32_t v) { return m_is_fixed[v] != 0; }))
       return false;
     for(int pass = 0; pass < 2; ++pass)
     {
@@ -145,7 +144,8 @@ private:
     return true;
   }
 
-  // Scales the plane such that half of the area of the surface is within the unit circle.
+  // Scales the plane such that half of the area of the surface is within the unit circle: on the sphere, it would be
+  // crowded around the south pole else, where the numbers are coarse for it.
   void scale_plane()
   {
     std::vector<std::pair<double, double>> areas_by_distance;
