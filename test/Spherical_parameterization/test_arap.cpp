@@ -273,6 +273,22 @@ TEST(ARAP, number_of_iterations_is_respected)
             SP::ERROR_WRONG_PARAMETER);
 }
 
+// Being stopped while the start is made counts, even if there is nothing left to do then.
+TEST(ARAP, stop_during_the_start_is_reported)
+{
+  struct Stopping_visitor : SP::Default_visitor
+  {
+    bool go_further(std::size_t, double) { return false; }
+  };
+  const Mesh mesh = test_meshes::make_mesh<Mesh>(test_meshes::bumpy_sphere(2));
+  const auto map = test_maps::make_sentinel_map<Point_3>(mesh);
+  Stopping_visitor visitor;
+  Arap arap;
+  SP::parameterize(mesh, arap, map, params::visitor(std::ref(visitor)).number_of_iterations(0u));
+  EXPECT_EQ(arap.report().stop_reason, SP::STOPPED);
+  EXPECT_EQ(arap.report().number_of_iterations(), 0u);
+}
+
 TEST(ARAP, folds_are_told_of)
 {
   std::vector<Triangle_list> lists = {test_meshes::with_tentacle(20, 1.), test_meshes::with_tentacle(40, 2.),
