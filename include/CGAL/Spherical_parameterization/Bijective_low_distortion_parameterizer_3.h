@@ -23,6 +23,7 @@
 #include <CGAL/Spherical_parameterization/Two_phase_radius_3.h>
 #include <CGAL/Spherical_parameterization/internal/Block_coordinate_descent.h>
 #include <CGAL/Spherical_parameterization/internal/Initial_map.h>
+#include <CGAL/Spherical_parameterization/internal/is_finite.h>
 #include <CGAL/Spherical_parameterization/internal/is_valid_policy.h>
 #include <CGAL/Spherical_parameterization/internal/next_phase.h>
 #include <CGAL/Spherical_parameterization/internal/read_number_of_iterations.h>
@@ -262,7 +263,7 @@ private:
   // A policy of the caller's may return anything.
   static bool is_positive_and_finite(double radius)
   {
-    return radius > 0. && std::isfinite(radius);
+    return radius > 0. && internal::is_finite(radius);
   }
 
   static bool is_settled(double value, double last_value, double tolerance)

@@ -17,6 +17,7 @@
 #include <CGAL/Spherical_parameterization/internal/Rest_triangle.h>
 #include <CGAL/Spherical_parameterization/internal/Vector_3d.h>
 #include <CGAL/Spherical_parameterization/internal/Vertex_rings.h>
+#include <CGAL/Spherical_parameterization/internal/is_finite.h>
 
 #include <algorithm>
 #include <array>
@@ -44,7 +45,7 @@ public:
   Error_code assign(std::vector<Vector_3d> points, const std::vector<std::array<std::uint32_t, 3>>& triangles)
   {
     for(const Vector_3d& p : points)
-      if(!std::isfinite(p[0]) || !std::isfinite(p[1]) || !std::isfinite(p[2]))
+      if(!is_finite(p))
         return ERROR_NON_FINITE_COORDINATE;
     normalize(points);
 

@@ -13,6 +13,7 @@
 #include <CGAL/license/Spherical_parameterization.h>
 
 #include <CGAL/Spherical_parameterization/Distortion_statistics.h>
+#include <CGAL/Spherical_parameterization/internal/is_finite.h>
 
 #include <algorithm>
 #include <cmath>
@@ -36,11 +37,11 @@ public:
     m_squares += difference * (x - m_average);
   }
 
-  double average() const { return std::isinf(m_maximum) ? m_maximum : m_average; }
+  double average() const { return !is_finite(m_maximum) ? m_maximum : m_average; }
 
   Distortion_statistics statistics() const
   {
-    if(m_size == 0 || std::isinf(m_maximum))
+    if(m_size == 0 || !is_finite(m_maximum))
     {
       return {m_maximum, m_maximum, m_maximum};
     }

@@ -13,6 +13,7 @@
 #include <CGAL/license/Spherical_parameterization.h>
 
 #include <CGAL/Spherical_parameterization/internal/Vector_3d.h>
+#include <CGAL/Spherical_parameterization/internal/is_finite.h>
 
 #include <algorithm>
 #include <array>
@@ -124,18 +125,16 @@ private:
   static Triangle_edges scaled(const Triangle_edges& edges, int& exponent)
   {
     double largest = 0.;
-    bool is_finite = true;
+    bool are_finite = true;
     for(const Vector_3d& edge : edges)
     {
+      are_finite = are_finite && is_finite(edge);
       for(const double x : edge)
-      {
         largest = (std::max)(largest, std::abs(x));
-        is_finite = is_finite && std::isfinite(x);
-      }
     }
     exponent = 0;
     double factor = std::numeric_limits<double>::quiet_NaN();
-    if(is_finite)
+    if(are_finite)
     {
       std::frexp(largest, &exponent);
       // The largest power of two is 2^1023: subnormal coordinates stay smaller than 1/2.

@@ -18,12 +18,14 @@
 #include <CGAL/Spherical_parameterization/internal/Exact_predicates_kernel.h>
 #include <CGAL/Spherical_parameterization/internal/Guarantee.h>
 #include <CGAL/Spherical_parameterization/internal/Indexed_mesh.h>
+#include <CGAL/Spherical_parameterization/internal/Vector_3d.h>
+#include <CGAL/Spherical_parameterization/internal/is_finite.h>
+#include <CGAL/Spherical_parameterization/internal/put_all.h>
 
 #include <CGAL/Kernel_traits.h>
 
 #include <boost/property_map/property_map.hpp>
 
-#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <type_traits>
@@ -46,7 +48,7 @@ Error_code write_map(const Indexed_mesh& mesh, const std::vector<VertexDescripto
   using Exact_kernel = typename Selection::type;
   using FT = typename Kernel_traits<Point_3>::Kernel::FT;
 
-  if(!(radius > 0.) || !std::isfinite(radius))
+  if(!(radius > 0.) || !is_finite(radius))
     return ERROR_INSUFFICIENT_PRECISION;
   if constexpr(std::is_floating_point<FT>::value)
     if(radius > static_cast<double>((std::numeric_limits<FT>::max)()))
@@ -58,7 +60,7 @@ Error_code write_map(const Indexed_mesh& mesh, const std::vector<VertexDescripto
   exact_points.reserve(positions.size());
   for(const Vector_3d& u : positions)
   {
-    if(!std::isfinite(u[0]) || !std::isfinite(u[1]) || !std::isfinite(u[2]))
+    if(!is_finite(u))
       return ERROR_INSUFFICIENT_PRECISION;
     points.push_back(
         Point_3(static_cast<FT>(radius * u[0]), static_cast<FT>(radius * u[1]), static_cast<FT>(radius * u[2])));
@@ -68,8 +70,8 @@ Error_code write_map(const Indexed_mesh& mesh, const std::vector<VertexDescripto
   if(!is_bijective && guarantee == Guarantee::ONE_TO_ONE)
     return ERROR_INSUFFICIENT_PRECISION;
 
-  for(std::size_t v = 0; v < points.size(); ++v)
-    put(vertex_sphere_map, vertices_of_mesh[mesh.original(v)], points[v]);
+  put_all(
+      vertex_sphere_map, [&](std::size_t v) { return vertices_of_mesh[mesh.original(v)]; }, points);
   return is_bijective ? OK : ERROR_NO_1_TO_1_MAPPING;
 }
 

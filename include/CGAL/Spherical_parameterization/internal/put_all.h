@@ -1,0 +1,61 @@
+// Copyright (c) 2026  The Spherical_parameterization authors.
+// All rights reserved.
+//
+// This file is part of the Spherical_parameterization package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Spherical_parameterization authors
+//
+
+#ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_PUT_ALL_H
+#define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_PUT_ALL_H
+
+#include <CGAL/license/Spherical_parameterization.h>
+
+#include <boost/property_map/property_map.hpp>
+
+#include <cstddef>
+#include <type_traits>
+#include <vector>
+
+namespace CGAL {
+namespace Spherical_parameterization {
+namespace internal {
+
+// Writes values[k] for the key key(k), for all k. If put() or get() throws, the values that have been overwritten are put
+// back and the exception goes on to the caller; a map that can only be written keeps what it has got by then.
+template <class PropertyMap, class Key>
+void put_all(PropertyMap map, const Key& key,
+             const std::vector<typename boost::property_traits<PropertyMap>::value_type>& values)
+{
+  using Category = typename boost::property_traits<PropertyMap>::category;
+  if constexpr(std::is_convertible<Category, boost::readable_property_map_tag>::value)
+  {
+    std::vector<typename boost::property_traits<PropertyMap>::value_type> former;
+    former.reserve(values.size());
+    try
+    {
+      for(std::size_t k = 0; k < values.size(); ++k)
+      {
+        former.push_back(get(map, key(k)));
+        put(map, key(k), values[k]);
+      }
+    }
+    catch(...)
+    {
+      for(std::size_t k = former.size(); k-- > 0;)
+        put(map, key(k), former[k]);
+      throw;
+    }
+  }
+  else
+    for(std::size_t k = 0; k < values.size(); ++k)
+      put(map, key(k), values[k]);
+}
+
+} // namespace internal
+} // namespace Spherical_parameterization
+} // namespace CGAL
+
+#endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_PUT_ALL_H

@@ -1,0 +1,155 @@
+// As rigid as possible: the energy against singular values, its gradient against differences, the radius and the
+// descent; whole runs on surfaces whose best map is known, and on limbs where it folds.
+
+#include <CGAL/spherical_parameterization.h>
+
+#include "test_indexed_meshes.h"
+#include "test_maps.h"
+#include "test_meshes.h"
+
+// Maps a few meshes, checks the maps and the certificate with integer arithmetic of its own, and prints a checksum of
+// the bits of all maps. It is compiled with the flags of all kinds of users; see CMakeLists.txt.
+
+#include <CGAL/Spherical_parameterization/is_bijective.h>
+#include <CGAL/Spherical_parameterization/parameterize.h>
+
+#include "test_maps.h"
+#include "test_meshes.h"
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Surface_mesh.h>
+
+#include <boost/multiprecision/cpp_int.hpp>
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <cstring>
+#include <iostream>
+#include <limits>
+#include <vector>
+
+namespace SP = CGAL::Spherical_parameterization;
+using test_meshes::Coordinates;
+using test_meshes::Triangle_list;
+using Point_3 = CGAL::Exact_predicates_inexact_constructions_kernel::Point_3;
+using Mesh = CGAL::Surface_mesh<Point_3>;
+using Integer = boost::multiprecision::cpp_int;
+
+// x 2^1074, from the bits, as no flag changes what is done to integers; `x` is finite.
+Integer exact(double x)
+{
+  std::uint64_t bits;
+  std::memcpy(&bits, &x, sizeof(bits));
+  const auto exponent = static_cast<unsigned int>((bits >> 52) & 0x7FFu);
+  Integer result = bits & 0xFFFFFFFFFFFFFu;
+  if(exponent > 0)
+    result = (result + (Integer(1) << 52)) << (exponent - 1);
+  return bits >> 63 ? Integer(-result) : result;
+}
+
+bool is_positive(const Coordinates& a, const Coordinates& b, const Coordinates& c)
+{
+  const Integer determinant = exact(a[0]) * (exact(b[1]) * exact(c[2]) - exact(b[2]) * exact(c[1])) +
+                              exact(a[1]) * (exact(b[2]) * exact(c[0]) - exact(b[0]) * exact(c[2])) +
+                              exact(a[2]) * (exact(b[0]) * exact(c[1]) - exact(b[1]) * exact(c[0]));
+  return determinant > 0;
+}
+
+bool are_all_positive(const Triangle_list& list, const std::vector<Coordinates>& images)
+{
+  bool result = true;
+  for(const test_meshes::Triangle& t : list.triangles)
+    result = result && is_positive(images[t[0]], images[t[1]], images[t[2]]);
+  return result;
+}
+
+bool is_certified(const Mesh& mesh, const std::vector<Coordinates>& images)
+{
+  return SP::is_bijective(mesh, test_meshes::make_vertex_map<Point_3>(mesh, images));
+}
+
+void expect(bool condition, const char* what)
+{
+  if(condition)
+    return;
+  std::cerr << "Failed: " << what << '\n';
+  std::exit(EXIT_FAILURE);
+}
+
+// FNV-1a
+void add_to_checksum(const std::vector<Coordinates>& images, std::uint64_t& checksum)
+{
+  std::vector<unsigned char> bytes(images.size() * sizeof(Coordinates));
+  std::memcpy(bytes.data(), images.data(), bytes.size());
+  for(const unsigned char byte : bytes)
+    checksum = (checksum ^ byte) * 0x100000001b3u;
+}
+
+// Moves a vertex by the smallest steps there are to the other side of an edge of its link, where the certificate has to
+// say what the integers say at each step.
+void check_certificate_near_an_edge(const Triangle_list& list, const Mesh& mesh, std::vector<Coordinates> images)
+{
+  const test_meshes::Triangle& t = list.triangles[list.triangles.size() / 2];
+  const Coordinates &b = images[t[1]], &c = images[t[2]];
+  const Coordinates middle = {0.5 * b[0] + 0.5 * c[0], 0.5 * b[1] + 0.5 * c[1], 0.5 * b[2] + 0.5 * c[2]};
+  std::size_t n_accepted = 0, n_refused = 0;
+  for(int step = -20; step <= 20; ++step)
+  {
+    Coordinates& a = images[t[0]];
+    a = middle;
+    for(int k = 0; k < std::abs(step); ++k)
+      a[0] = std::nextafter(a[0], step < 0 ? -2. : 2.);
+    const bool is_right = are_all_positive(list, images);
+    expect(is_certified(mesh, images) == is_right, "the certificate agrees with integers next to an edge");
+    ++(is_right ? n_accepted : n_refused);
+  }
+  expect(n_refused > 0, "a vertex next to an edge folds");
+  std::cerr << "next to an edge: " << n_accepted << " accepted, " << n_refused << " refused\n";
+}
+
+void check(const Triangle_list& list, std::uint64_t& checksum)
+{
+  const Mesh mesh = test_meshes::make_mesh<Mesh>(list);
+  std::vector<Coordinates> images(list.points.size());
+  const auto map = test_meshes::make_vertex_map<Point_3>(mesh, images);
+  expect(SP::parameterize(mesh, map) == SP::OK, "the mesh is mapped");
+  images = test_maps::images(mesh, map);
+  expect(are_all_positive(list, images), "all faces are positive");
+  expect(is_certified(mesh, images), "the map is certified");
+  add_to_checksum(images, checksum);
+
+  check_certificate_near_an_edge(list, mesh, images);
+
+  std::vector<Coordinates> tiny = images, folded = images;
+  for(Coordinates& p : tiny)
+    for(double& x : p)
+      x = std::ldexp(x, -1060); // subnormal: most faces become flat
+  expect(is_certified(mesh, tiny) == are_all_positive(list, tiny), "the certificate agrees with subnormal integers");
+  std::swap(folded[list.triangles[0][0]], folded[list.triangles[0][1]]);
+  expect(!is_certified(mesh, folded), "a swap is found");
+  for(const double x : {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()})
+  {
+    std::vector<Coordinates> broken = images;
+    broken[1][2] = x;
+    expect(!is_certified(mesh, broken), "a coordinate that is not finite is found in the map");
+    Triangle_list broken_list = list;
+    broken_list.points[1][2] = x;
+    const Mesh broken_mesh = test_meshes::make_mesh<Mesh>(broken_list);
+    expect(SP::parameterize(broken_mesh, test_meshes::make_vertex_map<Point_3>(broken_mesh, images)) ==
+               SP::ERROR_NON_FINITE_COORDINATE,
+           "a coordinate that is not finite is found in the mesh");
+  }
+}
+
+int main()
+{
+  std::uint64_t checksum = 0xcbf29ce484222325u;
+  check(test_meshes::bumpy_sphere(3), checksum);
+  check(test_meshes::with_tentacle(60, 10.), checksum);
+  check(test_meshes::ellipsoid(1., 1., 1e-4, 2), checksum);
+  check(test_meshes::random_stacked_sphere(200, 5), checksum);
+  std::cout << std::hex << checksum << '\n';
+}

@@ -1,0 +1,44 @@
+// Copyright (c) 2026  The Spherical_parameterization authors.
+// All rights reserved.
+//
+// This file is part of the Spherical_parameterization package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Spherical_parameterization authors
+
+#ifndef CGAL_SPHERICAL_PARAMETERIZATION_TEST_SCALE_H
+#define CGAL_SPHERICAL_PARAMETERIZATION_TEST_SCALE_H
+
+// How much a test that repeats itself does: all of it in an optimized build, a tenth where assertions or sanitizers
+// make each run ten times slower.
+
+#include <algorithm>
+#include <cstddef>
+
+namespace test_scale {
+
+#if defined(__has_feature)
+#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
+#define CGAL_SPHERICAL_PARAMETERIZATION_TEST_IS_SLOW
+#endif
+#endif
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__) || !defined(NDEBUG)
+#define CGAL_SPHERICAL_PARAMETERIZATION_TEST_IS_SLOW
+#endif
+
+#ifdef CGAL_SPHERICAL_PARAMETERIZATION_TEST_IS_SLOW
+constexpr bool is_slow = true;
+#else
+constexpr bool is_slow = false;
+#endif
+
+// `n` repetitions, or a tenth of them, but at least one
+constexpr std::size_t reduced(std::size_t n)
+{
+  return is_slow ? (std::max)(n / 10, std::size_t(1)) : n;
+}
+
+} // namespace test_scale
+
+#endif // CGAL_SPHERICAL_PARAMETERIZATION_TEST_SCALE_H
