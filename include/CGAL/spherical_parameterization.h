@@ -18,7 +18,9 @@
 
 #include <CGAL/Spherical_parameterization/Error_code.h>
 #include <CGAL/Spherical_parameterization/Default_visitor.h>
+#include <CGAL/Spherical_parameterization/Mesh_defect.h>
 #include <CGAL/Spherical_parameterization/Parameterization_report.h>
+#include <CGAL/Spherical_parameterization/find_defect.h>
 #include <CGAL/Spherical_parameterization/parameterize.h>
 
 // Parameterizers

@@ -68,6 +68,7 @@ void expect_error(const Mesh& mesh, SP::Error_code error)
 
   const auto map = test_maps::make_sentinel_map<Point_3>(mesh);
   EXPECT_EQ(SP::parameterize(mesh, map), error);
+  EXPECT_EQ(SP::find_defect(mesh).error, error);
 }
 
 TEST(Error_message, is_a_different_sentence_for_each_code)

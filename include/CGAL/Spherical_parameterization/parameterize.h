@@ -36,9 +36,27 @@ namespace Spherical_parameterization {
 /// counterclockwise seen from outside the surface is counterclockwise seen from outside the sphere. The mesh is not
 /// changed.
 ///
-/// If `OK` is returned, the map is a bijection. This has been certified by exact predicates on the points as they are
-/// in `vertex_sphere_map`: every face is positively oriented about the origin, and the faces cover the sphere once. The
-/// points are rounded and so not exactly on the sphere.
+/// <b>Guarantee.</b> If `OK` is returned, the map is a bijection. This has been certified by exact predicates on the
+/// points as they are in `vertex_sphere_map`: every face is positively oriented about the origin, and the faces cover
+/// the sphere once. The points are rounded and so not exactly on the sphere. The certificate is right for any compile
+/// flags: with those that change floating-point arithmetic, such as `-ffast-math`, points with coordinates of type
+/// `double` or `float` are certified by integer arithmetic, and exact kernels do not compile.
+///
+/// The default method returns `OK` for every mesh that `find_defect()` finds nothing wrong with, whatever its shape:
+/// faces without area, needles, vertices in one place, self-intersections and any orientation included. There is one
+/// limit, which is that of all maps to a sphere whose points are stored as floating-point numbers. These are about
+/// 10<sup>-16</sup> radii apart, and a mesh may demand faces that are smaller: a vertex at the tip of many nested
+/// triangles must be mapped into all of them. The method spends the area of the sphere such that chains of tens of
+/// thousands fit, and starts again with more room for the smallest faces if doubles do not hold a map; if none of this
+/// helped, `ERROR_INSUFFICIENT_PRECISION` would be returned. No mesh is known for which it is. Where the coordinates in
+/// `vertex_sphere_map` are of type `float`, whose numbers are 10<sup>-7</sup> radii apart, the limit is reached sooner,
+/// and that code is returned where the rounding to them turns a face over.
+///
+/// <b>Stopping early.</b> Once the first map is there, the run may be stopped at any time, and `OK` means the same.
+///
+/// <b>Exceptions.</b> What the visitor, a property map or an allocation throws reaches the caller. `tmesh` is as it
+/// was, and so is `vertex_sphere_map`: it is written at the very end, and values that have been overwritten when
+/// `put()` throws are put back if the map is readable as well.
 ///
 /// The result does not depend on the number of threads. Placing the surface elsewhere in space or scaling it changes
 /// the result by rounding only. So does renumbering its vertices, unless the shape is so regular that the choice
@@ -57,7 +75,8 @@ namespace Spherical_parameterization {
 ///        area are allowed
 /// \param parameterizer the method
 /// \param vertex_sphere_map the map to be written; it is left as it is if an error is returned by a method that
-///        promises a bijection
+///        promises a bijection. If its category is convertible to `boost::readable_property_map_tag`, its values are
+///        read before they are overwritten.
 /// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
 ///
 /// \cgalNamedParamsBegin
@@ -93,13 +112,15 @@ namespace Spherical_parameterization {
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
-/// \return `OK`, or what is wrong with the mesh or a parameter; see `get_error_message()`
+/// \return `OK`, or what is wrong with the mesh or a parameter; `get_error_message()` puts it into words, and
+///         `find_defect()` tells where the mesh is wrong
 ///
 /// \pre `tmesh` has fewer than 2^32 halfedges.
 ///
 /// \note Calls at the same time are safe, also for the same mesh, which is only read, as long as they write different
-///        maps.
+///       maps, and so are calls from within tasks of TBB.
 ///
+/// \sa `CGAL::Spherical_parameterization::find_defect()`
 /// \sa `CGAL::Spherical_parameterization::is_bijective()`
 /// \sa `CGAL::Spherical_parameterization::measure_distortion()`
 template <class ConcurrencyTag = Parallel_if_available_tag, class TriangleMesh, class Parameterizer,

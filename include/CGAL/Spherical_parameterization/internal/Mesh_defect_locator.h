@@ -1,0 +1,308 @@
+// Copyright (c) 2026  The Spherical_parameterization authors.
+// All rights reserved.
+//
+// This file is part of the Spherical_parameterization package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Spherical_parameterization authors
+//
+#ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_MESH_DEFECT_LOCATOR_H
+#define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_MESH_DEFECT_LOCATOR_H
+
+#include <CGAL/license/Spherical_parameterization.h>
+
+#include <CGAL/Spherical_parameterization/Error_code.h>
+#include <CGAL/Spherical_parameterization/Mesh_defect.h>
+#include <CGAL/Spherical_parameterization/internal/is_finite.h>
+
+#include <CGAL/Dynamic_property_map.h>
+#include <CGAL/assertions.h>
+#include <CGAL/boost/graph/helpers.h>
+#include <CGAL/boost/graph/iterator.h>
+#include <CGAL/number_utils.h>
+
+#include <boost/graph/graph_traits.hpp>
+
+#include <cstddef>
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace CGAL {
+namespace Spherical_parameterization {
+namespace internal {
+
+// Finds where a mesh has the defect that read_mesh() has found, and says so. Nothing here is on the way of a mesh that
+// is in order; read_mesh() alone decides what a defect is.
+template <class TriangleMesh>
+class Mesh_defect_locator
+{
+public:
+  explicit Mesh_defect_locator(const TriangleMesh& tmesh)
+    : m_mesh(tmesh)
+  {}
+
+  template <class VertexPointMap>
+  Mesh_defect<TriangleMesh> locate(Error_code error, const VertexPointMap& vpm)
+  {
+    m_defect = Mesh_defect<TriangleMesh>();
+    m_defect.error = error;
+    switch(error)
+    {
+    case ERROR_NON_TRIANGULAR_MESH:
+      locate_polygon();
+      break;
+    case ERROR_NON_CLOSED_MESH:
+      locate_border();
+      break;
+    case ERROR_NON_FINITE_COORDINATE:
+      locate_coordinate(vpm);
+      break;
+    case ERROR_NO_SIMPLICIAL_COMPLEX:
+      locate_singularity();
+      break;
+    case ERROR_TOO_FEW_VERTICES:
+      m_defect.count = number_of_used_vertices();
+      say("only " + std::to_string(m_defect.count) + " vertices have a face",
+          "The smallest closed surface is a tetrahedron, with four vertices.");
+      break;
+    case ERROR_SEVERAL_COMPONENTS:
+      locate_components();
+      break;
+    case ERROR_NO_TOPOLOGICAL_SPHERE:
+      measure_genus();
+      break;
+    default: // the place is the mesh as a whole
+      m_defect.message = get_error_message(error);
+    }
+    return m_defect;
+  }
+
+private:
+  using Traits = boost::graph_traits<TriangleMesh>;
+  using vertex_descriptor = typename Traits::vertex_descriptor;
+  using face_descriptor = typename Traits::face_descriptor;
+  using halfedge_descriptor = typename Traits::halfedge_descriptor;
+
+  void say(const std::string& what, const std::string& advice)
+  {
+    m_defect.message = what + ".\n" + advice + "\n(Vertices and faces are counted from 0.)";
+  }
+
+  // the place of `element` in `range`
+  template <class Range, class Element>
+  static std::string number_of(const Range& range, const Element& element)
+  {
+    std::size_t number = 0;
+    for(const auto& other : range)
+    {
+      if(other == element)
+        break;
+      ++number;
+    }
+    return std::to_string(number);
+  }
+
+  std::string name(vertex_descriptor v) const { return "vertex " + number_of(vertices(m_mesh), v); }
+  std::string name(face_descriptor f) const { return "face " + number_of(faces(m_mesh), f); }
+  std::string name_of_edge() const
+  {
+    return "the edge between the vertices " + number_of(vertices(m_mesh), m_defect.vertex) + " and " +
+           number_of(vertices(m_mesh), m_defect.other_vertex);
+  }
+
+  // a hint at how often the same occurs elsewhere
+  std::string altogether(const char* what) const
+  {
+    return m_defect.count > 1 ? " (" + std::to_string(m_defect.count) + " such " + what + " altogether)" : "";
+  }
+
+  bool is_used(vertex_descriptor v) const { return halfedge(v, m_mesh) != Traits::null_halfedge(); }
+
+  std::size_t number_of_used_vertices() const
+  {
+    std::size_t result = 0;
+    for(const vertex_descriptor v : vertices(m_mesh))
+      result += is_used(v);
+    return result;
+  }
+
+  std::size_t number_of_faces() const
+  {
+    std::size_t result = 0;
+    for(auto f = faces(m_mesh).begin(); f != faces(m_mesh).end(); ++f)
+      ++result;
+    return result;
+  }
+
+  void locate_polygon()
+  {
+    for(const face_descriptor f : faces(m_mesh))
+      if(!is_triangle(halfedge(f, m_mesh), m_mesh) && m_defect.count++ == 0)
+        m_defect.face = f;
+    say(name(m_defect.face) + " is not a triangle but has " + std::to_string(degree(m_defect.face, m_mesh)) +
+            " corners" + altogether("faces"),
+        "Triangulate the mesh first, for example with CGAL::Polygon_mesh_processing::triangulate_faces().");
+  }
+
+  void locate_border()
+  {
+    for(const halfedge_descriptor h : halfedges(m_mesh))
+      if(is_border(h, m_mesh) && m_defect.count++ == 0)
+      {
+        m_defect.vertex = source(h, m_mesh);
+        m_defect.other_vertex = target(h, m_mesh);
+        m_defect.face = face(opposite(h, m_mesh), m_mesh);
+      }
+    say("the mesh has a border: " + name_of_edge() + " belongs to one face only, " + name(m_defect.face) +
+            altogether("edges"),
+        "Close the holes first, for example with CGAL::Polygon_mesh_processing::triangulate_hole(). If the faces do "
+        "not "
+        "share their vertices, join them with CGAL::Polygon_mesh_processing::stitch_borders().");
+  }
+
+  template <class VertexPointMap>
+  void locate_coordinate(const VertexPointMap& vpm)
+  {
+    for(const vertex_descriptor v : vertices(m_mesh))
+      if(is_used(v))
+      {
+        const auto& p = get(vpm, v);
+        if(!is_finite({CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z())}) &&
+           m_defect.count++ == 0)
+          m_defect.vertex = v;
+      }
+    say(name(m_defect.vertex) + " has a coordinate that is infinite or not a number" + altogether("vertices"),
+        "Repair the file, or the program that wrote it.");
+  }
+
+  // All halfedges in the order of their targets, which their fans alone may not reach.
+  std::vector<std::vector<halfedge_descriptor>> halfedges_by_target() const
+  {
+    const auto index = get(CGAL::dynamic_vertex_property_t<std::size_t>(), m_mesh);
+    std::size_t n = 0;
+    for(const vertex_descriptor v : vertices(m_mesh))
+      put(index, v, n++);
+    std::vector<std::vector<halfedge_descriptor>> result(n);
+    for(const halfedge_descriptor h : halfedges(m_mesh))
+      result[get(index, target(h, m_mesh))].push_back(h);
+    return result;
+  }
+
+  void locate_singularity()
+  {
+    const auto last_seen_at = get(CGAL::dynamic_vertex_property_t<std::size_t>(), m_mesh);
+    for(const vertex_descriptor v : vertices(m_mesh))
+      put(last_seen_at, v, (std::numeric_limits<std::size_t>::max)());
+    const std::vector<std::vector<halfedge_descriptor>> halfedges_at = halfedges_by_target();
+    std::size_t i = 0, fan_size = 0;
+    for(const vertex_descriptor v : vertices(m_mesh))
+    {
+      vertex_descriptor repeated = Traits::null_vertex();
+      for(const halfedge_descriptor h : halfedges_at[i])
+      {
+        const vertex_descriptor w = source(h, m_mesh);
+        if(get(last_seen_at, w) == i || w == v)
+          repeated = w;
+        put(last_seen_at, w, i);
+      }
+      const std::size_t size = halfedges_at[i].empty() ? 0 : size_of_fan(halfedges_at[i].front());
+      if((repeated != Traits::null_vertex() || size < halfedges_at[i].size()) && m_defect.count++ == 0)
+      {
+        m_defect.vertex = v;
+        m_defect.other_vertex = repeated;
+        fan_size = size;
+      }
+      ++i;
+    }
+    if(m_defect.other_vertex != Traits::null_vertex())
+    {
+      m_defect.count = (m_defect.count + 1) / 2; // an edge is found from both ends
+      say(name_of_edge() + " occurs more than once" + altogether("places"),
+          "Split one of the edges, for example with CGAL::Euler::split_edge(), and triangulate its faces again; or "
+          "remove "
+          "two faces that lie back to back.");
+    }
+    else
+      say("the surface touches itself in " + name(m_defect.vertex) + ": a fan of " + std::to_string(fan_size) +
+              " faces and others meet in nothing but this vertex" + altogether("places"),
+          "Duplicate the vertex, for example with CGAL::Polygon_mesh_processing::duplicate_non_manifold_vertices(); if "
+          "the mesh falls into several parts, map each of them on its own.");
+  }
+
+  std::size_t size_of_fan(halfedge_descriptor first) const
+  {
+    std::size_t size = 0;
+    halfedge_descriptor h = first;
+    do
+    {
+      ++size;
+      h = opposite(next(h, m_mesh), m_mesh);
+    } while(h != first);
+    return size;
+  }
+
+  void locate_components()
+  {
+    const auto is_seen = get(CGAL::dynamic_face_property_t<bool>(), m_mesh);
+    for(const face_descriptor f : faces(m_mesh))
+      put(is_seen, f, false);
+    std::vector<std::size_t> sizes;
+    std::vector<face_descriptor> firsts, stack;
+    for(const face_descriptor first : faces(m_mesh))
+    {
+      if(get(is_seen, first))
+        continue;
+      firsts.push_back(first);
+      sizes.push_back(0);
+      put(is_seen, first, true);
+      stack.push_back(first);
+      while(!stack.empty())
+      {
+        const face_descriptor f = stack.back();
+        stack.pop_back();
+        ++sizes.back();
+        for(const halfedge_descriptor h : halfedges_around_face(halfedge(f, m_mesh), m_mesh))
+        {
+          const face_descriptor g = face(opposite(h, m_mesh), m_mesh);
+          if(!get(is_seen, g))
+          {
+            put(is_seen, g, true);
+            stack.push_back(g);
+          }
+        }
+      }
+    }
+    CGAL_assertion(sizes.size() > 1);
+    m_defect.count = sizes.size();
+    m_defect.vertex = target(halfedge(firsts[0], m_mesh), m_mesh);
+    m_defect.other_vertex = target(halfedge(firsts[1], m_mesh), m_mesh);
+    say("the mesh consists of " + std::to_string(sizes.size()) + " parts: " + name(firsts[0]) + " belongs to one of " +
+            std::to_string(sizes[0]) + " faces, " + name(firsts[1]) + " to another one of " + std::to_string(sizes[1]),
+        "Map each of them on its own, for example after "
+        "CGAL::Polygon_mesh_processing::split_connected_components(), or keep the largest, with "
+        "keep_largest_connected_components().");
+  }
+
+  void measure_genus()
+  {
+    // Euler: V - E + F = 2 - 2 g, with E = 3 F / 2
+    const std::size_t v = number_of_used_vertices(), f = number_of_faces(), e = f / 2 * 3, g = (2 + e - v - f) / 2;
+    m_defect.count = g;
+    say("the surface has the genus " + std::to_string(g) + ", that is, " + std::to_string(g) +
+            (g == 1 ? " handle" : " handles") + ", as on a torus (Euler characteristic " +
+            (g == 1 ? "0" : "-" + std::to_string(2 * g - 2)) + ": " + std::to_string(v) + " vertices, " +
+            std::to_string(e) + " edges, " + std::to_string(f) + " faces); a sphere has none",
+        "Cut and fill the handles, or wrap the surface, for example with CGAL::alpha_wrap_3().");
+  }
+
+  const TriangleMesh& m_mesh;
+  Mesh_defect<TriangleMesh> m_defect;
+};
+
+} // namespace internal
+} // namespace Spherical_parameterization
+} // namespace CGAL
+
+#endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_MESH_DEFECT_LOCATOR_H
