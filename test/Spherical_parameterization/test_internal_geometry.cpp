@@ -22,6 +22,7 @@ namespace SP = CGAL::Spherical_parameterization;
 
 namespace {
 
+using SP::internal::Rest_limits;
 using SP::internal::Rest_triangle;
 using SP::internal::Star_kernel;
 using SP::internal::Tangent_frame;
@@ -160,11 +161,10 @@ TEST(Rest_triangle, lifts_a_flat_face_to_the_least_height)
   for(int k = 0; k < 300; ++k)
   {
     const double size = std::pow(10., -static_cast<double>(k % 9)), foot = uniform(random, 0., 1.);
-    const double heights[] = {0., 1e-12, 1e-6, 0.99 * Rest_triangle::least_height};
+    const double heights[] = {0., 1e-12, 1e-6, 0.99 * Rest_limits().height};
     const std::array<Vector_3d, 3> flat = {Vector_3d{0., 0., 0.}, Vector_3d{size, 0., 0.},
                                            Vector_3d{foot * size, heights[k % 4] * size, 0.}};
-    const std::array<Vector_3d, 3> lifted = {flat[0], flat[1],
-                                             Vector_3d{foot * size, Rest_triangle::least_height * size, 0.}};
+    const std::array<Vector_3d, 3> lifted = {flat[0], flat[1], Vector_3d{foot * size, Rest_limits().height * size, 0.}};
     for(std::size_t j = 0; j < 3; ++j) // whichever corner comes first
     {
       const Vector_3d &a = flat[j], &b = flat[(j + 1) % 3], &c = flat[(j + 2) % 3];
@@ -179,7 +179,7 @@ TEST(Rest_triangle, does_not_jump_at_the_least_height)
 {
   for(const double foot : {0.1, 0.5, 0.9})
   {
-    const double h = Rest_triangle::least_height;
+    const double h = Rest_limits().height;
     const Vector_3d a = {0., 0., 0.}, b = {1., 0., 0.}, below = {foot, 0.9999 * h, 0.}, above = {foot, 1.0001 * h, 0.};
     EXPECT_TRUE(Rest_triangle::is_too_flat(a, b, below));
     EXPECT_FALSE(Rest_triangle::is_too_flat(a, b, above));
@@ -210,7 +210,27 @@ TEST(Rest_triangle, is_a_triangle_whatever_the_face)
     EXPECT_GT(x + y, 0.);
     EXPECT_GT(y + z, 0.);
     EXPECT_GT(z + x, 0.);
+    if(p[0] == p[1] && p[1] == p[2]) // what has no shape asks for none
+    {
+      EXPECT_EQ(r.opposite_0, r.opposite_1);
+      EXPECT_EQ(r.opposite_1, r.opposite_2);
+    }
   }
+}
+
+// With other limits, what is below them counts as being at the limit, and what is above remains as it is.
+TEST(Rest_triangle, keeps_to_the_limits_given)
+{
+  const Vector_3d a = {0., 0., 0.}, b = {1e-3, 0., 0.}, c = {0.4e-3, 0.2e-3, 0.}, lifted = {0.4e-3, 0.3e-3, 0.};
+  const SP::internal::Rest_limits limits = {0.3, 1e-4};
+  expect_invariants(Rest_triangle::from_points(a, b, c), {a, b, c}, {2.L, 1.L}, 1e-8);
+  expect_invariants(Rest_triangle::from_points(a, b, c, limits), {a, b, lifted}, {2.L, 1.L}, 1e-8);
+  const Vector_3d apex = {0.4e-3, 0.31e-3, 0.};
+  expect_invariants(Rest_triangle::from_points(a, b, apex, limits), {a, b, apex}, {2.L, 1.L}, 1e-8);
+  const double edge = 2e-3;
+  const std::array<Vector_3d, 3> equilateral = {a, Vector_3d{edge, 0., 0.},
+                                                Vector_3d{0.5 * edge, std::sqrt(0.75) * edge, 0.}};
+  expect_invariants(Rest_triangle::from_points(a, b, c, {0.3, edge}), equilateral, {2.L, 1.L}, 1e-8);
 }
 
 std::vector<Vector_3d> frame_origins()

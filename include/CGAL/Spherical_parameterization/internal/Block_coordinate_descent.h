@@ -46,7 +46,8 @@ public:
   // vertex, a face gets the shape that it has on the surface but as many times its area as the mean of the densities of
   // its vertices.
   Block_coordinate_descent(const Vertex_rings& rings, const std::vector<Vector_3d>& points,
-                           const std::vector<double>& densities, const Energy& energy, const VertexUpdate& update)
+                           const std::vector<double>& densities, const Energy& energy, const VertexUpdate& update,
+                           const Rest_limits& limits = Rest_limits())
     : m_energy(energy)
     , m_update(update)
     , m_sets(rings)
@@ -78,7 +79,7 @@ public:
         for(std::size_t j = 0; j < ring.size(); ++j)
         {
           const std::uint32_t p = ring[j], q = ring[j + 1 < ring.size() ? j + 1 : 0];
-          rest[j] = Rest_triangle::from_points(points[v], points[p], points[q]);
+          rest[j] = Rest_triangle::from_points(points[v], points[p], points[q], limits);
           if(!densities.empty())
             rest[j].scale_area((densities[v] + densities[p] + densities[q]) / 3.);
         }

@@ -43,13 +43,15 @@ class Hierarchical_embedding
 {
 public:
   Hierarchical_embedding(const Mesh_hierarchy& hierarchy, const std::vector<Vector_3d>& points, const Energy& energy,
-                         const SharpnessPolicy& sharpness, const VertexUpdate& update, std::size_t sweeps_per_level)
+                         const SharpnessPolicy& sharpness, const VertexUpdate& update, std::size_t sweeps_per_level,
+                         const Rest_limits& limits)
     : m_hierarchy(hierarchy)
     , m_points(points)
     , m_energy(energy)
     , m_sharpness(sharpness)
     , m_update(update)
     , m_sweeps_per_level(sweeps_per_level)
+    , m_limits(limits)
     , m_kernels(Star_kernel())
   {}
 
@@ -133,7 +135,7 @@ private:
   {
     const std::vector<Vector_3d> points = gathered(m_points, level);
     Block_coordinate_descent<Energy, VertexUpdate, ConcurrencyTag> descent(
-        level.rings, points, vertex_densities(level.rings, points, level.areas), m_energy, m_update);
+        level.rings, points, vertex_densities(level.rings, points, level.areas), m_energy, m_update, m_limits);
     const std::size_t n_sweeps = number_of_sweeps(local.size());
     double sharpness = 0.;
     for(std::size_t i = 0; i < n_sweeps; ++i)
@@ -170,6 +172,7 @@ private:
   SharpnessPolicy m_sharpness;
   VertexUpdate m_update;
   std::size_t m_sweeps_per_level;
+  Rest_limits m_limits;
   Per_thread<ConcurrencyTag, Star_kernel> m_kernels;
   double m_radius = 1.; // of the sphere that the energies are taken on
 };

@@ -13,6 +13,7 @@
 
 #include <CGAL/license/Spherical_parameterization.h>
 
+#include <CGAL/Spherical_parameterization/internal/Rest_limits.h>
 #include <CGAL/Spherical_parameterization/internal/Vector_3d.h>
 
 #include <algorithm>
@@ -29,24 +30,21 @@ struct Rest_triangle
   double opposite_0, opposite_1, opposite_2; // cot(theta_i) / A
   double inverse_area;                       // 1 / A, A being twice the area
 
-  // The least height of a triangle over its longest edge, in units of that edge. A flatter triangle would ask for
-  // derivatives beyond all measure and freeze its neighbours; it is given the shape of this height instead.
-  static constexpr double least_height = 1e-4;
-
   static bool is_too_flat(const Vector_3d& p0, const Vector_3d& p1, const Vector_3d& p2)
   {
     const Vector_3d e0 = p2 - p1, e1 = p0 - p2, e2 = p1 - p0;
     const double longest = (std::max)({squared_length(e0), squared_length(e1), squared_length(e2)});
-    return is_too_flat(length(cross(e1, e2)), longest);
+    return is_too_flat(length(cross(e1, e2)), longest, Rest_limits());
   }
 
-  static Rest_triangle from_points(const Vector_3d& p0, const Vector_3d& p1, const Vector_3d& p2)
+  static Rest_triangle from_points(const Vector_3d& p0, const Vector_3d& p1, const Vector_3d& p2,
+                                   const Rest_limits& limits = Rest_limits())
   {
     const Vector_3d e0 = p2 - p1, e1 = p0 - p2, e2 = p1 - p0;
     const double l0 = squared_length(e0), l1 = squared_length(e1), l2 = squared_length(e2);
     const double area = length(cross(e1, e2));
-    if(is_too_flat(area, (std::max)({l0, l1, l2})))
-      return lifted(l0, l1, l2);
+    if(is_too_flat(area, (std::max)({l0, l1, l2}), limits))
+      return lifted(l0, l1, l2, limits);
     const double inverse = 1. / area;
     const double scale = -inverse * inverse;
     return {scale * dot(e1, e2), scale * dot(e2, e0), scale * dot(e0, e1), inverse};
@@ -63,28 +61,34 @@ struct Rest_triangle
   }
 
 private:
-  // the shortest length that a longest edge may have; surfaces are scaled to the area of the unit sphere
-  static constexpr double least_edge = 1e-12;
-
-  static bool is_too_flat(double area, double squared_longest_edge)
+  static bool is_too_flat(double area, double squared_longest_edge, const Rest_limits& limits)
   {
-    return area < least_height * squared_longest_edge || squared_longest_edge < least_edge * least_edge;
+    return area < limits.height * squared_longest_edge || squared_longest_edge < limits.edge * limits.edge;
   }
 
-  // The triangle that has the given one's longest edge and foot of the height on it, but at least the least height.
-  static Rest_triangle lifted(double l0, double l1, double l2)
+  static Rest_triangle equilateral(double edge)
   {
+    const double cotangent = 1. / std::sqrt(3.), inverse = 2. * cotangent / (edge * edge);
+    return {cotangent * inverse, cotangent * inverse, cotangent * inverse, inverse};
+  }
+
+  // The triangle that has the given one's longest edge and foot of the height on it, but at least the least height; or an
+  // equilateral one of the least size.
+  static Rest_triangle lifted(double l0, double l1, double l2, const Rest_limits& limits)
+  {
+    if((std::max)({l0, l1, l2}) < limits.edge * limits.edge)
+      return equilateral(limits.edge);
     double squared[3] = {l0, l1, l2};
     int base = 0;
     for(int i = 1; i < 3; ++i)
       if(squared[i] > squared[base])
         base = i;
     // The base runs from corner 1 to corner 2 of the rotated triangle, its apex is corner 0.
-    const double b2 = (std::max)(squared[base], least_edge * least_edge);
+    const double b2 = squared[base];
     const double to_1 = squared[(base + 2) % 3], to_2 = squared[(base + 1) % 3];
     const double t = (std::min)((std::max)(0.5 * (b2 + to_1 - to_2) / b2, 0.), 1.); // the foot, in units of the base
     // cot(1) = t / h, cot(2) = (1 - t) / h and cot(0) = (h^2 - t (1 - t)) / h for a base of length 1 and height h = A.
-    const double h = least_height;
+    const double h = limits.height;
     const double inverse = 1. / (b2 * h);
     double cotangents[3];
     cotangents[base] = (h - t * (1. - t) / h);

@@ -88,7 +88,7 @@ public:
         const double ratio = length(cross(a, b)) / sum;
         quality = (std::min)(quality, ratio > 0. ? 2. * std::sqrt(3.) * ratio : 0.); // 1 for an equilateral triangle
       }
-      cost /= std::sqrt((std::max)(quality, least_quality));
+      cost = (std::max)(cost, least_cost) / std::sqrt((std::max)(quality, least_quality));
       const std::size_t degree = rings.degree(ring[j]) + d - 4;
       if(degree > good_degree)
         cost *= 1. + static_cast<double>((degree - good_degree) * (degree - good_degree));
@@ -117,17 +117,18 @@ private:
   static constexpr std::size_t high_degree = 64;
   static constexpr double edge_weight = 1e-2;
   static constexpr double least_quality = 1e-6;
+  static constexpr double least_cost = 1e-290; // where the surface says nothing, the degrees decide
 
   // Much coarser than the cost: costs that differ by rounding only have the same rank, so that no choice depends on how the
   // mesh is placed in space.
   static std::uint32_t rank_of(double cost)
   {
-    const double largest = (std::numeric_limits<float>::max)();
-    const float rounded = static_cast<float>(cost <= largest ? cost : largest);
-    std::uint32_t bits;
-    static_assert(sizeof(bits) == sizeof(rounded), "The rank of a cost needs 32 bit numbers.");
-    std::memcpy(&bits, &rounded, sizeof(bits)); // as integers, positive numbers keep their order
-    return bits >> 12;
+    constexpr double largest = (std::numeric_limits<double>::max)();
+    constexpr int least_exponent = std::numeric_limits<double>::min_exponent, digits = 11;
+    int exponent;
+    const float mantissa = static_cast<float>(std::frexp(cost <= largest ? cost : largest, &exponent)); // from 0.5 to 1
+    return (static_cast<std::uint32_t>(exponent - least_exponent) << digits) +
+           static_cast<std::uint32_t>(std::ldexp(mantissa - 0.5f, digits + 1));
   }
 
   static bool are_neighbors(const Vertex_rings& rings, std::uint32_t a, std::uint32_t b, bool is_exact)

@@ -19,6 +19,8 @@
 #include <CGAL/Spherical_parameterization/internal/Indexed_mesh.h>
 #include <CGAL/Spherical_parameterization/internal/Mesh_hierarchy.h>
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <type_traits>
 #include <vector>
@@ -27,9 +29,12 @@ namespace CGAL {
 namespace Spherical_parameterization {
 namespace internal {
 
-// Maps a mesh to the unit sphere through a hierarchy. If the energy makes faces so small that doubles cannot hold the map,
-// as conformal maps of long limbs do, it is tried again with a growing guard against that. Returns whether there is a map.
-// The finest level is only swept if `sweeps_finest_level`, with the guard if there is one.
+// Maps a mesh to the unit sphere through a hierarchy. It may happen that faces get so small that doubles cannot hold
+// the map: because the energy lets them, as a conformal one does on long limbs, or because the surface itself has no
+// room for them, as where many vertices share one place. Then it is tried again with a growing guard against the former
+// and growing limits of the latter; the last ones make the shape of the surface count for next to nothing and give each
+// face the same room, with more sweeps if need be. Returns whether there is a map. The finest level is only swept if
+// `sweeps_finest_level`, with the guard and the limits if there are any.
 template <class ConcurrencyTag, class Energy, class SharpnessPolicy, class VertexUpdate, class RunControl>
 bool embed_hierarchically(const Indexed_mesh& mesh, const Energy& energy, const SharpnessPolicy& sharpness,
                           const VertexUpdate& update, std::size_t sweeps_per_level, bool sweeps_finest_level,
@@ -39,17 +44,24 @@ bool embed_hierarchically(const Indexed_mesh& mesh, const Energy& energy, const 
   control.report().number_of_levels = hierarchy.number_of_levels();
   control.report().seconds_for_hierarchy = control.lap();
 
-  const auto embed = [&](const auto& level_energy, const auto& level_sharpness) {
+  const auto embed = [&](const auto& level_energy, const auto& level_sharpness, const Rest_limits& limits,
+                         std::size_t sweeps_factor) {
     ++control.report().number_of_attempts;
     Hierarchical_embedding<std::decay_t<decltype(level_energy)>, std::decay_t<decltype(level_sharpness)>, VertexUpdate,
                            ConcurrencyTag>
-        embedding(hierarchy, mesh.points(), level_energy, level_sharpness, update, sweeps_per_level);
+        embedding(hierarchy, mesh.points(), level_energy, level_sharpness, update, sweeps_factor * sweeps_per_level,
+                  limits);
     return embedding.run(positions, sweeps_finest_level, control);
   };
-  bool is_embedded = embed(energy, sharpness);
+  const auto embed_guarded = [&](double weight, std::size_t sweeps_factor) {
+    const Rest_limits limits = {(std::min)(std::pow(weight, 0.25), 0.5), 0.1 * weight};
+    return embed(Guarded_energy<Energy>(energy, weight), Relative_sharpness_3(0.), limits, sweeps_factor);
+  };
+  bool is_embedded = embed(energy, sharpness, Rest_limits(), 1);
   for(const double weight : {1e-10, 1e-8, 1e-6, 1e-4, 1e-2, 1.})
-    if(!is_embedded)
-      is_embedded = embed(Guarded_energy<Energy>(energy, weight), Relative_sharpness_3(0.));
+    is_embedded = is_embedded || embed_guarded(weight, 1);
+  for(const std::size_t sweeps_factor : {std::size_t(4), std::size_t(16)})
+    is_embedded = is_embedded || embed_guarded(1., sweeps_factor);
   control.report().seconds_for_embedding = control.lap();
   return is_embedded;
 }
