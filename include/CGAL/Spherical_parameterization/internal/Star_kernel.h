@@ -20,6 +20,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -28,11 +29,12 @@ namespace Spherical_parameterization {
 namespace internal {
 
 // The kernel of a hole in a triangulation of the sphere: the points from which every edge of the hole is seen in the
-// positive sense, where a vertex may be inserted. The hole is given by its vertices in counterclockwise order, and its faces
-// fanned out from the first of them, the base, are positively oriented, so the kernel is not empty and touches the base.
+// positive sense, where a vertex may be inserted. The hole is given by its vertices in counterclockwise order, and its
+// faces fanned out from the first of them, the base, are positively oriented, so the kernel is not empty and touches
+// the base.
 //
-// The kernel is computed in the gnomonic projection at the base, where great circles are lines: a square around the base is
-// clipped by the half-planes of the edges.
+// The kernel is computed in the gnomonic projection at the base, where great circles are lines: a square around the
+// base is clipped by the half-planes of the edges.
 class Star_kernel
 {
 public:
@@ -43,13 +45,15 @@ public:
     const std::size_t d = hole.size();
     const Tangent_frame frame(hole[0]);
     m_offsets.resize(d);
-    double reach = 0.;
+    double squared_reach = 0., squared_width = infinity;
     for(std::size_t j = 0; j < d; ++j)
     {
       m_offsets[j] = frame.offset_of(hole[j]);
-      reach = (std::max)(reach, squared_length(m_offsets[j]));
+      squared_reach = (std::max)(squared_reach, squared_length(m_offsets[j]));
+      if(j >= 2)
+        squared_width = (std::min)(squared_width, squared_length(m_offsets[j] - m_offsets[j - 2]));
     }
-    reach = (std::min)(4. * std::sqrt(reach), 10.);
+    const double reach = (std::min)(4. * std::sqrt(squared_reach), 10.);
 
     m_polygon = {{-reach, -reach}, {reach, -reach}, {reach, reach}, {-reach, reach}};
     for(std::size_t j = 0; j < d; ++j)
@@ -63,23 +67,35 @@ public:
       return false;
 
     // The centroid, or else the way from it to the base: nearer to the base, the far edges are seen better.
-    std::array<double, 2> candidate = centroid();
-    for(int k = 0; k < most_halvings; ++k)
+    Point candidate = centroid(), best = candidate;
+    double least = infinity;
+    for(int k = 0; k < most_halvings && !(least < infinity); ++k)
     {
-      if(is_inside(candidate))
-      {
-        // back from the tangent plane to tangential coordinates
-        const double s = 1. / std::sqrt(1. + candidate[0] * candidate[0] + candidate[1] * candidate[1]);
-        point = frame.point_at(s * candidate[0], s * candidate[1]);
-        return true;
-      }
+      consider(candidate, best, least);
       candidate = {0.5 * candidate[0], 0.5 * candidate[1]};
     }
-    return false;
+    // The hole of a vertex between two hubs is a lune, which the projection makes endless: its centroid is off the
+    // middle.
+    if(squared_width < squared_lune_width * squared_reach)
+    {
+      Vector_3d mean = {0., 0., 0.};
+      for(const Vector_3d& p : m_offsets)
+        mean = mean + (1. / static_cast<double>(d)) * p;
+      if(mean[2] > -0.9)
+        consider({mean[0] / (1. + mean[2]), mean[1] / (1. + mean[2])}, best, least);
+    }
+    if(!(least < infinity))
+      return false;
+    // back from the tangent plane to tangential coordinates
+    const double s = 1. / std::sqrt(1. + best[0] * best[0] + best[1] * best[1]);
+    point = frame.point_at(s * best[0], s * best[1]);
+    return true;
   }
 
 private:
   static constexpr int most_halvings = 4;
+  static constexpr double squared_lune_width = 1e-4; // of a hole, in units of its reach
+  static constexpr double infinity = (std::numeric_limits<double>::infinity)();
 
   using Point = std::array<double, 2>;
 
@@ -120,21 +136,37 @@ private:
     return {o[0] + x / (3. * area), o[1] + y / (3. * area)};
   }
 
-  // whether every face from the gnomonic point (x, y) to an edge of the hole is safely positive
-  bool is_inside(const Point& c) const
+  // takes the gnomonic point `c` if it is better than the best one so far
+  void consider(const Point& c, Point& best, double& least) const
+  {
+    const double value = roughness(c);
+    if(value < least)
+    {
+      least = value;
+      best = c;
+    }
+  }
+
+  // How far the faces from the gnomonic point to the edges of the hole are from equilateral, altogether; infinite if
+  // one of them is not safely positive.
+  double roughness(const Point& c) const
   {
     const double s = 1. / std::sqrt(1. + c[0] * c[0] + c[1] * c[1]);
     const double x = s * c[0], y = s * c[1], z = Tangent_frame::height_at(x, y);
     const std::size_t d = m_offsets.size();
+    double sum = 0.;
     for(std::size_t j = 0; j < d; ++j)
     {
       const Vector_3d &p = m_offsets[j], &q = m_offsets[j + 1 < d ? j + 1 : 0];
       const Vector_3d to_p = {p[0] - x, p[1] - y, p[2] - z}, to_q = {q[0] - x, q[1] - y, q[2] - z};
       const Vector_3d n = cross(to_p, to_q);
-      if(!is_safely_positive(x * n[0] + y * n[1] + (1. + z) * n[2], squared_length(to_p) + squared_length(to_q)))
-        return false;
+      const double determinant = x * n[0] + y * n[1] + (1. + z) * n[2];
+      const double squared_edges = squared_length(to_p) + squared_length(to_q);
+      if(!is_safely_positive(determinant, squared_edges))
+        return infinity;
+      sum += squared_edges / determinant;
     }
-    return true;
+    return sum;
   }
 
   std::vector<Vector_3d> m_offsets;

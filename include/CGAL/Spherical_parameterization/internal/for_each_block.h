@@ -18,6 +18,8 @@
 #ifdef CGAL_LINKED_WITH_TBB
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+#include <tbb/task_group.h>
 #endif
 
 #include <algorithm>
@@ -31,6 +33,10 @@ namespace internal {
 // Calls f(begin, end) for consecutive blocks that cover [first, last), in parallel if `ConcurrencyTag` asks for it and
 // there is enough to do. The blocks are independent of the number of threads: block k starts at first + k * block_size.
 // So whatever is reduced block by block and then over the blocks in order has the same bits however it was run.
+//
+// The call may come from within a task of the caller's. Two things keep that from showing: a group of tasks of its own, as
+// one that is cancelled along with the caller's would leave out blocks without a word, and isolation, as a thread that
+// waits for its blocks would otherwise take up another task of the caller's, long beyond any time limit.
 template <class ConcurrencyTag, class Function>
 void for_each_block(std::size_t first, std::size_t last, std::size_t block_size, const Function& f)
 {
@@ -44,11 +50,16 @@ void for_each_block(std::size_t first, std::size_t last, std::size_t block_size,
   {
     if(n_blocks > 1)
     {
-      tbb::parallel_for(tbb::blocked_range<std::size_t>(0, n_blocks),
-                        [&](const tbb::blocked_range<std::size_t>& blocks) {
-                          for(std::size_t block = blocks.begin(); block != blocks.end(); ++block)
-                            run(block);
-                        });
+      tbb::task_group_context context(tbb::task_group_context::isolated);
+      tbb::this_task_arena::isolate([&] {
+        tbb::parallel_for(
+            tbb::blocked_range<std::size_t>(0, n_blocks),
+            [&](const tbb::blocked_range<std::size_t>& blocks) {
+              for(std::size_t block = blocks.begin(); block != blocks.end(); ++block)
+                run(block);
+            },
+            context);
+      });
       return;
     }
   }
