@@ -22,6 +22,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <random>
 #include <string>
 #include <vector>
@@ -324,6 +325,23 @@ TEST(Extreme_coordinates, tiny_huge_and_far_away)
   const test_runs::Result result = expect_mapped(far);
   EXPECT_NEAR(result.report.radius / 1e-3 / original.report.radius, 1., 1e-3);
   EXPECT_NEAR(result.distortion.isometric.average / original.distortion.isometric.average, 1., 1e-2);
+}
+
+// The sphere that has the area of such a surface is out of range; a smaller one is not.
+TEST(Extreme_coordinates, at_the_ends_of_the_range)
+{
+  const double largest = (std::numeric_limits<double>::max)();
+  Triangle_list list = test_meshes::tetrahedron();
+  for(Coordinates& p : list.points)
+  {
+    for(double& x : p)
+    {
+      x = std::copysign(largest, x);
+    }
+  }
+  expect_mapped(list);
+  list.points = {{0., 0., -largest}, {1., 0., largest}, {0., 1., largest}, {0., 0., largest}};
+  expect_mapped(list);
 }
 
 TEST(Extreme_coordinates, all_coplanar_collinear_or_in_one_point)

@@ -222,7 +222,7 @@ TEST(Rest_triangle, is_a_triangle_whatever_the_face)
 TEST(Rest_triangle, keeps_to_the_limits_given)
 {
   const Vector_3d a = {0., 0., 0.}, b = {1e-3, 0., 0.}, c = {0.4e-3, 0.2e-3, 0.}, lifted = {0.4e-3, 0.3e-3, 0.};
-  const SP::internal::Rest_limits limits = {0.3, 1e-4};
+  const Rest_limits limits = {0.3, 1e-4, false};
   expect_invariants(Rest_triangle::from_points(a, b, c), {a, b, c}, {2.L, 1.L}, 1e-8);
   expect_invariants(Rest_triangle::from_points(a, b, c, limits), {a, b, lifted}, {2.L, 1.L}, 1e-8);
   const Vector_3d apex = {0.4e-3, 0.31e-3, 0.};
@@ -230,7 +230,14 @@ TEST(Rest_triangle, keeps_to_the_limits_given)
   const double edge = 2e-3;
   const std::array<Vector_3d, 3> equilateral = {a, Vector_3d{edge, 0., 0.},
                                                 Vector_3d{0.5 * edge, std::sqrt(0.75) * edge, 0.}};
-  expect_invariants(Rest_triangle::from_points(a, b, c, {0.3, edge}), equilateral, {2.L, 1.L}, 1e-8);
+  expect_invariants(Rest_triangle::from_points(a, b, c, {0.3, edge, false}), equilateral, {2.L, 1.L}, 1e-8);
+
+  // without regard to the surface, all faces are the same
+  const Rest_triangle uniform = Rest_triangle::from_points(a, b, c, {0., 0., true});
+  const Rest_triangle of_another = Rest_triangle::from_points({3., 0., 0.}, a, a, {0., 0., true});
+  EXPECT_EQ(uniform.inverse_area, of_another.inverse_area);
+  EXPECT_EQ(uniform.opposite_0, of_another.opposite_1);
+  EXPECT_EQ(uniform.opposite_0, uniform.opposite_2);
 }
 
 std::vector<Vector_3d> frame_origins()

@@ -10,9 +10,9 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_TEST_INDEPENDENT_CHECK_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_TEST_INDEPENDENT_CHECK_H
 
-// Whether a map to the sphere is one-to-one, decided by another way than the package's certificate and without any of its
-// code: the signs of determinants of rational numbers, and the sum of the solid angles of all faces instead of the number
-// of faces around a point.
+// Whether a map to the sphere is one-to-one, decided by another way than the package's certificate and without any of
+// its code: the signs of determinants of rational numbers, and the sum of the solid angles of all faces instead of the
+// number of faces around a point.
 
 #include "test_meshes.h"
 

@@ -64,9 +64,9 @@ public:
   double average() const { return m_sum / static_cast<double>(m_size); }
   double largest() const { return m_largest; }
 
-  // log(mean of exp(s E)) / s, or the average for s = 0: the objective of eq. 7 in the unit of the energy. It lies between
-  // the average and the largest energy and goes from the one to the other as s grows, so that its values for different s
-  // can be compared.
+  // log(mean of exp(s E)) / s, or the average for s = 0: the objective of eq. 7 in the unit of the energy. It lies
+  // between the average and the largest energy and goes from the one to the other as s grows, so that its values for
+  // different s can be compared.
   double mean() const
   {
     if(!(m_sharpness > 0.))

@@ -24,9 +24,9 @@ namespace CGAL {
 namespace Spherical_parameterization {
 namespace internal {
 
-// The kernel in which Orientation_about_origin_3 decides exactly about points of `Kernel`, and the conversion of a point
-// to it, which never rounds. Coordinates of type double or float become those of one kernel with double, whatever their own
-// kernel is; exact number types stay where they are.
+// The kernel in which Orientation_about_origin_3 decides exactly about points of `Kernel`, and the conversion of a
+// point to it, which never rounds. Coordinates of type double or float become those of one kernel with double, whatever
+// their own kernel is; exact number types stay where they are.
 template <class Kernel, class FT = typename Kernel::FT>
 struct Exact_predicates_kernel
 {

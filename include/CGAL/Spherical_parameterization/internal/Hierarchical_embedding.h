@@ -34,10 +34,11 @@ namespace Spherical_parameterization {
 namespace internal {
 
 // Maps a hierarchy to the unit sphere from the coarsest level up: the tetrahedron is made regular; on every level, the
-// vertices that are new are put into the kernels of their holes, all at once, and then all vertices of the level are swept.
+// vertices that are new are put into the kernels of their holes, all at once, and then all vertices of the level are
+// swept.
 //
-// That every vertex has been swept before others are inserted next to it is what makes the insertion robust: kernels stay as
-// wide as the faces around them.
+// That every vertex has been swept before others are inserted next to it is what makes the insertion robust: kernels
+// stay as wide as the faces around them.
 template <class Energy, class SharpnessPolicy, class VertexUpdate, class ConcurrencyTag>
 class Hierarchical_embedding
 {
@@ -55,8 +56,8 @@ public:
     , m_kernels(Star_kernel())
   {}
 
-  // Computes the positions of all vertices of the finest level, which itself is only swept if `sweeps_finest_level`. Returns
-  // false if a kernel has become too narrow for doubles.
+  // Computes the positions of all vertices of the finest level, which itself is only swept if `sweeps_finest_level`.
+  // Returns false if a kernel has become too narrow for doubles.
   template <class RunControl>
   bool run(std::vector<Vector_3d>& positions, bool sweeps_finest_level, RunControl& control)
   {
@@ -134,8 +135,10 @@ private:
   void relax(const Mesh_hierarchy::Level& level, std::vector<Vector_3d>& local, RunControl& control)
   {
     const std::vector<Vector_3d> points = gathered(m_points, level);
-    Block_coordinate_descent<Energy, VertexUpdate, ConcurrencyTag> descent(
-        level.rings, points, vertex_densities(level.rings, points, level.areas), m_energy, m_update, m_limits);
+    const std::vector<double> densities =
+        m_limits.is_uniform ? std::vector<double>() : vertex_densities(level.rings, points, level.areas);
+    Block_coordinate_descent<Energy, VertexUpdate, ConcurrencyTag> descent(level.rings, points, densities, m_energy,
+                                                                           m_update, m_limits);
     const std::size_t n_sweeps = number_of_sweeps(local.size());
     double sharpness = 0.;
     for(std::size_t i = 0; i < n_sweeps; ++i)
@@ -162,8 +165,8 @@ private:
 
   static constexpr std::size_t sweeps_per_measurement = 5;
 
-  // Levels with fewer vertices follow the average energy (eq. 6), whatever the policy says. Where a face stands for a whole
-  // limb, to fight the worst one throws the limbs into disorder, from which the finer levels do not recover.
+  // Levels with fewer vertices follow the average energy (eq. 6), whatever the policy says. Where a face stands for a
+  // whole limb, to fight the worst one throws the limbs into disorder, from which the finer levels do not recover.
   static constexpr std::size_t least_sharp_level = 300;
 
   const Mesh_hierarchy& m_hierarchy;

@@ -61,8 +61,8 @@ inline std::pair<const std::uint32_t*, const std::uint32_t*> adjacent_vertices(s
   return {ring.first, ring.last};
 }
 
-// The vertices of a mesh grouped by the colours of a greedy colouring: no two vertices of a set are neighbours, so all of
-// a set may move at once. Within a set the vertices are in increasing order.
+// The vertices of a mesh grouped by the colours of a greedy colouring: no two vertices of a set are neighbours, so all
+// of a set may move at once. Within a set the vertices are in increasing order.
 class Independent_sets
 {
 public:

@@ -34,14 +34,15 @@ namespace internal {
 // A closed triangle mesh of genus 0 as flat arrays: the points, scaled such that the area is 4 pi, and the rings of the
 // vertices.
 //
-// The numbering is the package's own: breadth first from the vertex that is farthest from the centre, around each vertex
-// in counterclockwise order. It follows from the shape of the surface alone, not from the position of the surface in space,
-// and not from the order of the caller's vertices unless several are the farthest; and so does everything that is computed
-// from it. Besides, neighbours get close numbers.
+// The numbering is the package's own: breadth first from the vertex that is farthest from the centre, around each
+// vertex in counterclockwise order. It follows from the shape of the surface alone, not from the position of the
+// surface in space, and not from the order of the caller's vertices unless several are the farthest; and so does
+// everything that is computed from it. Besides, neighbours get close numbers.
 class Indexed_mesh
 {
 public:
-  // Takes the mesh with these points and triangles, all of them oriented alike. Vertices without a triangle are left out.
+  // Takes the mesh with these points and triangles, all of them oriented alike. Vertices without a triangle are left
+  // out.
   Error_code assign(std::vector<Vector_3d> points, const std::vector<std::array<std::uint32_t, 3>>& triangles)
   {
     for(const Vector_3d& p : points)
@@ -84,8 +85,12 @@ public:
 
   std::size_t number_of_flat_faces() const { return m_number_of_flat_faces; }
 
-  // The radius of the sphere that has the area of the surface, in the caller's unit of length: the length that is 1 here.
-  double equal_area_radius() const { return std::ldexp(m_unit, m_exponent); }
+  // The radius of the sphere that has the area of the surface, in the caller's unit of length: the length that is 1
+  // here. A surface that reaches to the ends of the range of doubles gets the largest sphere that fits.
+  double equal_area_radius() const
+  {
+    return (std::min)(std::ldexp(m_unit, m_exponent), 0.25 * (std::numeric_limits<double>::max)());
+  }
 
   // converts a radius in the caller's unit of length to the one of the mesh
   double scaled_radius(double radius) const { return std::ldexp(radius, -m_exponent) / m_unit; }
@@ -116,8 +121,8 @@ private:
         p[i] = std::ldexp(std::ldexp(p[i] - (0.5 * low[i] + 0.5 * high[i]), first), second);
   }
 
-  // Builds the rings of all vertices that have a triangle, renumbered without the others. Fails if a vertex meets another
-  // one twice, if its triangles form more than one fan, or if they leave a gap.
+  // Builds the rings of all vertices that have a triangle, renumbered without the others. Fails if a vertex meets
+  // another one twice, if its triangles form more than one fan, or if they leave a gap.
   static bool build_rings(std::size_t n, const std::vector<std::array<std::uint32_t, 3>>& triangles,
                           Vertex_rings& rings, std::vector<std::uint32_t>& used)
   {
@@ -224,8 +229,8 @@ private:
     return true;
   }
 
-  // whether p is farther from the origin o than q by more than rounding can make it; where a shape has ties, the first of
-  // the caller's vertices is chosen, wherever the shape is placed
+  // whether p is farther from the origin o than q by more than rounding can make it; where a shape has ties, the first
+  // of the caller's vertices is chosen, wherever the shape is placed
   static bool is_farther(const Vector_3d& p, const Vector_3d& q, const Vector_3d& o)
   {
     return squared_length(p - o) > (1. + 1e-7) * squared_length(q - o);

@@ -25,14 +25,15 @@ namespace CGAL {
 namespace Spherical_parameterization {
 namespace internal {
 
-// The linear system of a weighted Laplacian, factored once and solved for many right-hand sides, each of them three at a
-// time. Some vertices are held at 0: without, the system would be singular, as constants are the kernel of a Laplacian.
+// The linear system of a weighted Laplacian, factored once and solved for many right-hand sides, each of them three at
+// a time. Some vertices are held at 0: without, the system would be singular, as constants are the kernel of a
+// Laplacian.
 template <class SolverTraits>
 class Laplacian_system
 {
 public:
-  // `weights` are those of the edges in the order of the corners of `rings`; `is_fixed` names the vertices that are held.
-  // Returns false if the solver fails.
+  // `weights` are those of the edges in the order of the corners of `rings`; `is_fixed` names the vertices that are
+  // held. Returns false if the solver fails.
   template <class IsFixed>
   bool factor(const Vertex_rings& rings, const std::vector<double>& weights, const IsFixed& is_fixed)
   {

@@ -87,7 +87,9 @@ private:
 
   void say(const std::string& what, const std::string& advice)
   {
-    m_defect.message = what + ".\n" + advice + "\n(Vertices and faces are counted from 0.)";
+    m_defect.message = what + ".\n" + advice;
+    if(m_defect.vertex != Traits::null_vertex() || m_defect.face != Traits::null_face())
+      m_defect.message += "\n(Vertices and faces are counted from 0.)";
   }
 
   // the place of `element` in `range`

@@ -32,16 +32,16 @@ namespace CGAL {
 namespace Spherical_parameterization {
 namespace internal {
 
-// A sequence of ever coarser meshes from a given one down to a tetrahedron. Each is made from the one before by removing an
-// independent set of its vertices: a removed vertex is collapsed into one of its neighbours, which are all kept. So all
-// vertices that one level adds to the next coarser one can be inserted at once, each into a hole of vertices that are all
-// there, and no error is handed from one insertion to the next.
+// A sequence of ever coarser meshes from a given one down to a tetrahedron. Each is made from the one before by
+// removing an independent set of its vertices: a removed vertex is collapsed into one of its neighbours, which are all
+// kept. So all vertices that one level adds to the next coarser one can be inserted at once, each into a hole of
+// vertices that are all there, and no error is handed from one insertion to the next.
 //
 // Level 0 is the given mesh itself. Every level numbers its own vertices, in the order of the given mesh.
 //
-// A coarse mesh has lost area: where a limb was, there may be a spike. So every vertex carries the area of the surface that
-// it stands for, and hands it on to its ring when it is removed. Whoever maps a coarse level can then leave as much room
-// for a limb as the surface needs.
+// A coarse mesh has lost area: where a limb was, there may be a spike. So every vertex carries the area of the surface
+// that it stands for, and hands it on to its ring when it is removed. Whoever maps a coarse level can then leave as
+// much room for a limb as the surface needs.
 class Mesh_hierarchy
 {
 public:

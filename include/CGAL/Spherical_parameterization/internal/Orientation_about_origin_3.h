@@ -77,12 +77,13 @@ private:
   Point_3 m_origin{ORIGIN};
 };
 
-// The filter evaluates det(a, b - a, c - a), which is the same number, and whose rounding errors shrink with the triangle:
-// the small triangles of a fine mesh on a sphere, whose determinants fall below what a filter on det(a, b, c) can tell
-// from 0, pass as well; only needles do not.
+// The filter evaluates det(a, b - a, c - a), which is the same number, and whose rounding errors shrink with the
+// triangle: the small triangles of a fine mesh on a sphere, whose determinants fall below what a filter on det(a, b, c)
+// can tell from 0, pass as well; only needles do not.
 //
-// Why it is right. Let e = 2^-52, an upper bound of the relative error of an operation in any rounding mode, let d be the
-// exact determinant and p the exact sum of the absolute values of its six products. Ignoring underflow, each product in
+// Why it is right. Let e = 2^-52, an upper bound of the relative error of an operation in any rounding mode, let d be
+// the exact determinant and p the exact sum of the absolute values of its six products. Ignoring underflow, each
+// product in
 // the computed determinant D carries at most seven factors (1 + x) with |x| <= e: two differences, two multiplications,
 // the difference of the cross product and two additions; fewer if the compiler contracts a multiplication and an
 // addition. The same holds for the computed P of p, whose terms are all positive. Thus
@@ -90,8 +91,8 @@ private:
 // Underflow, even if the processor takes subnormal operands and results for 0, changes each operand and each result by
 // less than 2^-1022. Let m be the sum of the absolute values of a, b - a and c - a. What is multiplied is at most m and
 // m^2, so what underflow adds to D and P, in less than 2^7 places, is less than 2^-1013 (m + 1)^2, which is below
-// 2^-1000 (m + 1)^2 by far even with all rounding errors. An overflow makes P or m infinite or not a number, and so does a
-// coordinate that is not finite; no comparison below is true then.
+// 2^-1000 (m + 1)^2 by far even with all rounding errors. An overflow makes P or m infinite or not a number, and so
+// does a coordinate that is not finite; no comparison below is true then.
 template <class K>
 class Orientation_about_origin_3<K, double>
 {

@@ -40,6 +40,8 @@ struct Rest_triangle
   static Rest_triangle from_points(const Vector_3d& p0, const Vector_3d& p1, const Vector_3d& p2,
                                    const Rest_limits& limits = Rest_limits())
   {
+    if(limits.is_uniform)
+      return equilateral(1.);
     const Vector_3d e0 = p2 - p1, e1 = p0 - p2, e2 = p1 - p0;
     const double l0 = squared_length(e0), l1 = squared_length(e1), l2 = squared_length(e2);
     const double area = length(cross(e1, e2));
@@ -72,8 +74,8 @@ private:
     return {cotangent * inverse, cotangent * inverse, cotangent * inverse, inverse};
   }
 
-  // The triangle that has the given one's longest edge and foot of the height on it, but at least the least height; or an
-  // equilateral one of the least size.
+  // The triangle that has the given one's longest edge and foot of the height on it, but at least the least height; or
+  // an equilateral one of the least size.
   static Rest_triangle lifted(double l0, double l1, double l2, const Rest_limits& limits)
   {
     if((std::max)({l0, l1, l2}) < limits.edge * limits.edge)

@@ -30,10 +30,10 @@ namespace CGAL {
 namespace Spherical_parameterization {
 namespace internal {
 
-// The best way to remove one vertex from a mesh: by collapsing it into one of its neighbours, its target. The cost adds up
-// how far the target lies from the planes of the faces at the vertex (the quadric error of these faces) and a small share of
-// the length of the edge, so that flat parts are thinned out evenly; thin new faces and targets of high degree make it
-// dearer.
+// The best way to remove one vertex from a mesh: by collapsing it into one of its neighbours, its target. The cost adds
+// up how far the target lies from the planes of the faces at the vertex (the quadric error of these faces) and a small
+// share of the length of the edge, so that flat parts are thinned out evenly; thin new faces and targets of high degree
+// make it dearer.
 class Vertex_removal
 {
 public:
@@ -119,8 +119,8 @@ private:
   static constexpr double least_quality = 1e-6;
   static constexpr double least_cost = 1e-290; // where the surface says nothing, the degrees decide
 
-  // Much coarser than the cost: costs that differ by rounding only have the same rank, so that no choice depends on how the
-  // mesh is placed in space.
+  // Much coarser than the cost: costs that differ by rounding only have the same rank, so that no choice depends on how
+  // the mesh is placed in space.
   static std::uint32_t rank_of(double cost)
   {
     constexpr double largest = (std::numeric_limits<double>::max)();

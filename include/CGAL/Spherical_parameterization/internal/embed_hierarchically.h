@@ -32,9 +32,9 @@ namespace internal {
 // Maps a mesh to the unit sphere through a hierarchy. It may happen that faces get so small that doubles cannot hold
 // the map: because the energy lets them, as a conformal one does on long limbs, or because the surface itself has no
 // room for them, as where many vertices share one place. Then it is tried again with a growing guard against the former
-// and growing limits of the latter; the last ones make the shape of the surface count for next to nothing and give each
-// face the same room, with more sweeps if need be. Returns whether there is a map. The finest level is only swept if
-// `sweeps_finest_level`, with the guard and the limits if there are any.
+// and growing limits of the latter, and in the end without regard to the surface, each face having the same room, with
+// more and more sweeps. Returns whether there is a map. The finest level is only swept if `sweeps_finest_level`, as the
+// levels are.
 template <class ConcurrencyTag, class Energy, class SharpnessPolicy, class VertexUpdate, class RunControl>
 bool embed_hierarchically(const Indexed_mesh& mesh, const Energy& energy, const SharpnessPolicy& sharpness,
                           const VertexUpdate& update, std::size_t sweeps_per_level, bool sweeps_finest_level,
@@ -53,15 +53,16 @@ bool embed_hierarchically(const Indexed_mesh& mesh, const Energy& energy, const 
                   limits);
     return embedding.run(positions, sweeps_finest_level, control);
   };
-  const auto embed_guarded = [&](double weight, std::size_t sweeps_factor) {
-    const Rest_limits limits = {(std::min)(std::pow(weight, 0.25), 0.5), 0.1 * weight};
+  const auto embed_guarded = [&](double weight, const Rest_limits& limits, std::size_t sweeps_factor) {
     return embed(Guarded_energy<Energy>(energy, weight), Relative_sharpness_3(0.), limits, sweeps_factor);
   };
   bool is_embedded = embed(energy, sharpness, Rest_limits(), 1);
-  for(const double weight : {1e-10, 1e-8, 1e-6, 1e-4, 1e-2, 1.})
-    is_embedded = is_embedded || embed_guarded(weight, 1);
-  for(const std::size_t sweeps_factor : {std::size_t(4), std::size_t(16)})
-    is_embedded = is_embedded || embed_guarded(1., sweeps_factor);
+  for(const double weight : {1e-10, 1e-8, 1e-6, 1e-4, 1e-2})
+    is_embedded = is_embedded || embed_guarded(weight, {std::pow(weight, 0.25), 0.1 * weight, false}, 1);
+  Rest_limits without_shape;
+  without_shape.is_uniform = true;
+  for(const std::size_t sweeps_factor : {std::size_t(1), std::size_t(4), std::size_t(16)})
+    is_embedded = is_embedded || embed_guarded(1., without_shape, sweeps_factor);
   control.report().seconds_for_embedding = control.lap();
   return is_embedded;
 }

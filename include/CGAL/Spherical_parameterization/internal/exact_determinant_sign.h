@@ -67,8 +67,8 @@ inline std::array<Determinant_integer, 3> integer_multiple(const Vector_3d& p)
 }
 
 // The exact sign of det(a, b, c), whose coordinates are finite, by integer arithmetic: about a microsecond for points
-// whose coordinates are of similar size. It depends neither on the rounding mode nor on what a compiler was allowed to do
-// to floating-point arithmetic, nor on whether the processor flushes subnormal numbers to zero.
+// whose coordinates are of similar size. It depends neither on the rounding mode nor on what a compiler was allowed to
+// do to floating-point arithmetic, nor on whether the processor flushes subnormal numbers to zero.
 inline Sign exact_determinant_sign(const Vector_3d& a, const Vector_3d& b, const Vector_3d& c)
 {
   const std::array<Determinant_integer, 3> p = integer_multiple(a), q = integer_multiple(b), r = integer_multiple(c);

@@ -34,9 +34,9 @@ namespace internal {
 // there is enough to do. The blocks are independent of the number of threads: block k starts at first + k * block_size.
 // So whatever is reduced block by block and then over the blocks in order has the same bits however it was run.
 //
-// The call may come from within a task of the caller's. Two things keep that from showing: a group of tasks of its own, as
-// one that is cancelled along with the caller's would leave out blocks without a word, and isolation, as a thread that
-// waits for its blocks would otherwise take up another task of the caller's, long beyond any time limit.
+// The call may come from within a task of the caller's. Two things keep that from showing: a group of tasks of its own,
+// as one that is cancelled along with the caller's would leave out blocks without a word, and isolation, as a thread
+// that waits for its blocks would otherwise take up another task of the caller's, long beyond any time limit.
 template <class ConcurrencyTag, class Function>
 void for_each_block(std::size_t first, std::size_t last, std::size_t block_size, const Function& f)
 {

@@ -23,8 +23,8 @@ namespace CGAL {
 namespace Spherical_parameterization {
 namespace internal {
 
-// Writes values[k] for the key key(k), for all k. If put() or get() throws, the values that have been overwritten are put
-// back and the exception goes on to the caller; a map that can only be written keeps what it has got by then.
+// Writes values[k] for the key key(k), for all k. If put() or get() throws, the values that have been overwritten are
+// put back and the exception goes on to the caller; a map that can only be written keeps what it has got by then.
 template <class PropertyMap, class Key>
 void put_all(PropertyMap map, const Key& key,
              const std::vector<typename boost::property_traits<PropertyMap>::value_type>& values)

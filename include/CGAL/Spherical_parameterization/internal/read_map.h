@@ -29,8 +29,8 @@ namespace CGAL {
 namespace Spherical_parameterization {
 namespace internal {
 
-// Reads a map from the vertices of the caller's mesh and projects it to the unit sphere. Returns whether it is a bijection
-// there.
+// Reads a map from the vertices of the caller's mesh and projects it to the unit sphere. Returns whether it is a
+// bijection there.
 template <class VertexDescriptor, class VertexSphereMap>
 bool read_map(const Indexed_mesh& mesh, const std::vector<VertexDescriptor>& vertices_of_mesh, VertexSphereMap map,
               std::vector<Vector_3d>& positions)

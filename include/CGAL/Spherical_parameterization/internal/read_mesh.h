@@ -36,8 +36,8 @@ namespace CGAL {
 namespace Spherical_parameterization {
 namespace internal {
 
-// Checks the caller's mesh and copies it: the first of the two places that touch it. `vertices_of_mesh` gets the vertices
-// in the order of their original numbers, the report the counts.
+// Checks the caller's mesh and copies it: the first of the two places that touch it. `vertices_of_mesh` gets the
+// vertices in the order of their original numbers, the report the counts.
 template <class TriangleMesh, class VertexPointMap>
 Error_code read_mesh(const TriangleMesh& tmesh, const VertexPointMap& vpm, Indexed_mesh& mesh,
                      std::vector<typename boost::graph_traits<TriangleMesh>::vertex_descriptor>& vertices_of_mesh,
