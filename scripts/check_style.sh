@@ -19,7 +19,8 @@ list_files() {
   git ls-files --cached --others --exclude-standard 2>/dev/null ||
     find . -path ./build -prune -o -type f -printf '%P\n'
 }
-mapfile -t files < <(list_files | sort | while read -r file; do [ ! -f "$file" ] || echo "$file"; done)
+# The inputs of the fuzzers are what they are.
+mapfile -t files < <(list_files | grep -v '/fuzz/\(corpus\|regressions\)/' | sort | while read -r file; do [ ! -f "$file" ] || echo "$file"; done)
 sources=()
 headers=()
 for file in "${files[@]}"; do

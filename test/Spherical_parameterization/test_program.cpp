@@ -9,8 +9,12 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+#include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <cstdlib>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -459,6 +463,266 @@ TEST_F(Program, says_what_is_wrong_with_a_mesh)
   expect("OFF\n4 3 0\n" + points + "3 0 2 1\n3 0 1 3\n3 1 2 3\n", "border");
   expect("OFF\n4 4 0\n" + points + "3 0 1 2\n3 0 1 3\n3 1 2 3\n3 2 0 3\n", "direction");
   expect("OFF\n3 2 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n3 0 2 1\n", "3 vertices");
+}
+
+// The bytes of a number, the most significant one first or last.
+template <class Bits, class Number>
+std::string bytes_of(Number number, bool is_big_endian)
+{
+  static_assert(sizeof(Bits) == sizeof(Number), "The bits are those of the number.");
+  Bits bits;
+  std::memcpy(&bits, &number, sizeof(bits));
+  std::string result;
+  for(std::size_t k = 0; k < sizeof(bits); ++k)
+    result += static_cast<char>(bits >> 8 * (is_big_endian ? sizeof(bits) - 1 - k : k) & 0xff);
+  return result;
+}
+
+// A binary PLY or STL file of a tetrahedron.
+struct Binary_file
+{
+  explicit Binary_file(bool is_big)
+    : is_big_endian(is_big)
+  {}
+
+  Binary_file& operator<<(const std::string& text) { return content += text, *this; }
+  Binary_file& operator<<(float x) { return content += bytes_of<std::uint32_t>(x, is_big_endian), *this; }
+  Binary_file& operator<<(double x) { return content += bytes_of<std::uint64_t>(x, is_big_endian), *this; }
+  Binary_file& operator<<(std::uint8_t x) { return content += static_cast<char>(x), *this; }
+  Binary_file& operator<<(std::int16_t x) { return content += bytes_of<std::uint16_t>(x, is_big_endian), *this; }
+  Binary_file& operator<<(std::uint32_t x) { return content += bytes_of<std::uint32_t>(x, is_big_endian), *this; }
+
+  bool is_big_endian;
+  std::string content;
+};
+
+const test_meshes::Triangle_list corner = {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}},
+                                           {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}}};
+
+template <class Coordinate, class Index>
+std::string binary_ply(bool is_big_endian, const std::string& coordinate, const std::string& index)
+{
+  Binary_file file(is_big_endian);
+  file << "ply\nformat binary_" + std::string(is_big_endian ? "big" : "little") + "_endian 1.0\ncomment a corner\n" +
+              "element camera 1\nproperty list uchar short view\nelement vertex 4\nproperty uchar red\nproperty " +
+              coordinate + " x\nproperty " + coordinate + " y\nproperty " + coordinate +
+              " z\nelement face 4\nproperty list uchar " + index +
+              " vertex_indices\nproperty uchar label\nend_header\n";
+  file << std::uint8_t(2) << std::int16_t(-7) << std::int16_t(8);
+  for(const test_meshes::Coordinates& p : corner.points)
+  {
+    file << std::uint8_t(255);
+    for(const double x : p)
+      file << static_cast<Coordinate>(x);
+  }
+  for(const test_meshes::Triangle& t : corner.triangles)
+  {
+    file << std::uint8_t(3);
+    for(const std::size_t v : t)
+      file << static_cast<Index>(v);
+    file << std::uint8_t(9);
+  }
+  return file.content;
+}
+
+std::string binary_stl(const std::string& title, std::uint32_t number_of_facets, float first_coordinate = 0.f)
+{
+  Binary_file file(false);
+  file << title + std::string(80 - title.size(), '\0') << number_of_facets;
+  for(const test_meshes::Triangle& t : corner.triangles)
+  {
+    file << 0.f << 0.f << 0.f;
+    for(const std::size_t v : t)
+    {
+      const test_meshes::Coordinates p = corner.points[v];
+      file << (v == 0 ? first_coordinate : static_cast<float>(p[0])) << static_cast<float>(p[1])
+           << static_cast<float>(p[2]);
+    }
+    file << std::int16_t(0);
+  }
+  return file.content;
+}
+
+std::string replaced(std::string text, const std::string& from, const std::string& to)
+{
+  for(std::size_t i = text.find(from); i != std::string::npos; i = text.find(from, i + to.size()))
+    text.replace(i, from.size(), to);
+  return text;
+}
+
+const std::string corner_off = "OFF\n4 4 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n";
+const std::string corner_obj = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n";
+const std::string corner_ply = "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty "
+                               "float z\nelement face 4\nproperty list uchar int vertex_indices\nend_header\n"
+                               "0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n";
+const std::string corner_ts =
+    "GOCAD TSurf 1\nHEADER {\nname:corner\n}\nTFACE\nVRTX 0 0 0 0\nVRTX 1 1 0 0\nVRTX 2 0 1 0\n"
+    "VRTX 3 0 0 1\nTRGL 0 2 1\nTRGL 0 1 3\nTRGL 1 2 3\nTRGL 2 0 3\nEND\n";
+
+std::string corner_stl()
+{
+  std::ostringstream out;
+  out << "solid facet of a corner\n";
+  for(const test_meshes::Triangle& t : corner.triangles)
+  {
+    out << "  facet normal 0 0 0\n    outer loop\n";
+    for(const std::size_t v : t)
+      out << "      vertex " << corner.points[v][0] << ' ' << corner.points[v][1] << ' ' << corner.points[v][2] << '\n';
+    out << "    endloop\n  endfacet\n";
+  }
+  out << "endsolid\n";
+  return out.str();
+}
+
+TEST_F(Program, reads_every_format_alike)
+{
+  write("corner.off", corner_off);
+  ASSERT_EQ(run("corner.off -o expected.off --quiet").status, 0);
+  const std::string expected = content(path("expected.off"));
+  const std::string homogeneous = "4 4 6\n0 0 0 2\n2 0 0 2\n0 0.5 0 0.5\n0 0 -1 -1\n", faces = corner_off.substr(34);
+  const std::vector<std::pair<const char*, std::string>> table = {
+      {"variant.off", "OFF 4 4" + corner_off.substr(7)},
+      {"variant.off", "# a comment\n\n" + replaced(corner_off, "\n", " # another\r\n\r\n")},
+      {"variant.off", "\xEF\xBB\xBF" + corner_off + "3 0 1 2\nand more"},
+      {"variant.off", "4OFF\n" + homogeneous + faces},
+      {"variant.off", "nOFF\n3\n" + corner_off.substr(4)},
+      {"variant.off", "C4nOFF 3\n" + replaced(homogeneous, "2\n", "2 0.5 0.5 0.5 1\n") + faces},
+      {"variant.obj", corner_obj},
+      {"variant.obj", "mtllib a.mtl\no a\ng b\nvn 0 0 1\n" + replaced(corner_obj, "\n", " \r\n") + "l 1 2\n"},
+      {"variant.obj", replaced(corner_obj, " ", "\t")},
+      {"variant.obj", replaced(corner_obj, "f 1 3 2", "f 1/1/1 -2//7 2/5")},
+      {"variant.obj", corner_obj.substr(32) + corner_obj.substr(0, 32)},
+      {"variant.ply", corner_ply},
+      {"variant.ply", replaced(corner_ply, "\n", "\r\n")},
+      {"variant.ply", replaced(replaced(corner_ply, "float", "int8"), "vertex_indices", "vertex_index")},
+      {"variant.ply", binary_ply<float, std::uint32_t>(false, "float", "uint")},
+      {"variant.ply", binary_ply<double, std::int16_t>(false, "float64", "int16")},
+      {"variant.ply", binary_ply<double, std::uint8_t>(true, "double", "uchar")},
+      {"variant.ply", binary_ply<std::int16_t, std::uint32_t>(true, "short", "int")},
+      {"variant.ts", corner_ts},
+      {"variant.ts", replaced(replaced(corner_ts, "\n", "\r\n"), "VRTX", "PVRTX")},
+      {"variant.ts", replaced(replaced(corner_ts, "VRTX 3", "VRTX -7"), " 3\n", " -7\n")},
+      {"variant.ts", replaced(replaced(corner_ts, "TRGL 0 2 1", "ATOM 9 2\nTRGL 0 9 1"), "END\n", "END")}};
+  for(const auto& [name, text] : table)
+  {
+    SCOPED_TRACE(text);
+    write(name, text);
+    const Outcome outcome = run(std::string(name) + " -o result.off --quiet");
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    EXPECT_EQ(content(path("result.off")), expected);
+    fs::remove(path("result.off"));
+  }
+
+  // the vertices of this format have the order in which the facets name them first
+  write("other.off", replaced(replaced(replaced(corner_off, "1 0 0\n0 1 0", "0 1 0\n1 0 0"), "3 0 2 1", "3 0 1 2"),
+                              "3 0 1 3\n3 1 2 3\n3 2 0 3", "3 0 2 3\n3 2 1 3\n3 1 0 3"));
+  ASSERT_EQ(run("other.off -o expected.off --quiet").status, 0);
+  for(const std::string& text :
+      {corner_stl(), replaced(corner_stl(), "\n", "\r\n"), binary_stl("a corner", 4), binary_stl("solid corner", 4)})
+  {
+    write("variant.stl", text);
+    const Outcome outcome = run("variant.stl -o result.off --quiet");
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    EXPECT_EQ(content(path("result.off")), content(path("expected.off")));
+    fs::remove(path("result.off"));
+  }
+}
+
+TEST_F(Program, says_where_a_file_is_damaged)
+{
+  const std::string little = binary_ply<float, std::uint32_t>(false, "float", "uint");
+  const std::string huge = std::to_string(1ull << 60);
+  std::string long_list = binary_ply<float, std::uint32_t>(false, "float", "uint");
+  long_list = replaced(long_list, "list uchar uint", "list uint uint");
+  const std::vector<std::array<std::string, 3>> table = {
+      {"bad.off", replaced(corner_off, "1 0 0", "1,0 0 0"), "line 4: coordinate x of vertex 1 is not a number: '1,0'"},
+      {"bad.off", replaced(corner_off, "\n1 0 0\n", "\n1 0\n"), "line 4: coordinate z of vertex 1 is missing"},
+      {"bad.off", replaced(corner_off, "3 0 2 1", "-3 0 2 1"), "line 7: the number of corners of face 0 is negative"},
+      {"bad.off", replaced(corner_off, "3 0 2 1", "9 0 2 1"), "line 7: corner 3 of face 0 is missing"},
+      {"bad.off", replaced(corner_off, "3 0 2 1", "3 0 2 4"), "line 7: face 0 has the corner 4"},
+      {"bad.off", replaced(corner_off, "4 4 0", huge + " 4 0"), "too short for " + huge + " vertices"},
+      {"bad.off", replaced(corner_off, "4 4 0", "4 " + huge + " 0"), "too short for " + huge + " faces"},
+      {"bad.off", replaced(corner_off, "OFF", "nOFF\n4"), "line 2: the dimension is 4"},
+      {"bad.off", "OFF BINARY\n" + std::string(40, '\7'), "line 1: the binary variant is not read"},
+      {"bad.off", corner_off.substr(0, 20) + std::string(1, '\0') + corner_off.substr(20), "a byte that is no text"},
+      {"bad.off", "\x1F\x8B\x08" + corner_off, "compressed"},
+      {"bad.off", std::string(100000, '\0'), "begins with nothing but zeros"},
+      {"bad.obj", corner_off, "line 1: no line of an OBJ file begins with 'OFF'"},
+      {"bad.obj", replaced(corner_obj, "v 1 0 0", "v 1 0"), "line 2: coordinate z of vertex 1 is missing"},
+      {"bad.obj", replaced(corner_obj, "f 1 3 2", "f 1 3 2.5"), "line 5: corner 2 of face 0 should be a whole number"},
+      {"bad.obj", replaced(corner_obj, "f 1 3 2", "f 0 3 2"), "line 5: face 0 has the corner 0"},
+      {"bad.obj", replaced(corner_obj, "f 1 3 2", "f 1 3 -5"), "line 5: face 0 has the corner -5"},
+      {"bad.obj", replaced(corner_obj, "f 1 3 2", "f 1 3 7"), "face 0 has a corner that does not exist"},
+      {"bad.ply", corner_off, "line 1: a PLY file begins with ply, not with 'OFF'"},
+      {"bad.ply", replaced(corner_ply, "ascii", "text"), "line 2: the format is ascii, binary_little_endian or"},
+      {"bad.ply", replaced(corner_ply, "format", "comment"), "the header has no line that begins with format"},
+      {"bad.ply", corner_ply.substr(0, 38), "the file ends within its header"},
+      {"bad.ply", replaced(corner_ply, "vertex 4", "vertex " + huge), "too short for " + huge + " 'vertex' elements"},
+      {"bad.ply", replaced(corner_ply, "face 4", "face 5"), "ends in 'face' 4 of 5"},
+      {"bad.ply", replaced(corner_ply, "face 4", "face -4"), "line 7: the number of 'face' elements is negative"},
+      {"bad.ply", replaced(corner_ply, "float x", "list uchar float x"), "no properties x, y and z that are numbers"},
+      {"bad.ply", "ply\nformat ascii 1.0\nelement vertex " + huge + "\nend_header\n", "no properties x, y and z"},
+      {"bad.ply", replaced(corner_ply, "float y", "float x"), "line 5: the same property once more"},
+      {"bad.ply", replaced(corner_ply, "float x", "real x"), "line 4: the type of a property is unknown: 'real'"},
+      {"bad.ply", replaced(corner_ply, "uchar int", "uchar float"), "line 8: the corners of a face have to be whole"},
+      {"bad.ply", replaced(corner_ply, "uchar int", "float int"),
+       "line 8: the size of a list has to be a whole number"},
+      {"bad.ply", replaced(corner_ply, "vertex_indices", "indices"), "no property vertex_indices that is a list"},
+      {"bad.ply", replaced(corner_ply, "3 0 2 1", "3 0 2"), "line 14: a number of 'face' 0 is missing"},
+      {"bad.ply", replaced(corner_ply, "3 0 2 1", "-3 0 2 1"), "'face' 0 has a list of negative length"},
+      {"bad.ply", replaced(corner_ply, "3 0 2 1", "3 0 2 -1"), "'face' 0 has a corner that does not exist"},
+      {"bad.ply", replaced(corner_ply, "1 0 0", "1 0.x 0"), "line 11: a number of 'vertex' 1 is not a number"},
+      {"bad.ply", little.substr(0, little.size() - 1), "ends in 'face' 3 of 4"},
+      {"bad.ply", replaced(little, "vertex 4", "vertex " + huge), "too short for " + huge + " 'vertex' elements"},
+      {"bad.ply", long_list, "'face' 0"},
+      {"bad.stl", corner_off, "this is no STL file"},
+      {"bad.stl", binary_stl("a corner", 5), "nor is it long enough for the 5 facets"},
+      {"bad.stl", binary_stl("a corner", 4000000000u), "for the 4000000000 facets"},
+      {"bad.stl", binary_stl("a corner", 4, NAN), "facet 0 has a coordinate that is infinite or not a number"},
+      {"bad.stl", replaced(corner_stl(), "vertex 0 0 1", "vertex 0 inf 1"),
+       "facet 1 has a coordinate that is infinite"},
+      {"bad.stl", replaced(corner_stl(), "vertex 0 0 1\n", "vertex 0 x 1\n"),
+       "coordinate y of facet 1 is not a number"},
+      {"bad.stl", replaced(corner_stl(), "      vertex 0 0 1\n", ""), "facet 1 has 2 vertices"},
+      {"bad.stl", replaced(corner_stl(), "vertex 0 0 1", "vertex 0 0 1\nvertex 1 1 1"), "facet 1 has a fourth vertex"},
+      {"bad.stl", replaced(corner_stl(), "  endfacet\n", ""), "facet 0 does not end"},
+      {"bad.stl", replaced(corner_stl(), "endsolid\n", ""), "ends without endsolid"},
+      {"bad.stl", replaced(corner_stl(), "facet normal", "facette"), "line 2: no line of an STL file begins with"},
+      {"bad.ts", corner_off, "line 1: a surface of a GOCAD file begins with GOCAD, not with 'OFF'"},
+      {"bad.ts", replaced(corner_ts, "TRGL 0 2 1", "TRGL 0 2 7"), "line 10: corner 2 is the vertex 7"},
+      {"bad.ts", replaced(corner_ts, "VRTX 2", "VRTX 1"), "line 8: the vertex 1 exists already"},
+      {"bad.ts", replaced(corner_ts, "VRTX 2 0 1", "VRTX 2 0 y"), "line 8: coordinate y of vertex 2 is not a number"},
+      {"bad.ts", replaced(corner_ts, "END\n", ""), "ends without END"}};
+  for(const auto& [name, text, message] : table)
+  {
+    write(name, text);
+    expect_refused(name + " -o result.off --json result.json --colored result", message);
+  }
+}
+
+TEST_F(Program, refuses_what_might_never_end)
+{
+  fs::create_symlink("/dev/zero", path("zeros.off"));
+  expect_refused("zeros.off -o result.off", "zeros.off: this is a pipe or a device");
+  fs::create_directory(path("folder.ply"));
+  expect_refused("folder.ply -o result.off", "folder.ply: this is a directory");
+  expect_refused("'' -o result.off", "has to end with one of .off");
+}
+
+TEST_F(Program, counts_the_faces_of_an_edge_that_has_many)
+{
+  const std::size_t n = 50000;
+  std::string points = "0 0 0\n1 0 0\n", faces;
+  for(std::size_t i = 0; i < n; ++i)
+  {
+    points += "0 1 " + std::to_string(i) + "\n";
+    faces += "3 0 1 " + std::to_string(i + 2) + "\n";
+  }
+  const std::string text = "OFF\n" + std::to_string(n + 2) + " " + std::to_string(n + 1) + " 0\n" + points + faces;
+  write("book.off", text + "3 0 1 2\n");
+  expect_refused("book.off -o result.off", "the faces 0 and 50000 have the same corners");
+  write("book.off", text + "3 0 2 3\n");
+  expect_refused("book.off -o result.off", "the edge between the vertices 0 and 1 has 50000 faces");
 }
 
 TEST_F(Program, refuses_every_invalid_mesh_of_the_corpus)

@@ -187,7 +187,7 @@ private:
     text << "Usage: spherical_parameterization INPUT [-o SPHERE] [options]\n\n"
             "Maps a closed triangle mesh of genus 0 to a sphere, one-to-one and with low distortion. INPUT is a file "
             "of\n"
-            "any format that CGAL reads: "
+            "one of the formats "
          << list_of(input_formats)
          << ". The result is certified by exact arithmetic.\n"
             "Without -o nothing but the report is printed. Ctrl-C ends the sweeps; the map reached is written.\n\n"

@@ -16,20 +16,27 @@
 #include "Program_error.h"
 #include "read_soup.h"
 
-#include <CGAL/Surface_mesh.h>
+#include <CGAL/Spherical_parameterization/find_defect.h>
+#include <CGAL/Spherical_parameterization/measure_distortion.h>
 
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/boost/graph/Euler_operations.h>
+
+#include <array>
 #include <cstddef>
 #include <string>
 #include <vector>
 
 namespace Program {
 
+namespace SP = CGAL::Spherical_parameterization;
+
 using Mesh = CGAL::Surface_mesh<Point_3>;
 using Vertex_index = Mesh::Vertex_index;
 using Sphere_map = Mesh::Property_map<Vertex_index, Point_3>;
 
-/// A mesh that can be mapped to a sphere. It keeps the faces as they were in the file, whose first corners `Surface_mesh`
-/// forgets.
+/// A mesh that can be mapped to a sphere. It keeps the faces as they were in the file, whose first corners
+/// `Surface_mesh` forgets.
 class Input_mesh
 {
 public:
@@ -53,8 +60,15 @@ public:
                    static_cast<Mesh::size_type>(m_triangles.size()));
     for(const Point_3& p : soup.points)
       m_mesh.add_vertex(p);
+    // All at once: one by one, the faces at a vertex take time that is quadratic in their number.
+    std::vector<std::array<Vertex_index, 3>> faces;
+    faces.reserve(m_triangles.size());
     for(const Triangle& t : m_triangles)
-      m_mesh.add_face(vertex(t[0]), vertex(t[1]), vertex(t[2]));
+      faces.push_back({vertex(t[0]), vertex(t[1]), vertex(t[2])});
+    CGAL::Euler::add_faces(faces, m_mesh);
+    const SP::Mesh_defect<Mesh> defect = SP::find_defect(m_mesh);
+    if(defect.error != SP::OK)
+      throw Program_error(path + ": " + defect.message);
   }
 
   Mesh& mesh() { return m_mesh; }
@@ -62,7 +76,7 @@ public:
 
   /// reads a map of this mesh from a file.
   ///
-  /// \throws Program_error if the file cannot be read, or is of another mesh
+  /// \throws Program_error if the file cannot be read, is of another mesh, or turns faces over
   Sphere_map read_map(const std::string& path)
   {
     const Polygon_soup soup = read_soup(path);
@@ -80,10 +94,25 @@ public:
         throw Program_error(path + ": is no map: vertex " + std::to_string(v) +
                             " has a coordinate that is infinite or not a number. (Vertices are counted from 0.)");
     }
+    check_orientations(path, map);
     return map;
   }
 
 private:
+  void check_orientations(const std::string& path, const Sphere_map& map)
+  {
+    auto distortions = m_mesh.add_property_map<Mesh::Face_index, SP::Face_distortion>("f:initial").first;
+    const std::size_t n_inverted = SP::measure_distortion(m_mesh, map, distortions).number_of_inverted_faces;
+    for(const Mesh::Face_index f : m_mesh.faces())
+      if(distortions[f].is_inverted)
+        throw Program_error(
+            path + ": is no one-to-one map: face " + std::to_string(std::size_t(f)) +
+            " is not positively oriented as seen from the origin (" + std::to_string(n_inverted) +
+            " such faces altogether).\nTake another start, such as --initial harmonic. (Faces are counted "
+            "from 0.)");
+    m_mesh.remove_property_map(distortions);
+  }
+
   static Vertex_index vertex(std::size_t i) { return Vertex_index(static_cast<Mesh::size_type>(i)); }
 
   static void compare(const std::string& what, const std::string& path, std::size_t count, std::size_t expected)

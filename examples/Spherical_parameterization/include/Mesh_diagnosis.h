@@ -20,14 +20,14 @@
 #include <cstddef>
 #include <numeric>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace Program {
 
-/// Finds out what keeps a polygon soup from being a triangulated surface without border, in one piece and without handles.
-///
-/// The library refuses such meshes as well; this class says where the trouble is, in the numbers of the file. Vertices and
-/// faces are counted from 0. The running time is linear but for the sorting of the edges at a vertex.
+/// Finds out what keeps a polygon soup from being a triangulated surface without border, which a halfedge data
+/// structure can hold; about what is one, the library can say itself what is wrong with it. Vertices and faces are
+/// counted from 0, as in the file. The running time is linear but for the sorting of the edges at a vertex.
 class Mesh_diagnosis
 {
 public:
@@ -40,11 +40,8 @@ public:
     : m_points(soup.points)
   {
     collect_triangles(soup.polygons);
-    check_coordinates();
     pair_edges();
     check_vertices();
-    check_components();
-    check_genus();
   }
 
   /// returns the faces, each from its first corner on.
@@ -125,23 +122,6 @@ private:
                : "Triangulate the mesh first, for example with CGAL::Polygon_mesh_processing::triangulate_faces().");
   }
 
-  void check_coordinates() const
-  {
-    for(std::size_t v = 0; v < m_points.size(); ++v)
-      if(m_degrees[v] > 0 && !is_finite(m_points[v]))
-        fail(name("vertex", v) + " has a coordinate that is infinite or not a number",
-             "Repair the file, or the program that wrote it.");
-    const std::size_t number_of_vertices = number_of_used_vertices();
-    if(number_of_vertices < 4)
-      fail("only " + std::to_string(number_of_vertices) + " vertices have a face",
-           "The smallest closed surface is a tetrahedron, with four vertices.");
-  }
-
-  std::size_t number_of_used_vertices() const
-  {
-    return m_points.size() - static_cast<std::size_t>(std::count(m_degrees.begin(), m_degrees.end(), std::size_t(0)));
-  }
-
   // finds the other face of each edge
   void pair_edges()
   {
@@ -186,21 +166,35 @@ private:
   template <class Iterator>
   void check_edge(Iterator begin, Iterator end) const
   {
-    for(Iterator e = begin; e != end; ++e)
-      for(Iterator g = begin; g != e; ++g)
-        if(corner(e->h, 2) == corner(g->h, 2))
-          fail("the faces " + std::to_string(g->h / 3) + " and " + std::to_string(e->h / 3) + " have the same corners",
-               "Remove one of them, for example with CGAL::Polygon_mesh_processing::repair_polygon_soup().");
+    if(end - begin == 2 && corner(begin[0].h, 2) == corner(begin[1].h, 2))
+      fail_with_duplicates(begin[0].h, begin[1].h);
     if(end - begin > 2)
+    {
+      std::vector<Edge> faces(begin, end);
+      std::sort(faces.begin(), faces.end(), [this](const Edge& a, const Edge& b) {
+        return std::make_pair(corner(a.h, 2), a.h) < std::make_pair(corner(b.h, 2), b.h);
+      });
+      const auto duplicate = std::adjacent_find(faces.begin(), faces.end(), [this](const Edge& a, const Edge& b) {
+        return corner(a.h, 2) == corner(b.h, 2);
+      });
+      if(duplicate != faces.end())
+        fail_with_duplicates(duplicate[0].h, duplicate[1].h);
       fail(edge_name(begin->h) + " has " + std::to_string(end - begin) + " faces, among them the faces " +
                std::to_string(begin[0].h / 3) + ", " + std::to_string(begin[1].h / 3) + " and " +
                std::to_string(begin[2].h / 3),
            "An edge of a closed surface has two: remove the others, or duplicate the edge, for example with "
            "CGAL::Polygon_mesh_processing::orient_polygon_soup().");
+    }
     if(end - begin == 2 && corner(begin[0].h, 0) == corner(begin[1].h, 0))
       fail("the faces " + std::to_string(begin[0].h / 3) + " and " + std::to_string(begin[1].h / 3) +
                " are oriented against each other: both use " + edge_name(begin->h) + " in the same direction",
            "Orient the faces alike, for example with CGAL::Polygon_mesh_processing::orient_polygon_soup().");
+  }
+
+  [[noreturn]] static void fail_with_duplicates(std::size_t h, std::size_t g)
+  {
+    fail("the faces " + std::to_string(h / 3) + " and " + std::to_string(g / 3) + " have the same corners",
+         "Remove one of them, for example with CGAL::Polygon_mesh_processing::repair_polygon_soup().");
   }
 
   [[noreturn]] void fail_with_borders(const std::vector<std::size_t>& borders) const
@@ -220,7 +214,7 @@ private:
   {
     std::vector<Point_3> points;
     for(std::size_t v = 0; v < m_points.size(); ++v)
-      if(m_degrees[v] > 0)
+      if(m_degrees[v] > 0 && is_finite(m_points[v])) // NaN has no place in an order
         points.push_back(m_points[v]);
     std::sort(points.begin(), points.end());
     return static_cast<std::size_t>(points.end() - std::unique(points.begin(), points.end()));
@@ -249,56 +243,6 @@ private:
              "CGAL::Polygon_mesh_processing::duplicate_non_manifold_vertices(); if the mesh falls into several parts, "
              "map each of them on its own.");
     }
-  }
-
-  void check_components()
-  {
-    std::vector<bool> is_seen(m_triangles.size(), false);
-    std::vector<std::size_t> sizes, firsts, stack;
-    for(std::size_t first = 0; first < m_triangles.size(); ++first)
-    {
-      if(is_seen[first])
-        continue;
-      firsts.push_back(first);
-      sizes.push_back(0);
-      is_seen[first] = true;
-      stack.push_back(first);
-      while(!stack.empty())
-      {
-        const std::size_t f = stack.back();
-        stack.pop_back();
-        ++sizes.back();
-        for(std::size_t h = 3 * f; h < 3 * f + 3; ++h)
-        {
-          const std::size_t g = m_opposites[h] / 3;
-          if(!is_seen[g])
-          {
-            is_seen[g] = true;
-            stack.push_back(g);
-          }
-        }
-      }
-    }
-    if(sizes.size() > 1)
-      fail("the mesh consists of " + std::to_string(sizes.size()) + " parts: face " + std::to_string(firsts[0]) +
-               " belongs to one of " + std::to_string(sizes[0]) + " faces, face " + std::to_string(firsts[1]) +
-               " to another one of " + std::to_string(sizes[1]),
-           "Map each of them on its own, for example after "
-           "CGAL::Polygon_mesh_processing::split_connected_components(), or keep the largest, with "
-           "keep_largest_connected_components().");
-  }
-
-  void check_genus() const
-  {
-    // Euler: V - E + F = 2 - 2 g, with E = 3 F / 2
-    const std::size_t v = number_of_used_vertices(), f = m_triangles.size(), e = f / 2 * 3;
-    const std::size_t genus = (2 + e - v - f) / 2;
-    if(genus > 0)
-      fail("the surface has the genus " + std::to_string(genus) + ", that is, " + std::to_string(genus) +
-               (genus == 1 ? " handle" : " handles") + ", as on a torus (Euler characteristic " +
-               (genus == 1 ? "0" : "-" + std::to_string(2 * genus - 2)) + ": " + std::to_string(v) + " vertices, " +
-               std::to_string(e) + " edges, " + std::to_string(f) + " faces); a sphere has none",
-           "Cut and fill the handles, or wrap the surface, for example with CGAL::alpha_wrap_3().");
   }
 
   const std::vector<Point_3>& m_points;

@@ -11,73 +11,110 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_EXAMPLES_READ_SOUP_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_EXAMPLES_READ_SOUP_H
 
+#include "Gocad_reader.h"
+#include "Obj_reader.h"
+#include "Off_reader.h"
+#include "Ply_reader.h"
 #include "Polygon_soup.h"
 #include "Program_error.h"
-#include "Text_off_reader.h"
+#include "Stl_reader.h"
 #include "file_format.h"
 
-#include <CGAL/IO/OFF/File_header_OFF.h>
-#include <CGAL/IO/polygon_soup_io.h>
-
+#include <algorithm>
 #include <cerrno>
+#include <cstddef>
 #include <cstdint>
-#include <exception>
 #include <filesystem>
 #include <fstream>
+#include <ios>
 #include <new>
 #include <string>
 #include <system_error>
+#include <utility>
 
 namespace Program {
 
-/// checks that the counts in the header of an OFF file are no larger than the file, as CGAL reserves what they ask for.
+/// reads the content of a mesh file of one of the input formats.
 ///
-/// \throws Program_error otherwise
-inline void check_counts(const std::string& path)
+/// Files come from anywhere, so each format has a reader of its own, which says where a file is damaged, and whose memory
+/// and running time are bounded by the size of the file. Those of CGAL are not.
+///
+/// \throws Program_error with what is wrong, and what helps
+inline Polygon_soup parse_soup(const std::string& format, std::string content)
 {
-  std::ifstream in(path, std::ios::binary);
-  CGAL::File_header_OFF header;
-  in >> header;
-  const std::uintmax_t size = std::filesystem::file_size(path);
-  if(!in || header.size_of_vertices() > size || header.size_of_facets() > size)
-    throw Program_error("the header is damaged: the numbers of vertices and faces are missing, negative or too large");
+  if(content.compare(0, 2, "\x1F\x8B") == 0)
+    throw Program_error("the file is compressed.\nUnpack it first.");
+  try
+  {
+    if(format == ".off")
+      return Off_reader(std::move(content))();
+    if(format == ".obj")
+      return Obj_reader(std::move(content))();
+    if(format == ".ply")
+      return Ply_reader(std::move(content))();
+    if(format == ".stl")
+      return Stl_reader(std::move(content))();
+    return Gocad_reader(std::move(content))();
+  }
+  catch(const Program_error& error)
+  {
+    throw Program_error(error.what() + std::string(".\nRepair the file, or the program that wrote it."));
+  }
 }
 
-/// reads a mesh file of any format that CGAL reads.
+/// reads a file as a whole.
 ///
-/// \throws Program_error with the name of the file and what is wrong with it
+/// \throws Program_error if it is no ordinary file, or cannot be read
+inline std::string read_file(const std::string& path)
+{
+  namespace fs = std::filesystem;
+  std::error_code error;
+  const fs::file_status status = fs::status(path, error);
+  if(fs::is_directory(status))
+    throw Program_error("this is a directory, not a file");
+  if(fs::exists(status) && !fs::is_regular_file(status))
+    throw Program_error("this is a pipe or a device, not a file"); // it might never end
+  errno = 0;
+  std::ifstream in(path, std::ios::binary);
+  const std::string reason = std::generic_category().message(errno);
+  const std::uintmax_t size = fs::file_size(path, error);
+  if(!in || error)
+    throw Program_error(reason);
+  const auto read_to = [&](std::string& content, std::uintmax_t end) {
+    const std::size_t begin = content.size();
+    content.resize(static_cast<std::size_t>(end));
+    if(!in.read(&content[begin], static_cast<std::streamsize>(end - begin)))
+      throw Program_error("the file cannot be read to its end");
+  };
+  std::string content;
+  constexpr std::uintmax_t size_of_beginning = 4096;
+  read_to(content, (std::min)(size, size_of_beginning));
+  if(size > 0 && content.find_first_not_of('\0') == std::string::npos) // before gigabytes of them
+    throw Program_error("the file begins with nothing but zeros: it has never been written completely");
+  read_to(content, size);
+  return content;
+}
+
+/// reads a mesh file, whose format is that of its name.
+///
+/// \throws Program_error with the name of the file, what is wrong with it, and what helps
 inline Polygon_soup read_soup(const std::string& path)
 {
   const std::string format = file_format(path);
   if(!is_among(format, input_formats))
     throw Program_error(path + ": the name of a mesh file has to end with one of " + list_of(input_formats));
-  if(std::filesystem::is_directory(path))
-    throw Program_error(path + ": this is a directory, not a file");
-  std::ifstream in(path, std::ios::binary);
-  if(!in)
-    throw Program_error(path + ": " + std::generic_category().message(errno));
-
-  Polygon_soup soup;
   try
   {
-    if(format == ".off" && Text_off_reader(in)(soup))
-      return soup;
-    if(format == ".off")
-      check_counts(path);
-    in.close();
-    if(!CGAL::IO::read_polygon_soup(path, soup.points, soup.polygons))
-      throw Program_error("this is no valid file of the format " + format +
-                          ": it is damaged or truncated, or has a wrong name");
+    return parse_soup(format, read_file(path));
   }
   catch(const std::bad_alloc&)
   {
-    throw Program_error(path + ": the memory does not suffice; if the file is small, it is damaged");
+    throw Program_error(path + ": the memory does not suffice");
   }
-  catch(const std::exception& error)
+  catch(const Program_error& error)
   {
     throw Program_error(path + ": " + error.what());
   }
-  return soup;
 }
 
 } // namespace Program

@@ -1,0 +1,63 @@
+// A fuzzer for the way from a file to a mesh in the command line program. The first byte chooses the format, the others
+// are the file. Whatever they are, they are refused with a message for a person, or are a mesh that can be mapped.
+
+#include "Fuzzed_bytes.h"
+#include "require.h"
+
+#include "Input_mesh.h"
+#include "Program_error.h"
+#include "file_format.h"
+#include "read_soup.h"
+
+#include <CGAL/Named_function_parameters.h>
+#include <CGAL/spherical_parameterization.h>
+#include <CGAL/tags.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+
+namespace SP = CGAL::Spherical_parameterization;
+
+namespace {
+
+// what a terminal shows as it is, and not too much of it
+bool is_message(const std::string& text)
+{
+  constexpr std::size_t longest = 600;
+  return !text.empty() && text.size() <= longest &&
+         std::all_of(text.begin(), text.end(), [](char c) { return c == '\n' || (c >= ' ' && c <= '~'); });
+}
+
+void check_mesh(Program::Mesh& mesh)
+{
+  constexpr std::size_t most_vertices = 200; // more take too long
+  if(mesh.number_of_vertices() > most_vertices)
+    return;
+  const Program::Sphere_map sphere =
+      mesh.add_property_map<Program::Vertex_index, Program::Point_3>("v:sphere", Program::Point_3(0, 0, 0)).first;
+  const SP::Error_code error =
+      SP::parameterize<CGAL::Sequential_tag>(mesh, sphere, CGAL::parameters::number_of_iterations(2));
+  // what the program takes for a sphere, the library does as well; only doubles may not suffice for the size of it
+  require(error == SP::OK || error == SP::ERROR_INSUFFICIENT_PRECISION, SP::get_error_message(error));
+  require(SP::is_bijective(mesh, sphere) == (error == SP::OK), "the map is not one-to-one");
+}
+
+} // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
+{
+  Fuzzed_bytes bytes(data, size);
+  const std::string format = Program::input_formats[bytes.below(Program::input_formats.size())];
+  try
+  {
+    Program::Input_mesh input("file" + format, Program::parse_soup(format, bytes.rest()));
+    check_mesh(input.mesh());
+  }
+  catch(const Program::Program_error& error)
+  {
+    require(is_message(error.what()), error.what());
+  }
+  return 0;
+}
