@@ -2,7 +2,7 @@
 # Usage: scripts/test.sh
 #
 # Installs what is missing, checks the style of the sources, builds everything with warnings as errors and runs all
-# tests. May be run again.
+# tests, then once more those of the library and the program under the sanitizers of Clang. May be run again.
 
 # shellcheck source-path=SCRIPTDIR source=common.sh
 . "$(dirname "${BASH_SOURCE[0]}")/common.sh"
@@ -16,3 +16,4 @@ run_stage "configure" cmake -S "$root" -B "$build" -DCMAKE_BUILD_TYPE=Release \
 run_stage "build everything" cmake --build "$build" -j "$jobs"
 echo "== test"
 ctest --test-dir "$build" --output-on-failure --no-tests=error -j 2
+"$root/scripts/test_sanitizers.sh"

@@ -13,6 +13,8 @@
 
 #include <CGAL/license/Spherical_parameterization.h>
 
+#include <CGAL/Spherical_parameterization/internal/Fork_join_order.h>
+
 #include <CGAL/tags.h>
 
 #ifdef CGAL_LINKED_WITH_TBB
@@ -50,13 +52,16 @@ void for_each_block(std::size_t first, std::size_t last, std::size_t block_size,
   {
     if(n_blocks > 1)
     {
+      const Fork_join_order order;
       tbb::task_group_context context(tbb::task_group_context::isolated);
       tbb::this_task_arena::isolate([&] {
         tbb::parallel_for(
             tbb::blocked_range<std::size_t>(0, n_blocks),
             [&](const tbb::blocked_range<std::size_t>& blocks) {
+              order.begin_task();
               for(std::size_t block = blocks.begin(); block != blocks.end(); ++block)
                 run(block);
+              order.end_task();
             },
             context);
       });
