@@ -177,6 +177,58 @@ TEST(Find_defect, names_the_vertex_where_two_fans_meet)
   expect_words(defect, {"vertex 3", "a fan of 5 faces"});
 }
 
+// Each defect counts once, whatever else there is.
+TEST(Find_defect, counts_repeated_edges_and_vertices_apart)
+{
+  const Triangle_list sphere = test_meshes::icosphere(1);
+  const auto number = [](std::size_t i) { return static_cast<Mesh::size_type>(i); };
+  const std::size_t n = sphere.points.size();
+  Mesh mesh = make_mesh(test_meshes::disjoint_union(test_meshes::disjoint_union(sphere, sphere), sphere));
+  const auto merge = [&](std::size_t from, std::size_t to) {
+    const Vertex_index other(number(from));
+    for(const auto h : CGAL::halfedges_around_target(mesh.halfedge(other), mesh))
+      mesh.set_target(h, Vertex_index(number(to)));
+    mesh.remove_vertex(other);
+  };
+  merge(n, 0);
+  merge(2 * n + 1, 1);
+  Defect defect = SP::find_defect(mesh);
+  EXPECT_EQ(defect.error, SP::ERROR_NO_SIMPLICIAL_COMPLEX);
+  EXPECT_EQ(defect.vertex, Vertex_index(0));
+  EXPECT_EQ(defect.count, 2u);
+  expect_words(defect, {"2 such vertices"});
+
+  // two parts that share an edge, but not the faces at it
+  const Mesh::Halfedge_index h = *mesh.halfedges().begin();
+  const std::size_t a = std::size_t(mesh.source(h)), b = std::size_t(mesh.target(h));
+  Mesh twice = make_mesh(test_meshes::disjoint_union(sphere, sphere));
+  mesh = twice;
+  merge(n + a, a);
+  merge(n + b, b);
+  defect = SP::find_defect(mesh);
+  EXPECT_EQ(defect.error, SP::ERROR_NO_SIMPLICIAL_COMPLEX);
+  EXPECT_EQ(ends(defect), (std::set<Vertex_index>{Vertex_index(number(a)), Vertex_index(number(b))}));
+  EXPECT_EQ(defect.count, 1u);
+  expect_words(defect, {"more than once"});
+}
+
+TEST(Find_defect, names_an_edge_without_faces)
+{
+  Mesh mesh = make_mesh(test_meshes::icosphere(1));
+  const Vertex_index a = mesh.add_vertex(Point_3(0., 0., 2.)), b = mesh.add_vertex(Point_3(0., 0., 3.));
+  const Mesh::Halfedge_index h = mesh.halfedge(mesh.edge(mesh.add_edge(a, b)));
+  mesh.set_next(h, mesh.opposite(h));
+  mesh.set_next(mesh.opposite(h), h);
+  mesh.set_halfedge(b, h);
+  mesh.set_halfedge(a, mesh.opposite(h));
+  const Defect defect = SP::find_defect(mesh);
+  EXPECT_EQ(defect.error, SP::ERROR_NON_CLOSED_MESH);
+  EXPECT_EQ(ends(defect), (std::set<Vertex_index>{a, b}));
+  EXPECT_EQ(defect.face, Mesh::null_face());
+  EXPECT_EQ(defect.count, 1u);
+  expect_words(defect, {"no face"});
+}
+
 TEST(Find_defect, names_the_vertex_that_is_not_finite)
 {
   Triangle_list list = test_meshes::icosphere(1);

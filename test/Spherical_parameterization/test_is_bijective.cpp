@@ -14,6 +14,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cfenv>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -314,6 +315,40 @@ TEST(Is_bijective_filter, agrees_with_exact_arithmetic)
   EXPECT_GT(signs[0], 1000u);
   EXPECT_GT(signs[1], 1000u);
   EXPECT_GT(signs[2], 1000u);
+}
+
+// Nor does it in another rounding mode, where numbers that overflow need not become infinite.
+TEST(Is_bijective_filter, agrees_with_exact_arithmetic_in_any_rounding_mode)
+{
+  const SP::internal::Orientation_about_origin_3<Epick> orientation;
+  std::mt19937 random(8);
+  const int former_mode = std::fegetround();
+  for(const int mode : {FE_TONEAREST, FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO})
+  {
+    std::size_t n_positive = 0;
+    for(int i = 0; i < 4000; ++i)
+    {
+      const int scales[] = {0, 500, -500, 1000, 340};
+      SP::internal::Vector_3d p[3];
+      Epick::Point_3 points[3];
+      for(std::size_t j = 0; j < 3; ++j)
+      {
+        for(double& x : p[j])
+          x = std::ldexp(static_cast<double>(random()) - 0x1p31, scales[i % 5] - 31);
+        if(j == 2 && i % 2 == 0)
+          for(std::size_t k = 0; k < 3; ++k)
+            p[2][k] = 0.25 * p[0][k] + 0.5 * p[1][k]; // nearly a plane through the origin
+        points[j] = Epick::Point_3(p[j][0], p[j][1], p[j][2]);
+      }
+      std::fesetround(mode);
+      const CGAL::Sign sign = orientation(points[0], points[1], points[2]);
+      std::fesetround(former_mode);
+      ASSERT_EQ(sign, SP::internal::exact_determinant_sign(p[0], p[1], p[2])) << mode << ' ' << i;
+      n_positive += sign == CGAL::POSITIVE;
+    }
+    EXPECT_GT(n_positive, 500u);
+    EXPECT_LT(n_positive, 3500u);
+  }
 }
 
 TEST(Is_bijective_index_map, uses_the_map_given)

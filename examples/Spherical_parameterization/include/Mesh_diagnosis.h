@@ -40,6 +40,7 @@ public:
     : m_points(soup.points)
   {
     collect_triangles(soup.polygons);
+    check_number_of_vertices();
     pair_edges();
     check_vertices();
   }
@@ -120,6 +121,16 @@ private:
            polygons[first].size() < 3
                ? "Remove the face, for example with CGAL::Polygon_mesh_processing::repair_polygon_soup()."
                : "Triangulate the mesh first, for example with CGAL::Polygon_mesh_processing::triangulate_faces().");
+  }
+
+  // Two triangles back to back are duplicates as well, but that is not what helps.
+  void check_number_of_vertices() const
+  {
+    const auto n_unused = std::count(m_degrees.begin(), m_degrees.end(), std::size_t(0));
+    const std::size_t n_used = m_points.size() - static_cast<std::size_t>(n_unused);
+    if(n_used < 4)
+      fail("only " + std::to_string(n_used) + " vertices have a face",
+           "The smallest closed surface is a tetrahedron, with four vertices.");
   }
 
   // finds the other face of each edge

@@ -58,7 +58,8 @@ private:
   bool is_binary() const
   {
     const std::size_t word = m_content.find_first_not_of(" \t\r\n\xEF\xBB\xBF");
-    if(word == std::string::npos || m_content.compare(word, 5, "solid") != 0)
+    if(word == std::string::npos ||
+       (m_content.compare(word, 5, "solid") != 0 && m_content.compare(word, 5, "SOLID") != 0))
       return true;
     return m_content.size() >= size_of_header &&
            m_content.size() == size_of_header + size_of_facet * std::size_t(number_of_binary_facets());

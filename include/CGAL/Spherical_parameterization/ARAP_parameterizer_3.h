@@ -47,8 +47,8 @@ namespace Spherical_parameterization {
 /// `ERROR_NO_1_TO_1_MAPPING` is returned. `OK` is only returned if the map has been certified to be one-to-one as it
 /// has been written. `Bijective_low_distortion_parameterizer_3` is the method that never folds.
 ///
-/// The rounds end when one lowers the energy by less than a millionth of it, or when none lowers it at all, which happens
-/// where faces are about to fold: there the energy is not smooth.
+/// The rounds end when one lowers the energy by less than a millionth of it, or when none lowers it at all, which
+/// happens where faces are about to fold: there the energy is not smooth.
 ///
 /// \cgalModels{SphericalParameterizer_3}
 ///

@@ -22,9 +22,9 @@ namespace Spherical_parameterization {
 
 /// \ingroup PkgSphericalParameterizationRadius
 ///
-/// The class `Area_balancing_radius_3` minimises the area distortion \f$ \sum (d + 1/d) \f$ of the flat image triangles over
-/// the radius (eq. 11): \f$ r \leftarrow r \left( \sum (A/a) / \sum (a/A) \right)^{1/4} \f$. It is the radius at which
-/// distortions of spherical parameterizations are usually compared.
+/// The class `Area_balancing_radius_3` minimises the area distortion \f$ \sum (d + 1/d) \f$ of the flat image triangles
+/// over the radius (eq. 11): \f$ r \leftarrow r \left( \sum (A/a) / \sum (a/A) \right)^{1/4} \f$. It is the radius at
+/// which distortions of spherical parameterizations are usually compared.
 ///
 /// \cgalModels{SphereRadiusPolicy_3}
 class Area_balancing_radius_3

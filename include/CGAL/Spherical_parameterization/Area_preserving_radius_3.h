@@ -22,8 +22,8 @@ namespace Spherical_parameterization {
 
 /// \ingroup PkgSphericalParameterizationRadius
 ///
-/// The class `Area_preserving_radius_3` keeps the area of the surface (eq. 9): the flat image triangles have the same area in
-/// total as the faces, \f$ r \leftarrow r \sqrt{\sum A / \sum a} \f$.
+/// The class `Area_preserving_radius_3` keeps the area of the surface (eq. 9): the flat image triangles have the same
+/// area in total as the faces, \f$ r \leftarrow r \sqrt{\sum A / \sum a} \f$.
 ///
 /// \cgalModels{SphereRadiusPolicy_3}
 class Area_preserving_radius_3

@@ -20,8 +20,8 @@ namespace Spherical_parameterization {
 
 /// \ingroup PkgSphericalParameterizationRadius
 ///
-/// The class `Fixed_radius_3` keeps the radius at a given value, in the unit of length of the surface. It goes with energies
-/// that do not depend on the radius, such as `Conformal_energy_3`, or with a sphere that is given.
+/// The class `Fixed_radius_3` keeps the radius at a given value, in the unit of length of the surface. It goes with
+/// energies that do not depend on the radius, such as `Conformal_energy_3`, or with a sphere that is given.
 ///
 /// \cgalModels{SphereRadiusPolicy_3}
 class Fixed_radius_3

@@ -25,10 +25,10 @@ namespace Spherical_parameterization {
 
 /// \ingroup PkgSphericalParameterizationUpdates
 ///
-/// The class `Newton_update_3` moves a vertex by one damped Newton step on the energy of its star. The two by two Hessian
-/// in the tangent plane is made positive definite by taking the absolute values of its eigenvalues. The step is first tried
-/// at `over_relaxation` times its length, which makes block coordinate descent carry changes over the surface many times
-/// faster, then at its own length, then at fractions of it until the energy falls (Armijo's rule).
+/// The class `Newton_update_3` moves a vertex by one damped Newton step on the energy of its star. The two by two
+/// Hessian in the tangent plane is made positive definite by taking the absolute values of its eigenvalues. The step is
+/// first tried at `over_relaxation` times its length, which makes block coordinate descent carry changes over the
+/// surface many times faster, then at its own length, then at fractions of it until the energy falls (Armijo's rule).
 ///
 /// Compared to the gradient step of the paper (eq. 8) it needs two evaluations of the star instead of over ten, and far
 /// fewer sweeps.

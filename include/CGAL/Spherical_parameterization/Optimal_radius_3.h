@@ -29,9 +29,9 @@ namespace Spherical_parameterization {
 
 /// \ingroup PkgSphericalParameterizationRadius
 ///
-/// The class `Optimal_radius_3` minimises the sum of the energies in use over the radius. If the energy has a member function
-/// `optimal_scale(faces)`, as those of the package have, it is called; for any other energy a few damped Newton steps in the
-/// logarithm of the radius are made.
+/// The class `Optimal_radius_3` minimises the sum of the energies in use over the radius. If the energy has a member
+/// function `optimal_scale(faces)`, as those of the package have, it is called; for any other energy a few damped
+/// Newton steps in the logarithm of the radius are made.
 ///
 /// \cgalModels{SphereRadiusPolicy_3}
 class Optimal_radius_3

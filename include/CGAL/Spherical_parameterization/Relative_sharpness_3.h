@@ -23,12 +23,12 @@ namespace Spherical_parameterization {
 /// \ingroup PkgSphericalParameterizationSharpness
 ///
 /// The class `Relative_sharpness_3` chooses the sharpness \f$ s = \beta / E_{max} \f$ of the objective
-/// \f$ \sum \exp( s E ) \f$ (eq. 7), where \f$ E_{max} \f$ is the largest energy of the map at hand. It has no scale, so that
-/// one \f$ \beta \f$ serves a smooth and a limbed surface, the coarse levels of a hierarchy and the finest, and needs
-/// no phase of its own for eq. 6, which is \f$ \beta = 0 \f$. It is the default of the package.
+/// \f$ \sum \exp( s E ) \f$ (eq. 7), where \f$ E_{max} \f$ is the largest energy of the map at hand. It has no scale,
+/// so that one \f$ \beta \f$ serves a smooth and a limbed surface, the coarse levels of a hierarchy and the finest, and
+/// needs no phase of its own for eq. 6, which is \f$ \beta = 0 \f$. It is the default of the package.
 ///
-/// \f$ \beta \f$ is a dial from the lowest average distortion, 0, to the lowest maximum: with 12 both are within a few percent
-/// of the best for most surfaces, and beyond 50 there is little left to gain.
+/// \f$ \beta \f$ is a dial from the lowest average distortion, 0, to the lowest maximum: with 12 both are within a few
+/// percent of the best for most surfaces, and beyond 50 there is little left to gain.
 ///
 /// \cgalModels{SharpnessPolicy_3}
 ///
@@ -54,8 +54,8 @@ public:
   }
 
   /// returns the sharpness of the next sweep over a coarse level, from \f$ \beta^2 / (\beta + 36) \f$ in the place of
-  /// \f$ \beta \f$. The worst faces of a coarse mesh are partly so for being coarse, so a quarter of the default dial is enough
-  /// there; where only the maximum counts, the large features have to make room for it from the beginning.
+  /// \f$ \beta \f$. The worst faces of a coarse mesh are partly so for being coarse, so a quarter of the default dial
+  /// is enough there; where only the maximum counts, the large features have to make room for it from the beginning.
   double on_coarse_level(double largest_energy) const
   {
     return relative(m_beta * m_beta / (m_beta + 36.), largest_energy);

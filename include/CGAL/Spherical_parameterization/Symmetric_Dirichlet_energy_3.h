@@ -25,8 +25,8 @@ namespace Spherical_parameterization {
 /// \ingroup PkgSphericalParameterizationEnergies
 ///
 /// The class `Symmetric_Dirichlet_energy_3` is the symmetric Dirichlet energy
-/// \f[ E = \tfrac{1}{2} ( \sigma_1^2 + \sigma_2^2 + \sigma_1^{-2} + \sigma_2^{-2} ) = \tfrac{1}{2} I ( 1 + d^{-2} ). \f]
-/// It is at least 2, with equality for an isometry, and grows with the square of the isometric distortion
+/// \f[ E = \tfrac{1}{2} ( \sigma_1^2 + \sigma_2^2 + \sigma_1^{-2} + \sigma_2^{-2} ) = \tfrac{1}{2} I ( 1 + d^{-2} ).
+/// \f] It is at least 2, with equality for an isometry, and grows with the square of the isometric distortion
 /// \f$ \max \{ \sigma_2, 1 / \sigma_1 \} \f$, which makes it the better guard against the worst triangle than the
 /// energy of the paper, `Isometric_energy_3`. It is the default of the package.
 ///

@@ -174,7 +174,8 @@ Distortion_summary measure_distortion(const TriangleMesh& tmesh, VertexSphereMap
 ///
 /// \param tmesh a triangle mesh, closed or not
 /// \param vertex_sphere_map the images of the vertices, points around the origin
-/// \param face_distortion_map receives the distortion of each face
+/// \param face_distortion_map receives the distortion of each face; if a property map throws, the faces up to there
+///        have theirs
 /// \param isometric_bound faces with \f$ D_{iso} \f$ above this number, which is sensibly at least 1, are counted
 /// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
 ///

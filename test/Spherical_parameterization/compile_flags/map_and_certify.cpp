@@ -1,12 +1,3 @@
-// As rigid as possible: the energy against singular values, its gradient against differences, the radius and the
-// descent; whole runs on surfaces whose best map is known, and on limbs where it folds.
-
-#include <CGAL/spherical_parameterization.h>
-
-#include "test_indexed_meshes.h"
-#include "test_maps.h"
-#include "test_meshes.h"
-
 // Maps a few meshes, checks the maps and the certificate with integer arithmetic of its own, and prints a checksum of
 // the bits of all maps. It is compiled with the flags of all kinds of users; see CMakeLists.txt.
 

@@ -18,6 +18,7 @@
 #include <CGAL/Spherical_parameterization/internal/Image_area.h>
 #include <CGAL/Spherical_parameterization/internal/Independent_sets.h>
 #include <CGAL/Spherical_parameterization/internal/Per_thread.h>
+#include <CGAL/Spherical_parameterization/internal/Rest_limits.h>
 #include <CGAL/Spherical_parameterization/internal/Rest_triangle.h>
 #include <CGAL/Spherical_parameterization/internal/Star_energy.h>
 #include <CGAL/Spherical_parameterization/internal/Vertex_rings.h>

@@ -17,6 +17,7 @@
 #include <CGAL/Spherical_parameterization/internal/Block_coordinate_descent.h>
 #include <CGAL/Spherical_parameterization/internal/Mesh_hierarchy.h>
 #include <CGAL/Spherical_parameterization/internal/Per_thread.h>
+#include <CGAL/Spherical_parameterization/internal/Rest_limits.h>
 #include <CGAL/Spherical_parameterization/internal/Star_kernel.h>
 #include <CGAL/Spherical_parameterization/internal/Vector_3d.h>
 #include <CGAL/Spherical_parameterization/internal/Vertex_rings.h>

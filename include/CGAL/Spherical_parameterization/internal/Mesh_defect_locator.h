@@ -25,6 +25,7 @@
 #include <boost/graph/graph_traits.hpp>
 
 #include <cstddef>
+#include <iterator>
 #include <limits>
 #include <string>
 #include <vector>
@@ -126,15 +127,15 @@ private:
   {
     std::size_t result = 0;
     for(const vertex_descriptor v : vertices(m_mesh))
-      result += is_used(v);
+      if(is_used(v))
+        ++result;
     return result;
   }
 
   std::size_t number_of_faces() const
   {
-    std::size_t result = 0;
-    for(auto f = faces(m_mesh).begin(); f != faces(m_mesh).end(); ++f)
-      ++result;
+    const auto range = faces(m_mesh); // num_faces() may count removed ones
+    const auto result = static_cast<std::size_t>(std::distance(range.begin(), range.end()));
     return result;
   }
 
@@ -150,18 +151,27 @@ private:
 
   void locate_border()
   {
+    std::size_t n_halfedges_without_face = 0; // of edges without any
     for(const halfedge_descriptor h : halfedges(m_mesh))
-      if(is_border(h, m_mesh) && m_defect.count++ == 0)
+    {
+      if(!is_border(h, m_mesh))
+        continue;
+      const bool has_face = !is_border(opposite(h, m_mesh), m_mesh);
+      ++(has_face ? m_defect.count : n_halfedges_without_face);
+      // an edge with one face says more than one without any
+      if(m_defect.vertex == Traits::null_vertex() || (has_face && m_defect.face == Traits::null_face()))
       {
         m_defect.vertex = source(h, m_mesh);
         m_defect.other_vertex = target(h, m_mesh);
         m_defect.face = face(opposite(h, m_mesh), m_mesh);
       }
-    say("the mesh has a border: " + name_of_edge() + " belongs to one face only, " + name(m_defect.face) +
+    }
+    m_defect.count += n_halfedges_without_face / 2;
+    say("the mesh has a border: " + name_of_edge() + " belongs to " +
+            (m_defect.face == Traits::null_face() ? "no face" : "one face only, " + name(m_defect.face)) +
             altogether("edges"),
-        "Close the holes first, for example with CGAL::Polygon_mesh_processing::triangulate_hole(). If the faces do "
-        "not "
-        "share their vertices, join them with CGAL::Polygon_mesh_processing::stitch_borders().");
+        "Close the holes first, for example with CGAL::Polygon_mesh_processing::triangulate_hole(). If the faces "
+        "do not share their vertices, join them with CGAL::Polygon_mesh_processing::stitch_borders().");
   }
 
   template <class VertexPointMap>
@@ -192,45 +202,62 @@ private:
     return result;
   }
 
+  // Repeated edges come first: where there is one, the faces at its ends may look like several fans as well.
   void locate_singularity()
   {
+    const auto index = get(CGAL::dynamic_vertex_property_t<std::size_t>(), m_mesh);
     const auto last_seen_at = get(CGAL::dynamic_vertex_property_t<std::size_t>(), m_mesh);
-    for(const vertex_descriptor v : vertices(m_mesh))
-      put(last_seen_at, v, (std::numeric_limits<std::size_t>::max)());
-    const std::vector<std::vector<halfedge_descriptor>> halfedges_at = halfedges_by_target();
-    std::size_t i = 0, fan_size = 0;
+    const auto last_counted_at = get(CGAL::dynamic_vertex_property_t<std::size_t>(), m_mesh);
+    std::size_t i = 0;
     for(const vertex_descriptor v : vertices(m_mesh))
     {
-      vertex_descriptor repeated = Traits::null_vertex();
+      put(index, v, i++);
+      put(last_seen_at, v, (std::numeric_limits<std::size_t>::max)());
+      put(last_counted_at, v, (std::numeric_limits<std::size_t>::max)());
+    }
+    const std::vector<std::vector<halfedge_descriptor>> halfedges_at = halfedges_by_target();
+
+    std::size_t n_pinches = 0, fan_size = 0;
+    vertex_descriptor first_pinch = Traits::null_vertex();
+    i = 0;
+    for(const vertex_descriptor v : vertices(m_mesh))
+    {
       for(const halfedge_descriptor h : halfedges_at[i])
       {
         const vertex_descriptor w = source(h, m_mesh);
-        if(get(last_seen_at, w) == i || w == v)
-          repeated = w;
+        const bool is_repeated = get(last_seen_at, w) == i || w == v;
         put(last_seen_at, w, i);
+        if(!is_repeated || get(last_counted_at, w) == i ||
+           get(index, w) < i) // counted already, here or at its other end
+          continue;
+        put(last_counted_at, w, i);
+        if(m_defect.count++ == 0)
+        {
+          m_defect.vertex = v;
+          m_defect.other_vertex = w;
+        }
       }
       const std::size_t size = halfedges_at[i].empty() ? 0 : size_of_fan(halfedges_at[i].front());
-      if((repeated != Traits::null_vertex() || size < halfedges_at[i].size()) && m_defect.count++ == 0)
+      if(size < halfedges_at[i].size() && n_pinches++ == 0)
       {
-        m_defect.vertex = v;
-        m_defect.other_vertex = repeated;
+        first_pinch = v;
         fan_size = size;
       }
       ++i;
     }
-    if(m_defect.other_vertex != Traits::null_vertex())
+    if(m_defect.count > 0)
     {
-      m_defect.count = (m_defect.count + 1) / 2; // an edge is found from both ends
-      say(name_of_edge() + " occurs more than once" + altogether("places"),
+      say(name_of_edge() + " occurs more than once" + altogether("edges"),
           "Split one of the edges, for example with CGAL::Euler::split_edge(), and triangulate its faces again; or "
-          "remove "
-          "two faces that lie back to back.");
+          "remove two faces that lie back to back.");
+      return;
     }
-    else
-      say("the surface touches itself in " + name(m_defect.vertex) + ": a fan of " + std::to_string(fan_size) +
-              " faces and others meet in nothing but this vertex" + altogether("places"),
-          "Duplicate the vertex, for example with CGAL::Polygon_mesh_processing::duplicate_non_manifold_vertices(); if "
-          "the mesh falls into several parts, map each of them on its own.");
+    m_defect.vertex = first_pinch;
+    m_defect.count = n_pinches;
+    say("the surface touches itself in " + name(m_defect.vertex) + ": a fan of " + std::to_string(fan_size) +
+            " faces and others meet in nothing but this vertex" + altogether("vertices"),
+        "Duplicate the vertex, for example with CGAL::Polygon_mesh_processing::duplicate_non_manifold_vertices(); "
+        "if the mesh falls into several parts, map each of them on its own.");
   }
 
   std::size_t size_of_fan(halfedge_descriptor first) const

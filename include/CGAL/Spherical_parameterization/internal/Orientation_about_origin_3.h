@@ -22,13 +22,13 @@
 
 #include <cmath>
 #include <limits>
-#include <type_traits>
 #include <utility>
 
 // Where the compiler may change the value of floating-point expressions, or assume that all numbers are finite, the
 // filter below proves nothing.
-#if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__)
-#define CGAL_SPHERICAL_PARAMETERIZATION_NO_FLOATING_POINT_FILTER
+#if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__) || defined(_M_FP_FAST) ||                                  \
+    (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__)
+#define CGAL_SPHERICAL_PARAMETERIZATION_NO_IEEE_ARITHMETIC
 #endif
 
 namespace CGAL {
@@ -44,7 +44,7 @@ namespace internal {
 template <class K, class FT = typename K::FT>
 class Orientation_about_origin_3
 {
-#ifdef __FAST_MATH__
+#ifdef CGAL_SPHERICAL_PARAMETERIZATION_NO_IEEE_ARITHMETIC
   static_assert(sizeof(K) == 0, "The interval arithmetic of an exact number type is wrong with -ffast-math or -Ofast: "
                                 "turn them off, or use points with coordinates of type double.");
 #endif
@@ -83,16 +83,16 @@ private:
 //
 // Why it is right. Let e = 2^-52, an upper bound of the relative error of an operation in any rounding mode, let d be
 // the exact determinant and p the exact sum of the absolute values of its six products. Ignoring underflow, each
-// product in
-// the computed determinant D carries at most seven factors (1 + x) with |x| <= e: two differences, two multiplications,
-// the difference of the cross product and two additions; fewer if the compiler contracts a multiplication and an
-// addition. The same holds for the computed P of p, whose terms are all positive. Thus
+// product in the
+// computed determinant D carries at most seven factors (1 + x) with |x| <= e: two differences, two multiplications, the
+// difference of the cross product and two additions; fewer if the compiler contracts a multiplication and an addition.
+// The same holds for the computed P of p, whose terms are all positive. Thus
 //   |D - d| <= ((1 + e)^7 - 1) p    and    p <= P / (1 - e)^7,    hence    |D - d| <= 7 (1 + 15 e) e P < 8 e P.
 // Underflow, even if the processor takes subnormal operands and results for 0, changes each operand and each result by
-// less than 2^-1022. Let m be the sum of the absolute values of a, b - a and c - a. What is multiplied is at most m and
-// m^2, so what underflow adds to D and P, in less than 2^7 places, is less than 2^-1013 (m + 1)^2, which is below
-// 2^-1000 (m + 1)^2 by far even with all rounding errors. An overflow makes P or m infinite or not a number, and so
-// does a coordinate that is not finite; no comparison below is true then.
+// less than 2^-1022. Let m be 1 and the sum of the absolute values of a, b - a and c - a. What is multiplied is at most
+// m and m^2, so what underflow adds to D and P, in less than 2^7 places, is less than 2^-1014 m^2, which is below
+// 2^-1000 m^2 by far even with all rounding errors. Nothing overflows, in any rounding mode, as m is bounded; nor is
+// the bound met by coordinates that are not finite.
 template <class K>
 class Orientation_about_origin_3<K, double>
 {
@@ -101,7 +101,7 @@ class Orientation_about_origin_3<K, double>
 public:
   Sign operator()(const Point_3& a, const Point_3& b, const Point_3& c) const
   {
-#ifndef CGAL_SPHERICAL_PARAMETERIZATION_NO_FLOATING_POINT_FILTER
+#ifndef CGAL_SPHERICAL_PARAMETERIZATION_NO_IEEE_ARITHMETIC
     const Sign sign = filtered(a, b, c);
     if(sign != ZERO)
       return sign;
@@ -111,7 +111,7 @@ public:
   }
 
 private:
-#ifndef CGAL_SPHERICAL_PARAMETERIZATION_NO_FLOATING_POINT_FILTER
+#ifndef CGAL_SPHERICAL_PARAMETERIZATION_NO_IEEE_ARITHMETIC
   // The sign, or ZERO if it is not certain.
   static Sign filtered(const Point_3& a, const Point_3& b, const Point_3& c)
   {
@@ -129,6 +129,8 @@ private:
                              az * (std::abs(pxqy) + std::abs(pyqx));
     const double m = (ax + ay + az) + (std::abs(px) + std::abs(py) + std::abs(pz)) +
                      (std::abs(qx) + std::abs(qy) + std::abs(qz)) + 1.;
+    if(!(m < 0x1p300))
+      return ZERO;
     const double error = 0x1p-49 * permanent + 0x1p-1000 * m * m;
     return determinant > error ? POSITIVE : determinant < -error ? NEGATIVE : ZERO;
   }

@@ -45,7 +45,7 @@ public:
     const std::size_t d = hole.size();
     const Tangent_frame frame(hole[0]);
     m_offsets.resize(d);
-    double squared_reach = 0., squared_width = infinity;
+    double squared_reach = 0., squared_width = largest;
     for(std::size_t j = 0; j < d; ++j)
     {
       m_offsets[j] = frame.offset_of(hole[j]);
@@ -68,8 +68,8 @@ public:
 
     // The centroid, or else the way from it to the base: nearer to the base, the far edges are seen better.
     Point candidate = centroid(), best = candidate;
-    double least = infinity;
-    for(int k = 0; k < most_halvings && !(least < infinity); ++k)
+    double least = largest;
+    for(int k = 0; k < most_halvings && !(least < largest); ++k)
     {
       consider(candidate, best, least);
       candidate = {0.5 * candidate[0], 0.5 * candidate[1]};
@@ -84,7 +84,7 @@ public:
       if(mean[2] > -0.9)
         consider({mean[0] / (1. + mean[2]), mean[1] / (1. + mean[2])}, best, least);
     }
-    if(!(least < infinity))
+    if(!(least < largest))
       return false;
     // back from the tangent plane to tangential coordinates
     const double s = 1. / std::sqrt(1. + best[0] * best[0] + best[1] * best[1]);
@@ -95,7 +95,7 @@ public:
 private:
   static constexpr int most_halvings = 4;
   static constexpr double squared_lune_width = 1e-4; // of a hole, in units of its reach
-  static constexpr double infinity = (std::numeric_limits<double>::infinity)();
+  static constexpr double largest = (std::numeric_limits<double>::max)();
 
   using Point = std::array<double, 2>;
 
@@ -163,7 +163,7 @@ private:
       const double determinant = x * n[0] + y * n[1] + (1. + z) * n[2];
       const double squared_edges = squared_length(to_p) + squared_length(to_q);
       if(!is_safely_positive(determinant, squared_edges))
-        return infinity;
+        return largest;
       sum += squared_edges / determinant;
     }
     return sum;

@@ -21,7 +21,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <cstring>
 #include <limits>
 #include <utility>
 #include <vector>
@@ -119,8 +118,8 @@ private:
   static constexpr double least_quality = 1e-6;
   static constexpr double least_cost = 1e-290; // where the surface says nothing, the degrees decide
 
-  // Much coarser than the cost: costs that differ by rounding only have the same rank, so that no choice depends on how
-  // the mesh is placed in space.
+  // Much coarser than the cost: costs that differ by rounding only nearly always have the same rank, so that no choice
+  // depends on how the mesh is placed in space.
   static std::uint32_t rank_of(double cost)
   {
     constexpr double largest = (std::numeric_limits<double>::max)();

@@ -18,8 +18,9 @@
 #include <CGAL/Spherical_parameterization/internal/Hierarchical_embedding.h>
 #include <CGAL/Spherical_parameterization/internal/Indexed_mesh.h>
 #include <CGAL/Spherical_parameterization/internal/Mesh_hierarchy.h>
+#include <CGAL/Spherical_parameterization/internal/Rest_limits.h>
+#include <CGAL/Spherical_parameterization/internal/Vector_3d.h>
 
-#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <type_traits>

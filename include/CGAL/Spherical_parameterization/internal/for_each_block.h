@@ -38,7 +38,8 @@ namespace internal {
 //
 // The call may come from within a task of the caller's. Two things keep that from showing: a group of tasks of its own,
 // as one that is cancelled along with the caller's would leave out blocks without a word, and isolation, as a thread
-// that waits for its blocks would otherwise take up another task of the caller's, long beyond any time limit.
+// that waits for its blocks would otherwise take up another task of the caller's, long beyond any time limit. The
+// blocks are run with the rounding mode of the caller, as what is around them is.
 template <class ConcurrencyTag, class Function>
 void for_each_block(std::size_t first, std::size_t last, std::size_t block_size, const Function& f)
 {
@@ -53,15 +54,15 @@ void for_each_block(std::size_t first, std::size_t last, std::size_t block_size,
     if(n_blocks > 1)
     {
       const Fork_join_order order;
-      tbb::task_group_context context(tbb::task_group_context::isolated);
+      tbb::task_group_context context(tbb::task_group_context::isolated,
+                                      tbb::task_group_context::default_traits | tbb::task_group_context::fp_settings);
       tbb::this_task_arena::isolate([&] {
         tbb::parallel_for(
             tbb::blocked_range<std::size_t>(0, n_blocks),
             [&](const tbb::blocked_range<std::size_t>& blocks) {
-              order.begin_task();
+              const Fork_join_order::Task task(order);
               for(std::size_t block = blocks.begin(); block != blocks.end(); ++block)
                 run(block);
-              order.end_task();
             },
             context);
       });

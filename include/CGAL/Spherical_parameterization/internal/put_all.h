@@ -45,7 +45,12 @@ void put_all(PropertyMap map, const Key& key,
     catch(...)
     {
       for(std::size_t k = former.size(); k-- > 0;)
-        put(map, key(k), former[k]);
+        try
+        {
+          put(map, key(k), former[k]);
+        }
+        catch(...) // a key that refuses any value keeps its own; the others are put back all the same
+        {}
       throw;
     }
   }
