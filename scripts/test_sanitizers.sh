@@ -2,8 +2,8 @@
 # Usage: scripts/test_sanitizers.sh [address] [thread]
 #
 # Builds tests with Clang, with warnings as errors and all assertions and expensive checks, and runs them under its
-# sanitizers: all unit tests under those of addresses and undefined behaviour, the tests of threads under that of threads;
-# or only what is named. Installs nothing; scripts/setup.sh --tests does.
+# sanitizers: those of addresses and undefined behaviour, and that of threads, or only the one that is named. Which tests,
+# says the CMakeLists.txt of the tests. Installs nothing; scripts/setup.sh --tests does.
 
 # shellcheck source-path=SCRIPTDIR source=common.sh
 . "$(dirname "${BASH_SOURCE[0]}")/common.sh"
@@ -14,14 +14,12 @@ for sanitizer; do
 done
 
 for sanitizer; do
-  tests=unit
-  [ "$sanitizer" = address ] || tests=thread
   directory=$build/sanitizer_$sanitizer
   run_stage "configure for the $sanitizer sanitizer" cmake -S "$root" -B "$directory" -DCMAKE_CXX_COMPILER=clang++ \
     -DSPHERICAL_PARAMETERIZATION_BUILD_{TESTS,EXAMPLES}=ON -DSPHERICAL_PARAMETERIZATION_BUILD_BENCHMARKS=OFF \
     -DSPHERICAL_PARAMETERIZATION_WARNINGS_AS_ERRORS=ON -DSPHERICAL_PARAMETERIZATION_SANITIZER="$sanitizer"
   run_stage "build for the $sanitizer sanitizer" \
-    cmake --build "$directory" -j "$jobs" --target "Spherical_parameterization_${tests}_tests"
+    cmake --build "$directory" -j "$jobs" --target "Spherical_parameterization_${sanitizer}_tests"
   echo "== test with the $sanitizer sanitizer"
-  ctest --test-dir "$directory" --output-on-failure --no-tests=error -j 2 -L "$tests"
+  ctest --test-dir "$directory" --output-on-failure --no-tests=error -j 2 -L "$sanitizer"
 done

@@ -355,10 +355,12 @@ TEST_F(Stopped_by_the_clock, in_the_program)
   const std::string complete = content("sphere.off");
   std::mt19937 random(2);
   std::size_t n_cut = 0;
-  for(std::size_t k = 0; k < test_scale::reduced(20); ++k)
+  const std::size_t n_runs = test_scale::reduced(20);
+  for(std::size_t k = 0; k < n_runs; ++k)
   {
-    // from nothing to a second
-    const double most_seconds = std::ldexp(1. + static_cast<double>(random()) * 0x1p-32, -static_cast<int>(k));
+    // from a second to nothing
+    const int exponent = -static_cast<int>((k + 1) * 20 / n_runs);
+    const double most_seconds = std::ldexp(1. + static_cast<double>(random()) * 0x1p-32, exponent);
     std::ostringstream arguments;
     arguments << "--time-limit " << std::setprecision(17) << most_seconds;
     SCOPED_TRACE(arguments.str());

@@ -748,7 +748,7 @@ TEST(Planted_faults, in_exact_maps)
   const std::size_t n = test_scale::reduced(number_of_exact_maps);
   const Tally tally = examine_maps<CGAL::Simple_cartesian<Rational>>(n, 3);
   expect_all_found(tally, n, false);
-  EXPECT_GT(tally.invisible, n / 10);
+  EXPECT_GT(tally.invisible, n / 20);
 }
 
 // Real surfaces, mapped by the package.
