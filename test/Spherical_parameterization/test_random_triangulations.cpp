@@ -212,7 +212,7 @@ void expect_all_mapped(const Seeds& seeds, unsigned int most_iterations)
 
 TEST(Random_triangulations, are_mapped)
 {
-  expect_all_mapped<CGAL::Sequential_tag>(Seeds(number_of_triangulations, 0.5, 1000000), 5u);
+  expect_all_mapped<CGAL::Sequential_tag>(Seeds(number_of_triangulations, 0.56, 1000000), 5u);
 }
 
 TEST(Random_triangulations, are_mapped_with_more_iterations)
