@@ -629,6 +629,38 @@ TEST_F(Exception_safety_of_maps, that_fold)
   EXPECT_EQ(SP::parameterize(std::as_const(spiky.mesh), conformal, spiky.sphere), SP::ERROR_NO_1_TO_1_MAPPING);
 }
 
+// One key that accepts no value at all, its former one included.
+struct Map_with_a_bad_key
+{
+  using key_type = Vertex;
+  using value_type = Point_3;
+  using reference = const Point_3&;
+  using category = boost::read_write_property_map_tag;
+
+  friend reference get(const Map_with_a_bad_key& map, Vertex v) { return (*map.points)[std::size_t(v)]; }
+  friend void put(const Map_with_a_bad_key& map, Vertex v, const Point_3& p)
+  {
+    if(v == map.bad_key)
+      throw Interruption{std::size_t(v)};
+    (*map.points)[std::size_t(v)] = p;
+  }
+
+  std::vector<Point_3>* points;
+  Vertex bad_key;
+};
+
+// What can be put back is put back.
+TEST_F(Exception_safety_of_maps, with_a_key_that_refuses_every_value)
+{
+  const std::vector<Point_3> former(mesh.num_vertices(), Point_3(7, 7, 7));
+  for(const Vertex v : mesh.vertices())
+  {
+    std::vector<Point_3> points = former;
+    EXPECT_THROW(SP::parameterize(mesh, method, Map_with_a_bad_key{&points, v}), Interruption);
+    EXPECT_EQ(points, former) << v;
+  }
+}
+
 // Where a map cannot be read, or refuses to be put back, there is nothing to save but the memory.
 TEST_F(Exception_safety_of_maps, that_cannot_be_restored)
 {

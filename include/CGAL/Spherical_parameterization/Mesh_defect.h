@@ -7,6 +7,7 @@
 //
 // Author(s)     : The Spherical_parameterization authors
 //
+
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_MESH_DEFECT_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_MESH_DEFECT_H
 

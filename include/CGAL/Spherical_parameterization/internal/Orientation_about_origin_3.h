@@ -83,10 +83,9 @@ private:
 //
 // Why it is right. Let e = 2^-52, an upper bound of the relative error of an operation in any rounding mode, let d be
 // the exact determinant and p the exact sum of the absolute values of its six products. Ignoring underflow, each
-// product in the
-// computed determinant D carries at most seven factors (1 + x) with |x| <= e: two differences, two multiplications, the
-// difference of the cross product and two additions; fewer if the compiler contracts a multiplication and an addition.
-// The same holds for the computed P of p, whose terms are all positive. Thus
+// product in the computed determinant D carries at most seven factors (1 + x) with |x| <= e: two differences, two
+// multiplications, the difference of the cross product and two additions; fewer if the compiler contracts a
+// multiplication and an addition. The same holds for the computed P of p, whose terms are all positive. Thus
 //   |D - d| <= ((1 + e)^7 - 1) p    and    p <= P / (1 - e)^7,    hence    |D - d| <= 7 (1 + 15 e) e P < 8 e P.
 // Underflow, even if the processor takes subnormal operands and results for 0, changes each operand and each result by
 // less than 2^-1022. Let m be 1 and the sum of the absolute values of a, b - a and c - a. What is multiplied is at most
