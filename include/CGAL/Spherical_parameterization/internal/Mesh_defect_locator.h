@@ -190,19 +190,6 @@ private:
         "Repair the file, or the program that wrote it.");
   }
 
-  // All halfedges in the order of their targets, which their fans alone may not reach.
-  std::vector<std::vector<halfedge_descriptor>> halfedges_by_target() const
-  {
-    const auto index = get(CGAL::dynamic_vertex_property_t<std::size_t>(), m_mesh);
-    std::size_t n = 0;
-    for(const vertex_descriptor v : vertices(m_mesh))
-      put(index, v, n++);
-    std::vector<std::vector<halfedge_descriptor>> result(n);
-    for(const halfedge_descriptor h : halfedges(m_mesh))
-      result[get(index, target(h, m_mesh))].push_back(h);
-    return result;
-  }
-
   // Repeated edges come first: where there is one, the faces at its ends may look like several fans as well.
   void locate_singularity()
   {
@@ -216,7 +203,10 @@ private:
       put(last_seen_at, v, (std::numeric_limits<std::size_t>::max)());
       put(last_counted_at, v, (std::numeric_limits<std::size_t>::max)());
     }
-    const std::vector<std::vector<halfedge_descriptor>> halfedges_at = halfedges_by_target();
+    // the fan at a vertex may not reach all of them
+    std::vector<std::vector<halfedge_descriptor>> halfedges_at(i);
+    for(const halfedge_descriptor h : halfedges(m_mesh))
+      halfedges_at[get(index, target(h, m_mesh))].push_back(h);
 
     std::size_t n_pinches = 0, fan_size = 0;
     vertex_descriptor first_pinch = Traits::null_vertex();
