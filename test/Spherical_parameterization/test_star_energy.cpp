@@ -8,6 +8,7 @@
 #include <CGAL/Spherical_parameterization/Newton_update_3.h>
 #include <CGAL/Spherical_parameterization/Symmetric_Dirichlet_energy_3.h>
 #include <CGAL/Spherical_parameterization/internal/Star_energy.h>
+#include <CGAL/Spherical_parameterization/internal/Star_packets.h>
 
 #include <gtest/gtest.h>
 
@@ -27,6 +28,8 @@ namespace {
 
 using SP::internal::Rest_triangle;
 using SP::internal::Star_energy;
+using SP::internal::Star_packets;
+using SP::internal::Star_view;
 using SP::internal::Tangent_frame;
 using SP::internal::Vector_3d;
 using SP::internal::Vertex_rings;
@@ -61,10 +64,17 @@ struct Random_star
     rings.end_ring();
   }
 
+  // The rest shapes have the layout of a packet of one star already; the center is the last of the points.
   template <class Star>
   void load_into(Star& star) const
   {
-    star.load(center, rings.ring(0), positions.data(), rest.data());
+    points = positions;
+    points.push_back(center);
+    numbers.clear();
+    for(const Rest_triangle& r : rest)
+      numbers.insert(numbers.end(), {r.opposite_0, r.opposite_1, r.opposite_2, r.inverse_area});
+    vertex = static_cast<std::uint32_t>(positions.size());
+    star.load(Star_view<double>(&vertex, rings.ring(0).begin(), numbers.data(), 1, positions.size()), points.data());
   }
 
   // The energies of the faces with the vertex at u, with the invariants from edge lengths and a determinant or a flat
@@ -104,6 +114,12 @@ struct Random_star
   std::vector<Vector_3d> positions;
   Vertex_rings rings;
   std::vector<Rest_triangle> rest;
+
+private:
+  // what the star that has been loaded refers to
+  mutable std::vector<Vector_3d> points;
+  mutable std::vector<double> numbers;
+  mutable std::uint32_t vertex = 0;
 };
 
 template <class Energy_, class Barrier_>

@@ -11,7 +11,13 @@ A model may have, in addition,
 
 - `bool is_valid() const`, whether its parameters are in their ranges; if not, a parameterizer returns `ERROR_WRONG_PARAMETER`;
 - `template <class FaceRange> double optimal_scale(const FaceRange& faces) const`, the factor for the radius that minimises the
-  sum of the energies of a range of `Face_invariants_3`, if it has a closed form; see `Optimal_radius_3`.
+  sum of the energies of a range of `Face_invariants_3`, if it has a closed form; see `Optimal_radius_3`;
+- a nested type `Is_lanewise`, an alias of `CGAL::Tag_true`. It says that both functions of the concept are templates,
+  `template <class FT> FT operator()(const FT& i, const FT& d) const` and
+  `template <class FT> CGAL::Spherical_parameterization::Basic_energy_derivatives_3<FT> derivatives(const FT& i, const FT& d) const`,
+  for any type `FT` that has the four operations of arithmetic with itself and with `double`. Then several vertices are moved at
+  once, and the energy is evaluated for all of them in one call. Without it, it is called for one after the other, which gives the
+  same map in somewhat more time.
 
 \cgalRefines{CopyConstructible}
 

@@ -319,11 +319,14 @@ private:
       descent.sweep(positions, scaled(radius), sharpness);
       if(sharpness > 0. && m_is_accelerated)
       {
-        const std::size_t focus = descent.focus_on_faces_above(focus_energy * summary.largest());
-        const std::size_t affordable = mesh.number_of_vertices() / (std::max)(focus, std::size_t(1));
-        const std::size_t n_sweeps = affordable < least_focus_sweeps ? 0 : (std::min)(affordable, most_focus_sweeps);
-        for(std::size_t k = 0; k < n_sweeps; ++k)
-          descent.sweep_focus(positions, scaled(radius), sharpness);
+        const std::size_t most = mesh.number_of_vertices() / least_focus_sweeps;
+        const std::size_t focus = descent.focus_on_faces_above(focus_energy * summary.largest(), most);
+        if(focus > 0 && focus <= most)
+        {
+          const std::size_t n_sweeps = (std::min)(mesh.number_of_vertices() / focus, most_focus_sweeps);
+          for(std::size_t k = 0; k < n_sweeps; ++k)
+            descent.sweep_focus(positions, scaled(radius), sharpness);
+        }
       }
 
       summary = descent.measure(positions, scaled(radius), sharpness);

@@ -23,15 +23,23 @@ namespace Spherical_parameterization {
 /// The value of a distortion energy of one triangle with its first and second derivatives in the two invariants of the
 /// triangle's map, \f$ I = \sigma_1^2 + \sigma_2^2 \f$ and \f$ d = \sigma_1 \sigma_2 \f$. This is what a model of
 /// `DistortionEnergy_3` returns to the Newton method.
-struct Energy_derivatives_3
+///
+/// \tparam FT the type of the numbers: `double`, or what stands for several of them; see `DistortionEnergy_3`
+template <class FT>
+struct Basic_energy_derivatives_3
 {
-  double value; ///< \f$ E \f$
-  double i;     ///< \f$ \partial E / \partial I \f$
-  double d;     ///< \f$ \partial E / \partial d \f$
-  double ii;    ///< \f$ \partial^2 E / \partial I^2 \f$
-  double id;    ///< \f$ \partial^2 E / \partial I \partial d \f$
-  double dd;    ///< \f$ \partial^2 E / \partial d^2 \f$
+  FT value; ///< \f$ E \f$
+  FT i;     ///< \f$ \partial E / \partial I \f$
+  FT d;     ///< \f$ \partial E / \partial d \f$
+  FT ii;    ///< \f$ \partial^2 E / \partial I^2 \f$
+  FT id;    ///< \f$ \partial^2 E / \partial I \partial d \f$
+  FT dd;    ///< \f$ \partial^2 E / \partial d^2 \f$
 };
+
+/// \ingroup PkgSphericalParameterizationEnergies
+///
+/// The derivatives of the energy of one triangle.
+using Energy_derivatives_3 = Basic_energy_derivatives_3<double>;
 
 } // namespace Spherical_parameterization
 } // namespace CGAL

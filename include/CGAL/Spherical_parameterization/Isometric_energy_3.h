@@ -14,6 +14,9 @@
 #include <CGAL/license/Spherical_parameterization.h>
 
 #include <CGAL/Spherical_parameterization/Energy_derivatives_3.h>
+#include <CGAL/Spherical_parameterization/internal/Packed_double.h>
+
+#include <CGAL/tags.h>
 
 #include <cmath>
 
@@ -48,21 +51,28 @@ public:
   bool is_valid() const { return m_alpha > 0. && m_alpha <= 1.; }
 
   /// returns the energy of a triangle with the invariants `i` and `d`, both positive.
-  double operator()(double i, double d) const { return (m_alpha * i + (1. - m_alpha)) / d + (1. - m_alpha) * d; }
+  double operator()(double i, double d) const { return value_of(i, d); }
 
   /// returns the energy of a triangle with the invariants `i` and `d`, both positive, and its derivatives in them.
-  Energy_derivatives_3 derivatives(double i, double d) const
+  Energy_derivatives_3 derivatives(double i, double d) const { return derivatives_of(i, d); }
+
+#ifndef DOXYGEN_RUNNING
+  using Is_lanewise = Tag_true;
+
+  template <int width>
+  internal::Packed_double<width> operator()(const internal::Packed_double<width>& i,
+                                            const internal::Packed_double<width>& d) const
   {
-    const double beta = 1. - m_alpha;
-    const double inverse_d = 1. / d;
-    const double pole = (m_alpha * i + beta) * inverse_d; // the part of the energy that is infinite at d = 0
-    return {pole + beta * d,
-            m_alpha * inverse_d,
-            beta - pole * inverse_d,
-            0.,
-            -m_alpha * inverse_d * inverse_d,
-            2. * pole * inverse_d * inverse_d};
+    return value_of(i, d);
   }
+
+  template <int width>
+  Basic_energy_derivatives_3<internal::Packed_double<width>> derivatives(const internal::Packed_double<width>& i,
+                                                                         const internal::Packed_double<width>& d) const
+  {
+    return derivatives_of(i, d);
+  }
+#endif
 
   /// returns the factor by which the radius has to be multiplied to minimise the sum of the energies of `faces`:
   /// \f$ \rho^4 = \sum d^{-1} / \sum d \f$ (eq. 11), or 1 if `alpha` is 1 and no radius is better than another.
@@ -83,6 +93,26 @@ public:
   }
 
 private:
+  template <class FT>
+  FT value_of(const FT& i, const FT& d) const
+  {
+    return (m_alpha * i + (1. - m_alpha)) / d + (1. - m_alpha) * d;
+  }
+
+  template <class FT>
+  Basic_energy_derivatives_3<FT> derivatives_of(const FT& i, const FT& d) const
+  {
+    const double beta = 1. - m_alpha;
+    const FT inverse_d = 1. / d;
+    const FT pole = (m_alpha * i + beta) * inverse_d; // the part of the energy that is infinite at d = 0
+    return {pole + beta * d,
+            m_alpha * inverse_d,
+            beta - pole * inverse_d,
+            FT(0.),
+            -m_alpha * inverse_d * inverse_d,
+            2. * pole * inverse_d * inverse_d};
+  }
+
   double m_alpha;
 };
 

@@ -13,9 +13,11 @@
 
 #include <CGAL/license/Spherical_parameterization.h>
 
-#include <algorithm>
+#include <CGAL/Spherical_parameterization/internal/Packed_double.h>
+
+#include <CGAL/tags.h>
+
 #include <array>
-#include <cmath>
 #include <limits>
 
 /// \file Newton_update_3.h
@@ -37,6 +39,10 @@ namespace Spherical_parameterization {
 class Newton_update_3
 {
 public:
+#ifndef DOXYGEN_RUNNING
+  using Is_lanewise = Tag_true;
+#endif
+
   /// constructs the update.
   ///
   /// \param over_relaxation the factor by which a step is prolonged at first, from 1 (not at all) to below 2
@@ -45,10 +51,16 @@ public:
   {}
 
   /// returns the factor by which a step is prolonged at first.
-  double over_relaxation() const { return m_over_relaxation; }
+  double over_relaxation() const
+  {
+    return m_over_relaxation;
+  }
 
   /// returns whether the factor is in its range.
-  bool is_valid() const { return m_over_relaxation >= 1. && m_over_relaxation < 2.; }
+  bool is_valid() const
+  {
+    return m_over_relaxation >= 1. && m_over_relaxation < 2.;
+  }
 
   /// computes the step of one vertex from its tangent plane's origin.
   ///
@@ -58,47 +70,52 @@ public:
   /// \param step the tangential coordinates that the vertex shall move to; untouched if it shall stay
   ///
   /// \return whether the vertex shall move; if so, the energy at `step` is finite and lower than at the origin
+#ifdef DOXYGEN_RUNNING
   template <class VertexEnergy>
-  bool operator()(const VertexEnergy& energy, std::array<double, 2>& step) const
+  bool operator()(const VertexEnergy& energy, std::array<double, 2>& step) const;
+#else
+  template <class VertexEnergy, class FT>
+  auto operator()(const VertexEnergy& energy, std::array<FT, 2>& step) const
   {
-    std::array<double, 2> g;
-    std::array<double, 3> h;
-    const double start = energy.derivatives(g, h);
+    using namespace internal; // what is said of a number, or of several in lanes
+
+    std::array<FT, 2> g;
+    std::array<FT, 3> h;
+    const FT start = energy.derivatives(g, h);
 
     // The eigenvalues are mean + radius and mean - radius. H = mean * 1 + D with D trace-free and D^2 = radius^2 * 1,
     // so |H|^{-1} follows without eigenvectors.
-    const double mean = 0.5 * (h[0] + h[2]), half = 0.5 * (h[0] - h[2]);
-    const double radius = std::sqrt(half * half + h[1] * h[1]);
-    const double large = std::abs(mean) + radius;
-    if(!(large > 0.) || !(large < std::numeric_limits<double>::infinity()))
-      return false;
-    const double sign = mean < 0. ? -1. : 1.;
-    const double small = (std::max)(std::abs(std::abs(mean) - radius), least_ratio * large);
+    const FT mean = 0.5 * (h[0] + h[2]), half = 0.5 * (h[0] - h[2]);
+    const FT radius = square_root(half * half + h[1] * h[1]);
+    const FT large = absolute(mean) + radius;
+    const FT sign = select(mean < 0., FT(-1.), FT(1.));
+    const FT small = larger(absolute(absolute(mean) - radius), least_ratio * large);
     // In the direction of the eigenvalue of larger modulus the inverse is 1 / large, across it 1 / small.
-    const double middle = 0.5 * (1. / large + 1. / small);
-    const double spread = radius > 0. ? sign * 0.5 * (1. / large - 1. / small) / radius : 0.;
-    double x = -(middle * g[0] + spread * (half * g[0] + h[1] * g[1]));
-    double y = -(middle * g[1] + spread * (h[1] * g[0] - half * g[1]));
+    const FT middle = 0.5 * (1. / large + 1. / small);
+    const FT spread = select(radius > 0., sign * 0.5 * (1. / large - 1. / small) / radius, FT(0.));
+    const FT x = -(middle * g[0] + spread * (half * g[0] + h[1] * g[1]));
+    const FT y = -(middle * g[1] + spread * (h[1] * g[0] - half * g[1]));
 
-    const double slope = g[0] * x + g[1] * y;
-    const double size = std::sqrt(x * x + y * y);
-    if(!(slope < 0.) || !(size > least_step * energy.shortest_edge()))
-      return false;
-
-    if(m_over_relaxation > 1. && energy(m_over_relaxation * x, m_over_relaxation * y) < start)
-    {
-      step = {m_over_relaxation * x, m_over_relaxation * y};
-      return true;
-    }
+    const FT slope = g[0] * x + g[1] * y;
+    const FT size = square_root(x * x + y * y);
+    auto is_open = large > 0. && large < std::numeric_limits<double>::infinity() && slope < 0. &&
+                   size > least_step * energy.shortest_edge();
+    auto is_moved = is_open && !is_open;
+    const auto try_step = [&](double t, const FT& bound) {
+      const FT tx = t * x, ty = t * y;
+      const auto is_accepted = is_open && energy(tx, ty) < bound;
+      step = {select(is_accepted, tx, step[0]), select(is_accepted, ty, step[1])};
+      is_moved = is_moved || is_accepted;
+      is_open = is_open && !is_accepted;
+    };
+    if(m_over_relaxation > 1. && any(is_open))
+      try_step(m_over_relaxation, start);
     double t = 1.;
-    for(int k = 0; k < most_halvings; ++k, t *= 0.5)
-      if(energy(t * x, t * y) < start + armijo * t * slope)
-      {
-        step = {t * x, t * y};
-        return true;
-      }
-    return false;
+    for(int k = 0; k < most_halvings && any(is_open); ++k, t *= 0.5)
+      try_step(t, start + armijo * t * slope);
+    return is_moved;
   }
+#endif
 
 private:
   static constexpr double least_ratio = 1e-3; // of the eigenvalues that a step is computed from

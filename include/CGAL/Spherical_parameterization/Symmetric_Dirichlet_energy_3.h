@@ -14,6 +14,9 @@
 #include <CGAL/license/Spherical_parameterization.h>
 
 #include <CGAL/Spherical_parameterization/Energy_derivatives_3.h>
+#include <CGAL/Spherical_parameterization/internal/Packed_double.h>
+
+#include <CGAL/tags.h>
 
 #include <cmath>
 
@@ -41,17 +44,28 @@ public:
   bool is_valid() const { return true; }
 
   /// returns the energy of a triangle with the invariants `i` and `d`, both positive.
-  double operator()(double i, double d) const { return 0.5 * i * (1. + 1. / (d * d)); }
+  double operator()(double i, double d) const { return value_of(i, d); }
 
   /// returns the energy of a triangle with the invariants `i` and `d`, both positive, and its derivatives in them.
-  Energy_derivatives_3 derivatives(double i, double d) const
+  Energy_derivatives_3 derivatives(double i, double d) const { return derivatives_of(i, d); }
+
+#ifndef DOXYGEN_RUNNING
+  using Is_lanewise = Tag_true;
+
+  template <int width>
+  internal::Packed_double<width> operator()(const internal::Packed_double<width>& i,
+                                            const internal::Packed_double<width>& d) const
   {
-    const double inverse_d = 1. / d;
-    const double inverse_d2 = inverse_d * inverse_d;
-    const double inverse_d3 = inverse_d2 * inverse_d;
-    return {0.5 * i * (1. + inverse_d2),     0.5 * (1. + inverse_d2), -i * inverse_d3, 0., -inverse_d3,
-            3. * i * inverse_d2 * inverse_d2};
+    return value_of(i, d);
   }
+
+  template <int width>
+  Basic_energy_derivatives_3<internal::Packed_double<width>> derivatives(const internal::Packed_double<width>& i,
+                                                                         const internal::Packed_double<width>& d) const
+  {
+    return derivatives_of(i, d);
+  }
+#endif
 
   /// returns the factor by which the radius has to be multiplied to minimise the sum of the energies of `faces`:
   /// scaling the radius by \f$ \rho \f$ turns \f$ (I, d) \f$ into \f$ (\rho^2 I, \rho^2 d) \f$, so
@@ -68,6 +82,23 @@ public:
       sum_of_i_over_d2 += face.i / (face.d * face.d);
     }
     return std::sqrt(std::sqrt(sum_of_i_over_d2 / sum_of_i));
+  }
+
+private:
+  template <class FT>
+  FT value_of(const FT& i, const FT& d) const
+  {
+    return 0.5 * i * (1. + 1. / (d * d));
+  }
+
+  template <class FT>
+  Basic_energy_derivatives_3<FT> derivatives_of(const FT& i, const FT& d) const
+  {
+    const FT inverse_d = 1. / d;
+    const FT inverse_d2 = inverse_d * inverse_d;
+    const FT inverse_d3 = inverse_d2 * inverse_d;
+    return {0.5 * i * (1. + inverse_d2),     0.5 * (1. + inverse_d2), -i * inverse_d3, FT(0.), -inverse_d3,
+            3. * i * inverse_d2 * inverse_d2};
   }
 };
 

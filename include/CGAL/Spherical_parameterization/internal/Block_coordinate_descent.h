@@ -15,17 +15,22 @@
 
 #include <CGAL/Spherical_parameterization/Face_invariants_3.h>
 #include <CGAL/Spherical_parameterization/internal/Energy_summary.h>
-#include <CGAL/Spherical_parameterization/internal/Image_area.h>
 #include <CGAL/Spherical_parameterization/internal/Independent_sets.h>
+#include <CGAL/Spherical_parameterization/internal/Measured_faces.h>
+#include <CGAL/Spherical_parameterization/internal/Lanes.h>
+#include <CGAL/Spherical_parameterization/internal/Packed_double.h>
 #include <CGAL/Spherical_parameterization/internal/Per_thread.h>
 #include <CGAL/Spherical_parameterization/internal/Rest_limits.h>
 #include <CGAL/Spherical_parameterization/internal/Rest_triangle.h>
 #include <CGAL/Spherical_parameterization/internal/Star_energy.h>
+#include <CGAL/Spherical_parameterization/internal/Star_packets.h>
 #include <CGAL/Spherical_parameterization/internal/Vertex_rings.h>
 #include <CGAL/Spherical_parameterization/internal/for_each_block.h>
+#include <CGAL/Spherical_parameterization/internal/is_lanewise.h>
+#include <CGAL/Spherical_parameterization/internal/run_in_lanes.h>
 
+#include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -38,195 +43,217 @@ namespace internal {
 // vertex once, one independent set after the other, the vertices of a set in parallel. Every face that is positively
 // oriented before a sweep is so after it.
 //
-// The stars are laid out in the order in which a sweep visits them, so that it reads them front to back.
+// Vertices are moved several at a time if the update and the energy can be asked for several lanes, else one by one.
 template <class Energy, class VertexUpdate, class ConcurrencyTag, class Barrier = Determinant_barrier_3>
 class Block_coordinate_descent
 {
 public:
   // `points` are those of the surface, scaled such that its area is 4 pi. If `densities` are given, one for each
   // vertex, a face gets the shape that it has on the surface but as many times its area as the mean of the densities of
-  // its vertices.
+  // its vertices. The rings have to last as long as the descent.
   Block_coordinate_descent(const Vertex_rings& rings, const std::vector<Vector_3d>& points,
                            const std::vector<double>& densities, const Energy& energy, const VertexUpdate& update,
                            const Rest_limits& limits = Rest_limits())
     : m_energy(energy)
     , m_update(update)
-    , m_sets(rings)
-    , m_stars(Star_energy<Energy, Barrier>(energy))
+    , m_rings(rings)
+    , m_scratch(Scratch(energy))
   {
-    const std::size_t n = rings.number_of_vertices();
-    const std::vector<std::uint32_t>& order = m_sets.vertices();
-    m_rings.reserve(n, rings.number_of_corners());
-    m_first_face.reserve(n);
-    std::uint32_t n_faces = 0;
-    for(std::size_t slot = 0; slot < n; ++slot)
-    {
-      const std::uint32_t v = order[slot];
-      const Vertex_rings::Ring ring = rings.ring(v);
-      m_first_face.push_back(n_faces);
-      for(const std::uint32_t w : ring)
-        m_rings.push_neighbor(w);
-      m_rings.end_ring();
-      Vertex_rings::for_each_face_of_smallest(v, ring, [&](std::size_t, std::uint32_t, std::uint32_t) { ++n_faces; });
-    }
-    m_faces.resize(n_faces);
-    m_rest.resize(rings.number_of_corners());
-    for_each_block<ConcurrencyTag>(0, n, block_size, [&](std::size_t begin, std::size_t end) {
-      for(std::size_t slot = begin; slot < end; ++slot)
-      {
-        const std::uint32_t v = order[slot];
-        const Vertex_rings::Ring ring = m_rings.ring(slot);
-        Rest_triangle* rest = m_rest.data() + m_rings.offset(slot);
-        for(std::size_t j = 0; j < ring.size(); ++j)
-        {
-          const std::uint32_t p = ring[j], q = ring[j + 1 < ring.size() ? j + 1 : 0];
-          rest[j] = Rest_triangle::from_points(points[v], points[p], points[q], limits);
-          if(!densities.empty())
-            rest[j].scale_area((densities[v] + densities[p] + densities[q]) / 3.);
-        }
-      }
+    const auto rest_of_face = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+      Rest_triangle rest = Rest_triangle::from_points(points[a], points[b], points[c], limits);
+      if(!densities.empty())
+        rest.scale_area((densities[a] + densities[b] + densities[c]) / 3.);
+      return rest;
+    };
+    m_faces.template assign<ConcurrencyTag>(rings, rest_of_face);
+
+    const Independent_sets sets(rings);
+    const std::vector<std::uint32_t>& vertices = sets.vertices();
+    m_stars.assign(vertices, sets.first(), [&](std::uint32_t k) { return rings.degree(vertices[k]); });
+    fill(m_stars, [&](std::uint32_t k) {
+      return Ring_star<decltype(rest_of_face)>{vertices[k], rings.ring(vertices[k]), rest_of_face};
     });
+    m_places.resize(rings.number_of_vertices());
+    for(std::size_t place = m_stars.number_of_places(); place-- > 0;) // the first place of each is its own
+      m_places[m_stars.vertex(place)] = static_cast<std::uint32_t>(place);
   }
 
   // Moves every vertex once. The energy is that on the sphere of radius `radius`; `sharpness` is the s of exp(s E), or
   // 0.
   void sweep(std::vector<Vector_3d>& positions, double radius, double sharpness)
   {
-    for(std::size_t set = 0; set < m_sets.number_of_sets(); ++set)
-      move_all(
-          m_sets.first(set), m_sets.first(set + 1), [](std::size_t slot) { return slot; }, positions, radius,
-          sharpness);
+    move_all(m_stars, positions, radius, sharpness);
   }
 
-  // Selects the vertices around the faces whose energy was above `bound` when they were last measured, some rings wide.
-  // Returns their number.
-  std::size_t focus_on_faces_above(double bound)
+  // Selects the vertices around the faces whose energy was above `bound` when they were last measured, some rings wide,
+  // unless they are more than `most`. Returns their number, or some number above `most`.
+  std::size_t focus_on_faces_above(double bound, std::size_t most)
   {
-    const std::size_t n = m_rings.number_of_vertices();
-    std::vector<char> is_selected(n, 0);
-    std::vector<std::size_t> front, next_front; // slots
-    for(std::size_t slot = 0; slot < n; ++slot)
+    m_is_selected.resize(m_rings.number_of_vertices(), 0);
+    std::vector<std::uint32_t> selected;
+    const auto select_vertex = [&](std::uint32_t v) {
+      if(!m_is_selected[v])
+        selected.push_back(v);
+      m_is_selected[v] = 1;
+      return selected.size() <= most;
+    };
+    m_faces.for_each_above(m_energy, bound, [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+      return select_vertex(a) && select_vertex(b) && select_vertex(c);
+    });
+    for(std::size_t ring = 0, begin = 0; ring < rings_of_focus; ++ring)
     {
-      const std::uint32_t v = m_sets.vertices()[slot];
-      const Face_invariants_3* face = m_faces.data() + m_first_face[slot];
-      Vertex_rings::for_each_face_of_smallest(v, m_rings.ring(slot),
-                                              [&](std::size_t, std::uint32_t p, std::uint32_t q) {
-                                                if(m_energy(face->i, face->d) > bound)
-                                                  is_selected[v] = is_selected[p] = is_selected[q] = 1;
-                                                ++face;
-                                              });
+      const std::size_t end = selected.size();
+      for(; begin < end && selected.size() <= most; ++begin)
+        for(const std::uint32_t w : m_rings.ring(selected[begin]))
+          select_vertex(w);
     }
-    for(std::size_t slot = 0; slot < n; ++slot)
-      if(is_selected[m_sets.vertices()[slot]])
-        front.push_back(slot);
-    for(int k = 0; k < rings_of_focus; ++k, front.swap(next_front))
+    for(const std::uint32_t v : selected)
+      m_is_selected[v] = 0;
+    if(selected.size() > most)
+      return selected.size();
+
+    std::sort(selected.begin(), selected.end(),
+              [&](std::uint32_t a, std::uint32_t b) { return m_places[a] < m_places[b]; });
+    std::vector<std::size_t> first_of_set;
+    std::size_t k = 0;
+    for(std::size_t set = 0; set <= m_stars.number_of_sets(); ++set)
     {
-      next_front.clear();
-      for(const std::size_t slot : front)
-        for(const std::uint32_t w : m_rings.ring(slot))
-          if(!is_selected[w])
-          {
-            is_selected[w] = 1;
-            next_front.push_back(m_sets.slot(w));
-          }
+      while(k < selected.size() && m_places[selected[k]] < m_stars.first_place_of_set(set))
+        ++k;
+      first_of_set.push_back(k);
     }
-    m_focus.clear();
-    m_first_in_focus.assign(1, 0);
-    for(std::size_t set = 0; set < m_sets.number_of_sets(); ++set)
-    {
-      for(std::size_t slot = m_sets.first(set); slot < m_sets.first(set + 1); ++slot)
-        if(is_selected[m_sets.vertices()[slot]])
-          m_focus.push_back(static_cast<std::uint32_t>(slot));
-      m_first_in_focus.push_back(m_focus.size());
-    }
-    return m_focus.size();
+    m_focus.assign(selected, first_of_set, [&](std::uint32_t i) { return m_rings.degree(selected[i]); });
+    fill(m_focus, [&](std::uint32_t i) { return m_stars.star(m_places[selected[i]]); });
+    return selected.size();
   }
 
   // Moves every selected vertex once, as sweep() does.
   void sweep_focus(std::vector<Vector_3d>& positions, double radius, double sharpness)
   {
-    for(std::size_t set = 0; set < m_sets.number_of_sets(); ++set)
-      move_all(
-          m_first_in_focus[set], m_first_in_focus[set + 1], [&](std::size_t k) { return m_focus[k]; }, positions,
-          radius, sharpness);
+    move_all(m_focus, positions, radius, sharpness);
   }
 
   // Measures all faces on the sphere of radius `radius`; faces() then returns their invariants.
   Energy_summary measure(const std::vector<Vector_3d>& positions, double radius, double sharpness)
   {
-    const std::size_t n = m_rings.number_of_vertices();
-    const double scale = radius * radius;
-    m_partial.assign((n + block_size - 1) / block_size, Energy_summary(sharpness));
-    for_each_block<ConcurrencyTag>(0, n, block_size, [&](std::size_t begin, std::size_t end) {
-      Energy_summary& summary = m_partial[begin / block_size];
-      for(std::size_t slot = begin; slot < end; ++slot)
-      {
-        const std::uint32_t v = m_sets.vertices()[slot];
-        const Rest_triangle* rest = m_rest.data() + m_rings.offset(slot);
-        Face_invariants_3* face = m_faces.data() + m_first_face[slot];
-        Vertex_rings::for_each_face_of_smallest(
-            v, m_rings.ring(slot), [&](std::size_t j, std::uint32_t p, std::uint32_t q) {
-              *face = invariants(positions[v], positions[p], positions[q], rest[j], scale);
-              summary.add(m_energy(face->i, face->d));
-              ++face;
-            });
-      }
-    });
-    Energy_summary total(sharpness);
-    for(const Energy_summary& part : m_partial)
-      total.add(part);
-    return total;
+    return m_faces.template measure<Barrier, ConcurrencyTag>(m_energy, positions, radius, sharpness);
   }
 
-  const std::vector<Face_invariants_3>& faces() const { return m_faces; }
+  const std::vector<Face_invariants_3>& faces() const { return m_faces.invariants(); }
 
 private:
-  // Moves the vertices of the slots slot_of(begin), ..., slot_of(end - 1), which belong to one independent set.
-  template <class SlotOf>
-  void move_all(std::size_t begin, std::size_t end, const SlotOf& slot_of, std::vector<Vector_3d>& positions,
-                double radius, double sharpness)
+  static constexpr bool is_lanewise = Is_lanewise<VertexUpdate>::value;
+  static constexpr std::size_t packets_per_block = 32; // of parallel work: some hundred microseconds
+
+  static constexpr std::size_t rings_of_focus = 4;
+
+  // A star as the rings give it, for Star_packets.
+  template <class RestOfFace>
+  struct Ring_star
   {
-    for_each_block<ConcurrencyTag>(begin, end, block_size, [&](std::size_t first, std::size_t last) {
-      Star_energy<Energy, Barrier>& star = m_stars.local();
-      star.set_objective(radius * radius, sharpness);
-      for(std::size_t k = first; k < last; ++k)
-      {
-        const std::size_t slot = slot_of(k);
-        Vector_3d& position = positions[m_sets.vertices()[slot]];
-        star.load(position, m_rings.ring(slot), positions.data(), m_rest.data() + m_rings.offset(slot));
-        std::array<double, 2> step;
-        if(m_update(star, step))
-          position = star.point_at(step[0], step[1]);
-      }
-    });
+    std::uint32_t vertex;
+    Vertex_rings::Ring ring;
+    const RestOfFace& rest_of_face;
+
+    std::size_t degree() const { return ring.size(); }
+    std::uint32_t neighbor(std::size_t j) const { return ring[j]; }
+    Rest_triangle rest(std::size_t j) const
+    {
+      return rest_of_face(vertex, ring[j], ring[j + 1 < ring.size() ? j + 1 : 0]);
+    }
+  };
+
+  template <class StarOf>
+  static void fill(Star_packets& stars, const StarOf& star_of)
+  {
+    for_each_block<ConcurrencyTag>(0, stars.number_of_packets(), packets_per_block,
+                                   [&](std::size_t begin, std::size_t end) {
+                                     for(std::size_t packet = begin; packet < end; ++packet)
+                                       stars.fill(packet, star_of);
+                                   });
   }
 
-  // stars per block of parallel work: some hundred microseconds
-  static constexpr std::size_t block_size = 256;
-  static constexpr int rings_of_focus = 4;
-
-  static Face_invariants_3 invariants(const Vector_3d& u, const Vector_3d& p, const Vector_3d& q,
-                                      const Rest_triangle& rest, double scale)
+  // What a thread needs to move stars of any number of lanes.
+  struct Scratch
   {
-    const Vector_3d to_p = p - u, to_q = q - u;
-    const Vector_3d n = cross(to_p, to_q);
-    const double i = rest.opposite_0 * squared_length(q - p) + rest.opposite_1 * squared_length(to_q) +
-                     rest.opposite_2 * squared_length(to_p);
-    const double to_d = scale * rest.inverse_area;
-    return {1. / rest.inverse_area, scale * i, to_d * Image_area<Barrier>::value(dot(u, n), n), to_d * length(n)};
+    explicit Scratch(const Energy& energy)
+      : in_one_lane(energy)
+      , in_two_lanes(energy)
+      , in_four_lanes(energy)
+    {}
+
+    template <class FT>
+    Star_energy<Energy, Barrier, FT>& star()
+    {
+      if constexpr(Lanes<FT>::width == 1)
+        return in_one_lane;
+      else if constexpr(Lanes<FT>::width == 2)
+        return in_two_lanes;
+      else
+        return in_four_lanes;
+    }
+
+    Star_energy<Energy, Barrier> in_one_lane;
+    Star_energy<Energy, Barrier, Packed_double<2>> in_two_lanes;
+    Star_energy<Energy, Barrier, Packed_double<4>> in_four_lanes;
+  };
+
+  void move_all(const Star_packets& stars, std::vector<Vector_3d>& positions, double radius, double sharpness)
+  {
+    for(std::size_t set = 0; set < stars.number_of_sets(); ++set)
+      for_each_block<ConcurrencyTag>(stars.first_packet(set), stars.first_packet(set + 1), packets_per_block,
+                                     [&](std::size_t begin, std::size_t end) {
+                                       Scratch& scratch = m_scratch.local();
+                                       const auto move_packets = [&](auto number_type) {
+                                         using FT = typename decltype(number_type)::FT;
+                                         for(std::size_t packet = begin; packet < end; ++packet)
+                                           move_packet<FT>(stars, stars.packet(packet), positions.data(), radius,
+                                                           sharpness, scratch);
+                                       };
+                                       if constexpr(is_lanewise)
+                                         run_in_lanes(move_packets);
+                                       else
+                                         move_packets(Number_type<double>());
+                                     });
+  }
+
+  template <class FT>
+  void move_packet(const Star_packets& stars, const Star_packets::Packet& packet, Vector_3d* positions, double radius,
+                   double sharpness, Scratch& scratch) const
+  {
+    if(packet.stride == 1)
+      move<double>(stars, packet, 0, positions, radius, sharpness, scratch);
+    else
+      for(std::size_t lane = 0; lane < packet.number_of_stars; lane += Lanes<FT>::width)
+        move<FT>(stars, packet, lane, positions, radius, sharpness, scratch);
+  }
+
+  template <class FT>
+  void move(const Star_packets& stars, const Star_packets::Packet& packet, std::size_t first, Vector_3d* positions,
+            double radius, double sharpness, Scratch& scratch) const
+  {
+    Star_energy<Energy, Barrier, FT>& star = scratch.template star<FT>();
+    star.set_objective(radius * radius, sharpness);
+    star.load(stars.view<FT>(packet, first), positions);
+    std::array<FT, 2> step = {FT(0.), FT(0.)};
+    const auto is_moved = m_update(star, step);
+    if(!any(is_moved))
+      return;
+    const Vector_3<FT> point = star.point_at(step[0], step[1]);
+    for(int k = 0; k < Lanes<FT>::width && first + k < packet.number_of_stars; ++k)
+      if(lane(is_moved, k))
+        positions[stars.vertex(packet.first_place + first + k)] = {lane(point[0], k), lane(point[1], k),
+                                                                   lane(point[2], k)};
   }
 
   Energy m_energy;
   VertexUpdate m_update;
-  Independent_sets m_sets;
-  Vertex_rings m_rings;                    // the ring of the vertex that is m_sets.vertices()[slot] is ring(slot)
-  std::vector<Rest_triangle> m_rest;       // of the corners of m_rings
-  std::vector<std::uint32_t> m_first_face; // of the faces whose smallest vertex is that of a slot
-  std::vector<Face_invariants_3> m_faces;
-  std::vector<Energy_summary> m_partial;
-  std::vector<std::uint32_t> m_focus; // slots
-  std::vector<std::size_t> m_first_in_focus;
-  Per_thread<ConcurrencyTag, Star_energy<Energy, Barrier>> m_stars;
+  const Vertex_rings& m_rings;
+  Star_packets m_stars, m_focus;
+  std::vector<std::uint32_t> m_places; // of the vertices in m_stars
+  std::vector<char> m_is_selected;     // 0 outside of focus_on_faces_above()
+  Measured_faces m_faces;
+  Per_thread<ConcurrencyTag, Scratch> m_scratch;
 };
 
 } // namespace internal

@@ -13,7 +13,10 @@
 
 #include <CGAL/license/Spherical_parameterization.h>
 
+#include <CGAL/Spherical_parameterization/internal/Lanes.h>
+
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -43,6 +46,31 @@ public:
         m_sum_of_exponentials += std::exp(m_sharpness * (energy - m_largest));
     }
     m_largest = (std::max)(m_largest, energy);
+  }
+
+  // Adds the energies of many faces.
+  template <class FT>
+  void add_all(const double* energies, std::size_t n)
+  {
+    Energy_summary part(m_sharpness);
+    part.m_size = n;
+    for(std::size_t k = 0; k < n; ++k)
+      part.m_largest = (std::max)(part.m_largest, energies[k]);
+    part.m_sum = sum_of(energies, n);
+    if(m_sharpness > 0.)
+    {
+      std::array<double, packet_size> exponentials;
+      for(std::size_t first = 0; first < n; first += packet_size)
+      {
+        const std::size_t size = (std::min)(n - first, packet_size);
+        for(std::size_t k = 0; k < packet_size; ++k)
+          exponentials[k] = k < size ? m_sharpness * (energies[first + k] - part.m_largest) : 0.;
+        for(std::size_t k = 0; k < packet_size; k += Lanes<FT>::width)
+          Lanes<FT>::store(exponential(Lanes<FT>::load(exponentials.data() + k)), exponentials.data() + k);
+        part.m_sum_of_exponentials += sum_of(exponentials.data(), size);
+      }
+    }
+    add(part);
   }
 
   void add(const Energy_summary& part)
@@ -80,6 +108,23 @@ private:
     return m_size > 0 && m_largest > lowest ? std::exp(m_sharpness * (m_largest - new_largest)) : 0.;
   }
 
+  // In several sums, which do not wait for each other. Which ones does not depend on the processor.
+  static double sum_of(const double* values, std::size_t n)
+  {
+    std::array<double, packet_size> sums = {};
+    std::size_t k = 0;
+    for(; k + packet_size <= n; k += packet_size)
+      for(std::size_t i = 0; i < packet_size; ++i)
+        sums[i] += values[k + i];
+    for(std::size_t i = 0; k < n; ++k, ++i)
+      sums[i] += values[k];
+    double result = 0.;
+    for(const double sum : sums)
+      result += sum;
+    return result;
+  }
+
+  static constexpr std::size_t packet_size = 8;
   static constexpr double lowest = std::numeric_limits<double>::lowest();
 
   double m_sharpness;

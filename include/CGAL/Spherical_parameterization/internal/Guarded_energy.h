@@ -14,6 +14,9 @@
 #include <CGAL/license/Spherical_parameterization.h>
 
 #include <CGAL/Spherical_parameterization/Energy_derivatives_3.h>
+#include <CGAL/Spherical_parameterization/internal/evaluate_energy.h>
+
+#include <CGAL/tags.h>
 
 namespace CGAL {
 namespace Spherical_parameterization {
@@ -25,17 +28,24 @@ template <class Energy>
 class Guarded_energy
 {
 public:
+  using Is_lanewise = Tag_true; // whatever the energy is
+
   Guarded_energy(const Energy& energy, double weight)
     : m_energy(energy)
     , m_weight(weight)
   {}
 
-  double operator()(double i, double d) const { return m_energy(i, d) + m_weight * (d + 1. / d); }
-
-  Energy_derivatives_3 derivatives(double i, double d) const
+  template <class FT>
+  FT operator()(const FT& i, const FT& d) const
   {
-    const double inverse_d = 1. / d;
-    Energy_derivatives_3 e = m_energy.derivatives(i, d);
+    return energy_value(m_energy, i, d) + m_weight * (d + 1. / d);
+  }
+
+  template <class FT>
+  Basic_energy_derivatives_3<FT> derivatives(const FT& i, const FT& d) const
+  {
+    const FT inverse_d = 1. / d;
+    Basic_energy_derivatives_3<FT> e = energy_derivatives(m_energy, i, d);
     e.value += m_weight * (d + inverse_d);
     e.d += m_weight * (1. - inverse_d * inverse_d);
     e.dd += 2. * m_weight * inverse_d * inverse_d * inverse_d;

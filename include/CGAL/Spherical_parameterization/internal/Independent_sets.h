@@ -92,6 +92,7 @@ public:
 
   // set k is vertices()[first(k)], ..., vertices()[first(k + 1) - 1]
   std::size_t first(std::size_t k) const { return m_first[k]; }
+  const std::vector<std::size_t>& first() const { return m_first; }
   const std::vector<std::uint32_t>& vertices() const { return m_vertices; }
 
   // where vertex v is in vertices()

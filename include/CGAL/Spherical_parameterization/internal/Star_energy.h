@@ -15,16 +15,17 @@
 
 #include <CGAL/Spherical_parameterization/Energy_derivatives_3.h>
 #include <CGAL/Spherical_parameterization/internal/Image_area.h>
-#include <CGAL/Spherical_parameterization/internal/Rest_triangle.h>
+#include <CGAL/Spherical_parameterization/internal/Packed_double.h>
+#include <CGAL/Spherical_parameterization/internal/Star_view.h>
 #include <CGAL/Spherical_parameterization/internal/Tangent_frame.h>
-#include <CGAL/Spherical_parameterization/internal/Vertex_rings.h>
+#include <CGAL/Spherical_parameterization/internal/Vector_3d.h>
+#include <CGAL/Spherical_parameterization/internal/evaluate_energy.h>
 #include <CGAL/Spherical_parameterization/internal/is_safely_positive.h>
 
-#include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <limits>
+#include <type_traits>
 #include <vector>
 
 namespace CGAL {
@@ -37,8 +38,9 @@ namespace internal {
 // minimiser nor the direction of the steps and never overflows there.
 //
 // This is the model of the concept `VertexEnergy_3` that a vertex update gets to see. One object serves many vertices:
-// it only allocates when it meets a star larger than all before.
-template <class Energy, class Barrier = Determinant_barrier_3>
+// it only allocates when it meets a star larger than all before. With a packed number type it serves as many stars at
+// once as that has lanes.
+template <class Energy, class Barrier = Determinant_barrier_3, class FT = double>
 class Star_energy
 {
 public:
@@ -53,138 +55,158 @@ public:
     m_sharpness = sharpness;
   }
 
-  // Takes the star of the vertex at `center`: its ring, the positions on the unit sphere and the rest shapes of its
-  // faces; rest[j] belongs to the face (center, ring[j], ring[j + 1]) in this order of corners.
-  void load(const Vector_3d& center, const Vertex_rings::Ring& ring, const Vector_3d* positions,
-            const Rest_triangle* rest)
+  // Takes a star; the positions are on the unit sphere.
+  void load(const Star_view<FT>& star, const Vector_3d* positions)
   {
-    m_frame = Tangent_frame(center);
-    m_size = ring.size();
-    m_rest = rest;
-    if(m_offsets.size() <= m_size)
+    m_star = star;
+    m_frame = Basic_tangent_frame<FT>(star.center(positions));
+    const std::size_t size = star.size();
+    if(m_faces.size() <= size)
+      m_faces.resize(2 * size + 1);
+    FT shortest = std::numeric_limits<double>::infinity();
+    for(std::size_t j = 0; j < size; ++j)
     {
-      m_offsets.resize(2 * m_size + 1);
-      m_terms.resize(2 * m_size + 1);
+      m_faces[j].offset = m_frame.offset_of(star.neighbor(j, positions));
+      shortest = smaller(shortest, squared_length(m_faces[j].offset));
     }
-    double shortest = std::numeric_limits<double>::infinity();
-    for(std::size_t j = 0; j < m_size; ++j)
-    {
-      m_offsets[j] = m_frame.offset_of(positions[ring[j]]);
-      shortest = (std::min)(shortest, squared_length(m_offsets[j]));
-    }
-    m_offsets[m_size] = m_offsets[0];
-    m_shortest_edge = std::sqrt(shortest);
+    m_faces[size].offset = m_faces[0].offset;
+    m_squared_shortest_edge = shortest;
 
-    m_largest_energy = 0.;
-    for(std::size_t j = 0; j < m_size; ++j)
+    const FT scale = m_scale;
+    m_largest_energy = FT(0.);
+    for(std::size_t j = 0; j < size; ++j)
     {
-      const Vector_3d &p = m_offsets[j], &q = m_offsets[j + 1];
-      const Rest_triangle& r = rest[j];
-      Term& t = m_terms[j];
-      t.fixed_i = m_scale * r.opposite_0 * squared_length(q - p); // the part of I that does not move
-      t.area = Area(p, q);
-      const double squared_p = squared_length(p), squared_q = squared_length(q);
-      t.i = t.fixed_i + m_scale * (r.opposite_2 * squared_p + r.opposite_1 * squared_q);
-      t.d = m_scale * r.inverse_area * t.area.value();
-      m_largest_energy = (std::max)(m_largest_energy, m_energy(t.i, t.d));
+      Face& face = m_faces[j];
+      const Vector_3<FT>&p = face.offset, &q = m_faces[j + 1].offset;
+      face.fixed_i = scale * star.opposite_0(j) * squared_length(q - p); // the part of I that does not move
+      face.area = Area(p, q);
+      const FT i =
+          face.fixed_i + scale * (star.opposite_2(j) * squared_length(p) + star.opposite_1(j) * squared_length(q));
+      const FT d = unless_filling(j, scale * star.inverse_area(j) * face.area.value(), FT(1.));
+      face.energy = energy_derivatives(m_energy, i, d);
+      m_largest_energy = larger(m_largest_energy, face.energy.value);
     }
   }
 
   // the length of the shortest edge at the vertex, the yardstick of its steps
-  double shortest_edge() const { return m_shortest_edge; }
+  FT shortest_edge() const { return square_root(m_squared_shortest_edge); }
 
   // the objective at the current position, relative to the largest energy, with its gradient and Hessian
-  double derivatives(std::array<double, 2>& gradient, std::array<double, 3>& hessian) const
+  FT derivatives(std::array<FT, 2>& gradient, std::array<FT, 3>& hessian) const
   {
     return evaluate<true>(gradient, hessian);
   }
 
   // the same without the Hessian
-  double gradient(std::array<double, 2>& gradient) const
+  FT gradient(std::array<FT, 2>& gradient) const
   {
-    std::array<double, 3> unused;
+    std::array<FT, 3> unused;
     return evaluate<false>(gradient, unused);
   }
 
   // the objective with the vertex at the tangential coordinates (x, y), or infinity if a face is not safely positive
   // there
-  double operator()(double x, double y) const
+  FT operator()(const FT& x, const FT& y) const
   {
-    if(!(x * x + y * y < farthest_squared))
-      return std::numeric_limits<double>::infinity();
-    const double z = Tangent_frame::height_at(x, y);
-    double f = 0.;
-    for(std::size_t j = 0; j < m_size; ++j)
+    auto is_valid = x * x + y * y < farthest_squared;
+    const FT scale = m_scale, sharpness = m_sharpness, infinite = std::numeric_limits<double>::infinity();
+    if(!any(is_valid))
+      return infinite;
+    const FT z = Basic_tangent_frame<FT>::height_at(x, y);
+    FT f = 0.;
+    for(std::size_t j = 0; j < m_star.size(); ++j)
     {
-      const Vector_3d to_p = {m_offsets[j][0] - x, m_offsets[j][1] - y, m_offsets[j][2] - z};
-      const Vector_3d to_q = {m_offsets[j + 1][0] - x, m_offsets[j + 1][1] - y, m_offsets[j + 1][2] - z};
-      const Vector_3d n = cross(to_p, to_q);
-      const double determinant = x * n[0] + y * n[1] + (1. + z) * n[2];
-      const double lp = squared_length(to_p), lq = squared_length(to_q);
-      if(!is_safely_positive(determinant, lp + lq))
-        return std::numeric_limits<double>::infinity();
-      const Rest_triangle& r = m_rest[j];
-      const double i = m_terms[j].fixed_i + m_scale * (r.opposite_2 * lp + r.opposite_1 * lq);
-      const double e = m_energy(i, m_scale * r.inverse_area * Area::value(determinant, n));
-      f += m_sharpness > 0. ? std::exp(m_sharpness * (e - m_largest_energy)) : e;
+      const Vector_3<FT>&p = m_faces[j].offset, &q = m_faces[j + 1].offset;
+      const Vector_3<FT> to_p = {p[0] - x, p[1] - y, p[2] - z}, to_q = {q[0] - x, q[1] - y, q[2] - z};
+      const Vector_3<FT> n = cross(to_p, to_q);
+      const FT determinant = x * n[0] + y * n[1] + (1. + z) * n[2];
+      const FT lp = squared_length(to_p), lq = squared_length(to_q);
+      is_valid = is_valid && (is_safely_positive(determinant, lp + lq) || is_filling(j));
+      if(!any(is_valid))
+        break;
+      const FT i = m_faces[j].fixed_i + scale * (m_star.opposite_2(j) * lp + m_star.opposite_1(j) * lq);
+      const FT area = scale * m_star.inverse_area(j) * Area::value(determinant, n);
+      const FT d = select(is_valid, unless_filling(j, area, FT(1.)), FT(1.)); // energies are for positive ones
+      const FT e = energy_value(m_energy, i, d);
+      f += unless_filling(j, m_sharpness > 0. ? exponential(sharpness * (e - m_largest_energy)) : e, FT(0.));
     }
-    return f;
+    return select(is_valid, f, infinite);
   }
 
-  Vector_3d point_at(double x, double y) const { return m_frame.point_at(x, y); }
+  Vector_3<FT> point_at(const FT& x, const FT& y) const { return m_frame.point_at(x, y); }
 
 private:
   static constexpr double farthest_squared = 0.75; // no step leaves the cap of 60 degrees around the vertex
 
-  using Area = Image_area<Barrier>;
+  using Area = Image_area<Barrier, FT>;
 
-  struct Term
+  // what is known of face j, whose corners are the vertex and its neighbors j and j + 1
+  struct Face
   {
+    Vector_3<FT> offset; // of neighbor j
     Area area;
-    double fixed_i, i, d;
+    FT fixed_i;
+    Basic_energy_derivatives_3<FT> energy;
   };
 
-  template <bool with_hessian>
-  double evaluate(std::array<double, 2>& gradient, std::array<double, 3>& hessian) const
+  // whether row j is beyond the end of a star
+  auto is_filling(std::size_t j) const
   {
-    double f = 0., gx = 0., gy = 0., hxx = 0., hxy = 0., hyy = 0.;
-    for(std::size_t j = 0; j < m_size; ++j)
+    if constexpr(std::is_same<FT, double>::value)
+      return false;
+    else
+      return !(m_star.inverse_area(j) > 0.);
+  }
+  FT unless_filling(std::size_t j, const FT& value, const FT& otherwise) const
+  {
+    if constexpr(std::is_same<FT, double>::value)
+      return value;
+    else
+      return select(is_filling(j), otherwise, value);
+  }
+
+  template <bool with_hessian>
+  FT evaluate(std::array<FT, 2>& gradient, std::array<FT, 3>& hessian) const
+  {
+    const FT scale = m_scale, sharpness = m_sharpness;
+    FT f = 0., gx = 0., gy = 0., hxx = 0., hxy = 0., hyy = 0.;
+    for(std::size_t j = 0; j < m_star.size(); ++j)
     {
-      const Vector_3d &p = m_offsets[j], &q = m_offsets[j + 1];
-      const Rest_triangle& r = m_rest[j];
-      const Term& t = m_terms[j];
-      const double to_p = 2. * m_scale * r.opposite_2, to_q = 2. * m_scale * r.opposite_1;
-      const double ix = -(to_p * p[0] + to_q * q[0]), iy = -(to_p * p[1] + to_q * q[1]);
-      const double to_d = m_scale * r.inverse_area;
-      const double dx = to_d * t.area.dx(), dy = to_d * t.area.dy();
-      const Energy_derivatives_3 e = m_energy.derivatives(t.i, t.d);
-      double ex = e.i * ix + e.d * dx, ey = e.i * iy + e.d * dy;
-      double exx = 0., exy = 0., eyy = 0.;
+      const Vector_3<FT>&p = m_faces[j].offset, &q = m_faces[j + 1].offset;
+      const Area& area = m_faces[j].area;
+      const Basic_energy_derivatives_3<FT>& e = m_faces[j].energy;
+      const FT to_p = 2. * scale * m_star.opposite_2(j), to_q = 2. * scale * m_star.opposite_1(j);
+      const FT ix = -(to_p * p[0] + to_q * q[0]), iy = -(to_p * p[1] + to_q * q[1]);
+      const FT to_d = scale * m_star.inverse_area(j);
+      const FT dx = to_d * area.dx(), dy = to_d * area.dy();
+      FT ex = e.i * ix + e.d * dx, ey = e.i * iy + e.d * dy;
+      FT exx = 0., exy = 0., eyy = 0.;
       if constexpr(with_hessian)
       {
-        const double i2 = to_p * (1. + p[2]) + to_q * (1. + q[2]);
-        exx = e.i * i2 + e.d * (to_d * t.area.dxx()) + e.ii * ix * ix + 2. * e.id * ix * dx + e.dd * dx * dx;
+        const FT i2 = to_p * (1. + p[2]) + to_q * (1. + q[2]);
+        exx = e.i * i2 + e.d * (to_d * area.dxx()) + e.ii * ix * ix + 2. * e.id * ix * dx + e.dd * dx * dx;
         exy = e.ii * ix * iy + e.id * (ix * dy + iy * dx) + e.dd * dx * dy;
-        eyy = e.i * i2 + e.d * (to_d * t.area.dyy()) + e.ii * iy * iy + 2. * e.id * iy * dy + e.dd * dy * dy;
+        eyy = e.i * i2 + e.d * (to_d * area.dyy()) + e.ii * iy * iy + 2. * e.id * iy * dy + e.dd * dy * dy;
         if constexpr(Area::has_dxy)
-          exy += e.d * (to_d * t.area.dxy());
+          exy += e.d * (to_d * area.dxy());
       }
+      // The rest shape of a filling row is 0, and so are its derivatives.
       if(m_sharpness > 0.)
       {
-        const double w = std::exp(m_sharpness * (e.value - m_largest_energy));
-        const double ws = w * m_sharpness;
-        f += w;
+        const FT w = exponential(sharpness * (e.value - m_largest_energy));
+        const FT ws = w * sharpness;
+        f += unless_filling(j, w, FT(0.));
         if constexpr(with_hessian)
         {
-          exx = ws * (exx + m_sharpness * ex * ex);
-          exy = ws * (exy + m_sharpness * ex * ey);
-          eyy = ws * (eyy + m_sharpness * ey * ey);
+          exx = ws * (exx + sharpness * ex * ex);
+          exy = ws * (exy + sharpness * ex * ey);
+          eyy = ws * (eyy + sharpness * ey * ey);
         }
         ex *= ws;
         ey *= ws;
       }
       else
-        f += e.value;
+        f += unless_filling(j, e.value, FT(0.));
       gx += ex;
       gy += ey;
       hxx += exx;
@@ -199,12 +221,10 @@ private:
   Energy m_energy;
   double m_scale = 1., m_sharpness = 0.;
 
-  Tangent_frame m_frame = Tangent_frame({0., 0., 1.});
-  std::size_t m_size = 0;
-  const Rest_triangle* m_rest = nullptr;
-  std::vector<Vector_3d> m_offsets;
-  std::vector<Term> m_terms;
-  double m_shortest_edge = 0., m_largest_energy = 0.;
+  Star_view<FT> m_star = Star_view<FT>(nullptr, nullptr, nullptr, 0, 0);
+  Basic_tangent_frame<FT> m_frame = Basic_tangent_frame<FT>({FT(0.), FT(0.), FT(1.)});
+  std::vector<Face> m_faces;
+  FT m_squared_shortest_edge = 0., m_largest_energy = 0.;
 };
 
 } // namespace internal

@@ -13,52 +13,63 @@
 
 #include <CGAL/license/Spherical_parameterization.h>
 
+#include <CGAL/Spherical_parameterization/internal/Packed_double.h>
+
 #include <array>
-#include <cmath>
 
 namespace CGAL {
 namespace Spherical_parameterization {
 namespace internal {
 
-// Three doubles without a kernel: everything between reading the mesh and writing the map works on arrays of these.
-using Vector_3d = std::array<double, 3>;
+// Three numbers without a kernel: everything between reading the mesh and writing the map works on arrays of these.
+template <class FT>
+using Vector_3 = std::array<FT, 3>;
+using Vector_3d = Vector_3<double>;
 
-inline Vector_3d operator-(const Vector_3d& a, const Vector_3d& b)
+template <class FT>
+Vector_3<FT> operator-(const Vector_3<FT>& a, const Vector_3<FT>& b)
 {
   return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
 }
 
-inline Vector_3d operator+(const Vector_3d& a, const Vector_3d& b)
+template <class FT>
+Vector_3<FT> operator+(const Vector_3<FT>& a, const Vector_3<FT>& b)
 {
   return {a[0] + b[0], a[1] + b[1], a[2] + b[2]};
 }
 
-inline Vector_3d operator*(double s, const Vector_3d& a)
+template <class FT>
+Vector_3<FT> operator*(const FT& s, const Vector_3<FT>& a)
 {
   return {s * a[0], s * a[1], s * a[2]};
 }
 
-inline double dot(const Vector_3d& a, const Vector_3d& b)
+template <class FT>
+FT dot(const Vector_3<FT>& a, const Vector_3<FT>& b)
 {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-inline Vector_3d cross(const Vector_3d& a, const Vector_3d& b)
+template <class FT>
+Vector_3<FT> cross(const Vector_3<FT>& a, const Vector_3<FT>& b)
 {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 
-inline double squared_length(const Vector_3d& a)
+template <class FT>
+FT squared_length(const Vector_3<FT>& a)
 {
   return dot(a, a);
 }
 
-inline double length(const Vector_3d& a)
+template <class FT = double>
+FT length(const Vector_3<FT>& a)
 {
-  return std::sqrt(dot(a, a));
+  return square_root(dot(a, a));
 }
 
-inline Vector_3d normalized(const Vector_3d& a)
+template <class FT = double>
+Vector_3<FT> normalized(const Vector_3<FT>& a)
 {
   return (1. / length(a)) * a;
 }

@@ -29,7 +29,8 @@ namespace internal {
 // less than 6 * 2^-53 altogether, and so the determinant by less than that times the opposite edge. For three corners
 // this is less than 18 * 2^-53 * sqrt(2 * sum_of_squared_edges), as no edge is longer than the two others together; the
 // bound leaves a factor of 5. `sum_of_squared_edges` is that of two edges of the face.
-inline bool is_safely_positive(double determinant, double sum_of_squared_edges)
+template <class FT>
+auto is_safely_positive(const FT& determinant, const FT& sum_of_squared_edges)
 {
   constexpr double margin = 64. * std::numeric_limits<double>::epsilon();
   return determinant > 0. && determinant * determinant > margin * margin * sum_of_squared_edges;

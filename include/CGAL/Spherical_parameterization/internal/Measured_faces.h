@@ -1,0 +1,172 @@
+// Copyright (c) 2026  The Spherical_parameterization authors.
+// All rights reserved.
+//
+// This file is part of the Spherical_parameterization package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Spherical_parameterization authors
+//
+
+#ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_MEASURED_FACES_H
+#define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_MEASURED_FACES_H
+
+#include <CGAL/license/Spherical_parameterization.h>
+
+#include <CGAL/Spherical_parameterization/Face_invariants_3.h>
+#include <CGAL/Spherical_parameterization/internal/Energy_summary.h>
+#include <CGAL/Spherical_parameterization/internal/Image_area.h>
+#include <CGAL/Spherical_parameterization/internal/Lanes.h>
+#include <CGAL/Spherical_parameterization/internal/Rest_triangle.h>
+#include <CGAL/Spherical_parameterization/internal/Vector_3d.h>
+#include <CGAL/Spherical_parameterization/internal/Vertex_rings.h>
+#include <CGAL/Spherical_parameterization/internal/evaluate_energy.h>
+#include <CGAL/Spherical_parameterization/internal/for_each_block.h>
+#include <CGAL/Spherical_parameterization/internal/run_in_lanes.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+namespace CGAL {
+namespace Spherical_parameterization {
+namespace internal {
+
+// All faces of a mesh, each once, to be measured at any state of the map. They are laid out such that several of them
+// are measured at once: `width` faces make a packet, which ends with its first face again where there are no more.
+class Measured_faces
+{
+public:
+  // rest_of_face(a, b, c) is the shape of a face, with its corners in this order.
+  template <class ConcurrencyTag, class RestOfFace>
+  void assign(const Vertex_rings& rings, const RestOfFace& rest_of_face)
+  {
+    m_number_of_faces = rings.number_of_faces();
+    const std::size_t n_packets = (m_number_of_faces + width - 1) / width;
+    m_packets.resize(n_packets);
+    m_invariants.resize(m_number_of_faces);
+    std::size_t n = 0;
+    rings.for_each_face([&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+      Packet& packet = m_packets[n / width];
+      packet.vertices[0][n % width] = a;
+      packet.vertices[1][n % width] = b;
+      packet.vertices[2][n % width] = c;
+      ++n;
+    });
+    for(; n < n_packets * width; ++n)
+      for(auto& vertices : m_packets[n / width].vertices)
+        vertices[n % width] = vertices[0];
+    for_each_block<ConcurrencyTag>(0, n_packets, packets_per_block, [&](std::size_t begin, std::size_t end) {
+      for(std::size_t k = begin; k < end; ++k)
+        for(std::size_t lane = 0; lane < width; ++lane)
+        {
+          Packet& packet = m_packets[k];
+          const Rest_triangle rest =
+              rest_of_face(packet.vertices[0][lane], packet.vertices[1][lane], packet.vertices[2][lane]);
+          packet.rest[0][lane] = rest.opposite_0;
+          packet.rest[1][lane] = rest.opposite_1;
+          packet.rest[2][lane] = rest.opposite_2;
+          packet.rest[3][lane] = rest.inverse_area;
+        }
+    });
+  }
+
+  // Measures all faces on the sphere of radius `radius`.
+  template <class Barrier, class ConcurrencyTag, class Energy>
+  Energy_summary measure(const Energy& energy, const std::vector<Vector_3d>& positions, double radius, double sharpness)
+  {
+    m_partial.assign((m_packets.size() + packets_per_block - 1) / packets_per_block, Energy_summary(sharpness));
+    for_each_block<ConcurrencyTag>(0, m_packets.size(), packets_per_block, [&](std::size_t begin, std::size_t end) {
+      run_in_lanes([&](auto number_type) {
+        using FT = typename decltype(number_type)::FT;
+        std::array<double, width * packets_per_block> energies;
+        for(std::size_t k = begin; k < end; ++k)
+          for(std::size_t lane = 0; lane < width; lane += Lanes<FT>::width)
+            measure_lanes<Barrier, FT>(energy, positions.data(), radius * radius, k, lane,
+                                       energies.data() + (k - begin) * width + lane);
+        const std::size_t n = (std::min)(end * width, m_number_of_faces) - begin * width;
+        m_partial[begin / packets_per_block].template add_all<FT>(energies.data(), n);
+      });
+    });
+    Energy_summary total(sharpness);
+    for(const Energy_summary& part : m_partial)
+      total.add(part);
+    return total;
+  }
+
+  // what was measured last
+  const std::vector<Face_invariants_3>& invariants() const { return m_invariants; }
+
+  // Calls f(a, b, c) for each face whose energy was above `bound` when it was measured last, as long as f returns true.
+  template <class Energy, class Function>
+  void for_each_above(const Energy& energy, double bound, const Function& f) const
+  {
+    for(std::size_t block = 0; block < m_partial.size(); ++block)
+    {
+      if(!(m_partial[block].largest() > bound))
+        continue;
+      const std::size_t begin = block * packets_per_block * width;
+      const std::size_t end = (std::min)(begin + packets_per_block * width, m_number_of_faces);
+      for(std::size_t face = begin; face < end; ++face)
+        if(energy(m_invariants[face].i, m_invariants[face].d) > bound)
+        {
+          const auto& vertices = m_packets[face / width].vertices;
+          if(!f(vertices[0][face % width], vertices[1][face % width], vertices[2][face % width]))
+            return;
+        }
+    }
+  }
+
+private:
+  static constexpr std::size_t width = 8;
+  static constexpr std::size_t packets_per_block = 32;
+
+  struct Packet
+  {
+    std::array<std::array<double, width>, 4> rest;
+    std::array<std::array<std::uint32_t, width>, 3> vertices;
+  };
+
+  template <class Barrier, class FT, class Energy>
+  void measure_lanes(const Energy& energy, const Vector_3d* positions, double squared_radius, std::size_t k,
+                     std::size_t first, double* energies)
+  {
+    const Packet& packet = m_packets[k];
+    const auto point = [&](std::size_t corner) {
+      const auto coordinate = [&](std::size_t i) {
+        return Lanes<FT>::generate(
+            [&](int lane) { return positions[packet.vertices[corner][first + static_cast<std::size_t>(lane)]][i]; });
+      };
+      return Vector_3<FT>{coordinate(0), coordinate(1), coordinate(2)};
+    };
+    const auto rest = [&](std::size_t i) { return Lanes<FT>::load(packet.rest[i].data() + first); };
+    const Vector_3<FT> u = point(0), p = point(1), q = point(2);
+    const Vector_3<FT> to_p = p - u, to_q = q - u;
+    const Vector_3<FT> n = cross(to_p, to_q);
+    const FT scale = squared_radius, inverse_area = rest(3), to_d = scale * inverse_area;
+    const FT i =
+        scale * (rest(0) * squared_length(q - p) + rest(1) * squared_length(to_q) + rest(2) * squared_length(to_p));
+    const FT d = to_d * Image_area<Barrier, FT>::value(dot(u, n), n), flat_d = to_d * length(n),
+             area = 1. / inverse_area;
+    Lanes<FT>::store(energy_value(energy, i, d), energies);
+    for(std::size_t j = 0; j < Lanes<FT>::width && k * width + first + j < m_number_of_faces; ++j)
+    {
+      const int l = static_cast<int>(j);
+      m_invariants[k * width + first + j] = {lane(area, l), lane(i, l), lane(d, l), lane(flat_d, l)};
+    }
+  }
+
+  std::size_t m_number_of_faces = 0;
+  std::vector<Packet> m_packets;
+  std::vector<Face_invariants_3> m_invariants;
+  std::vector<Energy_summary> m_partial; // of the blocks
+};
+
+} // namespace internal
+} // namespace Spherical_parameterization
+} // namespace CGAL
+
+#endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_MEASURED_FACES_H

@@ -1,0 +1,198 @@
+// Copyright (c) 2026  The Spherical_parameterization authors.
+// All rights reserved.
+//
+// This file is part of the Spherical_parameterization package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Spherical_parameterization authors
+//
+
+#ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_STAR_PACKETS_H
+#define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_STAR_PACKETS_H
+
+#include <CGAL/license/Spherical_parameterization.h>
+
+#include <CGAL/Spherical_parameterization/internal/Lanes.h>
+#include <CGAL/Spherical_parameterization/internal/Rest_triangle.h>
+#include <CGAL/Spherical_parameterization/internal/Star_view.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace CGAL {
+namespace Spherical_parameterization {
+namespace internal {
+
+// The stars of many vertices, laid out such that several of them can be worked on at once: `width` stars of the same
+// independent set, and wherever possible of the same number of faces, make a packet, in which they lie side by side as
+// Star_view wants them. A star of very many faces is a packet by itself.
+//
+// Each star has a place; those of a packet are consecutive, and so are the packets of an independent set. A packet that
+// is not full has its first star in the remaining places.
+class Star_packets
+{
+public:
+  static constexpr std::size_t width = 8;
+
+  struct Packet
+  {
+    std::size_t offset; // of the first row, in numbers per row
+    std::uint32_t first_place, number_of_stars, number_of_rows, stride;
+  };
+
+  // Makes room for the stars of `vertices`, of which vertices[first_of_set[k]], ..., vertices[first_of_set[k + 1] - 1]
+  // are independent. degree_of(k) is the number of neighbors of vertices[k].
+  template <class DegreeOf>
+  void assign(const std::vector<std::uint32_t>& vertices, const std::vector<std::size_t>& first_of_set,
+              const DegreeOf& degree_of)
+  {
+    m_vertices.clear();
+    m_sources.clear();
+    m_packets.clear();
+    m_first_packet.assign(1, 0);
+    std::size_t n_rows = 0;
+    std::vector<std::uint32_t> order;
+    for(std::size_t set = 0; set + 1 < first_of_set.size(); ++set)
+    {
+      for(std::size_t begin = first_of_set[set]; begin < first_of_set[set + 1]; begin += chunk_size)
+      {
+        const std::size_t end = (std::min)(begin + chunk_size, first_of_set[set + 1]);
+        order.resize(end - begin);
+        for(std::size_t k = begin; k < end; ++k)
+          order[k - begin] = static_cast<std::uint32_t>(k);
+        std::stable_sort(order.begin(), order.end(),
+                         [&](std::uint32_t a, std::uint32_t b) { return degree_of(a) < degree_of(b); });
+        for(std::size_t k = 0; k < order.size();)
+        {
+          const bool is_large = degree_of(order[k]) > most_rows;
+          const std::size_t stride = is_large ? 1 : width;
+          std::size_t last = k + 1;
+          while(last < order.size() && last < k + stride && degree_of(order[last]) <= most_rows)
+            ++last;
+          Packet packet;
+          packet.offset = n_rows;
+          packet.first_place = static_cast<std::uint32_t>(m_vertices.size());
+          packet.number_of_stars = static_cast<std::uint32_t>(last - k);
+          packet.number_of_rows = static_cast<std::uint32_t>(degree_of(order[last - 1]));
+          packet.stride = static_cast<std::uint32_t>(stride);
+          m_packets.push_back(packet);
+          n_rows += stride * packet.number_of_rows;
+          for(std::size_t lane = 0; lane < stride; ++lane)
+          {
+            const std::uint32_t source = order[k + lane < last ? k + lane : k];
+            m_sources.push_back(source);
+            m_vertices.push_back(vertices[source]);
+          }
+          k = last;
+        }
+      }
+      m_first_packet.push_back(m_packets.size());
+    }
+    m_neighbors.resize(n_rows);
+    m_rest.resize(4 * n_rows);
+  }
+
+  // Fills a packet: star_of(k) is the star of vertices[k], with its degree(), neighbor(j) and rest(j).
+  template <class StarOf>
+  void fill(std::size_t packet, const StarOf& star_of)
+  {
+    const Packet& p = m_packets[packet];
+    for(std::size_t lane = 0; lane < p.stride; ++lane)
+    {
+      const auto star = star_of(m_sources[p.first_place + lane]);
+      const std::size_t degree = star.degree();
+      for(std::size_t j = 0; j < p.number_of_rows; ++j)
+      {
+        m_neighbors[p.offset + j * p.stride + lane] = star.neighbor(j < degree ? j : 0);
+        const Rest_triangle rest = j < degree ? star.rest(j) : Rest_triangle{0., 0., 0., 0.};
+        double* numbers = m_rest.data() + 4 * (p.offset + j * p.stride) + lane;
+        numbers[0] = rest.opposite_0;
+        numbers[p.stride] = rest.opposite_1;
+        numbers[2 * p.stride] = rest.opposite_2;
+        numbers[3 * p.stride] = rest.inverse_area;
+      }
+    }
+  }
+
+  // One star of a packet, to copy it.
+  class Star
+  {
+  public:
+    Star(const Star_packets& stars, std::size_t place)
+    {
+      const auto last = std::upper_bound(stars.m_packets.begin(), stars.m_packets.end(), place,
+                                         [](std::size_t p, const Packet& packet) { return p < packet.first_place; });
+      const Packet& packet = *(last - 1);
+      const std::size_t lane = place - packet.first_place;
+      m_stride = packet.stride;
+      m_neighbors = stars.m_neighbors.data() + packet.offset + lane;
+      m_rest = stars.m_rest.data() + 4 * packet.offset + lane;
+      m_degree = stars.degree(packet, lane);
+    }
+
+    std::size_t degree() const { return m_degree; }
+    std::uint32_t neighbor(std::size_t j) const { return m_neighbors[j * m_stride]; }
+    Rest_triangle rest(std::size_t j) const
+    {
+      const double* numbers = m_rest + 4 * j * m_stride;
+      return {numbers[0], numbers[m_stride], numbers[2 * m_stride], numbers[3 * m_stride]};
+    }
+
+  private:
+    const std::uint32_t* m_neighbors;
+    const double* m_rest;
+    std::size_t m_stride, m_degree;
+  };
+
+  Star star(std::size_t place) const { return Star(*this, place); }
+
+  std::size_t number_of_sets() const { return m_first_packet.size() - 1; }
+  std::size_t first_packet(std::size_t set) const { return m_first_packet[set]; }
+  std::size_t number_of_packets() const { return m_packets.size(); }
+  const Packet& packet(std::size_t k) const { return m_packets[k]; }
+
+  std::size_t number_of_places() const { return m_vertices.size(); }
+  std::size_t first_place_of_set(std::size_t set) const
+  {
+    return m_first_packet[set] < m_packets.size() ? m_packets[m_first_packet[set]].first_place : m_vertices.size();
+  }
+  std::uint32_t vertex(std::size_t place) const { return m_vertices[place]; }
+
+  // The stars of a packet from `lane` on. A single star has no filling rows.
+  template <class FT>
+  Star_view<FT> view(const Packet& p, std::size_t lane) const
+  {
+    std::size_t n_rows = p.number_of_rows;
+    if constexpr(Lanes<FT>::width == 1)
+      n_rows = degree(p, lane);
+    return Star_view<FT>(m_vertices.data() + p.first_place + lane, m_neighbors.data() + p.offset + lane,
+                         m_rest.data() + 4 * p.offset + lane, p.stride, n_rows);
+  }
+
+private:
+  static constexpr std::size_t chunk_size = 1024; // of vertices that are ordered by their numbers of faces
+  static constexpr std::size_t most_rows = 32;    // of a packet of several stars
+
+  std::size_t degree(const Packet& p, std::size_t lane) const
+  {
+    std::size_t result = p.number_of_rows;
+    while(!(m_rest[4 * (p.offset + (result - 1) * p.stride) + 3 * p.stride + lane] > 0.))
+      --result;
+    return result;
+  }
+
+  std::vector<Packet> m_packets;
+  std::vector<std::size_t> m_first_packet;
+  std::vector<std::uint32_t> m_vertices, m_sources; // of the places
+  std::vector<std::uint32_t> m_neighbors;
+  std::vector<double> m_rest;
+};
+
+} // namespace internal
+} // namespace Spherical_parameterization
+} // namespace CGAL
+
+#endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_STAR_PACKETS_H
