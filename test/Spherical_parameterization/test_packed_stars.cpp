@@ -130,12 +130,9 @@ std::vector<Vector_3d> moved(const Random_stars& stars, const Energy& energy, co
       const auto is_moved = SP::Newton_update_3()(star, step);
       const Vector_3<FT> point = star.point_at(step[0], step[1]);
       for(std::size_t i = 0; i < Lanes<FT>::width && first + i < packet.number_of_stars; ++i)
-      {
-        const int l = static_cast<int>(i);
-        if(lane(is_moved, l))
-          positions[packets.vertex(packet.first_place + first + i)] = {lane(point[0], l), lane(point[1], l),
-                                                                       lane(point[2], l)};
-      }
+        if(lane(is_moved, i))
+          positions[packets.vertex(packet.first_place + first + i)] = {lane(point[0], i), lane(point[1], i),
+                                                                       lane(point[2], i)};
     }
   }
   return positions;
@@ -170,9 +167,9 @@ TEST(Packed_double, has_an_exponential)
   for(int k = 0; k < 100000; ++k)
   {
     const double x = k % 3 == 0 ? uniform(random, -700., 700.) : uniform(random, -12., 1.);
-    const Four packed = Lanes<Four>::generate([&](int i) { return x + i; });
+    const Four packed = Lanes<Four>::generate([&](std::size_t i) { return x + static_cast<double>(i); });
     const Four e = exponential(packed);
-    for(int i = 0; i < Lanes<Four>::width; ++i)
+    for(std::size_t i = 0; i < Lanes<Four>::width; ++i)
       EXPECT_NEAR(lane(e, i) / std::exp(lane(packed, i)), 1., 1e-15);
   }
   EXPECT_EQ(lane(exponential(Four(0.)), 0), 1.);
@@ -184,12 +181,12 @@ TEST(Packed_double, has_an_exponential)
 
 TEST(Packed_double, decides_lane_by_lane)
 {
-  const Four a = Lanes<Four>::generate([](int i) { return i - 1.; }), b = Four(0.5);
+  const Four a = Lanes<Four>::generate([](std::size_t i) { return static_cast<double>(i) - 1.; }), b = Four(0.5);
   const Four least = smaller(a, b), most = larger(a, b), size = absolute(a), root = square_root(size);
   const Four chosen = select(a < b && !(a < Four(0.)), Four(7.), a);
-  for(int i = 0; i < Lanes<Four>::width; ++i)
+  for(std::size_t i = 0; i < Lanes<Four>::width; ++i)
   {
-    const double x = i - 1.;
+    const double x = static_cast<double>(i) - 1.;
     EXPECT_EQ(lane(least, i), x < 0.5 ? x : 0.5);
     EXPECT_EQ(lane(most, i), x < 0.5 ? 0.5 : x);
     EXPECT_EQ(lane(size, i), std::abs(x));
@@ -309,8 +306,8 @@ TEST(Packed_stars, do_not_mind_each_other)
     std::array<Four, 2> step = {Four(0.), Four(0.)};
     SP::Newton_update_3()(star, step);
     const Vector_3<Four> point = star.point_at(step[0], step[1]);
-    for(int i = 0; i < Lanes<Four>::width; ++i)
-      EXPECT_EQ(lane(point[1], i), expected[packets.vertex(first + static_cast<std::size_t>(i))][1]);
+    for(std::size_t i = 0; i < Lanes<Four>::width; ++i)
+      EXPECT_EQ(lane(point[1], i), expected[packets.vertex(first + i)][1]);
   }
 }
 

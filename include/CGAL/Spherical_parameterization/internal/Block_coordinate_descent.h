@@ -240,7 +240,7 @@ private:
     if(!any(is_moved))
       return;
     const Vector_3<FT> point = star.point_at(step[0], step[1]);
-    for(int k = 0; k < Lanes<FT>::width && first + k < packet.number_of_stars; ++k)
+    for(std::size_t k = 0; k < Lanes<FT>::width && first + k < packet.number_of_stars; ++k)
       if(lane(is_moved, k))
         positions[stars.vertex(packet.first_place + first + k)] = {lane(point[0], k), lane(point[1], k),
                                                                    lane(point[2], k)};

@@ -15,6 +15,8 @@
 
 #include <CGAL/Spherical_parameterization/internal/Packed_double.h>
 
+#include <cstddef>
+
 namespace CGAL {
 namespace Spherical_parameterization {
 namespace internal {
@@ -23,7 +25,7 @@ namespace internal {
 template <class FT>
 struct Lanes
 {
-  static constexpr int width = FT::width;
+  static constexpr std::size_t width = FT::width;
   static CGAL_SPHERICAL_PARAMETERIZATION_INLINE FT load(const double* values) { return FT::load(values); }
   static CGAL_SPHERICAL_PARAMETERIZATION_INLINE void store(const FT& a, double* values) { a.store(values); }
   template <class Function>
@@ -36,13 +38,13 @@ struct Lanes
 template <>
 struct Lanes<double>
 {
-  static constexpr int width = 1;
+  static constexpr std::size_t width = 1;
   static CGAL_SPHERICAL_PARAMETERIZATION_INLINE double load(const double* values) { return *values; }
   static CGAL_SPHERICAL_PARAMETERIZATION_INLINE void store(double a, double* values) { *values = a; }
   template <class Function>
   static CGAL_SPHERICAL_PARAMETERIZATION_INLINE double generate(const Function& f)
   {
-    return f(0);
+    return f(std::size_t(0));
   }
 };
 

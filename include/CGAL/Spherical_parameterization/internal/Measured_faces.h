@@ -138,7 +138,7 @@ private:
     const auto point = [&](std::size_t corner) {
       const auto coordinate = [&](std::size_t i) {
         return Lanes<FT>::generate(
-            [&](int lane) { return positions[packet.vertices[corner][first + static_cast<std::size_t>(lane)]][i]; });
+            [&](std::size_t lane) { return positions[packet.vertices[corner][first + lane]][i]; });
       };
       return Vector_3<FT>{coordinate(0), coordinate(1), coordinate(2)};
     };
@@ -153,10 +153,7 @@ private:
              area = 1. / inverse_area;
     Lanes<FT>::store(energy_value(energy, i, d), energies);
     for(std::size_t j = 0; j < Lanes<FT>::width && k * width + first + j < m_number_of_faces; ++j)
-    {
-      const int l = static_cast<int>(j);
-      m_invariants[k * width + first + j] = {lane(area, l), lane(i, l), lane(d, l), lane(flat_d, l)};
-    }
+      m_invariants[k * width + first + j] = {lane(area, j), lane(i, j), lane(d, j), lane(flat_d, j)};
   }
 
   std::size_t m_number_of_faces = 0;

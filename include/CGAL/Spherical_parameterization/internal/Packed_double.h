@@ -17,6 +17,7 @@
 #include <CGAL/Spherical_parameterization/internal/Packed_vectors.h>
 
 #include <cmath>
+#include <cstddef>
 #include <cstring>
 #include <limits>
 
@@ -46,7 +47,7 @@ class alignas(8 * W) Packed_double
 {
 public:
   using Mask = Packed_mask<W>;
-  static constexpr int width = W;
+  static constexpr std::size_t width = W;
 
   Packed_double() = default;
   CGAL_SPHERICAL_PARAMETERIZATION_INLINE Packed_double(double value) { Vectors::fill(m_lanes, value); }
@@ -77,12 +78,15 @@ public:
   static CGAL_SPHERICAL_PARAMETERIZATION_INLINE Packed_double generate(const Function& f)
   {
     Packed_double result;
-    for(int k = 0; k < W; ++k)
+    for(std::size_t k = 0; k < W; ++k)
       result.m_lanes[k] = f(k);
     return result;
   }
 
-  friend CGAL_SPHERICAL_PARAMETERIZATION_INLINE double lane(const Packed_double& a, int k) { return a.m_lanes[k]; }
+  friend CGAL_SPHERICAL_PARAMETERIZATION_INLINE double lane(const Packed_double& a, std::size_t k)
+  {
+    return a.m_lanes[k];
+  }
 
   friend CGAL_SPHERICAL_PARAMETERIZATION_INLINE Packed_double operator+(const Packed_double& a, const Packed_double& b)
   {
@@ -146,11 +150,11 @@ public:
     // The library function would have to set errno, which keeps compilers from using the instruction for several lanes.
     double values[sizeof(Doubles) / sizeof(double)];
     std::memcpy(values, &a.m_lanes, sizeof(values));
-    for(int k = 0; k < W; k += 2)
+    for(std::size_t k = 0; k < W; k += 2)
       _mm_storeu_pd(values + k, _mm_sqrt_pd(_mm_loadu_pd(values + k)));
     std::memcpy(&result.m_lanes, values, sizeof(values));
 #else
-    for(int k = 0; k < W; ++k)
+    for(std::size_t k = 0; k < W; ++k)
       result.m_lanes[k] = std::sqrt(a.m_lanes[k]);
 #endif
     return result;
@@ -202,7 +206,7 @@ private:
 
 // The same for a single number.
 
-CGAL_SPHERICAL_PARAMETERIZATION_INLINE double lane(double a, int)
+CGAL_SPHERICAL_PARAMETERIZATION_INLINE double lane(double a, std::size_t)
 {
   return a;
 }

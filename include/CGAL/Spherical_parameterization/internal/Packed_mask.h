@@ -15,6 +15,7 @@
 
 #include <CGAL/Spherical_parameterization/internal/Packed_vectors.h>
 
+#include <cstddef>
 #include <cstdint>
 
 namespace CGAL {
@@ -42,7 +43,10 @@ public:
     return *this;
   }
 
-  friend CGAL_SPHERICAL_PARAMETERIZATION_INLINE bool lane(const Packed_mask& a, int k) { return a.m_lanes[k] != 0; }
+  friend CGAL_SPHERICAL_PARAMETERIZATION_INLINE bool lane(const Packed_mask& a, std::size_t k)
+  {
+    return a.m_lanes[k] != 0;
+  }
 
   friend CGAL_SPHERICAL_PARAMETERIZATION_INLINE Packed_mask operator&&(const Packed_mask& a, const Packed_mask& b)
   {
@@ -61,7 +65,7 @@ public:
   friend CGAL_SPHERICAL_PARAMETERIZATION_INLINE bool any(const Packed_mask& a)
   {
     std::int64_t result = 0;
-    for(int k = 0; k < W; ++k)
+    for(std::size_t k = 0; k < W; ++k)
       result |= a.m_lanes[k];
     return result != 0;
   }
@@ -77,7 +81,7 @@ private:
 
 // The same for a single number.
 
-CGAL_SPHERICAL_PARAMETERIZATION_INLINE bool lane(bool a, int)
+CGAL_SPHERICAL_PARAMETERIZATION_INLINE bool lane(bool a, std::size_t)
 {
   return a;
 }

@@ -60,7 +60,7 @@ private:
   static Vector_3<FT> points(const std::uint32_t* vertices, const Vector_3d* positions)
   {
     const auto coordinate = [&](std::size_t i) {
-      return Lanes<FT>::generate([&](int lane) { return positions[vertices[lane]][i]; });
+      return Lanes<FT>::generate([&](std::size_t lane) { return positions[vertices[lane]][i]; });
     };
     return {coordinate(0), coordinate(1), coordinate(2)};
   }

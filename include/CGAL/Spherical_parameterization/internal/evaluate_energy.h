@@ -17,6 +17,7 @@
 #include <CGAL/Spherical_parameterization/internal/Packed_double.h>
 #include <CGAL/Spherical_parameterization/internal/is_lanewise.h>
 
+#include <cstddef>
 #include <type_traits>
 
 namespace CGAL {
@@ -30,7 +31,7 @@ FT energy_value(const Energy& energy, const FT& i, const FT& d)
   if constexpr(std::is_same<FT, double>::value || Is_lanewise<Energy>::value)
     return energy(i, d);
   else
-    return FT::generate([&](int k) { return energy(lane(i, k), lane(d, k)); });
+    return FT::generate([&](std::size_t k) { return energy(lane(i, k), lane(d, k)); });
 }
 
 // The same with the derivatives.
@@ -42,9 +43,9 @@ Basic_energy_derivatives_3<FT> energy_derivatives(const Energy& energy, const FT
   else
   {
     Energy_derivatives_3 e[FT::width];
-    for(int k = 0; k < FT::width; ++k)
+    for(std::size_t k = 0; k < FT::width; ++k)
       e[k] = energy.derivatives(lane(i, k), lane(d, k));
-    const auto all = [&](auto member) { return FT::generate([&](int k) { return e[k].*member; }); };
+    const auto all = [&](auto member) { return FT::generate([&](std::size_t k) { return e[k].*member; }); };
     return {all(&Energy_derivatives_3::value), all(&Energy_derivatives_3::i),  all(&Energy_derivatives_3::d),
             all(&Energy_derivatives_3::ii),    all(&Energy_derivatives_3::id), all(&Energy_derivatives_3::dd)};
   }
