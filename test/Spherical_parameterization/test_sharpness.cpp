@@ -24,7 +24,7 @@ using Mesh = CGAL::Surface_mesh<Point_3>;
 
 TEST(Relative_sharpness, is_inverse_to_the_largest_energy)
 {
-  EXPECT_EQ(SP::Relative_sharpness_3().beta(), 12.);
+  EXPECT_EQ(SP::Relative_sharpness_3().beta(), 13.5);
   SP::Relative_sharpness_3 policy(6.);
   for(std::size_t sweep = 0; sweep < 5; ++sweep)
   {

@@ -165,7 +165,7 @@ public:
   /// the mean \f$ \log( \frac{1}{n} \sum \exp( s E ) ) / s \f$, the average, and, up to ten times the tolerance, the
   /// largest one.
   ///
-  /// \param energy_tolerance at least 0, by default 1e-5
+  /// \param energy_tolerance at least 0, by default 3e-5
   /// \param radius_tolerance at least 0, by default 1e-3
   void set_tolerances(double energy_tolerance, double radius_tolerance)
   {
@@ -361,7 +361,7 @@ private:
   Sharpness m_sharpness;
   Radius m_radius;
   Vertex_update m_vertex_update;
-  double m_energy_tolerance = 1e-5, m_radius_tolerance = 1e-3;
+  double m_energy_tolerance = 3e-5, m_radius_tolerance = 1e-3;
   unsigned int m_number_of_iterations = 100;
   bool m_is_accelerated = true;
   Parameterization_report m_report;

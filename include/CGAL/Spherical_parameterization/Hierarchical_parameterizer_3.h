@@ -97,7 +97,7 @@ public:
   /// \param sharpness the sharpness policy, asked for its values on coarse levels, and used for all of at least 300
   ///        vertices; if the type is the default one, by default of sharpness 0 (eq. 6)
   /// \param vertex_update how a vertex is moved
-  /// \param sweeps_per_level sweeps over each level, at least 1; levels below 2000 vertices get up to four times as
+  /// \param sweeps_per_level sweeps over each level, at least 1; levels below 2000 vertices get up to three times as
   ///        many
   explicit Hierarchical_parameterizer_3(const Energy& energy = Energy(),
                                         const Sharpness& sharpness = default_sharpness(),

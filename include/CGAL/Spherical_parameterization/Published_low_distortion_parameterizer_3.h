@@ -91,6 +91,7 @@ public:
     : Base(initial_parameterizer, Isometric_energy_3(), sharpness, radius, Gradient_update_3())
   {
     Base::set_number_of_iterations(2000);
+    Base::set_tolerances(1e-5, 1e-3);
     Base::set_acceleration(false);
   }
 };

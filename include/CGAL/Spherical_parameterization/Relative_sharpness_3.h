@@ -27,7 +27,7 @@ namespace Spherical_parameterization {
 /// so that one \f$ \beta \f$ serves a smooth and a limbed surface, the coarse levels of a hierarchy and the finest, and
 /// needs no phase of its own for eq. 6, which is \f$ \beta = 0 \f$. It is the default of the package.
 ///
-/// \f$ \beta \f$ is a dial from the lowest average distortion, 0, to the lowest maximum: with 12 both are within a few
+/// \f$ \beta \f$ is a dial from the lowest average distortion, 0, to the lowest maximum: with 13.5 both are within a few
 /// percent of the best for most surfaces, and beyond 50 there is little left to gain.
 ///
 /// \cgalModels{SharpnessPolicy_3}
@@ -37,7 +37,7 @@ class Relative_sharpness_3
 {
 public:
   /// constructs the policy with the dial `beta`, at least 0.
-  explicit Relative_sharpness_3(double beta = 12.)
+  explicit Relative_sharpness_3(double beta = 13.5)
     : m_beta(beta)
   {}
 
@@ -53,12 +53,12 @@ public:
     return relative(m_beta, largest_energy);
   }
 
-  /// returns the sharpness of the next sweep over a coarse level, from \f$ \beta^2 / (\beta + 36) \f$ in the place of
+  /// returns the sharpness of the next sweep over a coarse level, from \f$ \beta^2 / (\beta + 47) \f$ in the place of
   /// \f$ \beta \f$. The worst faces of a coarse mesh are partly so for being coarse, so a quarter of the default dial
   /// is enough there; where only the maximum counts, the large features have to make room for it from the beginning.
   double on_coarse_level(double largest_energy) const
   {
-    return relative(m_beta * m_beta / (m_beta + 36.), largest_energy);
+    return relative(m_beta * m_beta / (m_beta + 47.), largest_energy);
   }
 
   /// returns `true`: the sharpness follows the map only, and settles with it.

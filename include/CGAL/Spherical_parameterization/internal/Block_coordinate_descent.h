@@ -143,7 +143,7 @@ public:
 
 private:
   static constexpr bool is_lanewise = Is_lanewise<VertexUpdate>::value;
-  static constexpr std::size_t packets_per_block = 32; // of parallel work: some hundred microseconds
+  static constexpr std::size_t packets_per_block = 16; // of parallel work: some ten microseconds
 
   static constexpr std::size_t rings_of_focus = 4;
 

@@ -161,7 +161,7 @@ private:
   std::size_t number_of_sweeps(std::size_t n_vertices) const
   {
     const double factor = std::sqrt(2000. / static_cast<double>(n_vertices));
-    return static_cast<std::size_t>(static_cast<double>(m_sweeps_per_level) * (std::min)((std::max)(factor, 1.), 4.));
+    return static_cast<std::size_t>(static_cast<double>(m_sweeps_per_level) * (std::min)((std::max)(factor, 1.), 3.));
   }
 
   static constexpr std::size_t sweeps_per_measurement = 5;
