@@ -385,7 +385,7 @@ void expect_hierarchy(const Indexed_mesh& mesh)
   const Mesh_hierarchy hierarchy = Mesh_hierarchy::build<CGAL::Sequential_tag>(mesh.rings(), mesh.points());
   const std::size_t n_levels = hierarchy.number_of_levels();
   ASSERT_GE(n_levels, 1u);
-  ASSERT_TRUE(have_same_rings(hierarchy.level(0).rings, mesh.rings()));
+  ASSERT_TRUE(have_same_rings(hierarchy.rings(0), mesh.rings()));
   ASSERT_EQ(hierarchy.level(n_levels - 1).vertices.size(), 4u);
   ASSERT_TRUE(hierarchy.level(n_levels - 1).removed.empty());
   const double total = std::accumulate(hierarchy.level(0).areas.begin(), hierarchy.level(0).areas.end(), 0.);
@@ -397,16 +397,16 @@ void expect_hierarchy(const Indexed_mesh& mesh)
     SCOPED_TRACE(k);
     const Mesh_hierarchy::Level& level = hierarchy.level(k);
     const std::size_t n = level.vertices.size();
-    ASSERT_EQ(level.rings.number_of_vertices(), n);
+    ASSERT_EQ(hierarchy.rings(k).number_of_vertices(), n);
     ASSERT_EQ(level.areas.size(), n);
-    expect_simplicial_sphere(level.rings);
+    expect_simplicial_sphere(hierarchy.rings(k));
     if(::testing::Test::HasFatalFailure())
     {
       return;
     }
     ASSERT_TRUE(std::is_sorted(level.vertices.begin(), level.vertices.end()));
     ASSERT_NEAR(std::accumulate(level.areas.begin(), level.areas.end(), 0.), total, 1e-9 * total);
-    n_corners += level.rings.number_of_corners();
+    n_corners += hierarchy.rings(k).number_of_corners();
     if(k + 1 == n_levels)
     {
       break;
@@ -418,7 +418,7 @@ void expect_hierarchy(const Indexed_mesh& mesh)
     for(const Mesh_hierarchy::Removed_vertex& r : level.removed)
     {
       ASSERT_LT(r.vertex, n);
-      ASSERT_LT(r.target, level.rings.degree(r.vertex));
+      ASSERT_LT(r.target, hierarchy.rings(k).degree(r.vertex));
       ASSERT_FALSE(is_removed[r.vertex]);
       is_removed[r.vertex] = 1;
     }
@@ -436,7 +436,7 @@ void expect_hierarchy(const Indexed_mesh& mesh)
 
     // The coarser mesh has the faces without removed vertices and, for each removed one, the fan of its target.
     std::vector<Index_triangle> faces, coarse_faces;
-    level.rings.for_each_face([&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+    hierarchy.rings(k).for_each_face([&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
       ASSERT_LE(is_removed[a] + is_removed[b] + is_removed[c], 1); // no two of them are neighbours
       if(!is_removed[a] && !is_removed[b] && !is_removed[c])
       {
@@ -445,14 +445,14 @@ void expect_hierarchy(const Indexed_mesh& mesh)
     });
     for(const Mesh_hierarchy::Removed_vertex& r : level.removed)
     {
-      const Vertex_rings::Ring ring = level.rings.ring(r.vertex);
+      const Vertex_rings::Ring ring = hierarchy.rings(k).ring(r.vertex);
       for(std::size_t j = 1; j + 1 < ring.size(); ++j)
       {
         faces.push_back({number[ring[r.target]], number[ring[(r.target + j) % ring.size()]],
                          number[ring[(r.target + j + 1) % ring.size()]]});
       }
     }
-    coarse.rings.for_each_face([&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+    hierarchy.rings(k + 1).for_each_face([&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
       coarse_faces.push_back({a, b, c});
     });
     ASSERT_EQ(sorted(faces), sorted(coarse_faces));

@@ -29,7 +29,6 @@ namespace {
 using SP::internal::Rest_triangle;
 using SP::internal::Star_energy;
 using SP::internal::Star_packets;
-using SP::internal::Star_view;
 using SP::internal::Tangent_frame;
 using SP::internal::Vector_3d;
 using SP::internal::Vertex_rings;
@@ -57,24 +56,27 @@ struct Random_star
       positions.push_back(frame.point_at(r * std::cos(angle), r * std::sin(angle)));
       rings.push_neighbor(static_cast<std::uint32_t>(j));
       const auto coordinate = [&]() { return size * uniform(random, -1., 1.); };
-      rest.push_back(Rest_triangle::from_points({coordinate(), coordinate(), coordinate()},
-                                                {coordinate(), coordinate(), coordinate()},
-                                                {coordinate(), coordinate(), coordinate()}));
+      rests.push_back(Rest_triangle::from_points({coordinate(), coordinate(), coordinate()},
+                                                 {coordinate(), coordinate(), coordinate()},
+                                                 {coordinate(), coordinate(), coordinate()}));
     }
     rings.end_ring();
   }
 
-  // The rest shapes have the layout of a packet of one star already; the center is the last of the points.
+  // what Star_packets asks for
+  std::size_t degree() const { return positions.size(); }
+  std::uint32_t neighbor(std::size_t j) const { return rings.ring(0)[j]; }
+  Rest_triangle rest(std::size_t j) const { return rests[j]; }
+
+  // The center is the last of the points.
   template <class Star>
   void load_into(Star& star) const
   {
     points = positions;
     points.push_back(center);
-    numbers.clear();
-    for(const Rest_triangle& r : rest)
-      numbers.insert(numbers.end(), {r.opposite_0, r.opposite_1, r.opposite_2, r.inverse_area});
-    vertex = static_cast<std::uint32_t>(positions.size());
-    star.load(Star_view<double>(&vertex, rings.ring(0).begin(), numbers.data(), 1, positions.size()), points.data());
+    packets.assign({static_cast<std::uint32_t>(degree())}, {0, 1}, [&](std::uint32_t) { return degree(); });
+    packets.fill(0, [&](std::uint32_t) -> const Random_star& { return *this; });
+    star.load(packets.view<double>(packets.packet(0), 0), points.data());
   }
 
   // The energies of the faces with the vertex at u, with the invariants from edge lengths and a determinant or a flat
@@ -96,7 +98,7 @@ struct Random_star
       const long double determinant = u[0] * (edge(0, 1, 1) * edge(0, 2, 2) - edge(0, 1, 2) * edge(0, 2, 1)) +
                                       u[1] * (edge(0, 1, 2) * edge(0, 2, 0) - edge(0, 1, 0) * edge(0, 2, 2)) +
                                       u[2] * (edge(0, 1, 0) * edge(0, 2, 1) - edge(0, 1, 1) * edge(0, 2, 0));
-      const Rest_triangle& r = rest[j];
+      const Rest_triangle& r = rests[j];
       const long double i =
           squared_radius * (r.opposite_0 * squared_length(1, 2) + r.opposite_1 * squared_length(2, 0) +
                             r.opposite_2 * squared_length(0, 1));
@@ -113,13 +115,12 @@ struct Random_star
   Vector_3d center;
   std::vector<Vector_3d> positions;
   Vertex_rings rings;
-  std::vector<Rest_triangle> rest;
+  std::vector<Rest_triangle> rests;
 
 private:
   // what the star that has been loaded refers to
   mutable std::vector<Vector_3d> points;
-  mutable std::vector<double> numbers;
-  mutable std::uint32_t vertex = 0;
+  mutable Star_packets packets;
 };
 
 template <class Energy_, class Barrier_>

@@ -65,14 +65,13 @@ public:
         rest.scale_area((densities[a] + densities[b] + densities[c]) / 3.);
       return rest;
     };
-    m_faces.template assign<ConcurrencyTag>(rings, rest_of_face);
-
     const Independent_sets sets(rings);
     const std::vector<std::uint32_t>& vertices = sets.vertices();
     m_stars.assign(vertices, sets.first(), [&](std::uint32_t k) { return rings.degree(vertices[k]); });
     fill(m_stars, [&](std::uint32_t k) {
       return Ring_star<decltype(rest_of_face)>{vertices[k], rings.ring(vertices[k]), rest_of_face};
     });
+    m_faces.assign(m_stars, rings.number_of_faces());
     m_places.resize(rings.number_of_vertices());
     for(std::size_t place = m_stars.number_of_places(); place-- > 0;) // the first place of each is its own
       m_places[m_stars.vertex(place)] = static_cast<std::uint32_t>(place);
@@ -136,7 +135,7 @@ public:
   // Measures all faces on the sphere of radius `radius`; faces() then returns their invariants.
   Energy_summary measure(const std::vector<Vector_3d>& positions, double radius, double sharpness)
   {
-    return m_faces.template measure<Barrier, ConcurrencyTag>(m_energy, positions, radius, sharpness);
+    return m_faces.template measure<Barrier, ConcurrencyTag>(m_stars, m_energy, positions, radius, sharpness);
   }
 
   const std::vector<Face_invariants_3>& faces() const { return m_faces.invariants(); }

@@ -44,7 +44,7 @@ template <class Energy, class SharpnessPolicy, class VertexUpdate, class Concurr
 class Hierarchical_embedding
 {
 public:
-  Hierarchical_embedding(const Mesh_hierarchy& hierarchy, const std::vector<Vector_3d>& points, const Energy& energy,
+  Hierarchical_embedding(Mesh_hierarchy& hierarchy, const std::vector<Vector_3d>& points, const Energy& energy,
                          const SharpnessPolicy& sharpness, const VertexUpdate& update, std::size_t sweeps_per_level,
                          const Rest_limits& limits)
     : m_hierarchy(hierarchy)
@@ -58,25 +58,27 @@ public:
   {}
 
   // Computes the positions of all vertices of the finest level, which itself is only swept if `sweeps_finest_level`.
-  // Returns false if a kernel has become too narrow for doubles.
+  // Returns false if a kernel has become too narrow for doubles. The levels of the hierarchy that have been mapped are
+  // dropped, as the finer ones need the memory.
   template <class RunControl>
   bool run(std::vector<Vector_3d>& positions, bool sweeps_finest_level, RunControl& control)
   {
     m_radius = 1.;
     positions.resize(m_points.size());
     const std::size_t coarsest = m_hierarchy.number_of_levels() - 1;
-    place_tetrahedron(m_hierarchy.level(coarsest), positions);
+    place_tetrahedron(m_hierarchy.level(coarsest), m_hierarchy.rings(coarsest), positions);
     for(std::size_t k = coarsest + 1; k-- > 0;)
     {
       const Mesh_hierarchy::Level& level = m_hierarchy.level(k);
       std::vector<Vector_3d> local = gathered(positions, level);
-      if(!insert_vertices(level, local))
+      if(!insert_vertices(level, m_hierarchy.rings(k), local))
         return false;
       if(k > 0 || sweeps_finest_level)
-        relax(level, local, control);
+        relax(level, m_hierarchy.rings(k), local, control);
       for(std::size_t v = 0; v < local.size(); ++v)
         positions[level.vertices[v]] = local[v];
       control.visitor().on_level(local.size());
+      m_hierarchy.drop_coarsest();
     }
     return true;
   }
@@ -107,17 +109,18 @@ private:
     return local;
   }
 
-  static void place_tetrahedron(const Mesh_hierarchy::Level& level, std::vector<Vector_3d>& positions)
+  static void place_tetrahedron(const Mesh_hierarchy::Level& level, const Vertex_rings& rings,
+                                std::vector<Vector_3d>& positions)
   {
     const double a = 1. / std::sqrt(3.);
-    const Vertex_rings::Ring ring = level.rings.ring(0);
+    const Vertex_rings::Ring ring = rings.ring(0);
     positions[level.vertices[0]] = {a, a, a};
     positions[level.vertices[ring[0]]] = {a, -a, -a};
     positions[level.vertices[ring[1]]] = {-a, a, -a};
     positions[level.vertices[ring[2]]] = {-a, -a, a};
   }
 
-  bool insert_vertices(const Mesh_hierarchy::Level& level, std::vector<Vector_3d>& local)
+  bool insert_vertices(const Mesh_hierarchy::Level& level, const Vertex_rings& rings, std::vector<Vector_3d>& local)
   {
     std::atomic<bool> is_complete(true);
     for_each_block<ConcurrencyTag>(0, level.removed.size(), block_size, [&](std::size_t begin, std::size_t end) {
@@ -125,7 +128,7 @@ private:
       for(std::size_t k = begin; k < end; ++k)
       {
         const Mesh_hierarchy::Removed_vertex& removed = level.removed[k];
-        if(!kernel.find_point(Hole{local, level.rings.ring(removed.vertex), removed.target}, local[removed.vertex]))
+        if(!kernel.find_point(Hole{local, rings.ring(removed.vertex), removed.target}, local[removed.vertex]))
           is_complete = false;
       }
     });
@@ -133,13 +136,14 @@ private:
   }
 
   template <class RunControl>
-  void relax(const Mesh_hierarchy::Level& level, std::vector<Vector_3d>& local, RunControl& control)
+  void relax(const Mesh_hierarchy::Level& level, const Vertex_rings& rings, std::vector<Vector_3d>& local,
+             RunControl& control)
   {
     const std::vector<Vector_3d> points = gathered(m_points, level);
     const std::vector<double> densities =
-        m_limits.is_uniform ? std::vector<double>() : vertex_densities(level.rings, points, level.areas);
-    Block_coordinate_descent<Energy, VertexUpdate, ConcurrencyTag> descent(level.rings, points, densities, m_energy,
-                                                                           m_update, m_limits);
+        m_limits.is_uniform ? std::vector<double>() : vertex_densities(rings, points, level.areas);
+    Block_coordinate_descent<Energy, VertexUpdate, ConcurrencyTag> descent(rings, points, densities, m_energy, m_update,
+                                                                           m_limits);
     const std::size_t n_sweeps = number_of_sweeps(local.size());
     double sharpness = 0.;
     for(std::size_t i = 0; i < n_sweeps; ++i)
@@ -170,7 +174,7 @@ private:
   // whole limb, to fight the worst one throws the limbs into disorder, from which the finer levels do not recover.
   static constexpr std::size_t least_sharp_level = 300;
 
-  const Mesh_hierarchy& m_hierarchy;
+  Mesh_hierarchy& m_hierarchy;
   const std::vector<Vector_3d>& m_points;
   Energy m_energy;
   SharpnessPolicy m_sharpness;

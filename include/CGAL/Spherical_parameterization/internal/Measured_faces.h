@@ -17,9 +17,8 @@
 #include <CGAL/Spherical_parameterization/internal/Energy_summary.h>
 #include <CGAL/Spherical_parameterization/internal/Image_area.h>
 #include <CGAL/Spherical_parameterization/internal/Lanes.h>
-#include <CGAL/Spherical_parameterization/internal/Rest_triangle.h>
+#include <CGAL/Spherical_parameterization/internal/Star_packets.h>
 #include <CGAL/Spherical_parameterization/internal/Vector_3d.h>
-#include <CGAL/Spherical_parameterization/internal/Vertex_rings.h>
 #include <CGAL/Spherical_parameterization/internal/evaluate_energy.h>
 #include <CGAL/Spherical_parameterization/internal/for_each_block.h>
 #include <CGAL/Spherical_parameterization/internal/run_in_lanes.h>
@@ -40,43 +39,35 @@ namespace internal {
 class Measured_faces
 {
 public:
-  // rest_of_face(a, b, c) is the shape of a face, with its corners in this order.
-  template <class ConcurrencyTag, class RestOfFace>
-  void assign(const Vertex_rings& rings, const RestOfFace& rest_of_face)
+  // Takes the faces of the mesh with these stars, which hold the rest shapes for the measurements as well.
+  void assign(const Star_packets& stars, std::size_t n_faces)
   {
-    m_number_of_faces = rings.number_of_faces();
-    const std::size_t n_packets = (m_number_of_faces + width - 1) / width;
+    m_number_of_faces = n_faces;
+    const std::size_t n_packets = (n_faces + width - 1) / width;
     m_packets.resize(n_packets);
-    m_invariants.resize(m_number_of_faces);
+    m_invariants.resize(n_faces);
     std::size_t n = 0;
-    rings.for_each_face([&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+    stars.for_each_face([&](std::size_t corner, std::uint32_t a, std::uint32_t b, std::uint32_t c) {
       Packet& packet = m_packets[n / width];
+      packet.corners[n % width] = static_cast<std::uint32_t>(corner);
       packet.vertices[0][n % width] = a;
       packet.vertices[1][n % width] = b;
       packet.vertices[2][n % width] = c;
       ++n;
     });
     for(; n < n_packets * width; ++n)
-      for(auto& vertices : m_packets[n / width].vertices)
+    {
+      Packet& packet = m_packets[n / width];
+      packet.corners[n % width] = packet.corners[0];
+      for(auto& vertices : packet.vertices)
         vertices[n % width] = vertices[0];
-    for_each_block<ConcurrencyTag>(0, n_packets, packets_per_block, [&](std::size_t begin, std::size_t end) {
-      for(std::size_t k = begin; k < end; ++k)
-        for(std::size_t lane = 0; lane < width; ++lane)
-        {
-          Packet& packet = m_packets[k];
-          const Rest_triangle rest =
-              rest_of_face(packet.vertices[0][lane], packet.vertices[1][lane], packet.vertices[2][lane]);
-          packet.rest[0][lane] = rest.opposite_0;
-          packet.rest[1][lane] = rest.opposite_1;
-          packet.rest[2][lane] = rest.opposite_2;
-          packet.rest[3][lane] = rest.inverse_area;
-        }
-    });
+    }
   }
 
   // Measures all faces on the sphere of radius `radius`.
   template <class Barrier, class ConcurrencyTag, class Energy>
-  Energy_summary measure(const Energy& energy, const std::vector<Vector_3d>& positions, double radius, double sharpness)
+  Energy_summary measure(const Star_packets& stars, const Energy& energy, const std::vector<Vector_3d>& positions,
+                         double radius, double sharpness)
   {
     m_partial.assign((m_packets.size() + packets_per_block - 1) / packets_per_block, Energy_summary(sharpness));
     for_each_block<ConcurrencyTag>(0, m_packets.size(), packets_per_block, [&](std::size_t begin, std::size_t end) {
@@ -85,7 +76,7 @@ public:
         std::array<double, width * packets_per_block> energies;
         for(std::size_t k = begin; k < end; ++k)
           for(std::size_t lane = 0; lane < width; lane += Lanes<FT>::width)
-            measure_lanes<Barrier, FT>(energy, positions.data(), radius * radius, k, lane,
+            measure_lanes<Barrier, FT>(stars, energy, positions.data(), radius * radius, k, lane,
                                        energies.data() + (k - begin) * width + lane);
         const std::size_t n = (std::min)(end * width, m_number_of_faces) - begin * width;
         m_partial[begin / packets_per_block].template add_all<FT>(energies.data(), n);
@@ -126,13 +117,13 @@ private:
 
   struct Packet
   {
-    std::array<std::array<double, width>, 4> rest;
+    std::array<std::uint32_t, width> corners; // of the smallest vertices in their stars
     std::array<std::array<std::uint32_t, width>, 3> vertices;
   };
 
   template <class Barrier, class FT, class Energy>
-  void measure_lanes(const Energy& energy, const Vector_3d* positions, double squared_radius, std::size_t k,
-                     std::size_t first, double* energies)
+  void measure_lanes(const Star_packets& stars, const Energy& energy, const Vector_3d* positions, double squared_radius,
+                     std::size_t k, std::size_t first, double* energies)
   {
     const Packet& packet = m_packets[k];
     const auto point = [&](std::size_t corner) {
@@ -142,7 +133,9 @@ private:
       };
       return Vector_3<FT>{coordinate(0), coordinate(1), coordinate(2)};
     };
-    const auto rest = [&](std::size_t i) { return Lanes<FT>::load(packet.rest[i].data() + first); };
+    const auto rest = [&](std::size_t i) {
+      return Lanes<FT>::generate([&](std::size_t lane) { return stars.rest(packet.corners[first + lane], i); });
+    };
     const Vector_3<FT> u = point(0), p = point(1), q = point(2);
     const Vector_3<FT> to_p = p - u, to_q = q - u;
     const Vector_3<FT> n = cross(to_p, to_q);

@@ -13,6 +13,7 @@
 
 #include <CGAL/license/Spherical_parameterization.h>
 
+#include <CGAL/Spherical_parameterization/internal/Edge_set.h>
 #include <CGAL/Spherical_parameterization/internal/Vector_3d.h>
 #include <CGAL/Spherical_parameterization/internal/Vertex_rings.h>
 #include <CGAL/Spherical_parameterization/internal/Vertex_removal.h>
@@ -24,7 +25,6 @@
 #include <cstdint>
 #include <limits>
 #include <numeric>
-#include <unordered_set>
 #include <utility>
 #include <vector>
 
@@ -37,7 +37,7 @@ namespace internal {
 // kept. So all vertices that one level adds to the next coarser one can be inserted at once, each into a hole of
 // vertices that are all there, and no error is handed from one insertion to the next.
 //
-// Level 0 is the given mesh itself. Every level numbers its own vertices, in the order of the given mesh.
+// Level 0 is the given mesh itself, whose rings have to last as long as the hierarchy. Every level numbers its own vertices, in the order of the given mesh.
 //
 // A coarse mesh has lost area: where a limb was, there may be a spike. So every vertex carries the area of the surface
 // that it stands for, and hands it on to its ring when it is removed. Whoever maps a coarse level can then leave as
@@ -54,7 +54,6 @@ public:
 
   struct Level
   {
-    Vertex_rings rings;
     std::vector<std::uint32_t> vertices; // their numbers in the given mesh
     std::vector<double> areas;           // of the surface that the vertices stand for
     std::vector<Removed_vertex> removed; // empty at the coarsest level
@@ -63,10 +62,9 @@ public:
   template <class ConcurrencyTag>
   static Mesh_hierarchy build(const Vertex_rings& rings, const std::vector<Vector_3d>& points)
   {
-    Mesh_hierarchy hierarchy;
+    Mesh_hierarchy hierarchy(rings);
     hierarchy.m_levels.emplace_back();
     Level& finest = hierarchy.m_levels.back();
-    finest.rings = rings;
     finest.vertices.resize(rings.number_of_vertices());
     std::iota(finest.vertices.begin(), finest.vertices.end(), 0u);
     finest.areas = vertex_areas(rings, points);
@@ -77,16 +75,30 @@ public:
 
   std::size_t number_of_levels() const { return m_levels.size(); }
   const Level& level(std::size_t k) const { return m_levels[k]; }
+  const Vertex_rings& rings(std::size_t k) const { return k == 0 ? m_finest_rings : m_coarse_rings[k - 1]; }
+
+  // Gives the memory of the coarsest level back.
+  void drop_coarsest()
+  {
+    m_levels.pop_back();
+    if(!m_coarse_rings.empty())
+      m_coarse_rings.pop_back();
+  }
 
 private:
   // the share of the vertices that one level removes at most
   static constexpr double largest_share = 0.25;
   static constexpr std::size_t block_size = 512;
 
+  explicit Mesh_hierarchy(const Vertex_rings& rings)
+    : m_finest_rings(rings)
+  {}
+
   template <class ConcurrencyTag>
   void coarsen(const std::vector<Vector_3d>& points)
   {
     Level& fine = m_levels.back();
+    const Vertex_rings& fine_rings = rings(m_levels.size() - 1);
     const std::size_t n = fine.vertices.size();
     std::vector<Vector_3d> p(n);
     for(std::size_t v = 0; v < n; ++v)
@@ -97,49 +109,50 @@ private:
     {
       for_each_block<ConcurrencyTag>(0, n, block_size, [&](std::size_t begin, std::size_t end) {
         for(std::size_t v = begin; v < end; ++v)
-          removals[v] = Vertex_removal::best(fine.rings, p, static_cast<std::uint32_t>(v), is_exact);
+          removals[v] = Vertex_removal::best(fine_rings, p, static_cast<std::uint32_t>(v), is_exact);
       });
-      select(fine, removals);
+      select(fine, fine_rings, removals);
       if(!fine.removed.empty())
         break;
     }
-    m_levels.push_back(without_removed(fine));
+    Level coarse;
+    Vertex_rings coarse_rings = without_removed<ConcurrencyTag>(fine, fine_rings, coarse);
+    m_levels.push_back(std::move(coarse));
+    m_coarse_rings.push_back(std::move(coarse_rings));
   }
 
   // Chooses the removals in the order of their costs, unless a neighbour has been chosen already or an edge of the new
   // faces is there already.
-  static void select(Level& fine, const std::vector<Vertex_removal>& removals)
+  static void select(Level& fine, const Vertex_rings& rings, const std::vector<Vertex_removal>& removals)
   {
     const std::size_t n = removals.size();
-    std::vector<std::pair<std::uint32_t, std::uint32_t>> candidates; // rank of the cost, vertex
+    std::vector<std::uint64_t> candidates; // rank of the cost, vertex
+    candidates.reserve(n);
     for(std::size_t v = 0; v < n; ++v)
       if(removals[v].is_possible())
-        candidates.emplace_back(removals[v].rank(), static_cast<std::uint32_t>(v));
+        candidates.push_back(static_cast<std::uint64_t>(removals[v].rank()) << 32 | v);
     std::sort(candidates.begin(), candidates.end());
 
     const std::size_t most =
         (std::min)(n - 4, (std::max)(static_cast<std::size_t>(largest_share * static_cast<double>(n)), std::size_t(1)));
     std::vector<char> is_locked(n, 0);
-    std::unordered_set<std::uint64_t> new_edges;
-    std::vector<std::uint64_t> edges;
-    for(const auto& candidate : candidates)
+    Edge_set new_edges;
+    for(const std::uint64_t candidate : candidates)
     {
       if(fine.removed.size() == most)
         break;
-      const std::uint32_t v = candidate.second;
+      const std::uint32_t v = static_cast<std::uint32_t>(candidate);
       if(is_locked[v])
         continue;
-      const Vertex_rings::Ring ring = fine.rings.ring(v);
+      const Vertex_rings::Ring ring = rings.ring(v);
       const std::uint32_t d = static_cast<std::uint32_t>(ring.size()), target = removals[v].target();
-      edges.clear();
+      bool has_new_edge = false;
       for(std::uint32_t k = 2; k + 1 < d; ++k)
-      {
-        const std::uint64_t a = ring[target], b = ring[(target + k) % d];
-        edges.push_back((std::min)(a, b) << 32 | (std::max)(a, b));
-      }
-      if(std::any_of(edges.begin(), edges.end(), [&](std::uint64_t e) { return new_edges.count(e) > 0; }))
+        has_new_edge = has_new_edge || new_edges.contains(ring[target], ring[(target + k) % d]);
+      if(has_new_edge)
         continue;
-      new_edges.insert(edges.begin(), edges.end());
+      for(std::uint32_t k = 2; k + 1 < d; ++k)
+        new_edges.insert(ring[target], ring[(target + k) % d]);
       fine.removed.push_back({v, target});
       for(const std::uint32_t w : ring)
         is_locked[w] = 1;
@@ -148,65 +161,87 @@ private:
               [](const Removed_vertex& a, const Removed_vertex& b) { return a.vertex < b.vertex; });
   }
 
-  static Level without_removed(const Level& fine)
+  // Makes the next level, and returns its rings.
+  template <class ConcurrencyTag>
+  static Vertex_rings without_removed(const Level& fine, const Vertex_rings& rings, Level& coarse)
   {
-    constexpr std::uint32_t kept = (std::numeric_limits<std::uint32_t>::max)();
     const std::size_t n = fine.vertices.size();
     std::vector<std::uint32_t> target(n, kept); // of the removed vertices, as an index into their rings
-    for(const Removed_vertex& r : fine.removed)
-      target[r.vertex] = r.target;
-
-    Level coarse;
     std::vector<double> areas = fine.areas;
     for(const Removed_vertex& r : fine.removed)
     {
-      const Vertex_rings::Ring ring = fine.rings.ring(r.vertex);
+      target[r.vertex] = r.target;
+      const Vertex_rings::Ring ring = rings.ring(r.vertex);
       for(const std::uint32_t w : ring)
         areas[w] += areas[r.vertex] / static_cast<double>(ring.size());
     }
-    std::vector<std::uint32_t> number(n, kept);
+    std::vector<std::uint32_t> number(n, kept), sources; // of the kept vertices there, and back
+    const std::size_t n_coarse = n - fine.removed.size();
+    sources.reserve(n_coarse);
+    coarse.vertices.reserve(n_coarse);
+    coarse.areas.reserve(n_coarse);
     for(std::size_t v = 0; v < n; ++v)
       if(target[v] == kept)
       {
-        number[v] = static_cast<std::uint32_t>(coarse.vertices.size());
+        number[v] = static_cast<std::uint32_t>(sources.size());
+        sources.push_back(static_cast<std::uint32_t>(v));
         coarse.vertices.push_back(fine.vertices[v]);
         coarse.areas.push_back(areas[v]);
       }
 
-    coarse.rings.reserve(coarse.vertices.size(), 6 * coarse.vertices.size());
-    for(std::uint32_t v = 0; v < n; ++v)
-    {
-      if(target[v] != kept)
-        continue;
-      const Vertex_rings::Ring ring = fine.rings.ring(v);
-      const std::size_t d = ring.size();
-      for(std::size_t j = 0; j < d; ++j)
+    std::vector<std::uint32_t> offsets(n_coarse + 1, 0);
+    for_each_block<ConcurrencyTag>(0, n_coarse, block_size, [&](std::size_t begin, std::size_t end) {
+      for(std::size_t v = begin; v < end; ++v)
+        for_each_kept_neighbor(rings, target, sources[v], [&](std::uint32_t) { ++offsets[v + 1]; });
+    });
+    std::partial_sum(offsets.begin(), offsets.end(), offsets.begin());
+    Vertex_rings result;
+    result.assign(std::move(offsets));
+    for_each_block<ConcurrencyTag>(0, n_coarse, block_size, [&](std::size_t begin, std::size_t end) {
+      for(std::size_t v = begin; v < end; ++v)
       {
-        const std::uint32_t w = ring[j];
-        if(target[w] == kept)
-        {
-          coarse.rings.push_neighbor(number[w]);
-          continue;
-        }
-        // w gives way to its target t, from which the hole is triangulated: t itself gets the vertices of the hole that
-        // are new to it, another vertex gets t unless that is next to w in its ring already.
-        const Vertex_rings::Ring hole = fine.rings.ring(w);
-        const std::size_t h = hole.size();
-        const std::uint32_t t = hole[target[w]];
-        if(t == v)
-        {
-          for(std::size_t k = 2; k + 1 < h; ++k)
-            coarse.rings.push_neighbor(number[hole[(target[w] + k) % h]]);
-        }
-        else if(ring[(j + 1) % d] != t && ring[(j + d - 1) % d] != t)
-          coarse.rings.push_neighbor(number[t]);
+        std::uint32_t* out = result.ring_to_fill(v);
+        for_each_kept_neighbor(rings, target, sources[v], [&](std::uint32_t w) { *out++ = number[w]; });
       }
-      coarse.rings.end_ring();
-    }
-    return coarse;
+    });
+    return result;
   }
 
+  // Calls f(w) for all neighbours w that vertex v has when all with a target have been removed, in order.
+  template <class Function>
+  static void for_each_kept_neighbor(const Vertex_rings& rings, const std::vector<std::uint32_t>& target,
+                                     std::uint32_t v, const Function& f)
+  {
+    const Vertex_rings::Ring ring = rings.ring(v);
+    const std::size_t d = ring.size();
+    for(std::size_t j = 0; j < d; ++j)
+    {
+      const std::uint32_t w = ring[j];
+      if(target[w] == kept)
+      {
+        f(w);
+        continue;
+      }
+      // w gives way to its target t, from which the hole is triangulated: t itself gets the vertices of the hole that
+      // are new to it, another vertex gets t unless that is next to w in its ring already.
+      const Vertex_rings::Ring hole = rings.ring(w);
+      const std::size_t h = hole.size();
+      const std::uint32_t t = hole[target[w]];
+      if(t == v)
+      {
+        for(std::size_t k = 2; k + 1 < h; ++k)
+          f(hole[(target[w] + k) % h]);
+      }
+      else if(ring[j + 1 < d ? j + 1 : 0] != t && ring[j > 0 ? j - 1 : d - 1] != t)
+        f(t);
+    }
+  }
+
+  static constexpr std::uint32_t kept = (std::numeric_limits<std::uint32_t>::max)();
+
+  const Vertex_rings& m_finest_rings;
   std::vector<Level> m_levels;
+  std::vector<Vertex_rings> m_coarse_rings; // of the levels from 1 on
 };
 
 } // namespace internal

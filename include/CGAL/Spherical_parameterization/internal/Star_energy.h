@@ -221,7 +221,7 @@ private:
   Energy m_energy;
   double m_scale = 1., m_sharpness = 0.;
 
-  Star_view<FT> m_star = Star_view<FT>(nullptr, nullptr, nullptr, 0, 0);
+  Star_view<FT> m_star;
   Basic_tangent_frame<FT> m_frame = Basic_tangent_frame<FT>({FT(0.), FT(0.), FT(1.)});
   std::vector<Face> m_faces;
   FT m_squared_shortest_edge = 0., m_largest_energy = 0.;

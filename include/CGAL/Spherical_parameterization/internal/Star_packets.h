@@ -39,7 +39,7 @@ public:
 
   struct Packet
   {
-    std::size_t offset; // of the first row, in numbers per row
+    std::size_t first_corner; // a multiple of 8
     std::uint32_t first_place, number_of_stars, number_of_rows, stride;
   };
 
@@ -53,7 +53,7 @@ public:
     m_sources.clear();
     m_packets.clear();
     m_first_packet.assign(1, 0);
-    std::size_t n_rows = 0;
+    std::size_t n_corners = 0;
     std::vector<std::uint32_t> order;
     for(std::size_t set = 0; set + 1 < first_of_set.size(); ++set)
     {
@@ -73,13 +73,13 @@ public:
           while(last < order.size() && last < k + stride && degree_of(order[last]) <= most_rows)
             ++last;
           Packet packet;
-          packet.offset = n_rows;
+          packet.first_corner = n_corners;
           packet.first_place = static_cast<std::uint32_t>(m_vertices.size());
           packet.number_of_stars = static_cast<std::uint32_t>(last - k);
           packet.number_of_rows = static_cast<std::uint32_t>(degree_of(order[last - 1]));
           packet.stride = static_cast<std::uint32_t>(stride);
           m_packets.push_back(packet);
-          n_rows += stride * packet.number_of_rows;
+          n_corners += (stride * packet.number_of_rows + width - 1) / width * width;
           for(std::size_t lane = 0; lane < stride; ++lane)
           {
             const std::uint32_t source = order[k + lane < last ? k + lane : k];
@@ -91,8 +91,8 @@ public:
       }
       m_first_packet.push_back(m_packets.size());
     }
-    m_neighbors.resize(n_rows);
-    m_rest.resize(4 * n_rows);
+    m_neighbors.resize(n_corners);
+    m_rest.resize(4 * n_corners);
   }
 
   // Fills a packet: star_of(k) is the star of vertices[k], with its degree(), neighbor(j) and rest(j).
@@ -106,13 +106,13 @@ public:
       const std::size_t degree = star.degree();
       for(std::size_t j = 0; j < p.number_of_rows; ++j)
       {
-        m_neighbors[p.offset + j * p.stride + lane] = star.neighbor(j < degree ? j : 0);
+        const std::size_t corner = p.first_corner + j * p.stride + lane;
         const Rest_triangle rest = j < degree ? star.rest(j) : Rest_triangle{0., 0., 0., 0.};
-        double* numbers = m_rest.data() + 4 * (p.offset + j * p.stride) + lane;
-        numbers[0] = rest.opposite_0;
-        numbers[p.stride] = rest.opposite_1;
-        numbers[2 * p.stride] = rest.opposite_2;
-        numbers[3 * p.stride] = rest.inverse_area;
+        m_neighbors[corner] = star.neighbor(j < degree ? j : 0);
+        m_rest[rest_index(corner, 0)] = rest.opposite_0;
+        m_rest[rest_index(corner, 1)] = rest.opposite_1;
+        m_rest[rest_index(corner, 2)] = rest.opposite_2;
+        m_rest[rest_index(corner, 3)] = rest.inverse_area;
       }
     }
   }
@@ -122,29 +122,27 @@ public:
   {
   public:
     Star(const Star_packets& stars, std::size_t place)
+      : m_stars(stars)
     {
       const auto last = std::upper_bound(stars.m_packets.begin(), stars.m_packets.end(), place,
                                          [](std::size_t p, const Packet& packet) { return p < packet.first_place; });
       const Packet& packet = *(last - 1);
-      const std::size_t lane = place - packet.first_place;
+      m_first = packet.first_corner + place - packet.first_place;
       m_stride = packet.stride;
-      m_neighbors = stars.m_neighbors.data() + packet.offset + lane;
-      m_rest = stars.m_rest.data() + 4 * packet.offset + lane;
-      m_degree = stars.degree(packet, lane);
+      m_degree = stars.degree(packet, place - packet.first_place);
     }
 
     std::size_t degree() const { return m_degree; }
-    std::uint32_t neighbor(std::size_t j) const { return m_neighbors[j * m_stride]; }
+    std::uint32_t neighbor(std::size_t j) const { return m_stars.m_neighbors[m_first + j * m_stride]; }
     Rest_triangle rest(std::size_t j) const
     {
-      const double* numbers = m_rest + 4 * j * m_stride;
-      return {numbers[0], numbers[m_stride], numbers[2 * m_stride], numbers[3 * m_stride]};
+      const auto number = [&](std::size_t k) { return m_stars.m_rest[rest_index(m_first + j * m_stride, k)]; };
+      return {number(0), number(1), number(2), number(3)};
     }
 
   private:
-    const std::uint32_t* m_neighbors;
-    const double* m_rest;
-    std::size_t m_stride, m_degree;
+    const Star_packets& m_stars;
+    std::size_t m_first, m_stride, m_degree;
   };
 
   Star star(std::size_t place) const { return Star(*this, place); }
@@ -168,18 +166,42 @@ public:
     std::size_t n_rows = p.number_of_rows;
     if constexpr(Lanes<FT>::width == 1)
       n_rows = degree(p, lane);
-    return Star_view<FT>(m_vertices.data() + p.first_place + lane, m_neighbors.data() + p.offset + lane,
-                         m_rest.data() + 4 * p.offset + lane, p.stride, n_rows);
+    return Star_view<FT>(m_vertices.data() + p.first_place + lane, m_neighbors.data(), m_rest.data(),
+                         p.first_corner + lane, p.stride, n_rows);
+  }
+
+  // Number k of the rest shape of a corner.
+  double rest(std::size_t corner, std::size_t k) const { return m_rest[rest_index(corner, k)]; }
+
+  // Calls f(corner, v, p, q) for all faces of the mesh, each at its smallest vertex v, in a fixed order.
+  template <class Function>
+  void for_each_face(const Function& f) const
+  {
+    for(const Packet& packet : m_packets)
+      for(std::size_t lane = 0; lane < packet.number_of_stars; ++lane)
+      {
+        const std::uint32_t v = m_vertices[packet.first_place + lane];
+        const std::size_t first = packet.first_corner + lane, d = degree(packet, lane);
+        for(std::size_t j = 0; j < d; ++j)
+        {
+          const std::uint32_t p = m_neighbors[first + j * packet.stride];
+          const std::uint32_t q = m_neighbors[first + (j + 1 < d ? j + 1 : 0) * packet.stride];
+          if(v < p && v < q)
+            f(first + j * packet.stride, v, p, q);
+        }
+      }
   }
 
 private:
   static constexpr std::size_t chunk_size = 1024; // of vertices that are ordered by their numbers of faces
   static constexpr std::size_t most_rows = 32;    // of a packet of several stars
 
+  static std::size_t rest_index(std::size_t corner, std::size_t k) { return Star_view<double>::rest_index(corner, k); }
+
   std::size_t degree(const Packet& p, std::size_t lane) const
   {
     std::size_t result = p.number_of_rows;
-    while(!(m_rest[4 * (p.offset + (result - 1) * p.stride) + 3 * p.stride + lane] > 0.))
+    while(!(m_rest[rest_index(p.first_corner + (result - 1) * p.stride + lane, 3)] > 0.))
       --result;
     return result;
   }

@@ -15,6 +15,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -74,6 +75,15 @@ public:
   }
   void push_neighbor(std::uint32_t v) { m_neighbors.push_back(v); }
   void end_ring() { m_offsets.push_back(static_cast<std::uint32_t>(m_neighbors.size())); }
+
+  // Filling in any order: the rings get their room, ring v from offsets[v] to offsets[v + 1] of the corners, and are
+  // written to it.
+  void assign(std::vector<std::uint32_t> offsets)
+  {
+    m_offsets = std::move(offsets);
+    m_neighbors.resize(m_offsets.back());
+  }
+  std::uint32_t* ring_to_fill(std::size_t v) { return m_neighbors.data() + m_offsets[v]; }
 
 private:
   std::vector<std::uint32_t> m_offsets = {0};

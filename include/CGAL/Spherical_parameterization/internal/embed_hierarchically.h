@@ -41,13 +41,15 @@ bool embed_hierarchically(const Indexed_mesh& mesh, const Energy& energy, const 
                           const VertexUpdate& update, std::size_t sweeps_per_level, bool sweeps_finest_level,
                           std::vector<Vector_3d>& positions, RunControl& control)
 {
-  const Mesh_hierarchy hierarchy = Mesh_hierarchy::build<ConcurrencyTag>(mesh.rings(), mesh.points());
-  control.report().number_of_levels = hierarchy.number_of_levels();
-  control.report().seconds_for_hierarchy = control.lap();
-
   const auto embed = [&](const auto& level_energy, const auto& level_sharpness, const Rest_limits& limits,
                          std::size_t sweeps_factor) {
-    ++control.report().number_of_attempts;
+    // An attempt uses the hierarchy up, and a second one is rare.
+    Mesh_hierarchy hierarchy = Mesh_hierarchy::build<ConcurrencyTag>(mesh.rings(), mesh.points());
+    if(++control.report().number_of_attempts == 1)
+    {
+      control.report().number_of_levels = hierarchy.number_of_levels();
+      control.report().seconds_for_hierarchy = control.lap();
+    }
     Hierarchical_embedding<std::decay_t<decltype(level_energy)>, std::decay_t<decltype(level_sharpness)>, VertexUpdate,
                            ConcurrencyTag>
         embedding(hierarchy, mesh.points(), level_energy, level_sharpness, update, sweeps_factor * sweeps_per_level,

@@ -45,8 +45,8 @@ Error_code read_mesh(const TriangleMesh& tmesh, const VertexPointMap& vpm, Index
 {
   using Index = std::uint32_t;
 
-  CGAL_precondition_msg(num_halfedges(tmesh) < (std::numeric_limits<Index>::max)(),
-                        "The corners are counted in 32 bits.");
+  CGAL_precondition_msg(num_halfedges(tmesh) < (std::numeric_limits<Index>::max)() / 2,
+                        "The corners are counted in 32 bits, with some room between the stars.");
 
   for(const auto f : faces(tmesh))
     if(!is_triangle(halfedge(f, tmesh), tmesh))
