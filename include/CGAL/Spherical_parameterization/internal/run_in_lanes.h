@@ -26,11 +26,25 @@ struct Number_type
   using FT = FT_;
 };
 
-#if defined(CGAL_SPHERICAL_PARAMETERIZATION_HAS_VECTORS) && defined(__x86_64__)
+#ifdef CGAL_SPHERICAL_PARAMETERIZATION_HAS_VECTORS
+using Number_in_lanes = Packed_double<4>;
+#else
+using Number_in_lanes = double;
+#endif
+
+#ifdef CGAL_SPHERICAL_PARAMETERIZATION_HAS_VECTORS
+#ifdef __x86_64__
 template <class Function>
 __attribute__((target("avx2"), flatten)) void run_in_four_lanes(const Function& f)
 {
   f(Number_type<Packed_double<4>>());
+}
+#endif
+
+template <class Function>
+__attribute__((flatten)) void run_in_two_lanes(const Function& f)
+{
+  f(Number_type<Packed_double<2>>());
 }
 #endif
 
@@ -47,7 +61,7 @@ void run_in_lanes(const Function& f)
     return;
   }
 #endif
-  f(Number_type<Packed_double<2>>());
+  run_in_two_lanes(f);
 #else
   f(Number_type<double>());
 #endif
