@@ -1,11 +1,7 @@
 // The command line program, run as a user runs it: exit status, messages, and which files are written.
 
-#define BOOST_BIND_GLOBAL_PLACEHOLDERS // Boost's JSON parser uses them, and says so in every compilation otherwise
-
+#include "Program_fixture.h"
 #include "test_meshes.h"
-
-#include <boost/property_tree/json_parser.hpp>
-#include <boost/property_tree/ptree.hpp>
 
 #include <gtest/gtest.h>
 
@@ -32,61 +28,13 @@ namespace fs = std::filesystem;
 
 namespace {
 
-std::string content(const fs::path& path)
-{
-  std::ifstream in(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
-}
-
-struct Outcome
-{
-  int status;
-  std::string out, err;
-};
-
-class Program : public ::testing::Test
+class Program : public Program_fixture
 {
 protected:
-  // a folder of its own for each test
   void SetUp() override
   {
-    m_folder = fs::path("program") / ::testing::UnitTest::GetInstance()->current_test_info()->name();
-    fs::remove_all(m_folder);
-    fs::create_directories(m_folder);
+    Program_fixture::SetUp();
     write_off("sphere.off", test_meshes::icosphere(2));
-  }
-
-  fs::path path(const std::string& name) const { return m_folder / name; }
-
-  void write(const std::string& name, const std::string& text) const { std::ofstream(path(name)) << text; }
-
-  void write_off(const std::string& name, const test_meshes::Triangle_list& list) const
-  {
-    std::ofstream out(path(name));
-    out.precision(17);
-    out << "OFF\n" << list.points.size() << ' ' << list.triangles.size() << " 0\n";
-    for(const auto& p : list.points)
-      out << p[0] << ' ' << p[1] << ' ' << p[2] << '\n';
-    for(const auto& t : list.triangles)
-      out << "3 " << t[0] << ' ' << t[1] << ' ' << t[2] << '\n';
-  }
-
-  // runs the program within the folder; arguments are separated by blanks
-  Outcome run(const std::string& arguments) const
-  {
-    const std::string command = "cd '" + m_folder.string() + "' && '" SPHERICAL_PARAMETERIZATION_PROGRAM "' " +
-                                arguments + " > stdout.txt 2> stderr.txt < /dev/null";
-    const int status = std::system(command.c_str());
-    return {status % 256 == 0 ? status / 256 : status, content(path("stdout.txt")), content(path("stderr.txt"))};
-  }
-
-  void expect_message(const std::string& arguments, const std::string& part_of_message) const
-  {
-    SCOPED_TRACE(arguments);
-    const Outcome outcome = run(arguments);
-    EXPECT_EQ(outcome.status, 1);
-    EXPECT_NE(outcome.err.find(part_of_message), std::string::npos) << outcome.err;
-    EXPECT_TRUE(outcome.out.empty()) << outcome.out;
   }
 
   void expect_refused(const std::string& arguments, const std::string& part_of_message) const
@@ -96,21 +44,6 @@ protected:
     for(const char* name : {"result.off", "result.json", "result_surface.ply", "result_sphere.ply"})
       EXPECT_FALSE(fs::exists(path(name))) << name;
   }
-
-  boost::property_tree::ptree json(const std::string& name = "result.json") const
-  {
-    boost::property_tree::ptree tree;
-    boost::property_tree::read_json(path(name).string(), tree);
-    return tree;
-  }
-
-  std::size_t number_of_files() const
-  {
-    return static_cast<std::size_t>(std::distance(fs::directory_iterator(m_folder), fs::directory_iterator()));
-  }
-
-private:
-  fs::path m_folder;
 };
 
 TEST_F(Program, writes_all_that_is_asked_for)
@@ -122,7 +55,7 @@ TEST_F(Program, writes_all_that_is_asked_for)
   EXPECT_NE(outcome.out.find("one-to-one"), std::string::npos);
   EXPECT_EQ(content(path("result_surface.ply")).substr(0, 3), "ply");
   EXPECT_EQ(content(path("result_sphere.ply")).substr(0, 3), "ply");
-  EXPECT_EQ(number_of_files(), 7u); // input, four files, two streams: nothing temporary is left
+  EXPECT_EQ(names_of_files().size(), 7u); // input, four files, two streams: nothing temporary is left
 
   const boost::property_tree::ptree report = json();
   EXPECT_EQ(report.get<std::size_t>("vertices"), 162u);
@@ -144,7 +77,7 @@ TEST_F(Program, prints_the_table_only_without_output)
   const Outcome outcome = run("sphere.off");
   EXPECT_EQ(outcome.status, 0);
   EXPECT_NE(outcome.out.find("D_angle"), std::string::npos);
-  EXPECT_EQ(number_of_files(), 3u);
+  EXPECT_EQ(names_of_files().size(), 3u);
   EXPECT_TRUE(run("sphere.off --quiet").out.empty());
 }
 

@@ -25,6 +25,7 @@
 #include <limits>
 #include <sstream>
 #include <string>
+#include <vector>
 
 namespace Program {
 
@@ -41,10 +42,6 @@ public:
     {
       read(argc, argv);
     }
-    catch(const boost::program_options::too_many_positional_options_error&)
-    {
-      fail("there is more than one INPUT; a name with blanks has to be quoted");
-    }
     catch(const boost::program_options::error& error)
     {
       fail(error.what());
@@ -60,6 +57,12 @@ public:
   std::string text(const std::string& option) const
   {
     return has(option) ? m_values[option].as<std::string>() : std::string();
+  }
+
+  /// returns all meshes and folders that are given, in their order.
+  std::vector<std::string> inputs() const
+  {
+    return has("input") ? m_values["input"].as<std::vector<std::string>>() : std::vector<std::string>();
   }
 
   /// returns what the value of an option stands for, or `usual` if it was not given.
@@ -125,9 +128,9 @@ private:
     namespace po = boost::program_options;
     const po::options_description visible = describe_options();
     po::options_description all;
-    all.add(visible).add_options()("input", po::value<std::string>());
+    all.add(visible).add_options()("input", po::value<std::vector<std::string>>());
     po::positional_options_description positions;
-    positions.add("input", 1);
+    positions.add("input", -1);
     const int style = po::command_line_style::unix_style & ~po::command_line_style::allow_guessing;
     po::store(po::command_line_parser(argc, argv).options(all).positional(positions).style(style).run(), m_values);
     m_help = usage(visible);
@@ -143,6 +146,13 @@ private:
     options.add_options()
       ("output,o", word("SPHERE"), "write the sphere: the faces of INPUT, with the images of its vertices in the same "
                                    "order (0 0 0 for a vertex without a face) and 17 digits; .off, .obj, .ply or .ts")
+      ("output-folder", word("FOLDER"), "map many meshes: each INPUT is a mesh, or a folder, which stands for the mesh "
+                                        "files in it; write each sphere and its report to FOLDER, as NAME.off, say, "
+                                        "and NAME.json")
+      ("format", word("EXTENSION"), "the format of all spheres there: off, obj, ply or ts; if not given, that of the "
+                                    "INPUT, and off for .stl")
+      ("resume", "leave out the meshes whose sphere and report are there, made by the same version of the program from "
+                 "the same file with the same options")
       ("method", word("METHOD"), "bld: lowest distortion, the default; or one of the methods that it can start from or "
                                  "is compared with, alone: hierarchical, harmonic or stereographic, which are "
                                  "one-to-one; conformal or arap, which may fold")
@@ -154,7 +164,7 @@ private:
       ("energy", word("ENERGY"), "symmetric-dirichlet: lengths and areas, the default; isometric: the paper's, default "
                                  "of --method hierarchical; conformal: angles only")
       ("prefer", word("WHAT"), "the lowest average distortion, the lowest worst, or a balance of both, the default: "
-                               "average, balance or worst, which is sharpness 0, 12 or 50; average also takes the "
+                               "average, balance or worst, which is sharpness 0, 13.5 or 50; average also takes the "
                                "radius of the lowest energy in the end, since the average is lowest there; --method "
                                "hierarchical prefers average, if nothing is given")
       ("sharpness", word("B"), "anything between: 0 or more")
@@ -170,7 +180,7 @@ private:
                                    "where a face turns over; or flat, the paper's, which is not")
       ("iterations", word("N"), "most sweeps over the mesh, or global steps: 100, if not given, 2000 with --paper, 500 "
                                 "with --method arap; 0 leaves the initial map")
-      ("time-limit", word("SECONDS"), "sweep no longer than this; the map reached is written")
+      ("time-limit", word("SECONDS"), "sweep no longer than this on each mesh; the map reached is written")
       ("threads", word("N"), "use no more threads; the result is always the same")
       ("json", word("FILE"), "write the report and the distortions as JSON")
       ("colored", word("PREFIX"), "write PREFIX_surface.ply and PREFIX_sphere.ply, with the distortion as colour")
@@ -184,19 +194,26 @@ private:
   static std::string usage(const boost::program_options::options_description& options)
   {
     std::ostringstream text;
-    text << "Usage: spherical_parameterization INPUT [-o SPHERE] [options]\n\n"
+    text << "Usage: spherical_parameterization INPUT [-o SPHERE] [options]\n"
+            "       spherical_parameterization INPUT ... --output-folder FOLDER [options]\n\n"
             "Maps a closed triangle mesh of genus 0 to a sphere, one-to-one and with low distortion. INPUT is a file "
             "of\n"
             "one of the formats "
          << list_of(input_formats)
          << ". The result is certified by exact arithmetic.\n"
             "Without -o nothing but the report is printed. Ctrl-C ends the sweeps; the map reached is written.\n\n"
+            "With --output-folder, a mesh that fails does not stop the others. Small meshes are mapped one on each "
+            "core,\n"
+            "large ones one after the other on all. After Ctrl-C nothing that is incomplete is left; --resume goes "
+            "on.\n\n"
          << options
          << "\nExit status: 0, a certified one-to-one map was found and all files were written; 1, an error, of which "
             "a\n"
             "message tells, and no map was written; 2, the map folds, which --method conformal and arap do not "
             "exclude;\n"
-            "all files were written nevertheless.\n";
+            "all files were written nevertheless. With --output-folder: 0, all meshes have a certified map; 1, some "
+            "have\n"
+            "none; 2, all have one, but some fold.\n";
     return text.str();
   }
 

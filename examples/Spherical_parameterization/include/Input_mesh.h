@@ -46,6 +46,7 @@ public:
   ///
   /// \throws Program_error if it is no surface of genus 0
   Input_mesh(const std::string& path, const Polygon_soup& soup)
+    : m_path(path)
   {
     try
     {
@@ -71,6 +72,7 @@ public:
       throw Program_error(path + ": " + defect.message);
   }
 
+  const std::string& path() const { return m_path; }
   Mesh& mesh() { return m_mesh; }
   const std::vector<Triangle>& triangles() const { return m_triangles; }
 
@@ -131,6 +133,7 @@ private:
     return false;
   }
 
+  std::string m_path;
   Mesh m_mesh;
   std::vector<Triangle> m_triangles;
 };

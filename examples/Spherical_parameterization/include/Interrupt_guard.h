@@ -12,35 +12,55 @@
 #define CGAL_SPHERICAL_PARAMETERIZATION_EXAMPLES_INTERRUPT_GUARD_H
 
 #include <csignal>
+#include <initializer_list>
+#include <mutex>
+#include <utility>
+#include <vector>
 
 namespace Program {
 
 /// As long as an object of this class lives, Ctrl-C does not end the program but is noted. A second one ends it.
+///
+/// Objects that are made meanwhile, by whatever thread, and do not live longer leave everything to the first one.
 class Interrupt_guard
 {
 public:
-  Interrupt_guard()
-    : m_previous(std::signal(SIGINT, &note))
-  {}
+  /// \param signals what is noted; by default, what Ctrl-C sends
+  explicit Interrupt_guard(std::initializer_list<int> signals = {SIGINT})
+  {
+    const std::lock_guard<std::mutex> lock(s_mutex);
+    if(s_number_of_guards++ > 0)
+      return;
+    for(const int signal : signals)
+      m_previous.emplace_back(signal, std::signal(signal, &note));
+  }
 
-  ~Interrupt_guard() { std::signal(SIGINT, m_previous == SIG_ERR ? SIG_DFL : m_previous); }
+  ~Interrupt_guard()
+  {
+    const std::lock_guard<std::mutex> lock(s_mutex);
+    --s_number_of_guards;
+    for(const auto& [signal, handler] : m_previous)
+      std::signal(signal, handler == SIG_ERR ? SIG_DFL : handler);
+  }
 
   Interrupt_guard(const Interrupt_guard&) = delete;
   Interrupt_guard& operator=(const Interrupt_guard&) = delete;
 
-  /// returns whether there has been a Ctrl-C.
+  /// returns whether there has been a Ctrl-C, or another of the signals.
   static bool is_interrupted() { return s_flag != 0; }
 
 private:
-  static void note(int)
+  static void note(int signal)
   {
     s_flag = 1;
-    std::signal(SIGINT, SIG_DFL);
+    std::signal(signal, SIG_DFL);
   }
 
   inline static volatile std::sig_atomic_t s_flag = 0;
+  inline static std::mutex s_mutex;
+  inline static int s_number_of_guards = 0;
 
-  void (*m_previous)(int);
+  std::vector<std::pair<int, void (*)(int)>> m_previous;
 };
 
 } // namespace Program

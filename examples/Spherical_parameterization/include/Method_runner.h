@@ -21,7 +21,6 @@
 #include "Program_options.h"
 #include "Recording_visitor.h"
 #include "Run_result.h"
-#include "Thread_limit.h"
 #include "choices.h"
 #include "explain_failure.h"
 
@@ -74,15 +73,14 @@ private:
   template <class Parameterizer>
   Run_result run(Parameterizer parameterizer)
   {
-    const Thread_limit threads(m_options.most_threads);
     const Interrupt_guard guard;
-    Recording_visitor visitor(m_options.is_quiet);
+    Recording_visitor visitor(m_options.shows_progress());
     const SP::Error_code error = SP::parameterize(m_input.mesh(), parameterizer, m_sphere,
                                                   CGAL::parameters::visitor(std::ref(visitor))
                                                       .number_of_iterations(m_options.most_iterations)
                                                       .maximum_running_time(m_options.most_seconds));
     if(error != SP::OK && error != SP::ERROR_NO_1_TO_1_MAPPING)
-      throw Program_error(explain_failure(error, m_options));
+      throw Program_error(explain_failure(error, m_input.path(), m_options));
     return {parameterizer.report(), visitor.history(), error == SP::OK};
   }
 

@@ -14,6 +14,7 @@
 #include "Program_error.h"
 
 #include <cerrno>
+#include <cstdint>
 #include <filesystem>
 #include <fstream>
 #include <random>
@@ -78,6 +79,20 @@ public:
     out.close();
     if(!out)
       fail_by_errno();
+    if(m_temporary_path != m_path)
+      m_size = std::filesystem::file_size(m_temporary_path);
+  }
+
+  /// returns how many bytes have been written, 0 if that is not known.
+  std::uintmax_t size() const { return m_size; }
+
+  /// removes the file that has the name now.
+  ///
+  /// \throws Program_error if that fails
+  void remove_earlier()
+  {
+    if(m_temporary_path != m_path && !std::filesystem::remove(m_path, m_error) && m_error)
+      fail();
   }
 
   /// gives the file its name, and replaces the one that had it.
@@ -122,6 +137,7 @@ private:
 
   std::string m_name;
   std::filesystem::path m_path, m_temporary_path;
+  std::uintmax_t m_size = 0;
   std::error_code m_error;
 };
 

@@ -11,9 +11,9 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_EXAMPLES_OUTPUT_FILES_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_EXAMPLES_OUTPUT_FILES_H
 
+#include "File_names.h"
 #include "Output_file.h"
 #include "Program_error.h"
-#include "Program_options.h"
 
 #include <filesystem>
 #include <optional>
@@ -30,29 +30,41 @@ public:
   /// checks that all of them can be written, and that none of them would replace an input or another output.
   ///
   /// \throws Program_error otherwise
-  explicit Output_files(const Program_options& options)
+  ///
+  /// \param start_file another input; empty if there is none
+  Output_files(const File_names& names, const std::string& start_file)
   {
-    if(!options.output.empty())
-      sphere.emplace(options.output);
-    if(!options.json.empty())
-      json.emplace(options.json);
-    if(!options.colored.empty())
+    if(!names.sphere.empty())
+      sphere.emplace(names.sphere);
+    if(!names.json.empty())
+      json.emplace(names.json);
+    if(!names.colored.empty())
     {
-      colored_surface.emplace(options.colored + "_surface.ply");
-      colored_sphere.emplace(options.colored + "_sphere.ply");
+      colored_surface.emplace(names.colored + "_surface.ply");
+      colored_sphere.emplace(names.colored + "_sphere.ply");
     }
 
     std::error_code ignored;
     const std::vector<Output_file*> files = wanted();
     for(auto file = files.begin(); file != files.end(); ++file)
     {
-      for(const std::string& input : {options.input, options.start_file})
+      for(const std::string& input : {names.input, start_file})
         if(std::filesystem::equivalent((*file)->path(), input, ignored))
           throw Program_error((*file)->name() + ": would replace the input; choose another name");
       for(auto other = files.begin(); other != file; ++other)
         if((*file)->path() == (*other)->path())
           throw Program_error((*file)->name() + ": would be written twice; choose another name");
     }
+  }
+
+  /// removes the files that have these names now, the report first: it is never beside the map of another run.
+  ///
+  /// \throws Program_error if that fails
+  void remove_earlier()
+  {
+    const std::vector<Output_file*> files = wanted();
+    for(auto file = files.rbegin(); file != files.rend(); ++file)
+      (*file)->remove_earlier();
   }
 
   /// gives all files their names, once all of them are complete.

@@ -15,6 +15,7 @@
 #include "Any_sharpness.h"
 #include "Any_update.h"
 #include "Command_line.h"
+#include "File_names.h"
 #include "choices.h"
 #include "file_format.h"
 
@@ -43,9 +44,7 @@ public:
     wants_version = m_line.has("version");
     if(wants_help || wants_version)
       return;
-    if(!m_line.has("input"))
-      Command_line::fail("there is no INPUT");
-    input = m_line.text("input");
+    read_inputs();
     read_method();
     if(knows("initial"))
       read_initial();
@@ -73,8 +72,18 @@ public:
            method == Method_choice::HARMONIC || method == Method_choice::STEREOGRAPHIC;
   }
 
+  /// returns whether there may be many meshes: the names of their files are made from those of the inputs.
+  bool is_batch() const { return !output_folder.empty(); }
+
+  /// returns whether the progress of a run is shown, where there is a terminal.
+  bool shows_progress() const { return !is_quiet && !is_batch(); }
+
   bool wants_help = false, wants_version = false, is_quiet = false;
-  std::string input;
+  std::vector<std::string> inputs; ///< meshes, and folders if there may be many
+  File_names file_names;           ///< of the one mesh, if there is only one
+  std::string output_folder;       ///< of the many, empty otherwise
+  std::string format;              ///< of all maps, empty if each has that of its input
+  bool is_resumed = false;         ///< whether meshes that are done are left out
   Method_choice method = Method_choice::BLD;
   bool is_published = false; ///< BLD with the settings of the paper
   Start_choice start = Start_choice::HIERARCHICAL;
@@ -87,9 +96,8 @@ public:
   bool is_unit_sphere = false; ///< whether the radius is 1 because nothing else has chosen one
   std::string description;     ///< the method with all of its settings in words
   unsigned int most_iterations = 100;
-  double most_seconds = 0.;          ///< 0 if there is no limit
-  unsigned int most_threads = 0;     ///< 0 if there is no limit
-  std::string output, json, colored; ///< empty if not wanted
+  double most_seconds = 0.;      ///< 0 if there is no limit
+  unsigned int most_threads = 0; ///< 0 if there is no limit
 
 private:
   // Which methods an option goes with; options that are not listed go with all.
@@ -140,6 +148,19 @@ private:
       if(is_wanted(scope))
         names.push_back("--" + std::string(scope.option));
     return names;
+  }
+
+  void read_inputs()
+  {
+    inputs = m_line.inputs();
+    if(inputs.empty())
+      Command_line::fail("there is no INPUT");
+    if(m_line.has("output-folder"))
+      return;
+    if(inputs.size() > 1)
+      Command_line::fail("there is more than one INPUT; a name with blanks has to be quoted, and many meshes need "
+                         "--output-folder");
+    file_names.input = inputs.front();
   }
 
   void read_method()
@@ -339,14 +360,38 @@ private:
   void read_outputs()
   {
     is_quiet = m_line.has("quiet");
-    output = m_line.text("output");
-    json = m_line.text("json");
-    colored = m_line.text("colored");
-    for(const char* option : {"output", "json", "colored"})
+    for(const char* option : {"output", "json", "colored", "output-folder"})
       if(m_line.has(option) && m_line.text(option).empty())
         Command_line::fail("--" + std::string(option) + " needs a name");
-    if(m_line.has("output") && !is_among(file_format(output), output_formats))
+    if(m_line.has("output-folder"))
+    {
+      read_output_folder();
+      return;
+    }
+    for(const char* option : {"format", "resume"})
+      if(m_line.has(option))
+        Command_line::fail("--" + std::string(option) + " goes with --output-folder");
+    file_names.sphere = m_line.text("output");
+    file_names.json = m_line.text("json");
+    file_names.colored = m_line.text("colored");
+    if(m_line.has("output") && !is_among(file_format(file_names.sphere), output_formats))
       m_line.refuse("output", "a name that ends with one of " + list_of(output_formats));
+  }
+
+  void read_output_folder()
+  {
+    for(const char* option : {"output", "json", "colored"})
+      if(m_line.has(option))
+        Command_line::fail("--" + std::string(option) + " is for one mesh; with --output-folder, the sphere of each " +
+                           "and its report are written there");
+    output_folder = m_line.text("output-folder");
+    is_resumed = m_line.has("resume");
+    if(!m_line.has("format"))
+      return;
+    const std::string extension = m_line.text("format");
+    format = file_format("sphere." + extension.substr(extension.find_first_not_of('.') == 1 ? 1 : 0));
+    if(!is_among(format, output_formats))
+      m_line.refuse("format", "one of " + list_of(output_formats));
   }
 
   // as many digits as it takes to read the same number again

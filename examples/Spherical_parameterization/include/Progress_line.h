@@ -34,9 +34,9 @@ namespace Program {
 class Progress_line : public CGAL::Spherical_parameterization::Default_visitor
 {
 public:
-  /// constructs the visitor; without a terminal for the standard error stream nothing is shown.
-  explicit Progress_line(bool is_quiet)
-    : m_is_shown(!is_quiet && is_terminal())
+  /// constructs the visitor, which shows something if that is wanted and the standard error stream is a terminal.
+  explicit Progress_line(bool is_wanted)
+    : m_is_shown(is_wanted && is_terminal())
   {}
 
   ~Progress_line() { erase(); }

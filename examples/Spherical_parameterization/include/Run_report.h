@@ -11,17 +11,19 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_EXAMPLES_RUN_REPORT_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_EXAMPLES_RUN_REPORT_H
 
-#include "Colored_mesh.h"
 #include "Json_object.h"
 #include "Program_options.h"
 #include "Run_result.h"
+#include "program_version.h"
 #include "choices.h"
 
 #include <CGAL/Spherical_parameterization/Distortion_statistics.h>
 #include <CGAL/Spherical_parameterization/Distortion_summary.h>
 #include <CGAL/Spherical_parameterization/Parameterization_report.h>
 
+#include <array>
 #include <cstddef>
+#include <cstdint>
 #include <iomanip>
 #include <optional>
 #include <ostream>
@@ -35,9 +37,17 @@ namespace Program {
 class Run_report
 {
 public:
-  explicit Run_report(const Program_options& options)
+  /// \param options have to live longer
+  Run_report(const Program_options& options, const std::string& input)
     : m_options(options)
+    , m_input(input)
   {}
+
+  /// The exit status of the program if a map was written that is not one-to-one.
+  static constexpr int exit_status_folded = 2;
+
+  /// The reason to stop, as JSON tells it, of a run that was asked for its map before the method had come to its end.
+  static constexpr const char* stop_reason_interrupted = "interrupted";
 
   Run_result result;
   CGAL::Spherical_parameterization::Distortion_summary distortion;
@@ -45,14 +55,27 @@ public:
   std::optional<CGAL::Spherical_parameterization::Distortion_summary> balanced;
   double seconds_for_input = 0.; ///< reading and checking the file
   double seconds_for_measuring = 0.;
-  double seconds_for_output = 0.;        ///< writing all files but that with this report
-  std::vector<std::string> files;        ///< that were written
-  const Colored_mesh* colored = nullptr; ///< if it was written
+  double seconds_for_output = 0.;  ///< writing all files but that with this report
+  std::vector<std::string> files;  ///< that were written
+  std::uintmax_t input_bytes = 0;  ///< the size of the file
+  std::uintmax_t sphere_bytes = 0; ///< 0 if it was not written, or to no ordinary file
+  /// the distortion with the darkest colour, and that with the lightest, if colours were written
+  std::optional<std::array<double, 2>> color_range;
+
+  const std::string& input() const { return m_input; }
+
+  /// returns whether a visitor has ended the method.
+  bool is_interrupted() const { return result.report.stop_reason == CGAL::Spherical_parameterization::STOPPED; }
+
+  double seconds() const
+  {
+    return seconds_for_input + result.report.seconds() + seconds_for_measuring + seconds_for_output;
+  }
 
   void print(std::ostream& out) const
   {
     const Report& run = result.report;
-    out << "Mesh      " << m_options.input << ": " << run.number_of_vertices << " vertices, " << run.number_of_faces
+    out << "Mesh      " << m_input << ": " << run.number_of_vertices << " vertices, " << run.number_of_faces
         << " faces";
     if(run.number_of_isolated_vertices > 0)
       out << ", and " << run.number_of_isolated_vertices << " vertices without a face";
@@ -85,10 +108,28 @@ public:
         << (result.is_one_to_one ? "Certified: the map is one-to-one." : "Not one-to-one: " + fault()) << '\n';
     for(const std::string& file : files)
       out << "Written:   " << file << '\n';
-    if(colored != nullptr)
-      out << "Colours:   " << color_name() << " from " << fixed_text(colored->least(), 3) << " (violet) to "
-          << fixed_text(colored->largest(), 3) << " (yellow)\n";
+    if(color_range)
+      out << "Colours:   " << color_name() << " from " << fixed_text((*color_range)[0], 3) << " (violet) to "
+          << fixed_text((*color_range)[1], 3) << " (yellow)\n";
     out << std::flush;
+  }
+
+  /// prints what matters most in one line, without its end.
+  void print_short(std::ostream& out) const
+  {
+    const auto& isometric = (balanced ? *balanced : distortion).isometric;
+    constexpr int digits = 4;
+    out << result.report.number_of_vertices << " vertices, D_iso " << fixed_text(isometric.maximum, digits, false)
+        << " / " << fixed_text(isometric.average, digits, false) << ", " << fixed_text(seconds(), 2) << " s";
+    if(!result.is_one_to_one)
+      out << ", folds: " << fault();
+  }
+
+  /// returns what is wrong with a map that is not one-to-one, and what helps.
+  std::string explain_fault() const
+  {
+    return m_input + ": the map is not one-to-one: " + fault() + "\n--method " + name_of(methods, m_options.method) +
+           " does not exclude that; --method bld does.";
   }
 
   /// returns what is wrong with a map that is not one-to-one.
@@ -128,7 +169,9 @@ public:
         .add("inverted_faces", distortion.number_of_inverted_faces)
         .add("degenerate_faces", distortion.number_of_degenerate_faces);
     Json_object all;
-    all.add("input", m_options.input)
+    all.add("program", program_version())
+        .add("input", m_input)
+        .add("input_bytes", std::size_t(input_bytes))
         .add("vertices", run.number_of_vertices)
         .add("faces", run.number_of_faces)
         .add("isolated_vertices", run.number_of_isolated_vertices)
@@ -150,10 +193,12 @@ public:
                               .add("D_iso", statistics(balanced->isometric))
                               .add("D_area", statistics(balanced->area)));
     all.add("seconds", stages);
-    if(colored != nullptr)
+    if(color_range)
       all.add(
           "colors",
-          Json_object().add("measure", color_name()).add("least", colored->least()).add("largest", colored->largest()));
+          Json_object().add("measure", color_name()).add("least", (*color_range)[0]).add("largest", (*color_range)[1]));
+    if(sphere_bytes > 0)
+      all.add("sphere_bytes", std::size_t(sphere_bytes));
     return all.add("files", files).text() + '\n';
   }
 
@@ -162,19 +207,13 @@ private:
 
   std::string stop_reason() const
   {
-    using namespace CGAL::Spherical_parameterization;
-    const Report& run = result.report;
-    return run.stop_reason == STOPPED ? "interrupted" : get_stop_message(run.stop_reason);
+    using CGAL::Spherical_parameterization::get_stop_message;
+    return is_interrupted() ? stop_reason_interrupted : get_stop_message(result.report.stop_reason);
   }
 
   const char* color_name() const
   {
     return m_options.is_conformal() ? "D_angle" : (balanced ? "balanced D_iso" : "D_iso");
-  }
-
-  double seconds() const
-  {
-    return seconds_for_input + result.report.seconds() + seconds_for_measuring + seconds_for_output;
   }
 
   static std::string fixed_text(double x, int digits, bool is_fixed = true)
@@ -206,6 +245,7 @@ private:
   }
 
   const Program_options& m_options;
+  std::string m_input;
 };
 
 } // namespace Program

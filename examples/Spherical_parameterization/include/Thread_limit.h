@@ -13,9 +13,13 @@
 
 #ifdef CGAL_LINKED_WITH_TBB
 #include <tbb/global_control.h>
+#include <tbb/task_arena.h>
 
+#include <algorithm>
 #include <optional>
 #endif
+
+#include <cstddef>
 
 namespace Program {
 
@@ -31,6 +35,17 @@ public:
       m_control.emplace(tbb::global_control::max_allowed_parallelism, most_threads);
 #else
     static_cast<void>(most_threads); // there is one thread only
+#endif
+  }
+
+  /// returns how many threads a loop may have now: one for each core that the program may use, or the limit.
+  static std::size_t number_of_threads()
+  {
+#ifdef CGAL_LINKED_WITH_TBB
+    return (std::min)(tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism),
+                      static_cast<std::size_t>(tbb::this_task_arena::max_concurrency()));
+#else
+    return 1;
 #endif
   }
 

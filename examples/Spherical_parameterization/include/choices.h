@@ -79,7 +79,7 @@ constexpr std::array<Word<Barrier_choice>, 2> barriers = {
     {{"determinant", Barrier_choice::DETERMINANT}, {"flat", Barrier_choice::FLAT}}};
 
 /// The values of --prefer: which sharpness they are.
-constexpr std::array<Word<double>, 3> preferences = {{{"average", 0.}, {"balance", 12.}, {"worst", 50.}}};
+constexpr std::array<Word<double>, 3> preferences = {{{"average", 0.}, {"balance", 13.5}, {"worst", 50.}}};
 
 } // namespace Program
 

@@ -20,20 +20,21 @@
 
 namespace Program {
 
-/// says why a run has left no map and what helps, in the words of the command line.
-inline std::string explain_failure(CGAL::Spherical_parameterization::Error_code error, const Program_options& options)
+/// says why a run has left no map and what helps, in the words of the command line; `input` is the file of the mesh.
+inline std::string explain_failure(CGAL::Spherical_parameterization::Error_code error, const std::string& input,
+                                   const Program_options& options)
 {
   using namespace CGAL::Spherical_parameterization;
 
   const std::string library_text = get_error_message(error);
   if(options.start == Start_choice::PRECOMPUTED)
-    return (error == ERROR_INVALID_INITIAL_PARAMETERIZATION ? options.start_file : options.input) + ": " + library_text;
+    return (error == ERROR_INVALID_INITIAL_PARAMETERIZATION ? options.start_file : input) + ": " + library_text;
 
   const bool is_start = options.start != Start_choice::HIERARCHICAL;
   const bool is_alone = options.method == Method_choice::STEREOGRAPHIC || options.method == Method_choice::HARMONIC ||
                         options.method == Method_choice::CONFORMAL;
   if(!is_start && !is_alone)
-    return options.input + ": " + library_text;
+    return input + ": " + library_text;
 
   const std::string name = is_start ? name_of(starts, options.start) : name_of(methods, options.method);
   const std::string map = name + (is_start ? " start" : " map");
@@ -44,20 +45,20 @@ inline std::string explain_failure(CGAL::Spherical_parameterization::Error_code 
   switch(error)
   {
   case ERROR_INVALID_INITIAL_PARAMETERIZATION:
-    return options.input + ": the " + map +
+    return input + ": the " + map +
            (options.start == Start_choice::CONFORMAL
                 ? " folds on this mesh, or nearly so: nothing prevents a conformal map from that, and "
                 : " is one-to-one on this mesh only just so, by less than rounding can change, and ") +
            name_of(methods, options.method) + " has to start from one that is one-to-one; " + advice;
   case ERROR_INSUFFICIENT_PRECISION:
-    return options.input + ": no one-to-one " + map +
+    return input + ": no one-to-one " + map +
            " was found that double precision numbers can hold: parts of the surface would have to be smaller than "
            "their resolution; " +
            advice;
   case ERROR_CANNOT_SOLVE_LINEAR_SYSTEM:
-    return options.input + ": the linear system of the " + map + " could not be solved; " + advice;
+    return input + ": the linear system of the " + map + " could not be solved; " + advice;
   default:
-    return options.input + ": " + library_text;
+    return input + ": " + library_text;
   }
 }
 
