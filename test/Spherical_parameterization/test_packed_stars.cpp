@@ -20,6 +20,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -90,10 +91,14 @@ public:
   Star_packets packets(const std::vector<std::size_t>& first_of_set) const
   {
     Star_packets result;
-    result.assign(m_vertices, first_of_set, [&](std::uint32_t k) { return m_stars[k].degree(); });
+    result.assign(m_vertices, first_of_set, [&](std::uint32_t v) { return star_of(v).degree(); });
     for(std::size_t k = 0; k < result.number_of_packets(); ++k)
-      result.fill(k, [&](std::uint32_t source) { return m_stars[source]; });
+      result.fill(k, [&](std::uint32_t v) { return star_of(v); });
     return result;
+  }
+  const Star& star_of(std::uint32_t v) const
+  {
+    return m_stars[static_cast<std::size_t>(std::find(m_vertices.begin(), m_vertices.end(), v) - m_vertices.begin())];
   }
   Star_packets packets() const { return packets({0, m_stars.size()}); }
 

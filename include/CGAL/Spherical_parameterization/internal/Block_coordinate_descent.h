@@ -66,11 +66,8 @@ public:
       return rest;
     };
     const Independent_sets sets(rings);
-    const std::vector<std::uint32_t>& vertices = sets.vertices();
-    m_stars.assign(vertices, sets.first(), [&](std::uint32_t k) { return rings.degree(vertices[k]); });
-    fill(m_stars, [&](std::uint32_t k) {
-      return Ring_star<decltype(rest_of_face)>{vertices[k], rings.ring(vertices[k]), rest_of_face};
-    });
+    m_stars.assign(sets.vertices(), sets.first(), [&](std::uint32_t v) { return rings.degree(v); });
+    fill(m_stars, [&](std::uint32_t v) { return Ring_star<decltype(rest_of_face)>{v, rings.ring(v), rest_of_face}; });
     m_faces.assign(m_stars, rings.number_of_faces());
     m_places.resize(rings.number_of_vertices());
     for(std::size_t place = m_stars.number_of_places(); place-- > 0;) // the first place of each is its own
@@ -121,8 +118,8 @@ public:
         ++k;
       first_of_set.push_back(k);
     }
-    m_focus.assign(selected, first_of_set, [&](std::uint32_t i) { return m_rings.degree(selected[i]); });
-    fill(m_focus, [&](std::uint32_t i) { return m_stars.star(m_places[selected[i]]); });
+    m_focus.assign(selected, first_of_set, [&](std::uint32_t v) { return m_rings.degree(v); });
+    fill(m_focus, [&](std::uint32_t v) { return m_stars.star(m_places[v]); });
     return selected.size();
   }
 

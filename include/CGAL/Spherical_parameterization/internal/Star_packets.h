@@ -44,14 +44,15 @@ public:
   };
 
   // Makes room for the stars of `vertices`, of which vertices[first_of_set[k]], ..., vertices[first_of_set[k + 1] - 1]
-  // are independent. degree_of(k) is the number of neighbors of vertices[k].
+  // are independent. degree_of(v) is the number of neighbors of a vertex.
   template <class DegreeOf>
   void assign(const std::vector<std::uint32_t>& vertices, const std::vector<std::size_t>& first_of_set,
               const DegreeOf& degree_of)
   {
     m_vertices.clear();
-    m_sources.clear();
+    m_vertices.reserve(vertices.size() + vertices.size() / 16 + width);
     m_packets.clear();
+    m_packets.reserve(m_vertices.capacity() / width);
     m_first_packet.assign(1, 0);
     std::size_t n_corners = 0;
     std::vector<std::uint32_t> order;
@@ -60,9 +61,8 @@ public:
       for(std::size_t begin = first_of_set[set]; begin < first_of_set[set + 1]; begin += chunk_size)
       {
         const std::size_t end = (std::min)(begin + chunk_size, first_of_set[set + 1]);
-        order.resize(end - begin);
-        for(std::size_t k = begin; k < end; ++k)
-          order[k - begin] = static_cast<std::uint32_t>(k);
+        order.assign(vertices.begin() + static_cast<std::ptrdiff_t>(begin),
+                     vertices.begin() + static_cast<std::ptrdiff_t>(end));
         std::stable_sort(order.begin(), order.end(),
                          [&](std::uint32_t a, std::uint32_t b) { return degree_of(a) < degree_of(b); });
         for(std::size_t k = 0; k < order.size();)
@@ -81,28 +81,24 @@ public:
           m_packets.push_back(packet);
           n_corners += (stride * packet.number_of_rows + width - 1) / width * width;
           for(std::size_t lane = 0; lane < stride; ++lane)
-          {
-            const std::uint32_t source = order[k + lane < last ? k + lane : k];
-            m_sources.push_back(source);
-            m_vertices.push_back(vertices[source]);
-          }
+            m_vertices.push_back(order[k + lane < last ? k + lane : k]);
           k = last;
         }
       }
       m_first_packet.push_back(m_packets.size());
     }
-    m_neighbors.resize(n_corners);
-    m_rest.resize(4 * n_corners);
+    resize(m_neighbors, n_corners);
+    resize(m_rest, 4 * n_corners);
   }
 
-  // Fills a packet: star_of(k) is the star of vertices[k], with its degree(), neighbor(j) and rest(j).
+  // Fills a packet: star_of(v) is the star of a vertex, with its degree(), neighbor(j) and rest(j).
   template <class StarOf>
   void fill(std::size_t packet, const StarOf& star_of)
   {
     const Packet& p = m_packets[packet];
     for(std::size_t lane = 0; lane < p.stride; ++lane)
     {
-      const auto star = star_of(m_sources[p.first_place + lane]);
+      const auto star = star_of(m_vertices[p.first_place + lane]);
       const std::size_t degree = star.degree();
       for(std::size_t j = 0; j < p.number_of_rows; ++j)
       {
@@ -196,6 +192,19 @@ private:
   static constexpr std::size_t chunk_size = 1024; // of vertices that are ordered by their numbers of faces
   static constexpr std::size_t most_rows = 32;    // of a packet of several stars
 
+  // A vector that grows a little at a time takes twice the memory that it needs, and copies what is of no use any more.
+  template <class T>
+  static void resize(std::vector<T>& numbers, std::size_t n)
+  {
+    if(n > numbers.capacity())
+    {
+      const bool is_first = numbers.empty();
+      std::vector<T>().swap(numbers);
+      numbers.reserve(is_first ? n : n + n / 16);
+    }
+    numbers.resize(n);
+  }
+
   static std::size_t rest_index(std::size_t corner, std::size_t k) { return Star_view<double>::rest_index(corner, k); }
 
   std::size_t degree(const Packet& p, std::size_t lane) const
@@ -208,7 +217,7 @@ private:
 
   std::vector<Packet> m_packets;
   std::vector<std::size_t> m_first_packet;
-  std::vector<std::uint32_t> m_vertices, m_sources; // of the places
+  std::vector<std::uint32_t> m_vertices; // of the places
   std::vector<std::uint32_t> m_neighbors;
   std::vector<double> m_rest;
 };
