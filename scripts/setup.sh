@@ -13,11 +13,11 @@ packages=(g++ make cmake libcgal-dev libcgal-demo libboost-program-options-dev l
 components=(CGAL Boost TBB Eigen3)
 wanted="a C++17 compiler, CMake 3.18, CGAL 5.5, Boost.Program_options, TBB and Eigen"
 if [ "${1-}" = --tests ]; then
-  packages+=(git libgtest-dev clang libclang-rt-dev llvm clang-format-14)
+  packages+=(git libgtest-dev libbenchmark-dev clang libclang-rt-dev llvm clang-format-14)
   packages+=(python3-numpy python3-matplotlib python3-vtk9 xvfb xauth)
-  components+=(GTest)
-  wanted="a C++17 compiler, CMake 3.18, CGAL 5.5, Boost.Program_options, TBB, Eigen, GoogleTest, Clang with its"
-  wanted+=" sanitizers, clang-format 14, and Python with numpy, matplotlib and VTK"
+  components+=(GTest benchmark)
+  wanted="a C++17 compiler, CMake 3.18, CGAL 5.5, Boost.Program_options, TBB, Eigen, GoogleTest, Google Benchmark, Clang"
+  wanted+=" with its sanitizers, clang-format 14, and Python with numpy, matplotlib and VTK"
 fi
 
 is_installed() {

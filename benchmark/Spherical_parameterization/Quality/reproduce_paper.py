@@ -24,14 +24,16 @@ except ImportError as error:
     )
 
 sys.dont_write_bytecode = True  # leaves the sources as they are
+sys.path.append(str(Path(__file__).resolve().parents[1] / "python"))
 
+from measuring.environment import find_program, find_shared_meshes, processor
+from measuring.program import Program
+from measuring.report import Report, duration, listed
 from reproduction.checks import certificates, contradictions, yardstick
 from reproduction.large_and_conformal import figure_10, figure_11
 from reproduction.models import Library
 from reproduction.optimization import figure_1, figure_2, figure_6, figure_7
 from reproduction.pictures import Painter
-from reproduction.program import Program, find_program
-from reproduction.report import Report, duration, listed
 from reproduction.robustness import figure_3, figure_4, figure_5
 from reproduction.session import FULL_SWEEPS, SHORT_SWEEPS, Session
 from reproduction.table1 import figure_8, figure_9, table_1, verdict
@@ -115,17 +117,15 @@ def read_options() -> argparse.Namespace:
     )
     options = parser.parse_args()
 
-    options.program = options.program or find_program(PROJECT)
+    options.program = options.program or find_program(PROJECT / "build", "spherical_parameterization")
     if options.program is None:
         parser.error("there is no program in the project's build folder: build it, or name it with --program")
     if not os.access(options.program, os.X_OK):
         parser.error(f"--program: {options.program} cannot be run")
     options.program = options.program.resolve()
+    options.meshes = options.meshes or find_shared_meshes(PROJECT)
     if options.meshes is None:
-        shared = Path(os.environ.get("SPHERICAL_PARAMETERIZATION_DATA_DIR") or PROJECT.parent / "shared" / "data")
-        options.meshes = shared / "meshes"
-        if not options.meshes.is_dir():
-            parser.error("--meshes is needed: there is no folder of shared meshes beside the project")
+        parser.error("--meshes is needed: there is no folder of shared meshes beside the project")
     for name in ("meshes", "large"):
         folder = getattr(options, name)
         if folder is not None and not folder.is_dir():
@@ -197,16 +197,6 @@ def write_all_runs(session: Session) -> None:
     ]
     session.report.begin_section("All runs")
     session.report.csv("runs.csv", rows)
-
-
-def processor() -> str:
-    try:
-        for line in Path("/proc/cpuinfo").read_text(encoding="utf-8").splitlines():
-            if line.startswith("model name"):
-                return line.split(":", 1)[1].strip()
-    except OSError:
-        pass
-    return platform.processor() or "unknown processor"
 
 
 if __name__ == "__main__":

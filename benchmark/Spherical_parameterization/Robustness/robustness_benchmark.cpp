@@ -10,12 +10,13 @@
 // Runs a program on every mesh of some folders and judges what it writes: how often its map is one-to-one, how often it
 // refuses the mesh, and how often it is wrong.
 
-#include "Map_judge.h"
-#include "run_command.h"
-
+#include "../include/Command_template.h"
+#include "../include/Map_judge.h"
+#include "../include/Mapping_program.h"
 #include "../include/Table.h"
+#include "../include/judge_map.h"
 #include "../include/mesh_files.h"
-#include "../include/run_in_child_process.h"
+#include "../include/run_command.h"
 #include "../include/run_program.h"
 
 #include <algorithm>
@@ -23,10 +24,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdlib>
-#include <cstring>
-#include <exception>
 #include <filesystem>
-#include <fstream>
 #include <iostream>
 #include <limits>
 #include <map>
@@ -35,8 +33,6 @@
 #include <stdexcept>
 #include <string>
 #include <vector>
-
-#include <stdlib.h>
 
 namespace fs = std::filesystem;
 namespace po = boost::program_options;
@@ -65,202 +61,34 @@ struct Result
   double seconds = 0.;
   double peak_bytes = 0.;
   double vertices = std::numeric_limits<double>::quiet_NaN(); // the rest only if certified
-  Isometric_distortion isometric = {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::quiet_NaN()};
+  Map_distortion isometric = {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::quiet_NaN()};
 };
 
-// What the judge says, in the form that goes through a pipe.
-struct Verdict
+Result judge(const Mapping_program& program, const fs::path& file)
 {
-  std::array<char, 256> fault{};
-  double vertices = 0.;
-  Isometric_distortion isometric{};
-
-  void fail(const std::string& message) { message.copy(fault.data(), fault.size() - 1); }
-};
-
-Verdict judge(const fs::path& mesh_file, const fs::path& map_file)
-{
-  Verdict verdict;
-  try
+  const Mapping_program::Run run = program.run(file);
+  Result result;
+  result.file = file;
+  result.seconds = run.outcome.seconds;
+  result.peak_bytes = run.outcome.peak_bytes;
+  result.reason = run.reason;
+  if(run.ending == Mapping_program::Ending::REFUSED)
   {
-    const Map_judge judge(mesh_file, map_file);
-    judge.check();
-    verdict.vertices = static_cast<double>(judge.number_of_vertices());
-    verdict.isometric = judge.isometric_distortion();
+    result.outcome = Outcome::REFUSED;
   }
-  catch(const std::exception& error)
+  else if(run.ending == Mapping_program::Ending::MAPPED)
   {
-    verdict.fail(error.what());
-  }
-  return verdict;
-}
-
-// A folder that is there as long as this object.
-class Temporary_folder
-{
-public:
-  Temporary_folder()
-  {
-    std::string name = (fs::temp_directory_path() / "robustness_XXXXXX").string();
-    if(mkdtemp(name.data()) == nullptr)
-    {
-      throw std::runtime_error(name + ": cannot be created");
-    }
-    m_path = name;
-  }
-  ~Temporary_folder()
-  {
-    std::error_code ignored;
-    fs::remove_all(m_path, ignored);
-  }
-  Temporary_folder(const Temporary_folder&) = delete;
-  Temporary_folder& operator=(const Temporary_folder&) = delete;
-
-  const fs::path& path() const { return m_path; }
-
-private:
-  fs::path m_path;
-};
-
-// The text as one word of the shell.
-std::string quoted(const std::string& text)
-{
-  std::string result = "'";
-  for(const char c : text)
-  {
-    result += c == '\'' ? std::string("'\\''") : std::string(1, c);
-  }
-  return result + '\'';
-}
-
-std::string replaced(std::string text, const std::string& what, const std::string& by)
-{
-  for(std::size_t at = 0; (at = text.find(what, at)) != std::string::npos; at += by.size())
-  {
-    text.replace(at, what.size(), by);
-  }
-  return text;
-}
-
-// The program that is judged.
-class Program
-{
-public:
-  Program(const std::string& command_template, const Command_limits& limits)
-    : m_template(command_template)
-    , m_limits(limits)
-  {
-    for(const char* placeholder : {"{input}", "{output}"})
-    {
-      if(m_template.find(placeholder) == std::string::npos)
-      {
-        throw po::error("--program must have " + std::string(placeholder) + " in it: " + m_template);
-      }
-    }
-  }
-
-  Result run(const fs::path& file) const
-  {
-    const fs::path map = m_folder.path() / "map.off";
-    fs::remove(map);
-    const std::string command = replaced(replaced(m_template, "{output}", quoted(map.string())), "{input}",
-                                         quoted(fs::absolute(file).string()));
-    const Command_outcome outcome = run_command(command, standard_output(), error_output(), m_limits);
-
-    Result result;
-    result.file = file;
-    result.seconds = outcome.seconds;
-    result.peak_bytes = outcome.peak_bytes;
-    if(outcome.is_timed_out)
-    {
-      result.reason = "did not end within " + to_text(m_limits.seconds, 0) + " seconds";
-    }
-    else if(outcome.signal != 0)
-    {
-      result.reason = "broke down: " + std::string(strsignal(outcome.signal));
-    }
-    else if(outcome.exit_status == 126 || outcome.exit_status == 127) // of the shell
-    {
-      result.reason = "the command cannot be run: " + message(file);
-    }
-    else if(outcome.exit_status != 0)
-    {
-      result.outcome = Outcome::REFUSED;
-      result.reason = message(file);
-    }
-    else if(!fs::exists(map))
-    {
-      result.reason = "succeeded, but wrote no map";
-    }
-    else
-    {
-      take(judge_apart(file, map), result);
-    }
-    return result;
-  }
-
-private:
-  fs::path standard_output() const { return m_folder.path() / "stdout.txt"; }
-  fs::path error_output() const { return m_folder.path() / "stderr.txt"; }
-
-  // What judges has a process of its own too: a file can hold anything, and this process stays small, as all that it
-  // starts begins with its memory.
-  static Verdict judge_apart(const fs::path& file, const fs::path& map)
-  {
-    try
-    {
-      return run_in_child_process([&] { return judge(file, map); });
-    }
-    catch(const std::exception& error)
-    {
-      Verdict verdict;
-      verdict.fail("the map cannot be judged: " + std::string(error.what()));
-      return verdict;
-    }
-  }
-
-  static void take(const Verdict& verdict, Result& result)
-  {
-    if(verdict.fault[0] != 0)
-    {
-      result.reason = verdict.fault.data();
-    }
-    else
+    const Map_judgement judgement = judge_map([&] { return Map_judge(file, program.map_file()); });
+    result.reason = judgement.fault.data();
+    if(judgement.is_one_to_one())
     {
       result.outcome = Outcome::CERTIFIED;
-      result.vertices = verdict.vertices;
-      result.isometric = verdict.isometric;
+      result.vertices = judgement.vertices;
+      result.isometric = judgement.isometric;
     }
   }
-
-  // The first words that the program said about the file, among its errors if there are any, without the name of the
-  // file.
-  std::string message(const fs::path& file) const
-  {
-    constexpr std::size_t longest = 300;
-    for(const fs::path& path : {error_output(), standard_output()})
-    {
-      std::ifstream in(path);
-      std::string text;
-      for(std::string word; text.size() < 2 * longest && in >> word;)
-      {
-        text += (text.empty() ? "" : " ") + word;
-      }
-      const std::string name = fs::absolute(file).string() + ": ";
-      const std::size_t at = text.find(name);
-      text.erase(0, at == std::string::npos ? 0 : at + name.size());
-      if(!text.empty())
-      {
-        return text.size() < longest ? text : text.substr(0, longest) + " ...";
-      }
-    }
-    return "without a word";
-  }
-
-  std::string m_template;
-  Command_limits m_limits;
-  Temporary_folder m_folder;
-};
+  return result;
+}
 
 // The files that are counted together: those of a folder, and among them those that are hard, or invalid, by their
 // names.
@@ -403,7 +231,12 @@ int run_benchmark(const po::variables_map& options)
   }
   const Command_limits limits = {options["time-limit"].as<double>(),
                                  1024. * 1024. * options["memory-limit"].as<double>()};
-  const Program program(options["program"].as<std::string>(), limits);
+  const Command_template command(options["program"].as<std::string>());
+  if(!command.input_format().empty() || !command.output_format().empty())
+  {
+    throw po::error("The meshes are given to the program as they are, and the format of its maps is OFF.");
+  }
+  const Mapping_program program(command, limits);
   const bool is_csv = options["csv"].as<bool>();
   const std::vector<fs::path> files = find_mesh_files(options["inputs"].as<std::vector<std::string>>());
   for(const fs::path& file : files)
@@ -427,7 +260,7 @@ int run_benchmark(const po::variables_map& options)
   std::map<std::string, Results> classes;
   for(const fs::path& file : files)
   {
-    results.push_back(program.run(file));
+    results.push_back(judge(program, file));
     classes[class_of(file)].push_back(results.back());
     if(list)
     {

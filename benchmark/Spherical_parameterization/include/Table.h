@@ -29,22 +29,23 @@ inline std::string to_text(double value, int digits)
   return text.str();
 }
 
-// A table that is printed row by row as the rows come, in Markdown or as comma-separated values. The first column is for
-// names, the others are for numbers.
+// A table that is printed row by row as the rows come, in Markdown or as comma-separated values. The first columns are
+// for names, the others are for numbers.
 class Table
 {
 public:
-  Table(std::ostream& out, std::vector<std::string> header, bool is_csv)
+  Table(std::ostream& out, std::vector<std::string> header, bool is_csv, std::size_t number_of_names = 1)
     : m_out(out)
     , m_header(std::move(header))
     , m_is_csv(is_csv)
+    , m_number_of_names(number_of_names)
   {
     add_row(m_header);
     if(!m_is_csv)
     {
       for(std::size_t i = 0; i < m_header.size(); ++i)
       {
-        m_out << '|' << (i == 0 ? ':' : '-') << std::string(width(i), '-') << (i == 0 ? '-' : ':');
+        m_out << '|' << (is_name(i) ? ':' : '-') << std::string(width(i), '-') << (is_name(i) ? '-' : ':');
       }
       m_out << '|' << std::endl;
     }
@@ -58,18 +59,20 @@ public:
     {
       if(m_is_csv)
       {
-        if(i == 0)
+        m_out << (i == 0 ? "" : ",");
+        if(is_name(i))
         {
           m_out << std::quoted(cells[i], '"', '"');
         }
         else
         {
-          m_out << ',' << cells[i];
+          m_out << cells[i];
         }
       }
       else
       {
-        m_out << "| " << std::setw(static_cast<int>(width(i))) << (i == 0 ? std::left : std::right) << cells[i] << ' ';
+        m_out << "| " << std::setw(static_cast<int>(width(i))) << (is_name(i) ? std::left : std::right) << cells[i]
+              << ' ';
       }
     }
     m_out << (m_is_csv ? "" : "|") << std::endl;
@@ -79,12 +82,15 @@ private:
   std::size_t width(std::size_t column) const
   {
     constexpr std::size_t width_of_names = 24;
-    return column == 0 ? width_of_names : m_header[column].size();
+    return is_name(column) ? width_of_names : m_header[column].size();
   }
+
+  bool is_name(std::size_t column) const { return column < m_number_of_names; }
 
   std::ostream& m_out;
   std::vector<std::string> m_header;
   bool m_is_csv;
+  std::size_t m_number_of_names;
 };
 
 } // namespace benchmarks

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from .program import CERTIFIED, FAILED, FOLDS, Run
-from .report import Column, listed, number, percent
+from measuring.program import CERTIFIED, FAILED, FOLDS, Run
+from measuring.report import Column, listed, number, percent
+
 from .session import FOLDED, ISOMETRIC, MESH, SECONDS, STOP, SWEEPS, Session, failures, record, shown
 
 MOST_VERTICES_OF_LONG_RUN = 5000

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+from measuring.report import Column, number
+
 from .pictures import Picture
-from .report import Column, number
 from .session import (
     ANGLE,
     DEFAULT,

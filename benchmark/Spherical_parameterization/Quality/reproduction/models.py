@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-import hashlib
 import re
-from dataclasses import dataclass, field
-from functools import cached_property
+from dataclasses import dataclass
 from pathlib import Path
 
-from .meshes import FORMATS, Mesh, MeshError, read_counts, read_mesh, why_not_a_sphere, write_off
+from measuring.mesh_files import MeshFile, find_mesh_files
+from measuring.meshes import Mesh, MeshError, why_not_a_sphere, write_off
 
 AS_FOUND, SAME_COUNT = "as found", "same count"
 
@@ -57,31 +56,6 @@ MODELS = {model.name: model for model in TABLE_1 + OTHERS}
 LEAST_VERTICES = 100  # of a mesh that stands for one of the paper
 
 
-@dataclass(eq=False)  # a file is the same as itself only, and a key
-class MeshFile:
-    """A mesh on disk, read when it is needed."""
-
-    path: Path
-    number_of_vertices: int
-    number_of_faces: int
-    origin: str = ""  # how it was made, if by this driver
-    name: str = field(init=False)
-
-    def __post_init__(self) -> None:
-        self.name = self.path.stem
-
-    @cached_property
-    def mesh(self) -> Mesh:
-        return read_mesh(self.path)
-
-    @cached_property
-    def checksum(self) -> str:
-        return hashlib.sha256(self.path.read_bytes()).hexdigest()
-
-    def forget(self) -> None:
-        self.__dict__.pop("mesh", None)
-
-
 class Library:
     """The meshes of some folders, by the names of the paper's models."""
 
@@ -91,9 +65,8 @@ class Library:
         self._files: dict[str, MeshFile] = {}
         self.notes: list[str] = []  # what a reader has to know about the choice of meshes
         for folder in folders:
-            for path in sorted(folder.iterdir()):
-                if path.suffix.lower() in FORMATS and path.stem not in self._files:
-                    self._add(path)
+            for file in find_mesh_files(folder, most_vertices):
+                self._files.setdefault(file.name, file)
 
     @property
     def files(self) -> list[MeshFile]:
@@ -160,14 +133,6 @@ class Library:
     def forget_meshes(self) -> None:
         for file in self._files.values():
             file.forget()
-
-    def _add(self, path: Path) -> None:
-        try:
-            vertices, faces = read_counts(path)
-        except MeshError:
-            return  # a folder of meshes may hold anything
-        if self._most_vertices is None or vertices <= self._most_vertices:
-            self._files[path.stem] = MeshFile(path, vertices, faces)
 
     def _like(self, model: Model) -> MeshFile | None:
         """A file with the model's name and a number, if none has a name that is known."""

@@ -4,11 +4,12 @@ from __future__ import annotations
 
 import math
 
+from measuring.plots import Axes, Curve, draw
+from measuring.program import Run
+from measuring.report import Column, number
+
 from .models import SAME_COUNT
 from .pictures import Picture
-from .plots import Axes, Curve, draw
-from .program import Run
-from .report import Column, number
 from .session import (
     DEFAULT,
     ISOMETRIC,

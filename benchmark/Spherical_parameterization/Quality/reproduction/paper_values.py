@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from .distortion import Statistics
+from measuring.distortion import Statistics
 
 
 @dataclass(frozen=True)

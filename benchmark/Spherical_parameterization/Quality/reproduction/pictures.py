@@ -14,8 +14,8 @@ from pathlib import Path
 import matplotlib
 import numpy as np
 
-from .plots import DOTS_PER_INCH, plt
-from .program import Run
+from measuring.plots import DOTS_PER_INCH, plt
+from measuring.program import Run
 
 COLORS = "coolwarm"  # has no yellow, which is for folded faces
 FOLDED_COLOR = (255, 221, 0)

@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
-from . import meshes
-from .models import AS_FOUND, MODELS, SAME_COUNT, MeshFile
+from measuring import meshes
+from measuring.mesh_files import MeshFile
+from measuring.program import CERTIFIED, Run
+from measuring.report import Column, listed, number, percent
+
+from .models import AS_FOUND, MODELS, SAME_COUNT
 from .pictures import Picture
-from .program import CERTIFIED, Run
-from .report import Column, listed, number, percent
 from .session import (
     CONVERGED,
     DEFAULT,

@@ -4,10 +4,12 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 
-from .models import Library, MeshFile
+from measuring.mesh_files import MeshFile
+from measuring.program import FOLDS, Program, Run
+from measuring.report import Column, Report, number, seconds, statistics
+
+from .models import Library
 from .pictures import Cell, Painter, Picture
-from .program import FOLDS, Program, Run
-from .report import Column, Report, number, seconds, statistics
 
 HARMONIC, HIERARCHICAL, ARAP = ["--method", "harmonic"], ["--method", "hierarchical"], ["--method", "arap"]
 DEFAULT: list[str] = []

@@ -4,12 +4,14 @@ from __future__ import annotations
 
 import math
 
-from .models import COMPLEX, MODELS, SIMPLE, TABLE_1, MeshFile
+from measuring.mesh_files import MeshFile
+from measuring.program import Run
+from measuring.report import Column, listed, number, seconds, statistics
+
+from .models import COMPLEX, MODELS, SIMPLE, TABLE_1
 from .paper_values import COUNTS
 from .paper_values import TABLE_1 as PAPER_ROWS
 from .pictures import Picture
-from .program import Run
-from .report import Column, listed, number, seconds, statistics
 from .session import (
     ANGLE,
     ARAP,

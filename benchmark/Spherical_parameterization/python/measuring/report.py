@@ -39,13 +39,7 @@ class Report:
             self.paragraph("\n".join(f"- {line}" for line in lines))
 
     def table(self, columns: list[Column], rows: list[dict]) -> None:
-        """Adds a table; a row without a value for a column has an empty cell there."""
-        lines = ["| " + " | ".join(column.heading for column in columns) + " |"]
-        lines.append("|" + "|".join("---:" if column.is_number else "---" for column in columns) + "|")
-        for row in rows:
-            cells = ["" if row.get(c.key) is None else str(row[c.key]).replace("|", "\\|") for c in columns]
-            lines.append("| " + " | ".join(cells) + " |")
-        self.paragraph("\n".join(lines))
+        self.paragraph(table_text(columns, rows))
 
     def csv(self, name: str, rows: list[dict]) -> None:
         """Writes the rows with all digits, whatever the report shows of them."""
@@ -65,6 +59,16 @@ class Report:
         for title, paragraphs in self._sections:
             parts += [f"## {title}", *paragraphs]
         (self.folder / "report.md").write_text("\n\n".join(parts) + "\n", encoding="utf-8")
+
+
+def table_text(columns: list[Column], rows: list[dict]) -> str:
+    """A table in Markdown; a row without a value for a column has an empty cell there."""
+    lines = ["| " + " | ".join(column.heading for column in columns) + " |"]
+    lines.append("|" + "|".join("---:" if column.is_number else "---" for column in columns) + "|")
+    for row in rows:
+        cells = ["" if row.get(c.key) is None else str(row[c.key]).replace("|", "\\|") for c in columns]
+        lines.append("| " + " | ".join(cells) + " |")
+    return "\n".join(lines)
 
 
 def number(x: float | None, digits: int = 3) -> str:

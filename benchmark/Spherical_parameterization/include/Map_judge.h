@@ -10,8 +10,8 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_BENCHMARKS_MAP_JUDGE_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_BENCHMARKS_MAP_JUDGE_H
 
-// Whether a file holds a one-to-one map of the mesh in another file onto a sphere, and how much it distorts. Nothing of
-// the package is included here, because the package is what is being judged.
+// Whether something is a one-to-one map of a mesh onto a sphere, and how much it distorts. Nothing of the package is
+// included here, because the package is what is being judged.
 
 #include <CGAL/Exact_rational.h>
 #include <CGAL/IO/polygon_soup_io.h>
@@ -31,9 +31,9 @@
 
 namespace benchmarks {
 
-// D_iso (eq. 12 of the paper) over the faces, at the radius that balances their areas (eq. 11). Faces of the mesh
-// without area count nowhere; without any other face, the numbers are NaN.
-struct Isometric_distortion
+// A distortion over the faces. Faces of the mesh without area count nowhere; without any other face, the numbers are
+// NaN.
+struct Map_distortion
 {
   double maximum, average;
 };
@@ -41,11 +41,28 @@ struct Isometric_distortion
 class Map_judge
 {
 public:
+  using Point_3 = CGAL::Simple_cartesian<double>::Point_3;
+
+  struct Soup
+  {
+    std::vector<Point_3> points;
+    std::vector<std::vector<std::size_t>> polygons;
+  };
+
+  // By how much the radii may differ, relative: files may have few digits.
+  static constexpr double default_deviation = 1e-6;
+
   // Reads the mesh and its map.
   // \throws std::runtime_error if `map_file` is no map of what is in `mesh_file`
   Map_judge(const std::filesystem::path& mesh_file, const std::filesystem::path& map_file)
+    : Map_judge(read(mesh_file, "the mesh"), read(map_file, "the map"))
+  {}
+
+  // \throws std::runtime_error if `map` does not have the faces of `mesh`, or an image is not finite
+  Map_judge(const Soup& mesh, const Soup& map)
   {
-    const Soup mesh = read(mesh_file, "the mesh"), map = read(map_file, "the map");
+    check_corners(mesh, "the mesh");
+    check_corners(map, "the map");
     if(map.points.size() != mesh.points.size() || map.polygons.size() != mesh.polygons.size())
     {
       throw std::runtime_error("the map has other numbers of vertices and faces than the mesh");
@@ -66,9 +83,14 @@ public:
     }
     m_points = scaled(mesh.points);
     m_images = scaled(map.points);
+    check_finiteness();
+    m_number_of_folded_faces = count_folded_faces();
   }
 
   std::size_t number_of_vertices() const { return m_points.size(); }
+
+  // Those that are oriented unlike the most, or whose images have no area. A map may mirror the surface as a whole.
+  std::size_t number_of_folded_faces() const { return m_number_of_folded_faces; }
 
   // Decides by a theorem: if the faces of a closed surface are mapped to spherical triangles that all have the same
   // orientation, then two faces that share an edge lie on different sides of it, so that each point of the sphere that
@@ -76,11 +98,15 @@ public:
   // and if it is 1, the map is one-to-one.
   //
   // \throws std::runtime_error if it is not, or if the images are on no sphere around the origin
-  void check() const
+  void check(double largest_deviation = default_deviation) const
   {
     check_closedness();
-    check_radii();
-    check_orientations();
+    check_radii(largest_deviation);
+    if(m_number_of_folded_faces > 0)
+    {
+      throw std::runtime_error(std::to_string(m_number_of_folded_faces) + " of " + std::to_string(m_triangles.size()) +
+                               " faces are folded over or have no area");
+    }
     const double degree = total_solid_angle() / (4. * pi);
     if(!(std::abs(degree - 1.) < 0.01))
     {
@@ -88,49 +114,38 @@ public:
     }
   }
 
-  Isometric_distortion isometric_distortion() const
+  // D_iso (eq. 12 of the paper), at the radius that balances the areas of the faces and their images (eq. 11).
+  Map_distortion isometric_distortion() const
   {
-    std::vector<Stretch> stretches;
+    const std::vector<Stretch> stretches = compute_stretches();
     double sum = 0., sum_of_inverses = 0.;
-    for(const Triangle& t : m_triangles)
+    for(const Stretch& stretch : stretches)
     {
-      Stretch stretch;
-      if(compute_stretch(t, stretch))
-      {
-        stretches.push_back(stretch);
-        sum += stretch.smallest * stretch.largest;
-        sum_of_inverses += 1. / (stretch.smallest * stretch.largest);
-      }
+      sum += stretch.smallest * stretch.largest;
+      sum_of_inverses += 1. / (stretch.smallest * stretch.largest);
     }
-    if(stretches.empty())
-    {
-      return {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::quiet_NaN()};
-    }
-    if(!std::isfinite(sum_of_inverses)) // an image is so small that its area is lost to rounding
+    if(!stretches.empty() && !std::isfinite(sum_of_inverses)) // an image is so small that its area is lost to rounding
     {
       return {std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
     }
     const double scale = std::sqrt(std::sqrt(sum_of_inverses / sum));
-    Isometric_distortion result = {0., 0.};
-    for(const Stretch& stretch : stretches)
-    {
-      const double distortion = (std::max)(scale * stretch.largest, 1. / (scale * stretch.smallest));
-      result.maximum = (std::max)(result.maximum, distortion);
-      result.average += distortion / static_cast<double>(stretches.size());
-    }
-    return result;
+    return summary(stretches, [scale](const Stretch& stretch) {
+      return (std::max)(scale * stretch.largest, 1. / (scale * stretch.smallest));
+    });
+  }
+
+  // D_angle, the sum of the ratio of the singular values and its inverse, whatever the radius; 2 without distortion.
+  Map_distortion angle_distortion() const
+  {
+    return summary(compute_stretches(), [](const Stretch& stretch) {
+      return stretch.smallest > 0. ? stretch.largest / stretch.smallest + stretch.smallest / stretch.largest
+                                   : std::numeric_limits<double>::infinity();
+    });
   }
 
 private:
-  using Point_3 = CGAL::Simple_cartesian<double>::Point_3;
   using Vector_3 = CGAL::Simple_cartesian<double>::Vector_3;
   using Triangle = std::array<std::size_t, 3>;
-
-  struct Soup
-  {
-    std::vector<Point_3> points;
-    std::vector<std::vector<std::size_t>> polygons;
-  };
 
   // The singular values of the linear map of a face.
   struct Stretch
@@ -139,7 +154,6 @@ private:
   };
 
   static constexpr double pi = 3.14159265358979323846;
-  static constexpr double largest_deviation = 1e-6; // of the radius, relative: files may have few digits
 
   static Soup read(const std::filesystem::path& file, const std::string& what)
   {
@@ -148,6 +162,11 @@ private:
     {
       throw std::runtime_error(what + " cannot be read");
     }
+    return soup;
+  }
+
+  static void check_corners(const Soup& soup, const std::string& what)
+  {
     for(const std::vector<std::size_t>& polygon : soup.polygons)
     {
       for(const std::size_t v : polygon)
@@ -158,7 +177,6 @@ private:
         }
       }
     }
-    return soup;
   }
 
   // The points times a power of two that makes the coordinates about 1: exact, and no product of them overflows.
@@ -202,7 +220,22 @@ private:
     }
   }
 
-  void check_radii() const
+  void check_finiteness() const
+  {
+    for(const Triangle& t : m_triangles)
+    {
+      for(const std::size_t v : t)
+      {
+        const Point_3& p = m_images[v];
+        if(!std::isfinite(p.x()) || !std::isfinite(p.y()) || !std::isfinite(p.z()))
+        {
+          throw std::runtime_error("vertex " + std::to_string(v) + " has no finite image");
+        }
+      }
+    }
+  }
+
+  void check_radii(double largest_deviation) const
   {
     double smallest = std::numeric_limits<double>::infinity(), largest = 0.;
     for(const Triangle& t : m_triangles)
@@ -211,10 +244,6 @@ private:
       {
         const Point_3& p = m_images[v];
         const double radius = std::hypot(p.x(), p.y(), p.z());
-        if(!std::isfinite(radius))
-        {
-          throw std::runtime_error("vertex " + std::to_string(v) + " has no finite image");
-        }
         smallest = (std::min)(smallest, radius);
         largest = (std::max)(largest, radius);
       }
@@ -245,8 +274,7 @@ private:
     return CGAL::sign(determinant);
   }
 
-  // A map may mirror the surface as a whole.
-  void check_orientations() const
+  std::size_t count_folded_faces() const
   {
     std::size_t number_of_positive = 0, number_of_negative = 0;
     for(const Triangle& t : m_triangles)
@@ -255,12 +283,7 @@ private:
       number_of_positive += sign == CGAL::POSITIVE;
       number_of_negative += sign == CGAL::NEGATIVE;
     }
-    const std::size_t number_of_good = (std::max)(number_of_positive, number_of_negative);
-    if(number_of_good < m_triangles.size())
-    {
-      throw std::runtime_error(std::to_string(m_triangles.size() - number_of_good) + " of " +
-                               std::to_string(m_triangles.size()) + " faces are folded over or have no area");
-    }
+    return m_triangles.size() - (std::max)(number_of_positive, number_of_negative);
   }
 
   // The sum of the areas of the spherical triangles on the unit sphere, by the formula of Van Oosterom and Strackee. No
@@ -280,6 +303,38 @@ private:
       sum += 2. * std::atan2(determinant, 1. + u[0] * u[1] + u[1] * u[2] + u[2] * u[0]);
     }
     return sum;
+  }
+
+  // Those of the faces that have an area.
+  std::vector<Stretch> compute_stretches() const
+  {
+    std::vector<Stretch> stretches;
+    for(const Triangle& t : m_triangles)
+    {
+      Stretch stretch;
+      if(compute_stretch(t, stretch))
+      {
+        stretches.push_back(stretch);
+      }
+    }
+    return stretches;
+  }
+
+  template <class Measure>
+  static Map_distortion summary(const std::vector<Stretch>& stretches, const Measure& measure)
+  {
+    if(stretches.empty())
+    {
+      return {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::quiet_NaN()};
+    }
+    Map_distortion result = {0., 0.};
+    for(const Stretch& stretch : stretches)
+    {
+      const double distortion = measure(stretch);
+      result.maximum = (std::max)(result.maximum, distortion);
+      result.average += distortion / static_cast<double>(stretches.size());
+    }
+    return result;
   }
 
   // Returns false if the face has no area. With the longest edge of the face on the x-axis, and its image as well, the
@@ -319,6 +374,7 @@ private:
 
   std::vector<Triangle> m_triangles;
   std::vector<Point_3> m_points, m_images;
+  std::size_t m_number_of_folded_faces = 0;
 };
 
 } // namespace benchmarks

@@ -105,6 +105,27 @@ def refine_everywhere(mesh: Mesh) -> Mesh:
     return _split_edges(mesh, lambda a, b, faces: np.ones(faces.shape, bool))
 
 
+def subdivide_smoothly(mesh: Mesh) -> Mesh:
+    """Loop's subdivision: splits each face into four and smooths the surface, so that no neighbours are coplanar."""
+    n = len(mesh.vertices)
+    starts, ends = mesh.faces.ravel(), np.roll(mesh.faces, -1, axis=1).ravel()
+    opposite = np.roll(mesh.faces, -2, axis=1).ravel()
+    low, high = np.minimum(starts, ends), np.maximum(starts, ends)
+    edges, edge_of = np.unique(low * n + high, return_inverse=True)
+    low, high = np.divmod(edges, n)
+
+    def summed(keys: np.ndarray, values: np.ndarray, size: int) -> np.ndarray:
+        return np.stack([np.bincount(keys, values[:, axis], size) for axis in range(3)], axis=1)
+
+    points = mesh.vertices
+    middles = 0.375 * (points[low] + points[high]) + 0.125 * summed(edge_of, points[opposite], len(edges))
+    valence = np.bincount(starts, minlength=n)[:, None]
+    weight = (0.625 - (0.375 + 0.25 * np.cos(2.0 * np.pi / np.maximum(valence, 1))) ** 2) / np.maximum(valence, 1)
+    moved = (1.0 - valence * weight) * points + weight * summed(starts, points[ends], n)
+    refined = refine_everywhere(mesh)  # numbers the new vertices by their edges in the same order
+    return Mesh(np.concatenate([moved, middles]), refined.faces)
+
+
 def _longest_axis(mesh: Mesh) -> tuple[int, float]:
     least, largest = mesh.vertices.min(axis=0), mesh.vertices.max(axis=0)
     axis = int(np.argmax(largest - least))

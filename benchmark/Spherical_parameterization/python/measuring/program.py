@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import hashlib
 import json
-import os
 import re
 import resource
 import subprocess
@@ -18,7 +17,7 @@ import numpy as np
 
 from .distortion import Distortion, SphericalMap
 from .meshes import MeshError, read_mesh
-from .models import MeshFile
+from .mesh_files import MeshFile
 
 CERTIFIED, FAILED, FOLDS = 0, 1, 2  # exit status of the program
 
@@ -46,6 +45,14 @@ class Run:
     @property
     def has_map(self) -> bool:
         return self.sphere is not None
+
+    @property
+    def mapping_seconds(self) -> float:
+        """Without reading, measuring and writing: from the mesh in memory to the certified map."""
+        told = self.report.get("seconds")
+        if told is None:
+            return self.seconds
+        return sum(told[stage] for stage in ("copy", "hierarchy", "initial_map", "sweeps", "certificate"))
 
     @property
     def sweeps(self) -> int | None:
@@ -134,8 +141,8 @@ class Program:
         self._folder = folder
         self._may_resume = may_resume
         self._most_seconds = most_seconds
-        self._checksum = _checksum(path)
-        self._runs: dict[tuple[Path, tuple[str, ...]], Run] = {}
+        self._checksum = checksum(path)
+        self._runs: dict[tuple[Path, tuple[str, ...], int], Run] = {}
         folder.mkdir(parents=True, exist_ok=True)
         answer = subprocess.run([path, "--version"], capture_output=True, text=True, check=False)
         if answer.returncode != 0:
@@ -146,12 +153,14 @@ class Program:
     def runs(self) -> list[Run]:
         return list(self._runs.values())
 
-    def run(self, mesh: MeshFile, arguments: list[str], used_for: str) -> Run:
-        key = (mesh.path, tuple(arguments))
+    def run(self, mesh: MeshFile, arguments: list[str], used_for: str, repetition: int = 0) -> Run:
+        """Runs the program, or returns the run that has been made with the same arguments of this method."""
+        key = (mesh.path, tuple(arguments), repetition)
         run = self._runs.get(key)
         if run is None:
-            run = self._stored(mesh, key[1]) if self._may_resume else None
-            run = run or self._run(mesh, key[1])
+            stem = self._stem(*key)
+            run = self._stored(mesh, key[1], stem) if self._may_resume else None
+            run = run or self._run(mesh, key[1], stem)
             try:
                 run.row  # measures the map
             except (MeshError, ValueError) as error:
@@ -165,8 +174,7 @@ class Program:
             run.used_for.append(used_for)
         return run
 
-    def _run(self, mesh: MeshFile, arguments: tuple[str, ...]) -> Run:
-        stem = self._stem(mesh, arguments)
+    def _run(self, mesh: MeshFile, arguments: tuple[str, ...], stem: str) -> Run:
         sphere, report = (self._folder / (stem + ending) for ending in (".off", ".json"))
         record = self._folder / (stem + ".run.json")
         for file in (sphere, report, record):
@@ -213,8 +221,7 @@ class Program:
         record.write_text(json.dumps({**settings, **values, "stopped_after": stopped_after}, indent=2) + "\n")
         return Run(mesh, arguments, report=told, sphere=sphere if has_map else None, **values)
 
-    def _stored(self, mesh: MeshFile, arguments: tuple[str, ...]) -> Run | None:
-        stem = self._stem(mesh, arguments)
+    def _stored(self, mesh: MeshFile, arguments: tuple[str, ...], stem: str) -> Run | None:
         record = self._folder / (stem + ".run.json")
         if not record.exists():
             return None
@@ -241,10 +248,11 @@ class Program:
             "threads": self.threads,
         }
 
-    def _stem(self, mesh: MeshFile, arguments: tuple[str, ...]) -> str:
+    @staticmethod
+    def _stem(path: Path, arguments: tuple[str, ...], repetition: int) -> str:
         words = re.sub(r"[^A-Za-z0-9.=]+", "-", " ".join(arguments)).strip("-")[:80]
-        key = hashlib.sha256("\n".join((str(mesh.path), *arguments)).encode()).hexdigest()[:8]
-        return "_".join(word for word in (mesh.name, words, key) if word)
+        key = hashlib.sha256("\n".join((str(path), *arguments)).encode()).hexdigest()[:8]
+        return "_".join(word for word in (path.stem, words, key, str(repetition or "")) if word)
 
     def _log(self, run: Run) -> None:
         row = run.row
@@ -257,15 +265,7 @@ class Program:
         print(f"  {run.mesh.name} {run.command}: {result} ({run.seconds:.2f} s{origin})", file=sys.stderr, flush=True)
 
 
-def find_program(project: Path) -> Path | None:
-    """Looks for the program in the project's build folder."""
-    for path in sorted((project / "build").rglob("spherical_parameterization")):
-        if path.is_file() and os.access(path, os.X_OK):
-            return path
-    return None
-
-
-def _checksum(path: Path) -> str:
+def checksum(path: Path) -> str:
     return hashlib.sha256(path.read_bytes()).hexdigest()
 
 

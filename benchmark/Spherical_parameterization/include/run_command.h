@@ -10,6 +10,7 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_BENCHMARKS_RUN_COMMAND_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_BENCHMARKS_RUN_COMMAND_H
 
+#include <algorithm>
 #include <cerrno>
 #include <chrono>
 #include <cstdlib>
@@ -21,8 +22,12 @@
 #include <fcntl.h>
 #include <signal.h>
 #include <sys/resource.h>
+#include <sys/time.h>
 #include <sys/wait.h>
 #include <unistd.h>
+#ifdef __linux__
+#include <sys/prctl.h>
+#endif
 
 namespace benchmarks {
 
@@ -40,7 +45,23 @@ struct Command_outcome
   int signal = 0;      // that ended it
   bool is_timed_out = false;
   double seconds = 0.;
-  double peak_bytes = 0.; // the physical memory of its largest process
+  double cpu_seconds = 0.; // of all its processes, in user mode and for system calls
+  double peak_bytes = 0.;  // the physical memory of its largest process
+
+  // Adds what a process has used, along with those processes that it has waited for.
+  void add(const rusage& usage)
+  {
+    const auto to_seconds = [](const timeval& t) {
+      return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec);
+    };
+    cpu_seconds += to_seconds(usage.ru_utime) + to_seconds(usage.ru_stime);
+#ifdef __APPLE__
+    const double bytes = static_cast<double>(usage.ru_maxrss);
+#else
+    const double bytes = 1024. * static_cast<double>(usage.ru_maxrss);
+#endif
+    peak_bytes = (std::max)(peak_bytes, bytes);
+  }
 };
 
 // Runs a command line of the shell, with its output going to two files, until it ends or a limit is reached. Nothing
@@ -50,6 +71,10 @@ inline Command_outcome run_command(const std::string& command, const std::filesy
 {
   using Clock = std::chrono::steady_clock;
 
+#ifdef __linux__
+  // Its processes that nobody waits for, above all when it is ended, become ours, so that what they have used is known.
+  prctl(PR_SET_CHILD_SUBREAPER, 1L);
+#endif
   const Clock::time_point start = Clock::now();
   const auto seconds = [&] { return std::chrono::duration<double>(Clock::now() - start).count(); };
   const pid_t child = fork();
@@ -101,11 +126,15 @@ inline Command_outcome run_command(const std::string& command, const std::filesy
   {
     throw std::runtime_error("cannot wait for a process");
   }
-#ifdef __APPLE__
-  outcome.peak_bytes = static_cast<double>(usage.ru_maxrss);
-#else
-  outcome.peak_bytes = 1024. * static_cast<double>(usage.ru_maxrss);
-#endif
+  outcome.add(usage);
+  int ignored;
+  while((ended = wait4(-child, &ignored, 0, &usage)) > 0 || (ended < 0 && errno == EINTR))
+  {
+    if(ended > 0)
+    {
+      outcome.add(usage);
+    }
+  }
   if(WIFSIGNALED(status))
   {
     outcome.signal = WTERMSIG(status);

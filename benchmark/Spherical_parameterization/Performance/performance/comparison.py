@@ -1,0 +1,130 @@
+"""The default of the package against the paper's own algorithm."""
+
+from __future__ import annotations
+
+import statistics
+
+from measuring.mesh_files import MeshFile
+from measuring.plots import Axes, Curve
+from measuring.program import Run
+from measuring.report import Column, listed, number, seconds
+
+from .session import MESH, VERTICES, Session, geometric_mean, span, speed
+
+SECTION = "comparison"
+SHORT_SWEEPS = 150  # of paper mode: 100 of eq. 6, and some of eq. 7
+EQUAL = 0.0005  # what is larger by less, relatively, is not worse
+
+COLUMNS = [
+    MESH,
+    VERTICES,
+    Column("Paper, s", "paper_seconds"),
+    Column("Default, s", "default_seconds"),
+    Column("Ratio", "ratio"),
+    Column("Paper, D_iso max / avg", "paper_distortion"),
+    Column("Default, D_iso max / avg", "default_distortion"),
+    Column("Paper, sweeps", "paper_sweeps"),
+    Column("Paper ended", "paper_stop", is_number=False),
+]
+
+
+def comparison(session: Session) -> None:
+    report = session.report
+    report.begin_section("Against the paper's algorithm")
+    report.paragraph(
+        "Seconds from the mesh in memory to the certified map, as the program reports them; for the default the median"
+        f" of {session.repetitions} runs, half of them before paper mode and half after it. D_iso is computed by this"
+        " driver from the maps that were written, at the radius of eq. 11."
+    )
+    if session.is_short:
+        report.paragraph(f"Short version: paper mode ends after {SHORT_SWEEPS} sweeps, so its figures say nothing.")
+    rows, records, pairs = [], [], []
+    for name in session.paper_meshes:
+        file = session.one(name)
+        if file is None:
+            session.notes.append(f"Against the paper's algorithm: {name} is not among the meshes.")
+            continue
+        defaults, paper = _run(session, file)
+        runs = [*defaults, paper]
+        records += [{"method": method_of(run), **run.row, "mapping_seconds": run.mapping_seconds} for run in runs]
+        for run in runs:
+            run.forget_map()
+        file.forget()
+        without_map = next((run for run in runs if not run.has_map), None)
+        if without_map is not None:
+            report.paragraph(f"{file.name}, {method_of(without_map)}: no map. {without_map.message}")
+            continue
+        pairs.append((defaults, paper))
+        rows.append(_shown(defaults, paper))
+    if not rows:
+        report.paragraph("There is nothing to compare.")
+        return
+    session.tell(SECTION, _verdict(pairs))
+    session.tabulate(SECTION, COLUMNS, rows)
+    report.csv("comparison.csv", records)
+    _draw(session, pairs)
+
+
+def method_of(run: Run) -> str:
+    return "paper" if "--paper" in run.arguments else "default"
+
+
+def _run(session: Session, file: MeshFile) -> tuple[list[Run], Run]:
+    paper = ["--paper"] + (["--iterations", str(SHORT_SWEEPS)] if session.is_short else [])
+    before = (session.repetitions + 1) // 2
+    defaults = [session.program.run(file, [], SECTION, k) for k in range(before)]
+    published = session.program.run(file, paper, SECTION)
+    defaults += [session.program.run(file, [], SECTION, k) for k in range(before, session.repetitions)]
+    return defaults, published
+
+
+def _seconds(defaults: list[Run]) -> float:
+    return statistics.median(run.mapping_seconds for run in defaults)
+
+
+def _distortion(run: Run) -> str:
+    folded = run.row["folded_faces"]
+    text = f"{number(run.row['isometric_maximum'])} / {number(run.row['isometric_average'])}"
+    return f"{text}, {folded} folded" if folded else text
+
+
+def _shown(defaults: list[Run], paper: Run) -> dict:
+    return {
+        "mesh": paper.mesh.name,
+        "vertices": f"{paper.mesh.number_of_vertices:,}",
+        "paper_seconds": seconds(paper.mapping_seconds),
+        "default_seconds": f"{_seconds(defaults):.3f}",
+        "ratio": speed(paper.mapping_seconds / _seconds(defaults)),
+        "paper_distortion": _distortion(paper),
+        "default_distortion": _distortion(defaults[0]),
+        "paper_sweeps": paper.sweeps,
+        "paper_stop": paper.stop_reason,
+    }
+
+
+def _verdict(pairs: list[tuple[list[Run], Run]]) -> str:
+    ratios = [paper.mapping_seconds / _seconds(defaults) for defaults, paper in pairs]
+    text = (
+        f"The default is {span(ratios)} times as fast as the paper's algorithm, {speed(geometric_mean(ratios))} times"
+        " in the geometric mean"
+    )
+    for name, key in (("maximum", "isometric_maximum"), ("average", "isometric_average")):
+        worse = [
+            f"{paper.mesh.name} ({number(defaults[0].row[key])} against {number(paper.row[key])})"
+            for defaults, paper in pairs
+            if defaults[0].row[key] > (1.0 + EQUAL) * paper.row[key]
+        ]
+        joint = "; its" if name == "maximum" else ", its"
+        text += f"{joint} {name} is " + (f"larger on {listed(worse)}" if worse else "nowhere larger")
+    return text + "."
+
+
+def _draw(session: Session, pairs: list[tuple[list[Run], Run]]) -> None:
+    pairs = sorted(pairs, key=lambda pair: pair[1].mesh.number_of_vertices)
+    vertices = [paper.mesh.number_of_vertices for _, paper in pairs]
+    curves = [
+        Curve("the paper's algorithm", vertices, [paper.mapping_seconds for _, paper in pairs]),
+        Curve("default", vertices, [_seconds(defaults) for defaults, _ in pairs]),
+    ]
+    axes = Axes("Mesh to certified map", "vertices", "seconds", curves, is_log=True, is_x_log=True)
+    session.draw("performance_comparison.png", [axes], "Seconds of the paper's algorithm and of the default.")

@@ -1,0 +1,49 @@
+"""The page of the user manual: the text is written by hand, its tables and figures come from here."""
+
+from __future__ import annotations
+
+import re
+import shutil
+from pathlib import Path
+
+
+class Manual:
+    """A copy of the page in which the parts that have been measured are new.
+
+    In the page, `<!-- begin NAME -->` and `<!-- end NAME -->` enclose what belongs to a section.
+    """
+
+    def __init__(self, page: Path, folder: Path):
+        self._page = page
+        self._folder = folder
+        self._parts: dict[str, list[str]] = {}
+        self._figures: list[Path] = []
+
+    def add(self, section: str, *paragraphs: str) -> None:
+        self._parts.setdefault(section, []).extend(paragraphs)
+
+    def set(self, section: str, paragraph: str) -> None:
+        self._parts[section] = [paragraph]
+
+    def add_figure(self, figure: Path) -> None:
+        self._figures.append(figure)
+
+    def write(self) -> list[str]:
+        """Writes the copy beside the report; returns what is wrong with the page."""
+        if not self._page.is_file():
+            return [f"There is no {self._page.name} to fill in."]
+        text = self._page.read_text(encoding="utf-8")
+        objections = []
+        for section, paragraphs in self._parts.items():
+            pattern = rf"(<!-- begin {section} -->\n).*?(<!-- end {section} -->)"
+            content = "\n\n".join(paragraphs) + "\n"
+            text, count = re.subn(pattern, lambda m: m.group(1) + content + m.group(2), text, flags=re.DOTALL)
+            if count != 1:
+                objections.append(f"{self._page.name} has {count} places for the section {section}.")
+        figures = self._folder / "fig"
+        figures.mkdir(parents=True, exist_ok=True)
+        (self._folder / self._page.name).write_text(text, encoding="utf-8")
+        for figure in self._figures:
+            if figure.is_file():
+                shutil.copyfile(figure, figures / figure.name)
+        return objections

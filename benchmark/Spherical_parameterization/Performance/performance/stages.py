@@ -1,0 +1,221 @@
+"""The default stage by stage: absolute times, growth with the size, threads, and memory, all from the same runs."""
+
+from __future__ import annotations
+
+from measuring.mesh_files import MeshFile
+from measuring.plots import Axes, Curve
+from measuring.report import Column, listed, number
+
+from .benchmark_program import Job
+from .session import LEAST_VERTICES, LEAST_VERTICES_OF_THREADS, MESH, VERTICES, Session, geometric_mean, span, speed
+
+STAGES = ("reading", "hierarchy", "embedding", "optimization", "certificate")
+TOTAL = "mesh to map"
+
+Result = tuple[MeshFile, dict]  # a mesh, and its medians
+
+
+def absolute(session: Session) -> None:
+    session.report.begin_section("Seconds")
+    session.report.paragraph(
+        f"Medians of {session.repetitions} runs, each in a process of its own, with {session.threads} threads. The"
+        " total is from the mesh in memory to the certified map, without parsing the file."
+    )
+    results = _results(session, session.threads)
+    named = [MESH, VERTICES, *(Column(stage.capitalize(), stage) for stage in STAGES), Column("Total, s", TOTAL)]
+    columns = [*named, Column("Parsing", "parsing"), Column("Sweeps", "sweeps"), Column("D_iso max / avg", "d")]
+    rows = [
+        {
+            **_head(file),
+            **{stage: f"{values[stage]:.3f}" for stage in (*STAGES, TOTAL, "parsing")},
+            "sweeps": f"{values['sweeps']:.0f}",
+            "d": f"{number(values['D_iso max'])} / {number(values['D_iso avg'])}",
+        }
+        for file, values in results
+    ]
+    session.tabulate("absolute", columns, rows)
+    records = [
+        {"threads": threads, **values} for threads in session.thread_counts for _, values in _results(session, threads)
+    ]
+    session.report.csv("stages.csv", records)
+    session.report.items(session.failures(_jobs(session, session.measured_meshes)))
+
+
+def growth(session: Session) -> None:
+    report = session.report
+    report.begin_section("Growth")
+    results = _results(session, session.threads)
+    series = _results(session, session.threads, session.series)
+    if len(results) < 2 or len(series) < 2:
+        report.paragraph("There are too few meshes.")
+        return
+    session.tell("growth", _growth_verdict(results, series, session.threads))
+    columns = [MESH, VERTICES, *(Column(stage.capitalize(), stage) for stage in STAGES)]
+    columns += [Column("Total, µs a vertex", TOTAL), Column("Sweeps", "sweeps"), Column("Total, s", "seconds")]
+    rows = [
+        {
+            **_head(file),
+            **{stage: number(_microseconds(file, values, stage), 2) for stage in (*STAGES, TOTAL)},
+            "sweeps": f"{values['sweeps']:.0f}",
+            "seconds": number(values[TOTAL], 2),
+        }
+        for file, values in series
+    ]
+    session.tabulate("growth", columns, rows)
+
+    def per_vertex(of: list[Result], stage: str, name: str, is_connected: bool = True) -> Curve:
+        x = [file.number_of_vertices for file, _ in of]
+        return Curve(name, x, [_microseconds(file, values, stage) for file, values in of], is_connected)
+
+    all_curves = []
+    for threads in session.thread_counts:
+        words = "1 thread" if threads == 1 else f"{threads} threads"
+        all_curves.append(per_vertex(_results(session, threads), TOTAL, words, is_connected=False))
+        all_curves.append(per_vertex(_results(session, threads, session.series), TOTAL, f"{words}, one shape"))
+    x_label, y_label = "vertices", "microseconds a vertex"
+    left = Axes("All meshes, mesh to map", x_label, y_label, all_curves, is_x_log=True, starts_at_zero=True)
+    curves = [per_vertex(series, stage, stage) for stage in STAGES]
+    right = Axes("One shape, stage by stage", x_label, y_label, curves, is_x_log=True, starts_at_zero=True)
+    session.draw("performance_growth.png", [left, right], "Microseconds a vertex against the number of vertices.")
+
+
+def threads(session: Session) -> None:
+    report = session.report
+    report.begin_section("Threads")
+    if len(session.thread_counts) < 2:
+        report.paragraph("There is one thread only.")
+        return
+    least = LEAST_VERTICES if session.is_short else LEAST_VERTICES_OF_THREADS
+    alone, together = (dict(_results(session, n)) for n in session.thread_counts)
+    both = [file for file in alone if file in together]
+    different = [file.name for file in both if not _has_same_bits(alone[file], together[file])]
+    files = [file for file in both if file.number_of_vertices >= least]
+    if not files:
+        report.paragraph(f"There is no mesh of at least {least:,} vertices.")
+        return
+
+    def gain(file: MeshFile, stage: str) -> float:
+        return alone[file][stage] / together[file][stage]
+
+    totals = [gain(file, TOTAL) for file in files]
+    text = (
+        f"With {session.threads} threads, meshes of {least:,} vertices and more are mapped {span(totals)} times as fast"
+        f" as with one, {speed(geometric_mean(totals))} times in the geometric mean. "
+    )
+    text += f"The maps of {listed(different)} differ." if different else f"All {len(both)} maps have the same bits."
+    session.tell("threads", text)
+    columns = [MESH, VERTICES, *(Column(stage.capitalize(), stage) for stage in STAGES)]
+    columns += [
+        Column("Mesh to map", TOTAL),
+        Column("1 thread, s", "alone"),
+        Column(f"{session.threads}, s", "together"),
+    ]
+    rows = [
+        {
+            **_head(file),
+            **{stage: speed(gain(file, stage)) for stage in (*STAGES, TOTAL)},
+            "alone": number(alone[file][TOTAL]),
+            "together": number(together[file][TOTAL]),
+        }
+        for file in files
+    ]
+    session.tabulate("threads", columns, rows)
+    x = [file.number_of_vertices for file in both]
+    curves = [
+        Curve(stage, x, [gain(file, stage) for file in both], is_connected=False)
+        for stage in ("hierarchy", "embedding", "optimization", TOTAL)
+    ]
+    y_label = f"times as fast with {session.threads} threads"
+    axes = Axes("Threads", "vertices", y_label, curves, is_x_log=True, starts_at_zero=True)
+    session.draw("performance_threads.png", [axes], f"How many times as fast {session.threads} threads are as one.")
+
+
+def memory(session: Session) -> None:
+    report = session.report
+    report.begin_section("Memory")
+    results = [
+        (file, values)
+        for file, values in _results(session, session.threads)
+        if isinstance(values["bytes/vertex"], float)
+    ]
+    if not results:
+        report.paragraph("This system does not tell.")
+        return
+    _, least = min(results, key=lambda result: result[1]["bytes/vertex"])
+    worst, most = max(results, key=lambda result: result[1]["bytes/vertex"])
+    text = (
+        f"At its peak, the default needs {least['bytes/vertex']:.0f} to {most['bytes/vertex']:.0f} bytes a vertex"
+        f" ({worst.name}) beside the caller's mesh; on the largest mesh, {results[-1][0].name},"
+        f" {results[-1][1]['bytes/vertex']:.0f}."
+    )
+    session.tell("memory", text)
+    alone = dict(_results(session, 1))
+    columns = [MESH, VERTICES, Column(f"Bytes a vertex, {session.threads} threads", "bytes")]
+    columns += [Column("Bytes a vertex, 1 thread", "alone"), Column("MB in all", "megabytes")]
+    rows = [
+        {
+            **_head(file),
+            "bytes": f"{values['bytes/vertex']:.0f}",
+            "alone": f"{alone[file]['bytes/vertex']:.0f}" if file in alone else None,
+            "megabytes": number(1e-6 * values["bytes/vertex"] * file.number_of_vertices, 1),
+        }
+        for file, values in results
+    ]
+    session.tabulate("memory", columns, rows)
+
+
+def _job(session: Session, mesh: MeshFile, number_of_threads: int) -> Job:
+    arguments = ("--repeat", "1", *session.stages.threads(number_of_threads))
+    return Job(session.stages, mesh, arguments, session.repetitions_of(mesh))
+
+
+def _jobs(session: Session, meshes: list[MeshFile]) -> list[Job]:
+    return [_job(session, mesh, n) for mesh in meshes for n in session.thread_counts]
+
+
+def _results(session: Session, number_of_threads: int, meshes: list[MeshFile] | None = None) -> list[Result]:
+    """The medians of those meshes that could be measured, by default of all."""
+    session.measure(_jobs(session, session.measured_meshes))
+    meshes = session.measured_meshes if meshes is None else meshes
+    number_of_threads = min(number_of_threads, session.thread_counts[-1])
+    results = [(file, session.medians(_job(session, file, number_of_threads))) for file in meshes]
+    return [(file, values) for file, values in results if values is not None]
+
+
+def _head(file: MeshFile) -> dict:
+    return {"mesh": file.name, "vertices": f"{file.number_of_vertices:,}"}
+
+
+def _microseconds(file: MeshFile, values: dict, stage: str) -> float:
+    return 1e6 * values[stage] / file.number_of_vertices
+
+
+def _has_same_bits(first: dict, second: dict) -> bool:
+    return first["fingerprint"] == second["fingerprint"] != "differs"
+
+
+def _growth_verdict(results: list[Result], series: list[Result], number_of_threads: int) -> str:
+    def total(result: Result) -> float:
+        return _microseconds(*result, TOTAL)
+
+    least, most = min(results, key=total), max(results, key=total)
+    (first, _), (last, values) = series[0], series[-1]
+    text = (
+        f"With {number_of_threads} threads, all meshes from {results[0][0].number_of_vertices:,} to"
+        f" {results[-1][0].number_of_vertices:,} vertices take {number(total(least), 1)} ({least[0].name}) to"
+        f" {number(total(most), 1)} ({most[0].name}) microseconds a vertex, a factor of"
+        f" {speed(total(most) / total(least))}. One shape, subdivided from {first.number_of_vertices:,} to"
+        f" {last.number_of_vertices:,} vertices, takes {number(total(series[0]), 1)} and"
+        f" {number(total(series[-1]), 1)}, a factor of {speed(total(series[-1]) / total(series[0]))}, and"
+        f" {number(values[TOTAL], 1)} seconds in the end."
+    )
+    factors = [
+        f"{stage} {speed(_microseconds(*series[-1], stage) / _microseconds(*series[0], stage))}" for stage in STAGES
+    ]
+    sweep = [
+        _microseconds(*result, "optimization") / max(result[1]["sweeps"], 1.0) for result in (series[0], series[-1])
+    ]
+    return text + (
+        f" Stage by stage, the factors are: {', '.join(factors)}; that of a sweep over the finest mesh, with what is"
+        f" done around it, is {speed(sweep[1] / sweep[0])}."
+    )
