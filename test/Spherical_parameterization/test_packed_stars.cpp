@@ -354,7 +354,7 @@ TEST(Measured_faces, agree_with_the_single_faces)
   const SP::Symmetric_Dirichlet_energy_3 energy;
   const double sharpness = 3., radius = 1.2;
   const Energy_summary all =
-      faces.measure<SP::Determinant_barrier_3, CGAL::Sequential_tag>(stars, energy, positions, radius, sharpness);
+      faces.measure<SP::Determinant_barrier_3, CGAL::Sequential_tag, true>(stars, energy, positions, radius, sharpness);
   Energy_summary expected(sharpness);
   std::size_t face = 0, n_above = 0;
   // Each vertex is a set of its own, so that the faces come in the order of their smallest vertices.

@@ -132,7 +132,8 @@ public:
   // Measures all faces on the sphere of radius `radius`; faces() then returns their invariants.
   Energy_summary measure(const std::vector<Vector_3d>& positions, double radius, double sharpness)
   {
-    return m_faces.template measure<Barrier, ConcurrencyTag>(m_stars, m_energy, positions, radius, sharpness);
+    return m_faces.template measure<Barrier, ConcurrencyTag, is_lanewise>(m_stars, m_energy, positions, radius,
+                                                                          sharpness);
   }
 
   const std::vector<Face_invariants_3>& faces() const { return m_faces.invariants(); }

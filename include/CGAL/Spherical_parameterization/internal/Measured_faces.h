@@ -64,14 +64,14 @@ public:
     }
   }
 
-  // Measures all faces on the sphere of radius `radius`.
-  template <class Barrier, class ConcurrencyTag, class Energy>
+  // Measures all faces on the sphere of radius `radius`, several at once or one by one.
+  template <class Barrier, class ConcurrencyTag, bool are_in_lanes, class Energy>
   Energy_summary measure(const Star_packets& stars, const Energy& energy, const std::vector<Vector_3d>& positions,
                          double radius, double sharpness)
   {
     m_partial.assign((m_packets.size() + packets_per_block - 1) / packets_per_block, Energy_summary(sharpness));
     for_each_block<ConcurrencyTag>(0, m_packets.size(), packets_per_block, [&](std::size_t begin, std::size_t end) {
-      run_in_lanes([&](auto number_type) {
+      const auto measure_packets = [&](auto number_type) {
         using FT = typename decltype(number_type)::FT;
         std::array<double, width * packets_per_block> energies;
         for(std::size_t k = begin; k < end; ++k)
@@ -80,7 +80,11 @@ public:
                                        energies.data() + (k - begin) * width + lane);
         const std::size_t n = (std::min)(end * width, m_number_of_faces) - begin * width;
         m_partial[begin / packets_per_block].template add_all<FT>(energies.data(), n);
-      });
+      };
+      if constexpr(are_in_lanes)
+        run_in_lanes(measure_packets);
+      else
+        measure_packets(Number_type<double>());
     });
     Energy_summary total(sharpness);
     for(const Energy_summary& part : m_partial)

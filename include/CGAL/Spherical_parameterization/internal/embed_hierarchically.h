@@ -21,6 +21,7 @@
 #include <CGAL/Spherical_parameterization/internal/Rest_limits.h>
 #include <CGAL/Spherical_parameterization/internal/Vector_3d.h>
 
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <type_traits>
@@ -29,6 +30,19 @@
 namespace CGAL {
 namespace Spherical_parameterization {
 namespace internal {
+
+// An update that moves vertices one by one even if it could move several at once, which compiles faster.
+template <class VertexUpdate>
+struct One_by_one
+{
+  VertexUpdate update;
+
+  template <class VertexEnergy>
+  bool operator()(const VertexEnergy& energy, std::array<double, 2>& step) const
+  {
+    return update(energy, step);
+  }
+};
 
 // Maps a mesh to the unit sphere through a hierarchy. It may happen that faces get so small that doubles cannot hold
 // the map: because the energy lets them, as a conformal one does on long limbs, or because the surface itself has no
@@ -41,8 +55,8 @@ bool embed_hierarchically(const Indexed_mesh& mesh, const Energy& energy, const 
                           const VertexUpdate& update, std::size_t sweeps_per_level, bool sweeps_finest_level,
                           std::vector<Vector_3d>& positions, RunControl& control)
 {
-  const auto embed = [&](const auto& level_energy, const auto& level_sharpness, const Rest_limits& limits,
-                         std::size_t sweeps_factor) {
+  const auto embed = [&](const auto& level_energy, const auto& level_sharpness, const auto& level_update,
+                         const Rest_limits& limits, std::size_t sweeps_factor) {
     // An attempt uses the hierarchy up, and a second one is rare.
     Mesh_hierarchy hierarchy = Mesh_hierarchy::build<ConcurrencyTag>(mesh.rings(), mesh.points());
     if(++control.report().number_of_attempts == 1)
@@ -50,16 +64,17 @@ bool embed_hierarchically(const Indexed_mesh& mesh, const Energy& energy, const 
       control.report().number_of_levels = hierarchy.number_of_levels();
       control.report().seconds_for_hierarchy = control.lap();
     }
-    Hierarchical_embedding<std::decay_t<decltype(level_energy)>, std::decay_t<decltype(level_sharpness)>, VertexUpdate,
-                           ConcurrencyTag>
-        embedding(hierarchy, mesh.points(), level_energy, level_sharpness, update, sweeps_factor * sweeps_per_level,
-                  limits);
+    Hierarchical_embedding<std::decay_t<decltype(level_energy)>, std::decay_t<decltype(level_sharpness)>,
+                           std::decay_t<decltype(level_update)>, ConcurrencyTag>
+        embedding(hierarchy, mesh.points(), level_energy, level_sharpness, level_update,
+                  sweeps_factor * sweeps_per_level, limits);
     return embedding.run(positions, sweeps_finest_level, control);
   };
   const auto embed_guarded = [&](double weight, const Rest_limits& limits, std::size_t sweeps_factor) {
-    return embed(Guarded_energy<Energy>(energy, weight), Relative_sharpness_3(0.), limits, sweeps_factor);
+    return embed(Guarded_energy<Energy>(energy, weight), Relative_sharpness_3(0.), One_by_one<VertexUpdate>{update},
+                 limits, sweeps_factor);
   };
-  bool is_embedded = embed(energy, sharpness, Rest_limits(), 1);
+  bool is_embedded = embed(energy, sharpness, update, Rest_limits(), 1);
   for(const double weight : {1e-10, 1e-8, 1e-6, 1e-4, 1e-2})
     is_embedded = is_embedded || embed_guarded(weight, {std::pow(weight, 0.25), 0.1 * weight, false}, 1);
   Rest_limits without_shape;
