@@ -108,14 +108,8 @@ private:
   std::vector<Star> m_stars;
 };
 
-// Whether compilers offer vectors or not, the tests below say the same.
-#ifdef CGAL_SPHERICAL_PARAMETERIZATION_HAS_VECTORS
-using Two = Packed_double<2>;
-using Four = Packed_double<4>;
-#else
-using Two = double;
-using Four = double;
-#endif
+using Two = Two_lanes;
+using Four = Four_lanes;
 
 // The positions after one update of each star, several at a time.
 template <class FT, class Energy, class Barrier>
@@ -164,6 +158,12 @@ struct Plain_energy
   {
     return SP::Symmetric_Dirichlet_energy_3().derivatives(i, d);
   }
+};
+
+// What is derived from an energy for several numbers may be for single ones again.
+struct Derived_energy : SP::Symmetric_Dirichlet_energy_3
+{
+  double operator()(double i, double d) const { return SP::Symmetric_Dirichlet_energy_3::operator()(i, d); }
 };
 
 TEST(Packed_double, has_an_exponential)
@@ -291,6 +291,8 @@ TEST(Packed_stars, take_energies_for_single_numbers)
 {
   const Random_stars stars(4, random_degrees(4, 100), 0.3);
   EXPECT_EQ(moved<Four>(stars, Plain_energy(), SP::Determinant_barrier_3(), 0.5),
+            moved<Four>(stars, SP::Symmetric_Dirichlet_energy_3(), SP::Determinant_barrier_3(), 0.5));
+  EXPECT_EQ(moved<Four>(stars, Derived_energy(), SP::Determinant_barrier_3(), 0.5),
             moved<Four>(stars, SP::Symmetric_Dirichlet_energy_3(), SP::Determinant_barrier_3(), 0.5));
 }
 

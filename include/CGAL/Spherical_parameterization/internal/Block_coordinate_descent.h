@@ -18,7 +18,6 @@
 #include <CGAL/Spherical_parameterization/internal/Independent_sets.h>
 #include <CGAL/Spherical_parameterization/internal/Measured_faces.h>
 #include <CGAL/Spherical_parameterization/internal/Lanes.h>
-#include <CGAL/Spherical_parameterization/internal/Packed_double.h>
 #include <CGAL/Spherical_parameterization/internal/Per_thread.h>
 #include <CGAL/Spherical_parameterization/internal/Rest_limits.h>
 #include <CGAL/Spherical_parameterization/internal/Rest_triangle.h>
@@ -139,7 +138,9 @@ public:
   const std::vector<Face_invariants_3>& faces() const { return m_faces.invariants(); }
 
 private:
-  static constexpr bool is_lanewise = Is_lanewise<VertexUpdate>::value;
+  // Whether there are lanes of two decides for all.
+  static constexpr bool is_lanewise =
+      Is_lanewise<VertexUpdate, const Star_energy<Energy, Barrier, Two_lanes>&, std::array<Two_lanes, 2>&>::value;
   static constexpr std::size_t packets_per_block = 16; // of parallel work: some ten microseconds
 
   static constexpr std::size_t rings_of_focus = 4;
@@ -191,8 +192,8 @@ private:
     }
 
     Star_energy<Energy, Barrier> in_one_lane;
-    Star_energy<Energy, Barrier, Packed_double<2>> in_two_lanes;
-    Star_energy<Energy, Barrier, Packed_double<4>> in_four_lanes;
+    Star_energy<Energy, Barrier, Two_lanes> in_two_lanes;
+    Star_energy<Energy, Barrier, Four_lanes> in_four_lanes;
   };
 
   void move_all(const Star_packets& stars, std::vector<Vector_3d>& positions, double radius, double sharpness)

@@ -20,6 +20,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -63,8 +64,9 @@ public:
         const std::size_t end = (std::min)(begin + chunk_size, first_of_set[set + 1]);
         order.assign(vertices.begin() + static_cast<std::ptrdiff_t>(begin),
                      vertices.begin() + static_cast<std::ptrdiff_t>(end));
-        std::stable_sort(order.begin(), order.end(),
-                         [&](std::uint32_t a, std::uint32_t b) { return degree_of(a) < degree_of(b); });
+        std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
+          return std::make_pair(degree_of(a), a) < std::make_pair(degree_of(b), b);
+        });
         for(std::size_t k = 0; k < order.size();)
         {
           const bool is_large = degree_of(order[k]) > most_rows;

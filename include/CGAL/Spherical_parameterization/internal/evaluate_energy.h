@@ -19,6 +19,7 @@
 
 #include <cstddef>
 #include <type_traits>
+#include <utility>
 
 namespace CGAL {
 namespace Spherical_parameterization {
@@ -28,17 +29,30 @@ namespace internal {
 template <class Energy, class FT>
 FT energy_value(const Energy& energy, const FT& i, const FT& d)
 {
-  if constexpr(std::is_same<FT, double>::value || Is_lanewise<Energy>::value)
+  if constexpr(std::is_same<FT, double>::value || Is_lanewise<Energy, const FT&, const FT&>::value)
     return energy(i, d);
   else
     return FT::generate([&](std::size_t k) { return energy(lane(i, k), lane(d, k)); });
 }
 
+// Whether the energy has derivatives for the number type.
+template <class Energy, class FT, class = void>
+struct Has_derivatives : std::false_type
+{};
+
+template <class Energy, class FT>
+struct Has_derivatives<
+    Energy, FT,
+    std::void_t<decltype(std::declval<const Energy&>().derivatives(std::declval<FT>(), std::declval<FT>()))>>
+  : std::true_type
+{};
+
 // The same with the derivatives.
 template <class Energy, class FT>
 Basic_energy_derivatives_3<FT> energy_derivatives(const Energy& energy, const FT& i, const FT& d)
 {
-  if constexpr(std::is_same<FT, double>::value || Is_lanewise<Energy>::value)
+  if constexpr(std::is_same<FT, double>::value ||
+               (Is_lanewise<Energy, const FT&, const FT&>::value && Has_derivatives<Energy, FT>::value))
     return energy.derivatives(i, d);
   else
   {

@@ -21,16 +21,20 @@ namespace CGAL {
 namespace Spherical_parameterization {
 namespace internal {
 
-// Whether a policy works on any number type that stands for one number per lane: it says so by a nested type
-// `Is_lanewise`.
-template <class Policy, class = void>
-struct Is_lanewise : std::false_type
+// Whether a policy says by a nested type `Is_lanewise` that it works on any number type that stands for one number per
+// lane, and can be called with these arguments, which a class that is derived from such a policy may have hidden.
+template <class Void, class Policy, class... Arguments>
+struct Is_lanewise_if_valid : std::false_type
 {};
 
-template <class Policy>
-struct Is_lanewise<Policy, std::void_t<typename Policy::Is_lanewise>>
-  : std::is_convertible<typename Policy::Is_lanewise, Tag_true>
+template <class Policy, class... Arguments>
+struct Is_lanewise_if_valid<std::void_t<typename Policy::Is_lanewise>, Policy, Arguments...>
+  : std::bool_constant<std::is_convertible<typename Policy::Is_lanewise, Tag_true>::value &&
+                       std::is_invocable<const Policy&, Arguments...>::value>
 {};
+
+template <class Policy, class... Arguments>
+using Is_lanewise = Is_lanewise_if_valid<void, Policy, Arguments...>;
 
 } // namespace internal
 } // namespace Spherical_parameterization

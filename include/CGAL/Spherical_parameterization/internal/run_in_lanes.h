@@ -27,25 +27,25 @@ struct Number_type
 };
 
 #ifdef CGAL_SPHERICAL_PARAMETERIZATION_HAS_VECTORS
-using Number_in_lanes = Packed_double<4>;
-#else
-using Number_in_lanes = double;
-#endif
+using Two_lanes = Packed_double<2>;
+using Four_lanes = Packed_double<4>;
 
-#ifdef CGAL_SPHERICAL_PARAMETERIZATION_HAS_VECTORS
 #ifdef __x86_64__
 template <class Function>
 __attribute__((target("avx2"), flatten)) void run_in_four_lanes(const Function& f)
 {
-  f(Number_type<Packed_double<4>>());
+  f(Number_type<Four_lanes>());
 }
 #endif
 
 template <class Function>
 __attribute__((flatten)) void run_in_two_lanes(const Function& f)
 {
-  f(Number_type<Packed_double<2>>());
+  f(Number_type<Two_lanes>());
 }
+#else
+using Two_lanes = double;
+using Four_lanes = double;
 #endif
 
 // Calls f(Number_type<FT>()) with the packed number type that this processor works on best, compiled for it, whatever
