@@ -163,8 +163,8 @@ public:
   /// `energy_tolerance` and the radius by at most `radius_tolerance`, both relative, and the sharpness is final. As the
   /// sharpness may move with the map, energies are compared that do so little or not at all, and all have to settle:
   /// the mean \f$ \log( \frac{1}{n} \sum \exp( s E ) ) / s \f$, the average, and, up to ten times the tolerance, the
-  /// largest one. If the largest exceeds the average by less than a tenth of their size, changes are relative to ten
-  /// times that excess instead, since a nearly isometric map has hardly more energy than the best one.
+  /// largest one. If the largest exceeds the average by less than half of their size, changes are relative to
+  /// twice that excess instead, since a nearly isometric map has hardly more energy than the best one.
   ///
   /// \param energy_tolerance at least 0, by default 3e-5
   /// \param radius_tolerance at least 0, by default 1e-3
@@ -287,7 +287,7 @@ private:
     // Where all energies are near their least value, a small part of them is much of what could still be gained.
     const double spread = summary.largest() - summary.average();
     const auto is_settled_with = [&](double value, double last_value, double tolerance) {
-      const double scale = (std::max)((std::min)(last_value, 10. * spread), 1e-6 * last_value);
+      const double scale = (std::max)((std::min)(last_value, 2. * spread), 1e-6 * last_value);
       return std::abs(value - last_value) <= tolerance * scale;
     };
     return is_settled_with(summary.mean(), last_summary.mean(), m_energy_tolerance) &&

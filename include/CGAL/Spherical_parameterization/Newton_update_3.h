@@ -101,10 +101,11 @@ public:
     auto is_open = large > 0. && large < std::numeric_limits<double>::infinity() && slope < 0. &&
                    size > least_step * energy.shortest_edge();
     auto is_moved = is_open && !is_open;
+    std::array<FT, 2> accepted = {FT(0.), FT(0.)};
     const auto try_step = [&](double t, const FT& bound) {
       const FT tx = t * x, ty = t * y;
       const auto is_accepted = is_open && energy(tx, ty) < bound;
-      step = {select(is_accepted, tx, step[0]), select(is_accepted, ty, step[1])};
+      accepted = {select(is_accepted, tx, accepted[0]), select(is_accepted, ty, accepted[1])};
       is_moved = is_moved || is_accepted;
       is_open = is_open && !is_accepted;
     };
@@ -113,6 +114,8 @@ public:
     double t = 1.;
     for(int k = 0; k < most_halvings && any(is_open); ++k, t *= 0.5)
       try_step(t, start + armijo * t * slope);
+    if(any(is_moved))
+      step = accepted;
     return is_moved;
   }
 #endif
