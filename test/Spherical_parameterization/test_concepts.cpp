@@ -332,7 +332,11 @@ TEST(Concept, distortion_energy)
 {
   Bld<Default, My_energy> bld(My_energy(0.1), SP::Relative_sharpness_3());
   expect_map_of_its_own(bld);
-  EXPECT_LT(bld.report().average_energy, bld.report().initial_energy);
+  Bld<Default, My_energy> average(My_energy(0.1), SP::Relative_sharpness_3(0.));
+  expect_map_of_its_own(average);
+  EXPECT_LT(average.report().average_energy, average.report().initial_energy);
+  EXPECT_LT(average.report().average_energy, bld.report().average_energy);
+  EXPECT_LT(bld.report().largest_energy, average.report().largest_energy);
   // by Optimal_radius_3, which has to find the best radius for itself
   Bld<Default, My_energy, Default, SP::Optimal_radius_3> optimal(My_energy(0.1), SP::Relative_sharpness_3(),
                                                                  SP::Optimal_radius_3());

@@ -20,7 +20,8 @@
 namespace Program {
 
 /// A vertex update that is chosen at run time: one model of `VertexUpdate_3` for all, as `Any_sharpness` is one of its
-/// concept. It is asked once per vertex and then evaluates a whole star, beside which the choice costs nothing.
+/// concept. It is asked once per vertex and then evaluates a whole star, beside which the choice costs nothing; but it does
+/// not move several vertices at once, as the Newton update by itself does.
 class Any_update
 {
 public:
@@ -32,6 +33,12 @@ public:
   Any_update(const Update& update)
     : m_update(update)
   {}
+
+  /// returns the Newton update, or null if it is another one.
+  const CGAL::Spherical_parameterization::Newton_update_3* newton() const
+  {
+    return std::get_if<CGAL::Spherical_parameterization::Newton_update_3>(&m_update);
+  }
 
   template <class VertexEnergy>
   bool operator()(const VertexEnergy& energy, std::array<double, 2>& step) const

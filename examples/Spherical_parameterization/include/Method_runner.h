@@ -33,11 +33,12 @@ namespace Program {
 
 namespace SP = CGAL::Spherical_parameterization;
 
-template <class Energy>
-using Hierarchical_parameterizer = SP::Hierarchical_parameterizer_3<Mesh, Energy, Any_sharpness, Any_update>;
+template <class Energy, class Update>
+using Hierarchical_parameterizer = SP::Hierarchical_parameterizer_3<Mesh, Energy, Any_sharpness, Update>;
 
 /// Runs the method that the options name. The energy and the barrier are chosen at compile time, as they belong to the
-/// innermost loop; everything else is chosen at run time, so that few parameterizers have to be compiled.
+/// innermost loop, and so is the usual update, which moves several vertices at once; everything else is chosen at run
+/// time, so that few parameterizers have to be compiled.
 class Method_runner
 {
 public:
@@ -109,28 +110,32 @@ private:
   template <class Energy>
   Run_result run_with()
   {
-    const Hierarchical_parameterizer<Energy> hierarchical(Energy(), m_options.sharpness, m_options.update);
+    if(m_options.barrier == Barrier_choice::FLAT)
+      return run_with<Energy, SP::Flat_area_barrier_3>(m_options.update);
+    if(const SP::Newton_update_3* newton = m_options.update.newton())
+      return run_with<Energy, SP::Determinant_barrier_3>(*newton);
+    return run_with<Energy, SP::Determinant_barrier_3>(m_options.update);
+  }
+
+  template <class Energy, class Barrier, class Update>
+  Run_result run_with(const Update& update)
+  {
+    const Hierarchical_parameterizer<Energy, Update> hierarchical(Energy(), m_options.sharpness, update);
     if(m_options.method == Method_choice::HIERARCHICAL)
       return run(hierarchical);
     return improve(hierarchical, [&](const auto& initial) {
-      return m_options.barrier == Barrier_choice::FLAT ? run_bld<Energy, SP::Flat_area_barrier_3>(initial)
-                                                       : run_bld<Energy, SP::Determinant_barrier_3>(initial);
+      using Initial = std::decay_t<decltype(initial)>;
+      return run(SP::Bijective_low_distortion_parameterizer_3<Mesh, Initial, Energy, Any_sharpness, Any_radius, Update,
+                                                              Barrier>(initial, Energy(), m_options.sharpness,
+                                                                       m_options.radius, update));
     });
   }
 
-  template <class Energy, class Barrier, class Initial>
-  Run_result run_bld(const Initial& initial)
-  {
-    return run(SP::Bijective_low_distortion_parameterizer_3<Mesh, Initial, Energy, Any_sharpness, Any_radius,
-                                                            Any_update, Barrier>(initial, Energy(), m_options.sharpness,
-                                                                                 m_options.radius, m_options.update));
-  }
-
   // the default of the library, for methods that have no energy to pass on to it
-  static Hierarchical_parameterizer<SP::Isometric_energy_3> usual_hierarchical_parameterizer()
+  static Hierarchical_parameterizer<SP::Isometric_energy_3, SP::Newton_update_3> usual_hierarchical_parameterizer()
   {
-    return Hierarchical_parameterizer<SP::Isometric_energy_3>(SP::Isometric_energy_3(),
-                                                              Any_sharpness(SP::Relative_sharpness_3(0.)));
+    return Hierarchical_parameterizer<SP::Isometric_energy_3, SP::Newton_update_3>(
+        SP::Isometric_energy_3(), Any_sharpness(SP::Relative_sharpness_3(0.)));
   }
 
   // calls `run_from` with the parameterizer that makes the start
