@@ -134,9 +134,9 @@ def _verdict(default: Point, points: list[Point]) -> str:
     first, last = points[0], points[-1]
     reach = (
         f"The limits lead from {first.time:.2f} to {last.time:.2f} times the default's time, and to {last.sweeps:.0f}"
-        " sweeps on average until they have converged or are ended. "
+        " sweeps on average until they have converged or are ended."
     )
-    return reach + (f"Against the default: {listed(texts)}." if texts else "")
+    return reach + (f" Against the default: {listed(texts)}." if texts else "")
 
 
 def _change(ratio: float) -> str:
