@@ -98,7 +98,8 @@ public:
   ///        vertices; if the type is the default one, by default of sharpness 0 (eq. 6)
   /// \param vertex_update how a vertex is moved
   /// \param sweeps_per_level sweeps over each level, at least 1; levels below 2000 vertices get up to three times as
-  ///        many
+  ///        many, those above 500 a quarter if they have less than one and a half times as many vertices as the last
+  ///        level that got more
   explicit Hierarchical_parameterizer_3(const Energy& energy = Energy(),
                                         const Sharpness& sharpness = default_sharpness(),
                                         const Vertex_update& vertex_update = Vertex_update(),
@@ -119,8 +120,30 @@ public:
   ///
   /// \param tmesh a triangle mesh that is closed, connected and of genus 0
   /// \param vertex_sphere_map the map to be written; it is left as it is unless `OK` is returned
-  /// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters": `vertex_point_map`, `visitor` and
-  ///        `maximum_running_time`, as for `CGAL::Spherical_parameterization::parameterize()`
+  /// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
+  ///
+  /// \cgalNamedParamsBegin
+  ///   \cgalParamNBegin{vertex_point_map}
+  ///     \cgalParamDescription{a property map associating points to the vertices of `tmesh`}
+  ///     \cgalParamType{a class model of `ReadablePropertyMap` with
+  ///                    `boost::graph_traits<Triangle_mesh>::%vertex_descriptor` as key type and `%Point_3` as
+  ///                    value type}
+  ///     \cgalParamDefault{`boost::get(CGAL::vertex_point, tmesh)`}
+  ///     \cgalParamExtra{If this parameter is omitted, an internal property map for `CGAL::vertex_point_t`
+  ///                     must be available in `Triangle_mesh`.}
+  ///   \cgalParamNEnd
+  ///   \cgalParamNBegin{maximum_running_time}
+  ///     \cgalParamDescription{the time in seconds after which the remaining levels get one sweep each}
+  ///     \cgalParamType{double}
+  ///     \cgalParamDefault{no limit, as with any value that is not positive}
+  ///   \cgalParamNEnd
+  ///   \cgalParamNBegin{visitor}
+  ///     \cgalParamDescription{a visitor that is told of the levels and may stop the sweeps over them, with the
+  ///                           same effect}
+  ///     \cgalParamType{a model of `SphericalParameterizationVisitor`, or an `std::reference_wrapper` of one}
+  ///     \cgalParamDefault{`Default_visitor`}
+  ///   \cgalParamNEnd
+  /// \cgalNamedParamsEnd
   ///
   /// \return `OK`, or what is wrong with the mesh
   template <class ConcurrencyTag = Parallel_if_available_tag, class VertexSphereMap,

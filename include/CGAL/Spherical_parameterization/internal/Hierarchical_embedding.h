@@ -15,6 +15,7 @@
 
 #include <CGAL/Spherical_parameterization/Optimal_radius_3.h>
 #include <CGAL/Spherical_parameterization/internal/Block_coordinate_descent.h>
+#include <CGAL/Spherical_parameterization/internal/Energy_summary.h>
 #include <CGAL/Spherical_parameterization/internal/Mesh_hierarchy.h>
 #include <CGAL/Spherical_parameterization/internal/Per_thread.h>
 #include <CGAL/Spherical_parameterization/internal/Rest_limits.h>
@@ -74,7 +75,7 @@ public:
       if(!insert_vertices(level, m_hierarchy.rings(k), local))
         return false;
       if(k > 0 || sweeps_finest_level)
-        relax(level, m_hierarchy.rings(k), local, control);
+        relax(level, m_hierarchy.rings(k), local, k == 0 || needs_all_sweeps(local.size()), control);
       for(std::size_t v = 0; v < local.size(); ++v)
         positions[level.vertices[v]] = local[v];
       control.visitor().on_level(local.size());
@@ -135,8 +136,18 @@ private:
     return is_complete;
   }
 
+  // A level that has hardly more vertices than the last one that was swept in full is only swept until its new vertices
+  // have settled.
+  bool needs_all_sweeps(std::size_t n_vertices)
+  {
+    const bool result = n_vertices < least_brief_level || 2 * n_vertices >= 3 * m_size_of_last_full_level;
+    if(result)
+      m_size_of_last_full_level = n_vertices;
+    return result;
+  }
+
   template <class RunControl>
-  void relax(const Mesh_hierarchy::Level& level, const Vertex_rings& rings, std::vector<Vector_3d>& local,
+  void relax(const Mesh_hierarchy::Level& level, const Vertex_rings& rings, std::vector<Vector_3d>& local, bool is_full,
              RunControl& control)
   {
     const std::vector<Vector_3d> points = gathered(m_points, level);
@@ -144,7 +155,7 @@ private:
         m_limits.is_uniform ? std::vector<double>() : vertex_densities(rings, points, level.areas);
     Block_coordinate_descent<Energy, VertexUpdate, ConcurrencyTag> descent(rings, points, densities, m_energy, m_update,
                                                                            m_limits);
-    const std::size_t n_sweeps = number_of_sweeps(local.size());
+    const std::size_t n_sweeps = is_full ? number_of_sweeps(local.size()) : (m_sweeps_per_level + 3) / 4;
     double sharpness = 0.;
     for(std::size_t i = 0; i < n_sweeps; ++i)
     {
@@ -174,6 +185,9 @@ private:
   // whole limb, to fight the worst one throws the limbs into disorder, from which the finer levels do not recover.
   static constexpr std::size_t least_sharp_level = 300;
 
+  // Levels with fewer vertices are all swept in full, as the limbs find their places there, at little cost.
+  static constexpr std::size_t least_brief_level = 500;
+
   Mesh_hierarchy& m_hierarchy;
   const std::vector<Vector_3d>& m_points;
   Energy m_energy;
@@ -182,6 +196,7 @@ private:
   std::size_t m_sweeps_per_level;
   Rest_limits m_limits;
   Per_thread<ConcurrencyTag, Star_kernel> m_kernels;
+  std::size_t m_size_of_last_full_level = 0;
   double m_radius = 1.; // of the sphere that the energies are taken on
 };
 
