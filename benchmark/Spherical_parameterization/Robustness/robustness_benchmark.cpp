@@ -239,17 +239,6 @@ int run_benchmark(const po::variables_map& options)
   const Mapping_program program(command, limits);
   const bool is_csv = options["csv"].as<bool>();
   const std::vector<fs::path> files = find_mesh_files(options["inputs"].as<std::vector<std::string>>());
-  for(const fs::path& file : files)
-  {
-    if(!fs::is_regular_file(file))
-    {
-      throw std::runtime_error(file.string() + ": there is no such file");
-    }
-  }
-  if(files.empty())
-  {
-    throw std::runtime_error("There is no mesh.");
-  }
 
   std::optional<Table> list;
   if(options["list"].as<bool>())

@@ -27,7 +27,8 @@ using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
 using Sphere_map = Mesh::Property_map<Mesh::Vertex_index, Kernel::Point_3>;
 
-// The files among `inputs`, and the meshes directly in the folders among them by name.
+// The files among `inputs`, and the meshes directly in the folders among them by name. Throws if a file is not there, or
+// if there is none at all.
 inline std::vector<std::filesystem::path> find_mesh_files(const std::vector<std::string>& inputs)
 {
   namespace fs = std::filesystem;
@@ -36,10 +37,14 @@ inline std::vector<std::filesystem::path> find_mesh_files(const std::vector<std:
   std::vector<fs::path> files;
   for(const fs::path input : inputs)
   {
-    if(!fs::is_directory(input))
+    if(fs::is_regular_file(input))
     {
       files.push_back(input);
       continue;
+    }
+    if(!fs::is_directory(input))
+    {
+      throw std::runtime_error(input.string() + ": there is no such file");
     }
     std::vector<fs::path> meshes;
     for(const fs::directory_entry& entry : fs::directory_iterator(input))
@@ -52,6 +57,10 @@ inline std::vector<std::filesystem::path> find_mesh_files(const std::vector<std:
     }
     std::sort(meshes.begin(), meshes.end());
     files.insert(files.end(), meshes.begin(), meshes.end());
+  }
+  if(files.empty())
+  {
+    throw std::runtime_error("There is no mesh.");
   }
   return files;
 }
