@@ -25,7 +25,7 @@
 #include <CGAL/Spherical_parameterization/internal/Star_packets.h>
 #include <CGAL/Spherical_parameterization/internal/Vertex_rings.h>
 #include <CGAL/Spherical_parameterization/internal/for_each_block.h>
-#include <CGAL/Spherical_parameterization/internal/is_lanewise.h>
+#include <CGAL/Spherical_parameterization/internal/Is_lanewise.h>
 #include <CGAL/Spherical_parameterization/internal/run_in_lanes.h>
 
 #include <algorithm>

@@ -15,7 +15,7 @@
 
 #include <CGAL/Spherical_parameterization/Energy_derivatives_3.h>
 #include <CGAL/Spherical_parameterization/internal/Packed_double.h>
-#include <CGAL/Spherical_parameterization/internal/is_lanewise.h>
+#include <CGAL/Spherical_parameterization/internal/Is_lanewise.h>
 
 #include <cstddef>
 #include <type_traits>
