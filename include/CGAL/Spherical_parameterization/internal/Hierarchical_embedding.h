@@ -157,6 +157,7 @@ private:
                                                                            m_limits);
     const std::size_t n_sweeps = is_full ? number_of_sweeps(local.size()) : (m_sweeps_per_level + 3) / 4;
     double sharpness = 0.;
+    bool is_stopped = false;
     for(std::size_t i = 0; i < n_sweeps; ++i)
     {
       if(i % sweeps_per_measurement == 0)
@@ -164,11 +165,14 @@ private:
         const Energy_summary summary = descent.measure(local, m_radius, 0.);
         m_radius = Optimal_radius_3()(m_energy, descent.faces(), m_radius);
         sharpness = local.size() < least_sharp_level ? 0. : m_sharpness.on_coarse_level(summary.largest());
-        if(!control.go_further(0, summary.average()) && i > 0) // one sweep has to be: see above
+        is_stopped = !control.go_further(0, summary.average());
+        if(is_stopped && i > 0)
           break;
       }
       descent.sweep(local, m_radius, sharpness);
       ++control.report().number_of_level_iterations;
+      if(is_stopped) // this one sweep had to be: see above
+        break;
     }
   }
 
