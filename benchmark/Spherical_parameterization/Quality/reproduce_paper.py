@@ -2,8 +2,8 @@
 """Reproduces the tables and figures of the paper with the command line program, on a folder of meshes.
 
 Writes report.md, one CSV file for each table and figure, plots and pictures. Needs the Debian packages python3-numpy
-and python3-matplotlib; for the pictures also python3-vtk9 and, without a display, xvfb and xauth. Runs are made one
-after the other, so that their seconds can be compared: leave the machine alone meanwhile.
+and python3-matplotlib. Runs are made one after the other, so that their seconds can be compared: leave the machine
+alone meanwhile.
 """
 
 from __future__ import annotations
@@ -70,7 +70,7 @@ def main() -> None:
         library=Library([options.meshes], most, derived),
         large=Library(folders + [options.meshes], most, derived),
         report=Report(options.output, "The paper's results, reproduced"),
-        painter=Painter(options.pictures, options.output),
+        painter=Painter(None if options.no_pictures else options.output),
         is_short=options.short,
     )
     if not session.library.files:
@@ -109,12 +109,7 @@ def read_options() -> argparse.Namespace:
     parser.add_argument(
         "--run-limit", type=float, default=7200.0, metavar="SECONDS", help="end a run after this (7200)"
     )
-    parser.add_argument(
-        "--pictures",
-        choices=("auto", "required", "none"),
-        default="auto",
-        help="rendered pictures: where it is possible (auto)",
-    )
+    parser.add_argument("--no-pictures", action="store_true", help="leave out the pictures of surfaces and spheres")
     options = parser.parse_args()
 
     options.program = options.program or find_program(PROJECT / "build", "spherical_parameterization")
@@ -167,8 +162,8 @@ def head(session: Session, options: argparse.Namespace, passed: float) -> list[s
             f"Short version: meshes of at most {options.most_vertices:,} vertices, paper mode with"
             f" {SHORT_SWEEPS} sweeps instead of {FULL_SWEEPS}."
         )
-    if session.painter.objection:
-        facts.append(f"There are no rendered pictures: {session.painter.objection}.")
+    if session.painter.is_idle:
+        facts.append("There are no rendered pictures: they were not asked for.")
     difference = max((run.row.get("difference_to_program", 0.0) for run in runs), default=0.0)
     parts = [verdict(session), "\n".join(f"- {fact}" for fact in facts)]
     wrong = contradictions(runs)

@@ -228,7 +228,7 @@ def _pictures(session: Session, figure: str, kind: str, names: tuple[str, ...], 
     report.begin_section(f"Figure {figure}: the methods on {kind} models")
     report.paragraph(
         "The maps of Table 1, of the copies as found where there are such. The surface on the left and the sphere on"
-        f" the right have the same colours, D_iso from 1 to {largest:g}; folded faces are yellow. In brackets: D_iso"
+        f" the right have the same colours, D_iso from 1 to {largest:g}; folded faces are magenta. In brackets: D_iso"
         " max, D_iso avg, the number of faces above the maximum of BLD in paper mode, the number of folded faces."
     )
     files = {MODELS[name].title: library.best(name) for name in names if library.best(name) is not None}
