@@ -14,10 +14,11 @@ components=(CGAL Boost TBB Eigen3)
 wanted="a C++17 compiler, CMake 3.18, CGAL 5.5, Boost.Program_options, TBB and Eigen"
 if [ "${1-}" = --tests ]; then
   packages+=(git libgtest-dev libbenchmark-dev clang libclang-rt-dev llvm clang-format-14)
-  packages+=(python3-numpy python3-matplotlib python3-vtk9 xvfb xauth)
+  packages+=(python3-numpy python3-matplotlib)
+  packages+=(doxygen texlive-binaries libjs-mathjax fonts-mathjax linkchecker)
   components+=(GTest benchmark)
   wanted="a C++17 compiler, CMake 3.18, CGAL 5.5, Boost.Program_options, TBB, Eigen, GoogleTest, Google Benchmark, Clang"
-  wanted+=" with its sanitizers, clang-format 14, and Python with numpy, matplotlib and VTK"
+  wanted+=" with its sanitizers, clang-format 14, Python with numpy and matplotlib, doxygen 1.9.4, BibTeX and LinkChecker"
 fi
 
 is_installed() {

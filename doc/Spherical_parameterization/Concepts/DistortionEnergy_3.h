@@ -3,21 +3,11 @@
 \cgalConcept
 
 The concept `DistortionEnergy_3` describes the energy of the map of one face, a function of the two invariants
-\f$ I = \sigma_1^2 + \sigma_2^2 \f$ and \f$ d = \sigma_1 \sigma_2 \f$ of its singular values. It must not be negative, has
-to be smooth for positive arguments, grow beyond all bounds as \f$ d \f$ goes to 0 (this keeps faces from being inverted), and be convex along
-lines in the plane, at least near its minimum. It is called by several threads at once.
+\f$ I = \sigma_1^2 + \sigma_2^2 \f$ and \f$ d = \sigma_1 \sigma_2 \f$ of its singular values \f$ \sigma_1 \leq \sigma_2 \f$.
 
-A model may have, in addition,
-
-- `bool is_valid() const`, whether its parameters are in their ranges; if not, a parameterizer returns `ERROR_WRONG_PARAMETER`;
-- `template <class FaceRange> double optimal_scale(const FaceRange& faces) const`, the factor for the radius that minimises the
-  sum of the energies of a range of `Face_invariants_3`, if it has a closed form; see `Optimal_radius_3`;
-- a nested type `Is_lanewise`, an alias of `CGAL::Tag_true`. It says that both functions of the concept are templates,
-  `template <class FT> FT operator()(const FT& i, const FT& d) const` and
-  `template <class FT> CGAL::Spherical_parameterization::Basic_energy_derivatives_3<FT> derivatives(const FT& i, const FT& d) const`,
-  for any type `FT` that has the four operations of arithmetic with itself and with `double`. Then several vertices are moved at
-  once, and the energy is evaluated for all of them in one call. Without it, it is called for one after the other, which gives the
-  same map in somewhat more time.
+The energy must not be negative, has to be smooth for positive arguments, grow beyond all bounds as \f$ d \f$ goes to 0 (this keeps
+faces from being inverted), and be convex along lines in the plane, at least near its minimum. It is called by several threads at
+once.
 
 \cgalRefines{CopyConstructible}
 
@@ -26,18 +16,59 @@ A model may have, in addition,
 \cgalHasModels{CGAL::Spherical_parameterization::Isometric_energy_3}
 \cgalHasModels{CGAL::Spherical_parameterization::Conformal_energy_3}
 \cgalHasModelsEnd
+
+\sa `CGAL::Spherical_parameterization::Bijective_low_distortion_parameterizer_3`
+\sa `CGAL::Spherical_parameterization::Hierarchical_parameterizer_3`
 */
 class DistortionEnergy_3
 {
 public:
+  /// \name Optional Type
+  /// @{
+
+  /// An alias of `CGAL::Tag_true` in an energy both of whose operations are templates. A model need not have it.
+  ///
+  /// \code
+  /// template <class FT>
+  /// FT operator()(const FT& i, const FT& d) const;
+  /// template <class FT>
+  /// CGAL::Spherical_parameterization::Basic_energy_derivatives_3<FT> derivatives(const FT& i, const FT& d) const;
+  /// \endcode
+  ///
+  /// `FT` is any type that can be constructed from a `double` and has a sign and the four operations of arithmetic with itself and
+  /// with `double`. Then several vertices are moved at once, and the energy is evaluated for all of them in one call. Without it, it
+  /// is called for one vertex after the other, which gives the same map in somewhat more time.
+  typedef unspecified_type Is_lanewise;
+
+  /// @}
+
   /// \name Operations
   /// @{
 
-  /// returns the energy.
+  /// returns the energy of a face whose map has the invariants `i` and `d`, both positive.
   double operator()(double i, double d) const;
 
-  /// returns the energy and its first and second derivatives in `i` and `d`.
+  /// returns the energy of a face whose map has the invariants `i` and `d`, both positive, with its first and second derivatives in
+  /// them.
   CGAL::Spherical_parameterization::Energy_derivatives_3 derivatives(double i, double d) const;
+
+  /// @}
+
+  /// \name Optional Members
+  /// A model need not have these.
+  /// @{
+
+  /// returns whether the parameters of the energy are in their ranges. If not, a parameterizer returns `ERROR_WRONG_PARAMETER`.
+  bool is_valid() const;
+
+  /// returns the factor by which the radius has to be multiplied to minimise the sum of the energies of `faces`, for energies that
+  /// have a closed form of it.
+  ///
+  /// It is called by `CGAL::Spherical_parameterization::Optimal_radius_3`, which otherwise finds the factor by Newton's method.
+  ///
+  /// \tparam FaceRange a model of `ConstRange` whose value type is `CGAL::Spherical_parameterization::Face_invariants_3`
+  template <class FaceRange>
+  double optimal_scale(const FaceRange& faces) const;
 
   /// @}
 };

@@ -2,11 +2,10 @@
 \ingroup PkgSphericalParameterizationConcepts
 \cgalConcept
 
-The concept `SharpnessPolicy_3` describes how the sharpness \f$ s \f$ of the objective \f$ \sum \exp( s E ) \f$ (eq. 7) is chosen
-for each sweep; \f$ s = 0 \f$ stands for the plain sum \f$ \sum E \f$ (eq. 6). A policy may keep a state: each run works on a
-copy of the one that the parameterizer was given.
+The concept `SharpnessPolicy_3` describes how the sharpness \f$ s \f$ of the objective \f$ \sum \exp( s E ) \f$ is chosen for each
+sweep. The objective is eq. 7 of \cgalCite{cgal:whfl-bspld-16}; \f$ s = 0 \f$ stands for the plain sum \f$ \sum E \f$ of eq. 6.
 
-A model may have `bool is_valid() const` in addition, whether its parameters are in their ranges.
+A policy may keep a state: each run works on a copy of the one that the parameterizer was given.
 
 \cgalRefines{CopyConstructible}
 
@@ -14,6 +13,9 @@ A model may have `bool is_valid() const` in addition, whether its parameters are
 \cgalHasModels{CGAL::Spherical_parameterization::Relative_sharpness_3}
 \cgalHasModels{CGAL::Spherical_parameterization::Absolute_sharpness_3}
 \cgalHasModelsEnd
+
+\sa `CGAL::Spherical_parameterization::Bijective_low_distortion_parameterizer_3`
+\sa `CGAL::Spherical_parameterization::Hierarchical_parameterizer_3`
 */
 class SharpnessPolicy_3
 {
@@ -34,6 +36,15 @@ public:
 
   /// returns whether the schedule has come to its end, so that it makes sense to ask whether the map has settled.
   bool is_final() const;
+
+  /// @}
+
+  /// \name Optional Members
+  /// A model need not have these.
+  /// @{
+
+  /// returns whether the parameters of the policy are in their ranges. If not, a parameterizer returns `ERROR_WRONG_PARAMETER`.
+  bool is_valid() const;
 
   /// @}
 };

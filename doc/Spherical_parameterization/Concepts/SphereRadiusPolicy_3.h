@@ -2,23 +2,24 @@
 \ingroup PkgSphericalParameterizationConcepts
 \cgalConcept
 
-The concept `SphereRadiusPolicy_3` describes how the radius of the sphere is chosen. The policy is called before each sweep over
-the mesh, and once more after the last one. The first and the last time the radius becomes what it returns, otherwise it
-goes half the way (in the sense of the geometric mean); a value that is not positive and finite is ignored. On the coarse
-levels of a hierarchy, `Optimal_radius_3` is in use. A policy may keep a state: each run works on a copy of the one that the
-parameterizer was given.
+The concept `SphereRadiusPolicy_3` describes how the radius of the sphere is chosen.
 
-A model may have `bool is_valid() const` in addition, whether its parameters are in their ranges.
+The policy is called before each sweep over the mesh, and once more after the last one. The first and the last time the radius
+becomes what it returns, otherwise it goes half the way (in the sense of the geometric mean), or all the way if the acceleration is
+off; a value that is not positive and finite is ignored. On the coarse levels of a hierarchy, `CGAL::Spherical_parameterization::Optimal_radius_3` is in use. A policy may
+keep a state: each run works on a copy of the one that the parameterizer was given.
 
 \cgalRefines{CopyConstructible}
 
 \cgalHasModelsBegin
-\cgalHasModels{CGAL::Spherical_parameterization::Two_phase_radius_3<FirstRadius, SecondRadius>}
+\cgalHasModels{CGAL::Spherical_parameterization::Two_phase_radius_3<FirstRadius_, SecondRadius_>}
 \cgalHasModels{CGAL::Spherical_parameterization::Area_preserving_radius_3}
 \cgalHasModels{CGAL::Spherical_parameterization::Area_balancing_radius_3}
 \cgalHasModels{CGAL::Spherical_parameterization::Optimal_radius_3}
 \cgalHasModels{CGAL::Spherical_parameterization::Fixed_radius_3}
 \cgalHasModelsEnd
+
+\sa `CGAL::Spherical_parameterization::Bijective_low_distortion_parameterizer_3`
 */
 class SphereRadiusPolicy_3
 {
@@ -26,23 +27,34 @@ public:
   /// \name Operations
   /// @{
 
-  /// returns the radius to start with, given that of the sphere which has the area of the surface (eq. 10).
+  /// returns the radius to start with, in the unit of length of the surface.
+  ///
+  /// \param equal_area_radius the radius of the sphere which has the area of the surface, eq. 10 of \cgalCite{cgal:whfl-bspld-16}
   double initial_radius(double equal_area_radius) const;
 
   /// returns the radius that follows `radius`.
   ///
   /// \tparam Energy a model of `DistortionEnergy_3`
-  /// \tparam FaceRange a model of `ConstRange` whose value type is `Face_invariants_3`
+  /// \tparam FaceRange a model of `ConstRange` whose value type is `CGAL::Spherical_parameterization::Face_invariants_3`
   ///
   /// \param energy the energy in use
   /// \param faces the faces, as they are on the sphere of radius `radius`
-  /// \param radius the current radius in the unit of length of the mesh
+  /// \param radius the current radius in the unit of length of the surface
   template <class Energy, class FaceRange>
   double operator()(const Energy& energy, const FaceRange& faces, double radius);
 
+  /// @}
+
+  /// \name Optional Members
+  /// A model need not have these.
+  /// @{
+
   /// starts the next phase of the policy and returns whether there is one. It is called when energy and radius have
-  /// settled, and before the last radius is asked for. A policy without phases may leave this function out.
+  /// settled, and before the last radius is asked for. Without it, the policy has one phase.
   bool next_phase();
+
+  /// returns whether the parameters of the policy are in their ranges. If not, a parameterizer returns `ERROR_WRONG_PARAMETER`.
+  bool is_valid() const;
 
   /// @}
 };

@@ -3,19 +3,29 @@
 \cgalConcept
 
 The concept `SphericalParameterizationVisitor` describes what is told of the progress of a parameterization and may stop it.
-All functions are called from the thread that called `CGAL::Spherical_parameterization::parameterize()`. An exception
-that is thrown by one of them leaves the output map as it was.
 
-`Bijective_low_distortion_parameterizer_3` and `ARAP_parameterizer_3` call all of them, `Harmonic_parameterizer_3` and
-`Conformal_parameterizer_3` all but `on_level()`, `Hierarchical_parameterizer_3` all but `after_iteration()` and
-`on_optimization_end()`, `Stereographic_parameterizer_3` the first and the last that concern the initial map, which is all there
-is, and `Precomputed_parameterizer_3` none.
+All functions are called from the thread that called `CGAL::Spherical_parameterization::parameterize()`. An exception
+that is thrown by one of them leaves the output map as it was. Each parameterizer calls what applies to it, and `on_level()` only
+if it starts from the levels of `CGAL::Spherical_parameterization::Hierarchical_parameterizer_3`:
+
+| Parameterizer | `on_initialization_begin()` <br> `on_initialization_end()` | `on_level()` | `after_iteration()` | `go_further()` | `on_optimization_end()` |
+| :------------ | :----: | :----: | :----: | :----: | :----: |
+| \link CGAL::Spherical_parameterization::Bijective_low_distortion_parameterizer_3 `%Bijective_low_distortion_parameterizer_3` \endlink | yes | from a hierarchy | yes | yes | yes |
+| \link CGAL::Spherical_parameterization::Published_low_distortion_parameterizer_3 `%Published_low_distortion_parameterizer_3` \endlink | yes | from a hierarchy | yes | yes | yes |
+| \link CGAL::Spherical_parameterization::Hierarchical_parameterizer_3 `%Hierarchical_parameterizer_3` \endlink | yes | yes | - | yes | - |
+| \link CGAL::Spherical_parameterization::Stereographic_parameterizer_3 `%Stereographic_parameterizer_3` \endlink | yes | - | - | - | - |
+| \link CGAL::Spherical_parameterization::Harmonic_parameterizer_3 `%Harmonic_parameterizer_3` \endlink | yes | - | yes | yes | yes |
+| \link CGAL::Spherical_parameterization::Conformal_parameterizer_3 `%Conformal_parameterizer_3` \endlink | yes | - | yes | yes | yes |
+| \link CGAL::Spherical_parameterization::ARAP_parameterizer_3 `%ARAP_parameterizer_3` \endlink | yes | from a hierarchy | yes | yes | yes |
+| \link CGAL::Spherical_parameterization::Precomputed_parameterizer_3 `%Precomputed_parameterizer_3` \endlink | - | - | - | - | - |
 
 \cgalRefines{CopyConstructible}
 
 \cgalHasModelsBegin
 \cgalHasModels{CGAL::Spherical_parameterization::Default_visitor}
 \cgalHasModelsEnd
+
+\sa `CGAL::Spherical_parameterization::parameterize()`
 */
 class SphericalParameterizationVisitor
 {
@@ -39,15 +49,17 @@ public:
 
   /// called after each sweep over the mesh, or each step of a method that moves all vertices at once.
   ///
-  /// \param iteration number of the sweep or step, from 1
+  /// \param iteration the number of the sweep or step, from 1
   /// \param energy the mean of the energies of the faces that the sweep has lowered:
   ///        \f$ \log( \frac{1}{n} \sum \exp( s E ) ) / s \f$, or the average for \f$ s = 0 \f$; where \f$ s \f$ changes
   ///        from sweep to sweep, it may grow. Of the other methods, the energy that they minimise, in units of the area
   /// \param radius the radius of the sphere in the unit of length of the mesh
   void after_iteration(std::size_t iteration, double energy, double radius);
 
-  /// called after `after_iteration()`, and now and then on the levels of the hierarchy, there with `iteration` 0 and
-  /// the average energy of the level.
+  /// called after `after_iteration()`, and now and then while the initial map is made, as on the levels of the hierarchy.
+  ///
+  /// \param iteration the number of the sweep or step, from 1; 0 while the initial map is made
+  /// \param energy as for `after_iteration()`; on the levels, the average energy of the level
   ///
   /// \return `false` to stop as soon as possible: the map that has been reached is certified and returned. On the
   ///         levels, the rest of the hierarchy is mapped in the least time first.

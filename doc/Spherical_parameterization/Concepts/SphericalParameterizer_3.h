@@ -2,21 +2,22 @@
 \ingroup PkgSphericalParameterizationConcepts
 \cgalConcept
 
-The concept `SphericalParameterizer_3` describes a method that maps a closed triangle mesh of genus 0 to a sphere around the
-origin. As any one-to-one map can start a method that improves one, an initial parameterizer is a model of the same
-concept.
+The concept `SphericalParameterizer_3` describes a method that maps a closed triangle mesh of genus 0 to a sphere around the origin.
+
+As any one-to-one map can start a method that improves one, an initial parameterizer is a model of the same concept. Then it is
+called with the named parameters `vertex_point_map` and `visitor`, and what it has written is certified before it is used.
 
 \cgalRefines{CopyConstructible}
 
 \cgalHasModelsBegin
-\cgalHasModels{CGAL::Spherical_parameterization::Bijective_low_distortion_parameterizer_3<TriangleMesh, InitialParameterizer, Energy, Sharpness, Radius, VertexUpdate, Barrier>}
-\cgalHasModels{CGAL::Spherical_parameterization::Published_low_distortion_parameterizer_3<TriangleMesh, InitialParameterizer, Sharpness, Radius>}
-\cgalHasModels{CGAL::Spherical_parameterization::Hierarchical_parameterizer_3<TriangleMesh, Energy, Sharpness, VertexUpdate>}
-\cgalHasModels{CGAL::Spherical_parameterization::Stereographic_parameterizer_3<TriangleMesh, SolverTraits>}
-\cgalHasModels{CGAL::Spherical_parameterization::Harmonic_parameterizer_3<TriangleMesh, SolverTraits>}
-\cgalHasModels{CGAL::Spherical_parameterization::Conformal_parameterizer_3<TriangleMesh, SolverTraits>}
-\cgalHasModels{CGAL::Spherical_parameterization::ARAP_parameterizer_3<TriangleMesh, InitialParameterizer, SolverTraits>}
-\cgalHasModels{CGAL::Spherical_parameterization::Precomputed_parameterizer_3<TriangleMesh, VertexSphereMap>}
+\cgalHasModels{CGAL::Spherical_parameterization::Bijective_low_distortion_parameterizer_3<TriangleMesh_, InitialParameterizer_, Energy_, Sharpness_, Radius_, VertexUpdate_, Barrier_>}
+\cgalHasModels{CGAL::Spherical_parameterization::Published_low_distortion_parameterizer_3<TriangleMesh_, InitialParameterizer_, Sharpness_, Radius_>}
+\cgalHasModels{CGAL::Spherical_parameterization::Hierarchical_parameterizer_3<TriangleMesh_, Energy_, Sharpness_, VertexUpdate_>}
+\cgalHasModels{CGAL::Spherical_parameterization::Stereographic_parameterizer_3<TriangleMesh_, SolverTraits_>}
+\cgalHasModels{CGAL::Spherical_parameterization::Harmonic_parameterizer_3<TriangleMesh_, SolverTraits_>}
+\cgalHasModels{CGAL::Spherical_parameterization::Conformal_parameterizer_3<TriangleMesh_, SolverTraits_>}
+\cgalHasModels{CGAL::Spherical_parameterization::ARAP_parameterizer_3<TriangleMesh_, InitialParameterizer_, SolverTraits_>}
+\cgalHasModels{CGAL::Spherical_parameterization::Precomputed_parameterizer_3<TriangleMesh_, VertexSphereMap_>}
 \cgalHasModelsEnd
 
 \sa `CGAL::Spherical_parameterization::parameterize()`
@@ -33,8 +34,11 @@ public:
   /// \tparam TriangleMesh a model of `FaceListGraph`
   /// \tparam VertexSphereMap a model of `WritablePropertyMap` with
   ///         `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and `%Point_3` as value type
-  /// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"; what is not of use is to be
-  ///        ignored
+  /// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+  ///
+  /// \param tmesh the mesh
+  /// \param vertex_sphere_map the map to be written
+  /// \param np named parameters; what is not of use is to be ignored
   ///
   /// \return `OK` only if the map that was written is one-to-one, and `ERROR_NO_1_TO_1_MAPPING` if it is not; with all
   ///         other values no map is written
@@ -42,6 +46,16 @@ public:
   CGAL::Spherical_parameterization::Error_code parameterize(const TriangleMesh& tmesh,
                                                             VertexSphereMap vertex_sphere_map,
                                                             const NamedParameters& np);
+
+  /// @}
+
+  /// \name Optional Members
+  /// A model need not have these.
+  /// @{
+
+  /// returns whether the parameters of the method are in their ranges. If not, a parameterizer that would start from its map
+  /// returns `ERROR_WRONG_PARAMETER`.
+  bool is_valid() const;
 
   /// @}
 };

@@ -5,14 +5,16 @@
 The concept `VertexUpdate_3` describes how one vertex moves on the sphere while all others stay. It is called by several threads
 at once.
 
-A model may have `bool is_valid() const` in addition, whether its parameters are in their ranges.
-
 \cgalRefines{CopyConstructible}
 
 \cgalHasModelsBegin
 \cgalHasModels{CGAL::Spherical_parameterization::Newton_update_3}
 \cgalHasModels{CGAL::Spherical_parameterization::Gradient_update_3}
 \cgalHasModelsEnd
+
+\sa `VertexEnergy_3`
+\sa `CGAL::Spherical_parameterization::Bijective_low_distortion_parameterizer_3`
+\sa `CGAL::Spherical_parameterization::Hierarchical_parameterizer_3`
 */
 class VertexUpdate_3
 {
@@ -30,6 +32,15 @@ public:
   /// \return whether the vertex moves; only allowed if `energy` is finite at `step`
   template <class VertexEnergy>
   bool operator()(const VertexEnergy& energy, std::array<double, 2>& step) const;
+
+  /// @}
+
+  /// \name Optional Members
+  /// A model need not have these.
+  /// @{
+
+  /// returns whether the parameters of the update are in their ranges. If not, a parameterizer returns `ERROR_WRONG_PARAMETER`.
+  bool is_valid() const;
 
   /// @}
 };

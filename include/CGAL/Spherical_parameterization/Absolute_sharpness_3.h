@@ -23,14 +23,15 @@ namespace Spherical_parameterization {
 
 /// \ingroup PkgSphericalParameterizationSharpness
 ///
-/// The class `Absolute_sharpness_3` is the schedule of the BLD paper: the plain sum of the energies (eq. 6,
-/// \f$ s = 0 \f$) first, then \f$ \sum \exp( s E ) \f$ (eq. 7) with \f$ s \f$ growing from 0.1 to 10.
+/// The class `Absolute_sharpness_3` is the schedule of the BLD paper: the plain sum of the energies, \f$ s = 0 \f$,
+/// first, then \f$ \sum \exp( s E ) \f$ with \f$ s \f$ growing from 0.1 to 10.
 ///
-/// The paper leaves eq. 6 after 100 sweeps and names the criterion as open, and of the growth of \f$ s \f$ it says that
-/// it adapts. Here \f$ s \f$ is raised by a quarter whenever the current value has done its work: when a sweep has
-/// lowered neither the largest nor the average energy by a certain share, a hundredth by default. Eq. 6 is left as soon
-/// as a sweep lowers the average energy by less than a thousandth, or after a given number of sweeps, 0 for none; as
-/// this is the schedule for plain gradient steps, which are slow, the share is a thousandth then.
+/// These are eq. 6 and 7 of \cgalCite{cgal:whfl-bspld-16}. The paper leaves eq. 6 after 100 sweeps and names the
+/// criterion as open, and of the growth of \f$ s \f$ it says that it adapts. Here \f$ s \f$ is raised by a quarter
+/// whenever the current value has done its work: when a sweep has lowered neither the largest nor the average energy by
+/// a certain share, a hundredth by default. Eq. 6 is left as soon as a sweep lowers the average energy by less than a
+/// thousandth, or after a given number of sweeps, 0 for none; as this is the schedule for plain gradient steps, which
+/// are slow, the share is a thousandth then.
 ///
 /// If both values are the same and no number of sweeps is given, \f$ s \f$ is fixed from the first sweep on, as in
 /// AMIPS.
@@ -41,15 +42,15 @@ namespace Spherical_parameterization {
 class Absolute_sharpness_3
 {
 public:
-  /// constructs the schedule from `first` to `last`, 0 < `first` <= `last`.
+  /// constructs the schedule from `first` to `last`, 0 < `first` <= `last` <= 10<sup>6</sup>.
   explicit Absolute_sharpness_3(double first = 0.1, double last = 10.)
     : m_first(first)
     , m_last(last)
     , m_current(first == last ? last : 0.)
   {}
 
-  /// constructs the schedule from `first` to `last`, 0 < `first` <= `last`, after exactly `number_of_average_sweeps`
-  /// sweeps of eq. 6; the paper takes 100.
+  /// constructs the schedule from `first` to `last`, 0 < `first` <= `last` <= 10<sup>6</sup>, after exactly
+  /// `number_of_average_sweeps` sweeps with \f$ s = 0 \f$, of which the paper makes 100.
   Absolute_sharpness_3(double first, double last, std::size_t number_of_average_sweeps)
     : m_first(first)
     , m_last(last)
@@ -68,6 +69,10 @@ public:
   bool is_valid() const { return m_first > 0. && m_first <= m_last && m_last <= 1e6; }
 
   /// returns the sharpness of the next sweep over the finest mesh.
+  ///
+  /// \param sweep the number of the sweep, from 0
+  /// \param average_energy the average energy of the faces before the sweep
+  /// \param largest_energy the largest energy of a face before the sweep
   double operator()(std::size_t sweep, double average_energy, double largest_energy)
   {
     if(sweep > 0 && m_current < m_last)
@@ -89,7 +94,7 @@ public:
     return m_current;
   }
 
-  /// returns the sharpness of the next sweep over a coarse level, 0: eq. 6.
+  /// returns the sharpness of the next sweep over a coarse level, which is 0, whatever its energy.
   double on_coarse_level(double /* largest_energy */) const { return 0.; }
 
   /// returns whether the sharpness has reached its last value.

@@ -23,8 +23,11 @@ namespace Spherical_parameterization {
 /// \ingroup PkgSphericalParameterizationRadius
 ///
 /// The class `Area_balancing_radius_3` minimises the area distortion \f$ \sum (d + 1/d) \f$ of the flat image triangles
-/// over the radius (eq. 11): \f$ r \leftarrow r \left( \sum (A/a) / \sum (a/A) \right)^{1/4} \f$. It is the radius at
-/// which distortions of spherical parameterizations are usually compared.
+/// over the radius.
+///
+/// This is eq. 11 of \cgalCite{cgal:whfl-bspld-16},
+/// \f$ r \leftarrow r \left( \sum (A/a) / \sum (a/A) \right)^{1/4} \f$, with \f$ A \f$ the area of a face and \f$ a \f$
+/// that of its flat image at the radius \f$ r \f$. That paper compares distortions at this radius.
 ///
 /// \cgalModels{SphereRadiusPolicy_3}
 class Area_balancing_radius_3
@@ -33,10 +36,17 @@ public:
   /// returns `true`: there is no parameter.
   bool is_valid() const { return true; }
 
-  /// returns the radius to start with: that of the sphere which has the area of the surface (eq. 10).
+  /// returns the radius to start with, which is `equal_area_radius`: that of the sphere which has the area of the
+  /// surface.
   double initial_radius(double equal_area_radius) const { return equal_area_radius; }
 
-  /// returns the radius that follows `radius`, given the faces as they are on the sphere of that radius.
+  /// returns the radius that follows `radius`, in linear time.
+  ///
+  /// \tparam Energy a model of `DistortionEnergy_3`; not used
+  /// \tparam FaceRange a model of `ConstRange` whose value type is `Face_invariants_3`
+  ///
+  /// \param faces the faces, as they are on the sphere of radius `radius`
+  /// \param radius the current radius, in the unit of length of the surface
   template <class Energy, class FaceRange>
   double operator()(const Energy& /* energy */, const FaceRange& faces, double radius)
   {

@@ -22,8 +22,11 @@ namespace Spherical_parameterization {
 
 /// \ingroup PkgSphericalParameterizationRadius
 ///
-/// The class `Area_preserving_radius_3` keeps the area of the surface (eq. 9): the flat image triangles have the same
-/// area in total as the faces, \f$ r \leftarrow r \sqrt{\sum A / \sum a} \f$.
+/// The class `Area_preserving_radius_3` keeps the area of the surface: the flat image triangles have the same area in
+/// total as the faces.
+///
+/// This is eq. 9 of \cgalCite{cgal:whfl-bspld-16}, \f$ r \leftarrow r \sqrt{\sum A / \sum a} \f$, with \f$ A \f$ the
+/// area of a face and \f$ a \f$ that of its flat image at the radius \f$ r \f$.
 ///
 /// \cgalModels{SphereRadiusPolicy_3}
 class Area_preserving_radius_3
@@ -32,10 +35,17 @@ public:
   /// returns `true`: there is no parameter.
   bool is_valid() const { return true; }
 
-  /// returns the radius to start with: that of the sphere which has the area of the surface (eq. 10).
+  /// returns the radius to start with, which is `equal_area_radius`: that of the sphere which has the area of the
+  /// surface.
   double initial_radius(double equal_area_radius) const { return equal_area_radius; }
 
-  /// returns the radius that follows `radius`, given the faces as they are on the sphere of that radius.
+  /// returns the radius that follows `radius`, in linear time.
+  ///
+  /// \tparam Energy a model of `DistortionEnergy_3`; not used
+  /// \tparam FaceRange a model of `ConstRange` whose value type is `Face_invariants_3`
+  ///
+  /// \param faces the faces, as they are on the sphere of radius `radius`
+  /// \param radius the current radius, in the unit of length of the surface
   template <class Energy, class FaceRange>
   double operator()(const Energy& /* energy */, const FaceRange& faces, double radius)
   {

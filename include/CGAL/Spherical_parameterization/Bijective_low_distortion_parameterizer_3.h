@@ -46,8 +46,8 @@ namespace Spherical_parameterization {
 
 /// \ingroup PkgSphericalParameterizationMethods
 ///
-/// The class `Bijective_low_distortion_parameterizer_3` implements the method BLD \cgalCite{cgal:bld-16}: it starts
-/// from a one-to-one map onto the sphere, however distorted, and lowers \f$ \sum E \f$ (eq. 6) or
+/// The class `Bijective_low_distortion_parameterizer_3` implements the method BLD \cgalCite{cgal:whfl-bspld-16}. It
+/// starts from a one-to-one map onto the sphere, however distorted, and lowers \f$ \sum E \f$ (eq. 6) or
 /// \f$ \sum \exp( s E ) \f$ (eq. 7) by block coordinate descent over the vertices (eq. 8) and the radius of the sphere
 /// (eq. 9 to 11). The vertices of one colour of a graph colouring are moved in parallel. No step ever inverts a face.
 ///
@@ -181,10 +181,13 @@ public:
     m_number_of_iterations = number_of_iterations;
   }
 
-  /// sets whether the descent is accelerated beyond what the paper describes, as it is by default. If not, no sweeps
-  /// are spent on the worst faces alone, the radius makes full steps, and the run has converged when the sum of eq. 6
-  /// or 7 itself and the radius have settled. The other differences to the paper are those of the policies; see
-  /// `Published_low_distortion_parameterizer_3`.
+  /// sets whether the descent is accelerated beyond what the paper describes, as it is by default.
+  ///
+  /// If not, no sweeps are spent on the worst faces alone, the radius makes full steps, and the run has converged when
+  /// the sum of eq. 6 or 7 itself and the radius have settled. The other differences to the paper are those of the
+  /// policies; see `Published_low_distortion_parameterizer_3`.
+  ///
+  /// \param is_accelerated `true` by default
   void set_acceleration(bool is_accelerated)
   {
     m_is_accelerated = is_accelerated;
@@ -200,11 +203,44 @@ public:
   ///
   /// \param tmesh a triangle mesh that is closed, connected and of genus 0
   /// \param vertex_sphere_map the map to be written; it is left as it is unless `OK` is returned
-  /// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters": `vertex_point_map`, `visitor`,
-  ///        `number_of_iterations` and `maximum_running_time`, as for
-  ///        `CGAL::Spherical_parameterization::parameterize()`
+  /// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
   ///
-  /// \return `OK`, or what is wrong with the mesh, a parameter or the initial map
+  /// \cgalNamedParamsBegin
+  ///   \cgalParamNBegin{vertex_point_map}
+  ///     \cgalParamDescription{a property map associating points to the vertices of `tmesh`}
+  ///     \cgalParamType{a class model of `ReadablePropertyMap` with
+  ///                    `boost::graph_traits<Triangle_mesh>::%vertex_descriptor` as key type and `%Point_3` as
+  ///                    value type}
+  ///     \cgalParamDefault{`boost::get(CGAL::vertex_point, tmesh)`}
+  ///     \cgalParamExtra{If this parameter is omitted, an internal property map for `CGAL::vertex_point_t`
+  ///                     must be available in `Triangle_mesh`.}
+  ///   \cgalParamNEnd
+  ///   \cgalParamNBegin{number_of_iterations}
+  ///     \cgalParamDescription{the most sweeps over the vertices of `tmesh` itself}
+  ///     \cgalParamType{unsigned int}
+  ///     \cgalParamDefault{`100`, or what `set_number_of_iterations()` was given}
+  ///     \cgalParamExtra{A negative number is refused with `ERROR_WRONG_PARAMETER`.}
+  ///   \cgalParamNEnd
+  ///   \cgalParamNBegin{maximum_running_time}
+  ///     \cgalParamDescription{the time in seconds after which the map reached by then is certified and
+  ///                           returned. The initial map is completed in any case, with the least effort.}
+  ///     \cgalParamType{double}
+  ///     \cgalParamDefault{no limit, as with any value that is not positive}
+  ///   \cgalParamNEnd
+  ///   \cgalParamNBegin{visitor}
+  ///     \cgalParamDescription{a visitor that is told of the progress and may stop it}
+  ///     \cgalParamType{a model of `SphericalParameterizationVisitor`, or an `std::reference_wrapper` of one}
+  ///     \cgalParamDefault{`Default_visitor`}
+  ///   \cgalParamNEnd
+  /// \cgalNamedParamsEnd
+  ///
+  /// \return `OK`, or what is wrong with the mesh, see `find_defect()`; `ERROR_WRONG_PARAMETER` if `is_valid()` is
+  ///         `false` or a negative `number_of_iterations` is given; what the initial parameterizer returns if it
+  ///         fails, or `ERROR_INVALID_INITIAL_PARAMETERIZATION` if its map is not one-to-one by more than rounding
+  ///         can change; `ERROR_INSUFFICIENT_PRECISION` if the map cannot be held by the coordinates of
+  ///         `vertex_sphere_map`
+  ///
+  /// \pre `num_halfedges(tmesh) < 2147483647`, that is, 2<sup>31</sup> - 1
   template <class ConcurrencyTag = Parallel_if_available_tag, class VertexSphereMap,
             typename CGAL_NP_TEMPLATE_PARAMETERS>
   Error_code parameterize(const Triangle_mesh& tmesh, VertexSphereMap vertex_sphere_map,

@@ -23,9 +23,10 @@ namespace Spherical_parameterization {
 /// \ingroup PkgSphericalParameterizationEnergies
 ///
 /// The class `Conformal_energy_3` is the angle distortion
-/// \f$ E = I / d = \sigma_1 / \sigma_2 + \sigma_2 / \sigma_1 \f$, the energy of the BLD paper (eq. 2) with
-/// \f$ \alpha = 1 \f$. It is at least 2, with equality for a similarity, and does not depend on the radius, for which
-/// `Fixed_radius_3` is the natural companion.
+/// \f$ E = I / d = \sigma_1 / \sigma_2 + \sigma_2 / \sigma_1 \f$.
+///
+/// This is eq. 2 of \cgalCite{cgal:whfl-bspld-16} with \f$ \alpha = 1 \f$. It is at least 2, with equality for a
+/// similarity, and does not depend on the radius, for which `Fixed_radius_3` is the natural companion.
 ///
 /// \cgalModels{DistortionEnergy_3}
 ///

@@ -35,9 +35,8 @@ namespace Spherical_parameterization {
 /// \ingroup PkgSphericalParameterizationMethods
 ///
 /// The class `Conformal_parameterizer_3` maps a surface to the unit sphere by the classical global conformal map: it
-/// lowers the
-/// discrete harmonic energy \f$ \frac{1}{2} \sum w_{ij} | u_i - u_j |^2 \f$ with the cotangent weights as they are, while
-/// Moebius transformations keep the centre of the area of the surface at the centre of the sphere.
+/// lowers the discrete harmonic energy \f$ \frac{1}{2} \sum w_{ij} | u_i - u_j |^2 \f$ with the cotangent weights as
+/// they are, while Moebius transformations keep the centre of the area of the surface at the centre of the sphere.
 ///
 /// Nothing prevents faces from turning over, which happens at limbs and at obtuse angles. A map that folds is written
 /// nevertheless, and `ERROR_NO_1_TO_1_MAPPING` is returned. `OK` is only returned if the map has been certified to be
@@ -85,12 +84,43 @@ public:
   /// \param tmesh a triangle mesh that is closed, connected and of genus 0
   /// \param vertex_sphere_map the map to be written; it is left as it is unless `OK` or `ERROR_NO_1_TO_1_MAPPING` is
   ///        returned
-  /// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters": `vertex_point_map`, `visitor`,
-  ///        `number_of_iterations`, here the most global steps, by default 100, and `maximum_running_time`, as for
-  ///        `CGAL::Spherical_parameterization::parameterize()`
+  /// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
   ///
-  /// \return `OK`, `ERROR_NO_1_TO_1_MAPPING` if the map that has been written folds, or what is wrong with the mesh, or
+  /// \cgalNamedParamsBegin
+  ///   \cgalParamNBegin{vertex_point_map}
+  ///     \cgalParamDescription{a property map associating points to the vertices of `tmesh`}
+  ///     \cgalParamType{a class model of `ReadablePropertyMap` with
+  ///                    `boost::graph_traits<Triangle_mesh>::%vertex_descriptor` as key type and `%Point_3` as
+  ///                    value type}
+  ///     \cgalParamDefault{`boost::get(CGAL::vertex_point, tmesh)`}
+  ///     \cgalParamExtra{If this parameter is omitted, an internal property map for `CGAL::vertex_point_t`
+  ///                     must be available in `Triangle_mesh`.}
+  ///   \cgalParamNEnd
+  ///   \cgalParamNBegin{number_of_iterations}
+  ///     \cgalParamDescription{the most steps, each of which moves all vertices}
+  ///     \cgalParamType{unsigned int}
+  ///     \cgalParamDefault{`100`}
+  ///     \cgalParamExtra{A negative number is refused with `ERROR_WRONG_PARAMETER`.}
+  ///   \cgalParamNEnd
+  ///   \cgalParamNBegin{maximum_running_time}
+  ///     \cgalParamDescription{the time in seconds after which the map reached by then is checked and returned.
+  ///                           The map of `Stereographic_parameterizer_3` to start with is completed in any
+  ///                           case.}
+  ///     \cgalParamType{double}
+  ///     \cgalParamDefault{no limit, as with any value that is not positive}
+  ///   \cgalParamNEnd
+  ///   \cgalParamNBegin{visitor}
+  ///     \cgalParamDescription{a visitor that is told of the progress and may stop it}
+  ///     \cgalParamType{a model of `SphericalParameterizationVisitor`, or an `std::reference_wrapper` of one}
+  ///     \cgalParamDefault{`Default_visitor`}
+  ///   \cgalParamNEnd
+  /// \cgalNamedParamsEnd
+  ///
+  /// \return `OK`, `ERROR_NO_1_TO_1_MAPPING` if the map that has been written folds, or what is wrong with the mesh,
+  ///         see `find_defect()`; `ERROR_WRONG_PARAMETER` if a negative `number_of_iterations` is given;
   ///         `ERROR_CANNOT_SOLVE_LINEAR_SYSTEM`
+  ///
+  /// \pre `num_halfedges(tmesh) < 2147483647`, that is, 2<sup>31</sup> - 1
   template <class ConcurrencyTag = Parallel_if_available_tag, class VertexSphereMap,
             typename CGAL_NP_TEMPLATE_PARAMETERS>
   Error_code parameterize(const Triangle_mesh& tmesh, VertexSphereMap vertex_sphere_map,

@@ -27,7 +27,7 @@ namespace Spherical_parameterization {
 class Fixed_radius_3
 {
 public:
-  /// constructs the policy with the radius `radius`, greater than 0.
+  /// constructs the policy with the radius `radius`, greater than 0 and finite, in the unit of length of the surface.
   explicit Fixed_radius_3(double radius = 1.)
     : m_radius(radius)
   {}
@@ -38,10 +38,13 @@ public:
   /// returns whether the radius is positive and finite.
   bool is_valid() const { return m_radius > 0. && m_radius - m_radius == 0.; }
 
-  /// returns the radius.
+  /// returns the radius, whatever the area of the surface.
   double initial_radius(double /* equal_area_radius */) const { return m_radius; }
 
-  /// returns the radius.
+  /// returns the radius, whatever the arguments.
+  ///
+  /// \tparam Energy a model of `DistortionEnergy_3`; not used
+  /// \tparam FaceRange a model of `ConstRange` whose value type is `Face_invariants_3`; not used
   template <class Energy, class FaceRange>
   double operator()(const Energy& /* energy */, const FaceRange& /* faces */, double /* radius */)
   {

@@ -20,9 +20,11 @@ namespace Spherical_parameterization {
 
 /// \ingroup PkgSphericalParameterizationBarriers
 ///
-/// The tag `Flat_area_barrier_3` makes the energies measure the image of a face by the area of the flat triangle, as
-/// eq. 4 and 5 of the BLD paper do. The flat area is positive where a face turns over, so that nothing but the test of
-/// every step prevents that, and faces may get stuck across a great circle. It is here for comparison.
+/// The tag `Flat_area_barrier_3` makes the energies measure the image of a face by the area of the flat triangle.
+///
+/// So do eq. 4 and 5 of \cgalCite{cgal:whfl-bspld-16}. The flat area is positive where a face turns over, so that
+/// nothing but the test of every step prevents that, and faces may get stuck across a great circle. It is here for
+/// comparison.
 ///
 /// \sa `Determinant_barrier_3`
 struct Flat_area_barrier_3

@@ -25,10 +25,12 @@ namespace Spherical_parameterization {
 /// \ingroup PkgSphericalParameterizationUpdates
 ///
 /// The class `Gradient_update_3` moves a vertex by one step of gradient descent on the energy of its star, as the BLD
-/// paper does (eq. 8): the step is as long as the shortest edge at the vertex at first, is projected to the sphere, and
-/// is shortened to 0.8 of its length until the energy falls and no face of the star is inverted; a vertex whose step
-/// gets shorter than 1e-10 of that edge stays. (The paper does not say what its 1e-10 is relative to; an absolute
-/// length would freeze all that the initial map has shrunk to such a size.)
+/// paper does.
+///
+/// The step, eq. 8 of \cgalCite{cgal:whfl-bspld-16}, is as long as the shortest edge at the vertex at first, is
+/// projected to the sphere, and is shortened to 0.8 of its length until the energy falls and no face of the star is
+/// inverted; a vertex whose step gets shorter than 1e-10 of that edge stays. (The paper does not say what its 1e-10 is
+/// relative to; an absolute length would freeze all that the initial map has shrunk to such a size.)
 ///
 /// \cgalModels{VertexUpdate_3}
 ///

@@ -35,10 +35,11 @@ namespace Spherical_parameterization {
 /// \ingroup PkgSphericalParameterizationMethods
 ///
 /// The class `Harmonic_parameterizer_3` maps a surface to the unit sphere with the least discrete harmonic energy
-/// \f$ \frac{1}{2} \sum w_{ij} | u_i - u_j |^2 \f$, where the weights of the edges are half the sums of the two opposite
-/// cotangents, raised to a small positive value where they are below. It is the map that BLD starts from in the paper
-/// \cgalCite{cgal:bld-16}: angles are nearly kept, and areas differ by many orders of magnitude where a surface has
-/// limbs.
+/// \f$ \frac{1}{2} \sum w_{ij} | u_i - u_j |^2 \f$, where the weights of the edges are half the sums of the two
+/// opposite cotangents, raised to a small positive value where they are below.
+///
+/// It is the map that \cgalCite{cgal:whfl-bspld-16} starts from. Angles are nearly kept, and areas differ by many
+/// orders of magnitude where a surface has limbs.
 ///
 /// The energy alone would be least if all vertices were mapped to one point. So Moebius transformations keep the centre
 /// of the area of the surface at the centre of the sphere.
@@ -88,11 +89,42 @@ public:
   ///
   /// \param tmesh a triangle mesh that is closed, connected and of genus 0
   /// \param vertex_sphere_map the map to be written; it is left as it is unless `OK` is returned
-  /// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters": `vertex_point_map`, `visitor`,
-  ///        `number_of_iterations`, here the most global steps, by default 100, and `maximum_running_time`, as for
-  ///        `CGAL::Spherical_parameterization::parameterize()`
+  /// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
   ///
-  /// \return `OK`, or what is wrong with the mesh, `ERROR_CANNOT_SOLVE_LINEAR_SYSTEM` or `ERROR_INSUFFICIENT_PRECISION`
+  /// \cgalNamedParamsBegin
+  ///   \cgalParamNBegin{vertex_point_map}
+  ///     \cgalParamDescription{a property map associating points to the vertices of `tmesh`}
+  ///     \cgalParamType{a class model of `ReadablePropertyMap` with
+  ///                    `boost::graph_traits<Triangle_mesh>::%vertex_descriptor` as key type and `%Point_3` as
+  ///                    value type}
+  ///     \cgalParamDefault{`boost::get(CGAL::vertex_point, tmesh)`}
+  ///     \cgalParamExtra{If this parameter is omitted, an internal property map for `CGAL::vertex_point_t`
+  ///                     must be available in `Triangle_mesh`.}
+  ///   \cgalParamNEnd
+  ///   \cgalParamNBegin{number_of_iterations}
+  ///     \cgalParamDescription{the most steps, each of which moves all vertices}
+  ///     \cgalParamType{unsigned int}
+  ///     \cgalParamDefault{`100`}
+  ///     \cgalParamExtra{A negative number is refused with `ERROR_WRONG_PARAMETER`.}
+  ///   \cgalParamNEnd
+  ///   \cgalParamNBegin{maximum_running_time}
+  ///     \cgalParamDescription{the time in seconds after which the map reached by then is certified and
+  ///                           returned. The map of `Stereographic_parameterizer_3` to start with is completed
+  ///                           in any case.}
+  ///     \cgalParamType{double}
+  ///     \cgalParamDefault{no limit, as with any value that is not positive}
+  ///   \cgalParamNEnd
+  ///   \cgalParamNBegin{visitor}
+  ///     \cgalParamDescription{a visitor that is told of the progress and may stop it}
+  ///     \cgalParamType{a model of `SphericalParameterizationVisitor`, or an `std::reference_wrapper` of one}
+  ///     \cgalParamDefault{`Default_visitor`}
+  ///   \cgalParamNEnd
+  /// \cgalNamedParamsEnd
+  ///
+  /// \return `OK`, or what is wrong with the mesh, see `find_defect()`; `ERROR_WRONG_PARAMETER` if a negative
+  ///         `number_of_iterations` is given; `ERROR_CANNOT_SOLVE_LINEAR_SYSTEM`; `ERROR_INSUFFICIENT_PRECISION`
+  ///
+  /// \pre `num_halfedges(tmesh) < 2147483647`, that is, 2<sup>31</sup> - 1
   template <class ConcurrencyTag = Parallel_if_available_tag, class VertexSphereMap,
             typename CGAL_NP_TEMPLATE_PARAMETERS>
   Error_code parameterize(const Triangle_mesh& tmesh, VertexSphereMap vertex_sphere_map,

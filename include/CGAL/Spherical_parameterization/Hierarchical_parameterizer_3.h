@@ -133,7 +133,8 @@ public:
   ///                     must be available in `Triangle_mesh`.}
   ///   \cgalParamNEnd
   ///   \cgalParamNBegin{maximum_running_time}
-  ///     \cgalParamDescription{the time in seconds after which the remaining levels get one sweep each}
+  ///     \cgalParamDescription{the time in seconds after which the remaining levels get one sweep each, the least
+  ///                           effort, before the map is certified and returned}
   ///     \cgalParamType{double}
   ///     \cgalParamDefault{no limit, as with any value that is not positive}
   ///   \cgalParamNEnd
@@ -145,7 +146,10 @@ public:
   ///   \cgalParamNEnd
   /// \cgalNamedParamsEnd
   ///
-  /// \return `OK`, or what is wrong with the mesh
+  /// \return `OK`, or what is wrong with the mesh, see `find_defect()`; `ERROR_WRONG_PARAMETER` if `is_valid()` is
+  ///         `false`; `ERROR_INSUFFICIENT_PRECISION`
+  ///
+  /// \pre `num_halfedges(tmesh) < 2147483647`, that is, 2<sup>31</sup> - 1
   template <class ConcurrencyTag = Parallel_if_available_tag, class VertexSphereMap,
             typename CGAL_NP_TEMPLATE_PARAMETERS>
   Error_code parameterize(const Triangle_mesh& tmesh, VertexSphereMap vertex_sphere_map,

@@ -27,10 +27,12 @@ namespace Spherical_parameterization {
 
 /// \ingroup PkgSphericalParameterizationEnergies
 ///
-/// The class `Isometric_energy_3` is the energy of the BLD paper (eq. 2), a blend of the angle distortion
-/// \f$ I / d \f$ and the area distortion \f$ d + 1 / d \f$:
-/// \f[ E = \alpha \frac{I}{d} + (1 - \alpha) \left( d + \frac{1}{d} \right). \f]
-/// It is at least 2, with equality for an isometry. The paper's isometric maps use \f$ \alpha = 1/2 \f$.
+/// The class `Isometric_energy_3` is the energy of the BLD paper, a blend of the angle distortion \f$ I / d \f$ and the
+/// area distortion \f$ d + 1 / d \f$.
+///
+/// It is eq. 2 of \cgalCite{cgal:whfl-bspld-16},
+/// \f[ E = \alpha \frac{I}{d} + (1 - \alpha) \left( d + \frac{1}{d} \right), \f]
+/// whose isometric maps use \f$ \alpha = 1/2 \f$. The energy is at least 2, with equality for an isometry.
 ///
 /// \cgalModels{DistortionEnergy_3}
 ///
@@ -39,7 +41,7 @@ namespace Spherical_parameterization {
 class Isometric_energy_3
 {
 public:
-  /// constructs the energy with the weight `alpha` of the angles, greater than 0 and at most 1.
+  /// constructs the energy with the weight `alpha` of the angle distortion, greater than 0 and at most 1.
   explicit Isometric_energy_3(double alpha = 0.5)
     : m_alpha(alpha)
   {}
@@ -74,8 +76,10 @@ public:
   }
 #endif
 
-  /// returns the factor by which the radius has to be multiplied to minimise the sum of the energies of `faces`:
-  /// \f$ \rho^4 = \sum d^{-1} / \sum d \f$ (eq. 11), or 1 if `alpha` is 1 and no radius is better than another.
+  /// returns the factor by which the radius has to be multiplied to minimise the sum of the energies of `faces`.
+  ///
+  /// It is \f$ ( \sum d^{-1} / \sum d )^{1/4} \f$ (eq. 11), or 1 if `alpha` is 1 and no radius is better than another.
+  /// The time is linear.
   ///
   /// \tparam FaceRange a model of `ConstRange` whose value type is `Face_invariants_3`
   template <class FaceRange>

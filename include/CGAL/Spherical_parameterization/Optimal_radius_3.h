@@ -30,7 +30,7 @@ namespace Spherical_parameterization {
 /// \ingroup PkgSphericalParameterizationRadius
 ///
 /// The class `Optimal_radius_3` minimises the sum of the energies in use over the radius. If the energy has a member
-/// function `optimal_scale(faces)`, as those of the package have, it is called; for any other energy a few damped
+/// function `optimal_scale(faces)`, as those of the package have, it is called; for any other energy at most 20 damped
 /// Newton steps in the logarithm of the radius are made.
 ///
 /// \cgalModels{SphereRadiusPolicy_3}
@@ -40,10 +40,18 @@ public:
   /// returns `true`: there is no parameter.
   bool is_valid() const { return true; }
 
-  /// returns the radius to start with: that of the sphere which has the area of the surface (eq. 10).
+  /// returns the radius to start with, which is `equal_area_radius`: that of the sphere which has the area of the
+  /// surface.
   double initial_radius(double equal_area_radius) const { return equal_area_radius; }
 
-  /// returns the radius that follows `radius`, given the faces as they are on the sphere of that radius.
+  /// returns the radius that follows `radius`, in linear time.
+  ///
+  /// \tparam Energy a model of `DistortionEnergy_3`
+  /// \tparam FaceRange a model of `ConstRange` whose value type is `Face_invariants_3`
+  ///
+  /// \param energy the energy in use
+  /// \param faces the faces, as they are on the sphere of radius `radius`
+  /// \param radius the current radius, in the unit of length of the surface
   template <class Energy, class FaceRange>
   double operator()(const Energy& energy, const FaceRange& faces, double radius)
   {

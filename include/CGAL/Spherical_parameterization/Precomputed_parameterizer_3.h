@@ -52,6 +52,8 @@ public:
   using TriangleMesh = TriangleMesh_;
 
   /// constructs the parameterizer from a map, a copy of which is kept.
+  ///
+  /// \param map the images of the vertices, at any distance from the origin
   explicit Precomputed_parameterizer_3(const VertexSphereMap_& map)
     : m_map(map)
   {}
@@ -65,10 +67,35 @@ public:
   ///
   /// \param tmesh a triangle mesh that is closed, connected and of genus 0
   /// \param vertex_sphere_map the map to be written; it is left as it is unless `OK` is returned
-  /// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters": `vertex_point_map`, as for
-  ///        `CGAL::Spherical_parameterization::parameterize()`
+  /// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
   ///
-  /// \return `OK`, or what is wrong with the mesh or the map
+  /// \cgalNamedParamsBegin
+  ///   \cgalParamNBegin{vertex_point_map}
+  ///     \cgalParamDescription{a property map associating points to the vertices of `tmesh`}
+  ///     \cgalParamType{a class model of `ReadablePropertyMap` with
+  ///                    `boost::graph_traits<Triangle_mesh>::%vertex_descriptor` as key type and `%Point_3` as
+  ///                    value type}
+  ///     \cgalParamDefault{`boost::get(CGAL::vertex_point, tmesh)`}
+  ///     \cgalParamExtra{If this parameter is omitted, an internal property map for `CGAL::vertex_point_t`
+  ///                     must be available in `Triangle_mesh`.}
+  ///   \cgalParamNEnd
+  ///   \cgalParamNBegin{maximum_running_time}
+  ///     \cgalParamDescription{without effect: there is nothing to stop}
+  ///     \cgalParamType{double}
+  ///     \cgalParamDefault{no limit, as with any value that is not positive}
+  ///   \cgalParamNEnd
+  ///   \cgalParamNBegin{visitor}
+  ///     \cgalParamDescription{without effect: the visitor is not called}
+  ///     \cgalParamType{a model of `SphericalParameterizationVisitor`, or an `std::reference_wrapper` of one}
+  ///     \cgalParamDefault{`Default_visitor`}
+  ///   \cgalParamNEnd
+  /// \cgalNamedParamsEnd
+  ///
+  /// \return `OK`, or what is wrong with the mesh, see `find_defect()`; `ERROR_INVALID_INITIAL_PARAMETERIZATION` if
+  ///         the caller's map is not one-to-one; `ERROR_INSUFFICIENT_PRECISION` if rounding to the coordinates of
+  ///         `vertex_sphere_map` turns a face over
+  ///
+  /// \pre `num_halfedges(tmesh) < 2147483647`, that is, 2<sup>31</sup> - 1
   template <class ConcurrencyTag = Parallel_if_available_tag, class VertexSphereMap,
             typename CGAL_NP_TEMPLATE_PARAMETERS>
   Error_code parameterize(const Triangle_mesh& tmesh, VertexSphereMap vertex_sphere_map,

@@ -32,9 +32,9 @@ namespace Spherical_parameterization {
 
 /// \ingroup PkgSphericalParameterizationMethods
 ///
-/// The class `Published_low_distortion_parameterizer_3` is BLD as it was published \cgalCite{cgal:bld-16}, without any
-/// of the changes of `Bijective_low_distortion_parameterizer_3`: the yardstick that they are measured with, not a
-/// method to prefer.
+/// The class `Published_low_distortion_parameterizer_3` is BLD as it was published \cgalCite{cgal:whfl-bspld-16},
+/// without any of the changes of `Bijective_low_distortion_parameterizer_3`: the yardstick that they are measured with,
+/// not a method to prefer.
 ///
 /// It starts from a harmonic map, makes 100 sweeps of eq. 6 with the isometric energy, in which faces count with their
 /// flat area, then sweeps of eq. 7 with \f$ s \f$ growing from 0.1 to 10, and 2000 sweeps in all at most. Each vertex

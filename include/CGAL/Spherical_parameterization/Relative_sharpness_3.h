@@ -23,12 +23,15 @@ namespace Spherical_parameterization {
 /// \ingroup PkgSphericalParameterizationSharpness
 ///
 /// The class `Relative_sharpness_3` chooses the sharpness \f$ s = \beta / E_{max} \f$ of the objective
-/// \f$ \sum \exp( s E ) \f$ (eq. 7), where \f$ E_{max} \f$ is the largest energy of the map at hand. It has no scale,
-/// so that one \f$ \beta \f$ serves a smooth and a limbed surface, the coarse levels of a hierarchy and the finest, and
-/// needs no phase of its own for eq. 6, which is \f$ \beta = 0 \f$. It is the default of the package.
+/// \f$ \sum \exp( s E ) \f$, where \f$ E_{max} \f$ is the largest energy of the map at hand. It is the default of the
+/// package.
 ///
-/// \f$ \beta \f$ is a dial from the lowest average distortion, 0, to the lowest maximum: with 13.5 both are within a few
-/// percent of the best for most surfaces, and beyond 50 there is little left to gain.
+/// The objective is eq. 7 of \cgalCite{cgal:whfl-bspld-16}, whose \f$ s \f$ is a number. Relative to the map, it has no
+/// scale, so that one \f$ \beta \f$ serves a smooth and a limbed surface, the coarse levels of a hierarchy and the
+/// finest, and needs no phase of its own for the plain sum of eq. 6, which is \f$ \beta = 0 \f$.
+///
+/// \f$ \beta \f$ is a dial from the lowest average distortion, 0, to the lowest maximum: with 13.5, the default, both
+/// are within a few percent of the best for most surfaces, and beyond 50 there is little left to gain.
 ///
 /// \cgalModels{SharpnessPolicy_3}
 ///
@@ -36,7 +39,7 @@ namespace Spherical_parameterization {
 class Relative_sharpness_3
 {
 public:
-  /// constructs the policy with the dial `beta`, at least 0.
+  /// constructs the policy with the dial `beta`, from 0 to 10<sup>6</sup>.
   explicit Relative_sharpness_3(double beta = 13.5)
     : m_beta(beta)
   {}
@@ -47,15 +50,21 @@ public:
   /// returns whether the dial is in its range.
   bool is_valid() const { return m_beta >= 0. && m_beta <= 1e6; }
 
-  /// returns the sharpness of the next sweep over the finest mesh.
+  /// returns the sharpness of the next sweep over the finest mesh, `beta() / largest_energy`, or 0 if that energy is 0.
+  ///
+  /// \param largest_energy the largest energy of a face before the sweep
   double operator()(std::size_t /* sweep */, double /* average_energy */, double largest_energy)
   {
     return relative(m_beta, largest_energy);
   }
 
-  /// returns the sharpness of the next sweep over a coarse level, from \f$ \beta^2 / (\beta + 47) \f$ in the place of
-  /// \f$ \beta \f$. The worst faces of a coarse mesh are partly so for being coarse, so a quarter of the default dial
-  /// is enough there; where only the maximum counts, the large features have to make room for it from the beginning.
+  /// returns the sharpness of the next sweep over a coarse level, with \f$ \beta^2 / (\beta + 47) \f$ in the place of
+  /// \f$ \beta \f$.
+  ///
+  /// The worst faces of a coarse mesh are partly so for being coarse, so less than a quarter of the default dial is
+  /// enough there; where only the maximum counts, the large features have to make room for it from the beginning.
+  ///
+  /// \param largest_energy the largest energy of a face of the level
   double on_coarse_level(double largest_energy) const
   {
     return relative(m_beta * m_beta / (m_beta + 47.), largest_energy);

@@ -83,10 +83,35 @@ public:
   ///
   /// \param tmesh a triangle mesh that is closed, connected and of genus 0
   /// \param vertex_sphere_map the map to be written; it is left as it is unless `OK` is returned
-  /// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters": `vertex_point_map` and `visitor`,
-  ///        as for `CGAL::Spherical_parameterization::parameterize()`
+  /// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
   ///
-  /// \return `OK`, or what is wrong with the mesh, `ERROR_CANNOT_SOLVE_LINEAR_SYSTEM` or `ERROR_INSUFFICIENT_PRECISION`
+  /// \cgalNamedParamsBegin
+  ///   \cgalParamNBegin{vertex_point_map}
+  ///     \cgalParamDescription{a property map associating points to the vertices of `tmesh`}
+  ///     \cgalParamType{a class model of `ReadablePropertyMap` with
+  ///                    `boost::graph_traits<Triangle_mesh>::%vertex_descriptor` as key type and `%Point_3` as
+  ///                    value type}
+  ///     \cgalParamDefault{`boost::get(CGAL::vertex_point, tmesh)`}
+  ///     \cgalParamExtra{If this parameter is omitted, an internal property map for `CGAL::vertex_point_t`
+  ///                     must be available in `Triangle_mesh`.}
+  ///   \cgalParamNEnd
+  ///   \cgalParamNBegin{maximum_running_time}
+  ///     \cgalParamDescription{without effect: all is done in one step}
+  ///     \cgalParamType{double}
+  ///     \cgalParamDefault{no limit, as with any value that is not positive}
+  ///   \cgalParamNEnd
+  ///   \cgalParamNBegin{visitor}
+  ///     \cgalParamDescription{a visitor that is told when the map is begun and when it is there}
+  ///     \cgalParamType{a model of `SphericalParameterizationVisitor`, or an `std::reference_wrapper` of one}
+  ///     \cgalParamDefault{`Default_visitor`}
+  ///     \cgalParamExtra{It cannot stop the one step that is made.}
+  ///   \cgalParamNEnd
+  /// \cgalNamedParamsEnd
+  ///
+  /// \return `OK`, or what is wrong with the mesh, see `find_defect()`; `ERROR_CANNOT_SOLVE_LINEAR_SYSTEM`;
+  ///         `ERROR_INSUFFICIENT_PRECISION`
+  ///
+  /// \pre `num_halfedges(tmesh) < 2147483647`, that is, 2<sup>31</sup> - 1
   template <class ConcurrencyTag = Parallel_if_available_tag, class VertexSphereMap,
             typename CGAL_NP_TEMPLATE_PARAMETERS>
   Error_code parameterize(const Triangle_mesh& tmesh, VertexSphereMap vertex_sphere_map,

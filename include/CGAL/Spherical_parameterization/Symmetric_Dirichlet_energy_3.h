@@ -27,11 +27,14 @@ namespace Spherical_parameterization {
 
 /// \ingroup PkgSphericalParameterizationEnergies
 ///
-/// The class `Symmetric_Dirichlet_energy_3` is the symmetric Dirichlet energy
-/// \f[ E = \tfrac{1}{2} ( \sigma_1^2 + \sigma_2^2 + \sigma_1^{-2} + \sigma_2^{-2} ) = \tfrac{1}{2} I ( 1 + d^{-2} ).
-/// \f] It is at least 2, with equality for an isometry, and grows with the square of the isometric distortion
-/// \f$ \max \{ \sigma_2, 1 / \sigma_1 \} \f$, which makes it the better guard against the worst triangle than the
-/// energy of the paper, `Isometric_energy_3`. It is the default of the package.
+/// The class `Symmetric_Dirichlet_energy_3` is the symmetric Dirichlet energy. It is the default of the package.
+///
+/// The energy
+/// \f[ E = \tfrac{1}{2} ( \sigma_1^2 + \sigma_2^2 + \sigma_1^{-2} + \sigma_2^{-2} ) = \tfrac{1}{2} I ( 1 + d^{-2} )
+/// \f]
+/// is at least 2, with equality for an isometry, and grows with the square of the isometric distortion
+/// \f$ \max \{ \sigma_2, 1 / \sigma_1 \} \f$, which makes it a better guard against the worst face than the energy of
+/// the BLD paper, `Isometric_energy_3`.
 ///
 /// \cgalModels{DistortionEnergy_3}
 ///
@@ -67,9 +70,10 @@ public:
   }
 #endif
 
-  /// returns the factor by which the radius has to be multiplied to minimise the sum of the energies of `faces`:
-  /// scaling the radius by \f$ \rho \f$ turns \f$ (I, d) \f$ into \f$ (\rho^2 I, \rho^2 d) \f$, so
-  /// \f$ \rho^4 = \sum I d^{-2} / \sum I \f$.
+  /// returns the factor by which the radius has to be multiplied to minimise the sum of the energies of `faces`.
+  ///
+  /// Multiplying the radius by \f$ \rho \f$ turns \f$ (I, d) \f$ into \f$ (\rho^2 I, \rho^2 d) \f$, so the factor is
+  /// \f$ ( \sum I d^{-2} / \sum I )^{1/4} \f$. The time is linear.
   ///
   /// \tparam FaceRange a model of `ConstRange` whose value type is `Face_invariants_3`
   template <class FaceRange>

@@ -29,8 +29,8 @@ namespace Spherical_parameterization {
 /// \ingroup PkgSphericalParameterizationRadius
 ///
 /// The class `Two_phase_radius_3` follows one radius policy until the radius settles, and another one from then on. By
-/// default it is the scheme of the BLD paper: eq. 9, which a very distorted initial map cannot mislead, then eq. 11,
-/// which gives the lower distortion. It is the default of the package.
+/// default it is the scheme of the BLD paper \cgalCite{cgal:whfl-bspld-16}, and the default of the package: eq. 9,
+/// which a very distorted initial map cannot mislead, then eq. 11, which gives the lower distortion.
 ///
 /// \cgalModels{SphereRadiusPolicy_3}
 ///
@@ -56,12 +56,12 @@ public:
   using Second_radius = SecondRadius_;
 #endif
 
-  /// constructs the policy.
+  /// constructs the policy from those of the two phases.
   ///
   /// \param first the policy of the first phase
   /// \param second the policy of the second phase
-  /// \param tolerance the first phase ends with a relative change of the radius below this; with 0 it lasts until the
-  ///        energy has settled as well, as in the paper
+  /// \param tolerance the first phase ends with a relative change of the radius of at most this, which is at least 0;
+  ///        with 0 it lasts until the energy has settled as well, as in the paper
   explicit Two_phase_radius_3(const First_radius& first = First_radius(), const Second_radius& second = Second_radius(),
                               double tolerance = 1e-3)
     : m_first(first)
@@ -75,13 +75,21 @@ public:
     return internal::is_valid_policy(m_first) && internal::is_valid_policy(m_second) && m_tolerance >= 0.;
   }
 
-  /// returns the radius to start with, that of the first phase.
+  /// returns the radius to start with, that of the first phase, given the radius `equal_area_radius` of the sphere
+  /// which has the area of the surface.
   double initial_radius(double equal_area_radius) const
   {
     return m_first.initial_radius(equal_area_radius);
   }
 
-  /// returns the radius that follows `radius`, given the faces as they are on the sphere of that radius.
+  /// returns the radius that follows `radius`, in linear time.
+  ///
+  /// \tparam Energy a model of `DistortionEnergy_3`
+  /// \tparam FaceRange a model of `ConstRange` whose value type is `Face_invariants_3`
+  ///
+  /// \param energy the energy in use
+  /// \param faces the faces, as they are on the sphere of radius `radius`
+  /// \param radius the current radius, in the unit of length of the surface
   template <class Energy, class FaceRange>
   double operator()(const Energy& energy, const FaceRange& faces, double radius)
   {

@@ -39,7 +39,8 @@ namespace Spherical_parameterization {
 /// `parameterize()` returns for the mesh, as far as it is the mesh that is at fault. It may also be called beforehand.
 ///
 /// The checks are those of `parameterize()` itself, so that both agree: if no defect is found, `parameterize()` with
-/// default parameters returns `OK`, but for a mesh whose map double precision numbers cannot hold.
+/// default parameters returns `OK`, but for a mesh whose map double precision numbers cannot hold. The running time is
+/// linear in the size of the mesh.
 ///
 /// \tparam TriangleMesh a model of `FaceListGraph`
 /// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
@@ -61,7 +62,7 @@ namespace Spherical_parameterization {
 ///
 /// \return the first defect that is found, or one with `OK` if there is none
 ///
-/// The running time is linear in the size of the mesh.
+/// \pre `num_halfedges(tmesh) < 2147483647`, that is, 2<sup>31</sup> - 1
 ///
 /// \sa `CGAL::Spherical_parameterization::parameterize()`
 template <class TriangleMesh, typename CGAL_NP_TEMPLATE_PARAMETERS>

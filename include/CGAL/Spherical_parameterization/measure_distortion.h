@@ -152,7 +152,7 @@ Distortion_summary measure_distortion(const TriangleMesh& tmesh, VertexSphereMap
 /// A face is mapped linearly to the flat triangle of its vertices' images, at the radius that the map has. With
 /// \f$ s_1 \leq s_2 \f$ the singular values of this linear map, its distortions are
 /// \f$ D_{iso} = \max(s_2, 1 / s_1) \f$, \f$ D_{area} = s_1 s_2 + 1 / (s_1 s_2) \f$ and
-/// \f$ D_{angle} = s_1 / s_2 + s_2 / s_1 \f$ (equations 12 to 14 of \cgalCite{cgal:bld-16}).
+/// \f$ D_{angle} = s_1 / s_2 + s_2 / s_1 \f$ (equations 12 to 14 of \cgalCite{cgal:whfl-bspld-16}).
 ///
 /// - A face of the mesh whose area, taken twice, is at most 1e-12 times the square of its longest edge is degenerate.
 ///   It has no distortion that would mean something: its values in `face_distortion_map` are infinite, and it is
@@ -209,7 +209,39 @@ measure_distortion(const TriangleMesh& tmesh, VertexSphereMap vertex_sphere_map,
 
 /// \ingroup PkgSphericalParameterizationMeasuring
 ///
-/// does the same without counting faces above a bound.
+/// measures how much a map to the sphere distorts the faces of a mesh, without counting faces above a bound.
+///
+/// The measures are those of the first function of this name.
+///
+/// \tparam TriangleMesh a model of `FaceListGraph`
+/// \tparam VertexSphereMap a model of `ReadablePropertyMap` with
+///         `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and `%Point_3` of a \cgal kernel as
+///         value type; its coordinates are of type `double` or `float`, or of an exact number type
+/// \tparam FaceDistortionMap a model of `WritablePropertyMap` with
+///         `boost::graph_traits<TriangleMesh>::%face_descriptor` as key type and `Face_distortion` as value type
+/// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+///
+/// \param tmesh a triangle mesh, closed or not
+/// \param vertex_sphere_map the images of the vertices, points around the origin
+/// \param face_distortion_map receives the distortion of each face; if a property map throws, the faces up to there
+///        have theirs
+/// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
+///
+/// \cgalNamedParamsBegin
+///   \cgalParamNBegin{vertex_point_map}
+///     \cgalParamDescription{a property map associating points to the vertices of `tmesh`}
+///     \cgalParamType{a class model of `ReadablePropertyMap` with
+///                    `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and `%Point_3` as value type}
+///     \cgalParamDefault{`boost::get(CGAL::vertex_point, tmesh)`}
+///     \cgalParamExtra{If this parameter is omitted, an internal property map for `CGAL::vertex_point_t`
+///                     must be available in `TriangleMesh`.}
+///   \cgalParamNEnd
+/// \cgalNamedParamsEnd
+///
+/// \return the statistics over the faces, the radius and the numbers of special faces; the number of
+///         faces above the bound is 0
+///
+/// \pre `CGAL::is_triangle_mesh(tmesh)`
 template <class TriangleMesh, class VertexSphereMap, class FaceDistortionMap, typename CGAL_NP_TEMPLATE_PARAMETERS>
 #ifndef DOXYGEN_RUNNING
 std::enable_if_t<!std::is_arithmetic<FaceDistortionMap>::value, Distortion_summary>
@@ -225,7 +257,35 @@ measure_distortion(const TriangleMesh& tmesh, VertexSphereMap vertex_sphere_map,
 
 /// \ingroup PkgSphericalParameterizationMeasuring
 ///
-/// does the same without reporting the distortion of each face.
+/// measures how much a map to the sphere distorts the faces of a mesh, all together.
+///
+/// The measures are those of the first function of this name.
+///
+/// \tparam TriangleMesh a model of `FaceListGraph`
+/// \tparam VertexSphereMap a model of `ReadablePropertyMap` with
+///         `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and `%Point_3` of a \cgal kernel as
+///         value type; its coordinates are of type `double` or `float`, or of an exact number type
+/// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+///
+/// \param tmesh a triangle mesh, closed or not
+/// \param vertex_sphere_map the images of the vertices, points around the origin
+/// \param isometric_bound faces with \f$ D_{iso} \f$ above this number, which is sensibly at least 1, are counted
+/// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
+///
+/// \cgalNamedParamsBegin
+///   \cgalParamNBegin{vertex_point_map}
+///     \cgalParamDescription{a property map associating points to the vertices of `tmesh`}
+///     \cgalParamType{a class model of `ReadablePropertyMap` with
+///                    `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and `%Point_3` as value type}
+///     \cgalParamDefault{`boost::get(CGAL::vertex_point, tmesh)`}
+///     \cgalParamExtra{If this parameter is omitted, an internal property map for `CGAL::vertex_point_t`
+///                     must be available in `TriangleMesh`.}
+///   \cgalParamNEnd
+/// \cgalNamedParamsEnd
+///
+/// \return the statistics over the faces, the radius and the numbers of special faces
+///
+/// \pre `CGAL::is_triangle_mesh(tmesh)`
 template <class TriangleMesh, class VertexSphereMap, typename CGAL_NP_TEMPLATE_PARAMETERS>
 Distortion_summary measure_distortion(const TriangleMesh& tmesh, VertexSphereMap vertex_sphere_map,
                                       double isometric_bound, const CGAL_NP_CLASS& np = parameters::default_values())
@@ -236,7 +296,36 @@ Distortion_summary measure_distortion(const TriangleMesh& tmesh, VertexSphereMap
 
 /// \ingroup PkgSphericalParameterizationMeasuring
 ///
-/// does the same without reporting the distortion of each face and without counting faces above a bound.
+/// measures how much a map to the sphere distorts the faces of a mesh, all together, without counting faces above a
+/// bound.
+///
+/// The measures are those of the first function of this name.
+///
+/// \tparam TriangleMesh a model of `FaceListGraph`
+/// \tparam VertexSphereMap a model of `ReadablePropertyMap` with
+///         `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and `%Point_3` of a \cgal kernel as
+///         value type; its coordinates are of type `double` or `float`, or of an exact number type
+/// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+///
+/// \param tmesh a triangle mesh, closed or not
+/// \param vertex_sphere_map the images of the vertices, points around the origin
+/// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
+///
+/// \cgalNamedParamsBegin
+///   \cgalParamNBegin{vertex_point_map}
+///     \cgalParamDescription{a property map associating points to the vertices of `tmesh`}
+///     \cgalParamType{a class model of `ReadablePropertyMap` with
+///                    `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and `%Point_3` as value type}
+///     \cgalParamDefault{`boost::get(CGAL::vertex_point, tmesh)`}
+///     \cgalParamExtra{If this parameter is omitted, an internal property map for `CGAL::vertex_point_t`
+///                     must be available in `TriangleMesh`.}
+///   \cgalParamNEnd
+/// \cgalNamedParamsEnd
+///
+/// \return the statistics over the faces, the radius and the numbers of special faces; the number of
+///         faces above the bound is 0
+///
+/// \pre `CGAL::is_triangle_mesh(tmesh)`
 template <class TriangleMesh, class VertexSphereMap, typename CGAL_NP_TEMPLATE_PARAMETERS>
 Distortion_summary measure_distortion(const TriangleMesh& tmesh, VertexSphereMap vertex_sphere_map,
                                       const CGAL_NP_CLASS& np = parameters::default_values())

@@ -95,7 +95,7 @@ namespace Spherical_parameterization {
 ///     \cgalParamDefault{`100`; `2000` for `Published_low_distortion_parameterizer_3`, `500` for
 ///                       `ARAP_parameterizer_3`}
 ///     \cgalParamExtra{Not used by `Hierarchical_parameterizer_3`, `Stereographic_parameterizer_3` and
-///                     `Precomputed_parameterizer_3`.}
+///                     `Precomputed_parameterizer_3`. A negative number is refused with `ERROR_WRONG_PARAMETER`.}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{maximum_running_time}
 ///     \cgalParamDescription{the time in seconds after which the map reached by then is certified and returned. The
@@ -115,7 +115,7 @@ namespace Spherical_parameterization {
 /// \return `OK`, or what is wrong with the mesh or a parameter; `get_error_message()` puts it into words, and
 ///         `find_defect()` tells where the mesh is wrong
 ///
-/// \pre `tmesh` has fewer than 2^32 halfedges.
+/// \pre `num_halfedges(tmesh) < 2147483647`, that is, 2<sup>31</sup> - 1
 ///
 /// \note Calls at the same time are safe, also for the same mesh, which is only read, as long as they write different
 ///       maps, and so are calls from within tasks of TBB.
@@ -137,9 +137,57 @@ Error_code parameterize(const TriangleMesh& tmesh, Parameterizer&& parameterizer
 
 /// \ingroup PkgSphericalParameterizationMainFunction
 ///
-/// computes a one-to-one map of low distortion from a triangle mesh to a sphere around the origin: the same with a
-/// `Bijective_low_distortion_parameterizer_3<TriangleMesh>`, whose energy, sharpness and radius are a good choice for
-/// most surfaces.
+/// computes a one-to-one map of low distortion from a triangle mesh to a sphere around the origin.
+///
+/// The method is a `Bijective_low_distortion_parameterizer_3` with its defaults, whose energy, sharpness and radius are
+/// a good choice for most surfaces. Guarantee, exceptions and threads are as for the function above.
+///
+/// \tparam ConcurrencyTag enables sequential versus parallel algorithm. Possible values are `Sequential_tag`,
+///         `Parallel_tag`, and `Parallel_if_available_tag`.
+/// \tparam TriangleMesh a model of `FaceListGraph`
+/// \tparam VertexSphereMap a model of `WritablePropertyMap` with
+///         `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and `%Point_3` as value type
+/// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+///
+/// \param tmesh a triangle mesh that is closed, connected and of genus 0; isolated vertices are skipped, faces without
+///        area are allowed
+/// \param vertex_sphere_map the map to be written; it is left as it is unless `OK` is returned
+/// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
+///
+/// \cgalNamedParamsBegin
+///   \cgalParamNBegin{vertex_point_map}
+///     \cgalParamDescription{a property map associating points to the vertices of `tmesh`}
+///     \cgalParamType{a class model of `ReadablePropertyMap` with
+///                    `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and `%Point_3` as value type}
+///     \cgalParamDefault{`boost::get(CGAL::vertex_point, tmesh)`}
+///     \cgalParamExtra{If this parameter is omitted, an internal property map for `CGAL::vertex_point_t`
+///                     must be available in `TriangleMesh`.}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{number_of_iterations}
+///     \cgalParamDescription{the most sweeps over the vertices of `tmesh` itself}
+///     \cgalParamType{unsigned int}
+///     \cgalParamDefault{`100`}
+///     \cgalParamExtra{A negative number is refused with `ERROR_WRONG_PARAMETER`.}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{maximum_running_time}
+///     \cgalParamDescription{the time in seconds after which the map reached by then is certified and
+///                           returned. The first map is completed in any case, with the least effort.}
+///     \cgalParamType{double}
+///     \cgalParamDefault{no limit, as with any value that is not positive}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{visitor}
+///     \cgalParamDescription{a visitor that is told of the progress and may stop it}
+///     \cgalParamType{a model of `SphericalParameterizationVisitor`, or an `std::reference_wrapper` of one}
+///     \cgalParamDefault{`Default_visitor`}
+///   \cgalParamNEnd
+/// \cgalNamedParamsEnd
+///
+/// \return `OK`, or what is wrong with the mesh or a parameter; `get_error_message()` puts it into words, and
+///         `find_defect()` tells where the mesh is wrong
+///
+/// \pre `num_halfedges(tmesh) < 2147483647`, that is, 2<sup>31</sup> - 1
+///
+/// \sa `CGAL::Spherical_parameterization::Bijective_low_distortion_parameterizer_3`
 template <class ConcurrencyTag = Parallel_if_available_tag, class TriangleMesh, class VertexSphereMap,
           typename CGAL_NP_TEMPLATE_PARAMETERS>
 Error_code parameterize(const TriangleMesh& tmesh, VertexSphereMap vertex_sphere_map,

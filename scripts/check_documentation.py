@@ -1,0 +1,331 @@
+#!/usr/bin/env python3
+"""Usage: check_documentation.py XML
+
+Checks that the reference manual says of everything in the public headers what a reader of CGAL's manuals expects. XML is what
+doxygen writes with EXTRACT_ALL, the undocumented included. Doxygen's own warnings tell of what is written wrongly; this is about
+what is missing. Prints what is wrong, and fails if anything is.
+
+- Every public header has a documented symbol in a group, and the convenience header includes it.
+- Every public class, member, function, type and enumerator has a description; that of a class or function is a full sentence,
+  and that of a function starts with a verb in the lower case, as in "returns".
+- Every parameter of a function is described, or at least named in its description; so is what it returns.
+- Every template parameter is described.
+- The named parameters that a function reads, as the sources of the package tell, are those in its table, each with a description,
+  a type and a default.
+- Every concept names its models, and every model its concepts.
+- The classified list of the package has every class, concept, function and enumeration, with a link.
+- A name of the package in the text is a link, but in the description of the thing itself. In the user manual, this holds for
+  full names."""
+
+import collections
+import pathlib
+import re
+import sys
+import xml.etree.ElementTree
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent
+HEADERS = ROOT / "include/CGAL/Spherical_parameterization"
+CONVENIENCE_HEADER = ROOT / "include/CGAL/spherical_parameterization.h"
+NAMESPACE = "CGAL::Spherical_parameterization::"
+VERB = re.compile(r"(\w*s|called)\b")
+CLASS_KINDS = ("class", "struct")
+TAG = re.compile(r"internal_np::([a-z]\w*?)(?:_t)?\b")
+# CGAL's tag of a named parameter, where its name is another one
+NAMES_OF_TAGS = {"vertex_point": "vertex_point_map", "vertex_index": "vertex_index_map"}
+# What only a concept of this name is asked for: its models are internal.
+CONCEPTS_WITHOUT_MODELS = {"VertexEnergy_3"}
+
+complaints = []
+
+
+def complain(place, text):
+    complaints.append(f"{place}: {text}")
+
+
+def text_of(element):
+    return " ".join("".join(element.itertext()).split()) if element is not None else ""
+
+
+def description_of(element):
+    """The text of the description, without lists of parameters and the like."""
+    parts = []
+
+    def collect(node):
+        if node.tag in ("parameterlist", "simplesect", "variablelist"):
+            return
+        parts.append(node.text or "")
+        for child in node:
+            collect(child)
+            parts.append(child.tail or "")
+
+    for tag in ("briefdescription", "detaileddescription"):
+        collect(element.find(tag))
+    return " ".join("".join(parts).split())
+
+
+class Entry:
+    """A class, a concept, or a member of one or of the namespace."""
+
+    def __init__(self, element, name):
+        self.element = element
+        self.name = name
+        self.kind = element.get("kind")
+        self.file = element.find("location").get("file")
+        self.brief = text_of(element.find("briefdescription"))
+
+    def parameters(self, kind):
+        lists = self.element.findall(f"detaileddescription//parameterlist[@kind='{kind}']")
+        return [text_of(name) for l in lists for name in l.iter("parametername")]
+
+    def terms(self, *titles):
+        """The lists below one of the titles, such as "Has models"."""
+        result = []
+        for variables in self.element.findall(".//variablelist"):
+            if text_of(variables.find("varlistentry/term")) in titles:
+                result += variables.findall("listitem")
+        return result
+
+    def named_parameters(self):
+        """The names in the table, each with its description: lines that start with "Type:" and so on."""
+        result = {}
+        for item in self.terms("Optional Named Parameters"):
+            for cell in item.iter("entry"):
+                result[text_of(cell.find("para/bold"))] = [text_of(line) for line in cell.iter("listitem")]
+        return result
+
+
+def read_entries(folder):
+    """All documented or undocumented public classes, concepts and members, and the groups that they are in."""
+    entries, groups, pages = [], collections.defaultdict(set), []
+    for file in sorted(folder.glob("*.xml")):
+        root = xml.etree.ElementTree.parse(file).getroot()
+        for compound in root.findall("compounddef"):
+            kind, name = compound.get("kind"), text_of(compound.find("compoundname"))
+            if kind in CLASS_KINDS and compound.get("prot") == "public":
+                entries.append(Entry(compound, name))
+                for member in compound.iter("memberdef"):
+                    if member.get("prot") == "public":
+                        entries.append(Entry(member, f"{name}::{text_of(member.find('name'))}"))
+            elif kind == "namespace" and name + "::" == NAMESPACE:
+                for member in compound.iter("memberdef"):
+                    entries.append(Entry(member, NAMESPACE + text_of(member.find("name"))))
+            elif kind == "group":
+                for inner in compound.findall("innerclass"):
+                    groups[text_of(inner)].add(name)
+                for member in compound.iter("memberdef"):
+                    groups[NAMESPACE + text_of(member.find("name"))].add(name)
+                pages.append((f"group {name}", compound))
+            elif kind == "page":
+                pages.append((f"page {name}", compound))
+    return entries, groups, pages
+
+
+def check_description(entry):
+    is_function = entry.kind == "function"
+    if not description_of(entry.element):
+        complain(entry.name, "not documented")
+        return
+    if entry.kind == "enum":
+        for value in entry.element.findall("enumvalue"):
+            if not description_of(value):
+                complain(f"{entry.name}::{text_of(value.find('name'))}", "not documented")
+    if is_function or entry.kind in CLASS_KINDS or entry.kind == "enum":
+        if not entry.brief.endswith(".") or re.search(r"\b(eq|e\.g|i\.e|cf)\.$", entry.brief):
+            complain(entry.name, f"the brief description ends in mid-sentence: '... {entry.brief[-40:]}'")
+    if is_function and not VERB.match(entry.brief):
+        complain(entry.name, f"the brief description does not start with a verb: '{entry.brief[:40]} ...'")
+
+
+def check_parameters(entry):
+    described = entry.parameters("param")
+    named = [text_of(code) for tag in ("briefdescription", "detaileddescription")
+             for code in entry.element.find(tag).iter("computeroutput")]
+    for parameter in entry.element.findall("param"):
+        name = text_of(parameter.find("declname"))
+        if name and name not in described and name not in named:
+            complain(entry.name, f"the parameter {name} is not described")
+    if entry.kind == "function" and text_of(entry.element.find("type")) not in ("", "void"):
+        has_return = entry.element.find("detaileddescription//simplesect[@kind='return']") is not None
+        if not has_return and not re.search(r"^returns\b|\band returns\b", entry.brief):
+            complain(entry.name, "what it returns is not described")
+
+
+def check_template_parameters(entry):
+    described = entry.parameters("templateparam")
+    for parameter in entry.element.findall("templateparamlist/param"):
+        name = text_of(parameter.find("declname")) or text_of(parameter.find("type")).split()[-1]
+        if name not in described:
+            complain(entry.name, f"the template parameter {name} is not described")
+    for name in described:
+        if name not in text_of(entry.element.find("templateparamlist")):
+            complain(entry.name, f"there is no template parameter {name}")
+
+
+def without_comments(source):
+    return re.sub(r"//[^\n]*|/\*.*?\*/", "", source, flags=re.DOTALL)
+
+
+def readers_of_named_parameters():
+    """For each header of the package, the named parameters that it or a header that it makes use of reads.
+
+    An internal header is named after the one function or class in it."""
+    sources = {file.stem: without_comments(file.read_text()) for file in (HEADERS / "internal").glob("*.h")}
+    read = {name: set(re.findall(TAG, source)) for name, source in sources.items()}
+    words = {name: set(re.findall(r"\w+", source)) & set(sources) for name, source in sources.items()}
+    # Only what gets the parameters passed on counts.
+    takers = {name for name, source in sources.items() if re.search(r"\bnp\b", source)}
+    changed = True
+    while changed:
+        changed = False
+        for name in takers:
+            for other in words[name] & takers:
+                if not read[other] <= read[name]:
+                    read[name] |= read[other]
+                    changed = True
+    return {name: read[name] for name in takers}
+
+
+def bodies(entry, sources):
+    """The text of the function, and of those in the same file that it calls."""
+    location = entry.element.find("location")
+    lines = sources[entry.file]
+    return "\n".join(lines[int(location.get("bodystart")) - 1:int(location.get("bodyend"))])
+
+
+def check_named_parameters(entries):
+    readers = readers_of_named_parameters()
+    sources = {}
+    for file in list(HEADERS.glob("*.h")):
+        sources[f"CGAL/Spherical_parameterization/{file.name}"] = file.read_text().splitlines()
+
+    def names(tags):
+        return {NAMES_OF_TAGS.get(tag, tag) for tag in tags}
+
+    functions = [e for e in entries if e.kind == "function" and e.file in sources and
+                 "NamedParameters" in text_of(e.element.find("templateparamlist"))]
+    read = {}
+    for entry in functions:
+        body = without_comments(bodies(entry, sources))
+        whole = without_comments("\n".join(sources[entry.file]))
+        tags = set(re.findall(TAG, body))
+        for word in set(re.findall(r"\w+", body)) & set(readers):
+            tags |= readers[word]
+        # a function in the namespace internal of the same header
+        if re.search(rf"internal::{re.escape(entry.name.split('::')[-1])}\(", body):
+            tags |= set(re.findall(TAG, whole))
+        read[id(entry)] = names(tags)
+    # Functions that pass everything on to any parameterizer
+    everything = set().union(*(read[id(e)] for e in functions if e.name.endswith("parameterizer_3::parameterize")))
+    for entry in functions:
+        expected = read[id(entry)] or everything
+        table = entry.named_parameters()
+        for name in sorted(expected - set(table)):
+            complain(entry.name, f"reads the named parameter {name}, which is not in its table")
+        for name in sorted(set(table) - expected):
+            complain(entry.name, f"does not read the named parameter {name} in its table")
+        for name, lines in table.items():
+            for title in ("Type:", "Default:"):
+                if not any(line.startswith(title) for line in lines):
+                    complain(entry.name, f"the named parameter {name} has no {title[:-1].lower()}")
+            if not lines or re.match(r"(Type|Default|Extra):", lines[0]):
+                complain(entry.name, f"the named parameter {name} has no description")
+
+
+def bare(name):
+    """The name without arguments of a template and without the namespace."""
+    return re.sub(r"<.*|\(\)$", "", name).replace(NAMESPACE, "").strip()
+
+
+def check_concepts(concepts, classes):
+    has_models = {c.name: {bare(text_of(item)) for item in c.terms("Has models")} - {""} for c in concepts}
+    is_model_of = collections.defaultdict(set)
+    for entry in classes:
+        for item in entry.terms("Is model of"):
+            if text_of(item) not in has_models:
+                complain(entry.name, f"is said to be a model of {text_of(item)}, which is no concept of the package")
+            is_model_of[text_of(item)].add(bare(entry.name))
+    for concept, models in has_models.items():
+        if not models and concept not in CONCEPTS_WITHOUT_MODELS:
+            complain(concept, "names no model")
+        for model in sorted(models - is_model_of[concept]):
+            complain(concept, f"names {model} as a model, which does not say so")
+        for model in sorted(is_model_of[concept] - models):
+            complain(concept, f"does not name its model {model}")
+
+
+def check_classified_list(names, pages):
+    listed = set()
+    for name, page in pages:
+        if name == "group PkgSphericalParameterizationRef":
+            for item in page.findall("detaileddescription//listitem"):
+                listed.add(bare(text_of(item)))
+                if item.find(".//ref") is None:
+                    complain("PackageDescription.txt", f"{text_of(item)} in the classified list is no link")
+    for name in sorted(names - listed):
+        complain("PackageDescription.txt", f"{name} is not in the classified list")
+    for name in sorted(listed - names):
+        complain("PackageDescription.txt", f"{name} in the classified list is nothing of the package")
+
+
+def check_links(places, names):
+    for place, element in places:
+        own = set(bare(place).split("::"))
+        linked = {id(code) for reference in element.iter("ref") for code in reference.iter("computeroutput")}
+        for code in element.iter("computeroutput"):
+            text = text_of(code)
+            # Where a page of the user manual drops the namespace, it means to spare the reader a link.
+            if place.startswith("page ") and not text.startswith(NAMESPACE):
+                continue
+            if bare(text) in names - own and code.find(".//ref") is None and id(code) not in linked:
+                complain(place, f"`{text}` is not a link")
+
+
+def check_headers(entries, groups):
+    included = set(re.findall(r"#include <CGAL/Spherical_parameterization/(\w+\.h)>", CONVENIENCE_HEADER.read_text()))
+    pending = list(included)
+    while pending:
+        source = (HEADERS / pending.pop()).read_text()
+        for name in set(re.findall(r"#include <CGAL/Spherical_parameterization/(\w+\.h)>", source)) - included:
+            included.add(name)
+            pending.append(name)
+    described = {pathlib.Path(e.file).name for e in entries if groups.get(e.name)}
+    for header in sorted(file.name for file in HEADERS.glob("*.h")):
+        if header not in described:
+            complain(header, "documents nothing that is in a group")
+        if header not in included:
+            complain(header, f"not included by {CONVENIENCE_HEADER.name}")
+
+
+def main():
+    if len(sys.argv) != 2:
+        sys.exit(__doc__)
+    entries, groups, pages = read_entries(pathlib.Path(sys.argv[1]))
+    concepts = [e for e in entries if e.kind in CLASS_KINDS and e.file.startswith("Concepts/")]
+    classes = [e for e in entries if e.kind in CLASS_KINDS and e.name.startswith(NAMESPACE)]
+    if not concepts or not classes:
+        sys.exit(f"{sys.argv[1]}: no classes or no concepts of the package in there")
+
+    for entry in entries:
+        check_description(entry)
+        check_parameters(entry)
+        check_template_parameters(entry)
+        if entry.name.count("::") - entry.name.startswith(NAMESPACE) * 2 == 0 and not groups.get(entry.name):
+            complain(entry.name, "in no group")
+    check_named_parameters(entries)
+    check_concepts(concepts, classes)
+    top_level = {bare(e.name) for e in entries if "::" not in bare(e.name)}
+    check_classified_list(top_level, pages)
+    check_links([(e.name, e.element) for e in entries if e.kind not in CLASS_KINDS] +
+                [(e.name, e.element.find("detaileddescription")) for e in concepts + classes] +
+                [(e.name, e.element.find("briefdescription")) for e in concepts + classes] + pages,
+                {bare(e.name) for e in concepts + classes})
+    check_headers(entries, groups)
+
+    for complaint in complaints:
+        print(complaint, file=sys.stderr)
+    if complaints:
+        sys.exit(f"{len(complaints)} faults in the documentation.")
+    print(f"{len(entries)} symbols are documented, {len(concepts)} concepts and {len(classes)} classes among them.")
+
+
+main()
