@@ -2,7 +2,8 @@
 # Usage: scripts/test.sh
 #
 # Installs what is missing, checks the style of the sources, builds everything with warnings as errors and runs all
-# tests, then once more those of the library and the program under the sanitizers of Clang. May be run again.
+# tests, then once more those of the library and the program under the sanitizers of Clang, and meanwhile builds and
+# checks the manual. May be run again.
 
 # shellcheck source-path=SCRIPTDIR source=common.sh
 . "$(dirname "${BASH_SOURCE[0]}")/common.sh"
@@ -12,8 +13,15 @@
 "$root/scripts/setup.sh" --tests
 run_stage "check the style" "$root/scripts/check_style.sh"
 run_stage "configure" cmake -S "$root" -B "$build" -DCMAKE_BUILD_TYPE=Release \
-  -DSPHERICAL_PARAMETERIZATION_BUILD_{TESTS,EXAMPLES,BENCHMARKS}=ON -DSPHERICAL_PARAMETERIZATION_WARNINGS_AS_ERRORS=ON
+  -DSPHERICAL_PARAMETERIZATION_BUILD_{TESTS,EXAMPLES,BENCHMARKS}=ON -DSPHERICAL_PARAMETERIZATION_WARNINGS_AS_ERRORS=ON \
+  -DSPHERICAL_PARAMETERIZATION_QUICK_EXAMPLES=ON
 run_stage "build everything" cmake --build "$build" -j "$jobs"
 echo "== test"
 ctest --test-dir "$build" --output-on-failure --no-tests=error -j 2
-"$root/scripts/test_sanitizers.sh"
+
+# Of the manual, one process does nearly all. The sanitizers, which build elsewhere, need not wait for it.
+"$root/scripts/check_documentation.sh" &
+status=0
+"$root/scripts/test_sanitizers.sh" || status=$?
+wait $! || status=$?
+exit $status
