@@ -150,12 +150,14 @@ TEST(Error_code, no_topological_sphere)
 
 TEST(Error_code, no_simplicial_complex_by_a_double_edge)
 {
-  // In a double pyramid over a triangle, the triangle separates the tips. Collapsing one of its edges leaves two edges
-  // between the same two vertices.
-  Mesh mesh = make_mesh(test_meshes::suspension(3));
-  CGAL::Euler::collapse_edge(edge(mesh.halfedge(Vertex_index(0), Vertex_index(1)), mesh), mesh);
-  ASSERT_EQ(mesh.number_of_vertices(), 4u);
-  ASSERT_EQ(mesh.number_of_faces(), 4u);
+  // A double pyramid over a quadrangle becomes one over a triangle, two corners of which get a second edge instead of the
+  // edge between a tip and the third corner.
+  Mesh mesh = make_mesh(test_meshes::suspension(4));
+  const Vertex_index corner =
+      CGAL::Euler::collapse_edge(edge(mesh.halfedge(Vertex_index(0), Vertex_index(1)), mesh), mesh);
+  CGAL::Euler::flip_edge(mesh.halfedge(corner, Vertex_index(4)), mesh);
+  ASSERT_EQ(mesh.number_of_vertices(), 5u);
+  ASSERT_EQ(mesh.number_of_faces(), 6u);
   ASSERT_TRUE(CGAL::is_closed(mesh) && CGAL::is_triangle_mesh(mesh) && mesh.is_valid());
   expect_error(mesh, SP::ERROR_NO_SIMPLICIAL_COMPLEX);
 
@@ -170,7 +172,7 @@ TEST(Error_code, no_simplicial_complex_by_a_double_edge)
   Mesh large = make_mesh(list);
   EXPECT_EQ(SP::parameterize(large, test_maps::make_sentinel_map<Point_3>(large)), SP::OK);
   const auto index = [](std::size_t i) { return Vertex_index(static_cast<Mesh::size_type>(i)); };
-  CGAL::Euler::collapse_edge(edge(large.halfedge(index(t[0]), index(t[1])), large), large);
+  CGAL::Euler::flip_edge(large.halfedge(index(t[0]), index(v)), large);
   ASSERT_TRUE(CGAL::is_closed(large) && CGAL::is_triangle_mesh(large) && large.is_valid());
   expect_error(large, SP::ERROR_NO_SIMPLICIAL_COMPLEX);
 }

@@ -149,13 +149,14 @@ TEST(Find_defect, counts_handles)
 
 TEST(Find_defect, names_the_repeated_edge)
 {
-  // In a double pyramid over a triangle, the triangle separates the tips. Collapsing one of its edges leaves two edges
-  // between the same two vertices.
-  Mesh mesh = make_mesh(test_meshes::suspension(3));
-  const Vertex_index kept = CGAL::Euler::collapse_edge(edge(mesh.halfedge(vertex(0), vertex(1)), mesh), mesh);
+  // A double pyramid over a quadrangle becomes one over a triangle, two corners of which get a second edge instead of the
+  // edge between a tip and the third corner.
+  Mesh mesh = make_mesh(test_meshes::suspension(4));
+  const Vertex_index corner = CGAL::Euler::collapse_edge(edge(mesh.halfedge(vertex(0), vertex(1)), mesh), mesh);
+  CGAL::Euler::flip_edge(mesh.halfedge(corner, vertex(4)), mesh);
   const Defect defect = SP::find_defect(mesh);
   EXPECT_EQ(defect.error, SP::ERROR_NO_SIMPLICIAL_COMPLEX);
-  EXPECT_EQ(ends(defect), (std::set<Vertex_index>{kept, vertex(2)}));
+  EXPECT_EQ(ends(defect), (std::set<Vertex_index>{vertex(2), vertex(3)}));
   EXPECT_EQ(defect.count, 1u);
   // a removed vertex does not count: the names are places in the range, the descriptors are the mesh's own
   expect_words(defect, {"the edge between", "more than once"});

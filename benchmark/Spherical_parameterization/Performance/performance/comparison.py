@@ -19,10 +19,10 @@ COLUMNS = [
     MESH,
     VERTICES,
     Column("Paper, s", "paper_seconds"),
-    Column("Default, s", "default_seconds"),
+    Column("Package, s", "default_seconds"),
     Column("Ratio", "ratio"),
     Column("Paper, D_iso max / avg", "paper_distortion"),
-    Column("Default, D_iso max / avg", "default_distortion"),
+    Column("Package, D_iso max / avg", "default_distortion"),
     Column("Paper, sweeps", "paper_sweeps"),
     Column("Paper ended", "paper_stop", is_number=False),
 ]

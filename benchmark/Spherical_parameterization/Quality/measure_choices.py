@@ -1,0 +1,214 @@
+#!/usr/bin/env python3
+"""Measures what the choices cost that the user manual describes, and writes its tables anew.
+
+Takes about five minutes; leave the machine alone meanwhile. Each table of the manual between `<!-- begin NAME -->` and `<!-- end NAME -->` is made from the text below, in which
+`@MESH OPTIONS FIGURE@` stands for a figure of a run of the program. Other figures in the text of that section are by hand.
+"""
+
+from __future__ import annotations
+
+import argparse
+import json
+import re
+import statistics
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+PACKAGE = Path(__file__).resolve().parents[3]
+
+MESHES = {
+    "fandisk": "fandisk_6475",
+    "bunny": "bunny_3485",
+    "hand": "hand_10345",
+    "horse": "horse_19851",
+    "octopus": "octopus_16554",
+}
+
+OPTIONS = {
+    "default": [],
+    "average": ["--prefer", "average"],
+    "worst": ["--prefer", "worst"],
+    **{f"beta_{beta}": ["--sharpness", beta] for beta in ("0", "3", "6", "25", "200")},
+    "isometric": ["--energy", "isometric"],
+    "isometric_0": ["--energy", "isometric", "--sharpness", "0"],
+    "conformal": ["--energy", "conformal"],
+    **{f"only_{m}": ["--method", m] for m in ("hierarchical", "harmonic", "stereographic", "conformal", "arap")},
+    **{f"radius_{rule}": ["--radius", rule] for rule in ("balanced", "optimal", "area", "fixed=1")},
+    **{f"sweeps_{n}": ["--iterations", n] for n in ("0", "25", "400", "2000")},
+    "paper": ["--paper"],
+    "from_harmonic": ["--initial", "harmonic"],
+    "from_harmonic_2000": ["--initial", "harmonic", "--iterations", "2000"],
+    "from_stereographic": ["--initial", "stereographic"],
+}
+
+TABLES = {
+    "needs": r"""
+| Need | Choice | Guarantee | Time | D_iso maximum / average, hand |
+| :--- | :----- | :-------- | ---: | ----------------------------: |
+| low worst distortion and low average: **the default** | `Bijective_low_distortion_parameterizer_3` | one-to-one | 1 | @hand default D_iso@ |
+| the lowest worst distortion | the same with `Relative_sharpness_3` of 50 | one-to-one | @hand worst time@ | @hand worst D_iso@ |
+| the lowest average distortion | the same with `Relative_sharpness_3` of 0 and `Optimal_radius_3` | one-to-one | @hand average time@ | @hand average D_iso@ |
+| angles, certified | the same with `Conformal_energy_3` and `Fixed_radius_3` | one-to-one | @hand conformal time@ | D_angle @hand conformal D_angle@ |
+| angles, quickly, on shapes without long limbs | `Conformal_parameterizer_3` | may fold, and says so | @hand only_conformal time@ | D_angle @hand only_conformal D_angle@ |
+| angles nearly, and one-to-one | `Harmonic_parameterizer_3` | one-to-one or an error code | @hand only_harmonic time@ | D_angle @hand only_harmonic D_angle@ |
+| areas | the same as the default with an energy of your own: \ref SphericalParameterizationOwnEnergy | one-to-one | | |
+| any one-to-one map, as soon as possible | the default with `number_of_iterations(0)` | one-to-one | @hand sweeps_0 time@ | @hand sweeps_0 D_iso@ |
+| the average of angles and areas, on every level of a hierarchy | `Hierarchical_parameterizer_3` | one-to-one | @hand only_hierarchical time@ | @hand only_hierarchical D_iso@ |
+| Tutte's planar map, wrapped around the sphere | `Stereographic_parameterizer_3` | one-to-one or an error code | @hand only_stereographic time@ | @hand only_stereographic D_iso@ |
+| as-rigid-as-possible, for comparison | `ARAP_parameterizer_3` | may fold, and says so | @hand only_arap time@ | @hand only_arap D_iso@ |
+| the published method, for comparison | `Published_low_distortion_parameterizer_3` | one-to-one or an error code | @hand paper time@ | @hand paper D_iso@ |
+| a map that one has | `Precomputed_parameterizer_3` | refused if it folds | | |
+""",
+    "methods": r"""
+| Method | fandisk_6475 | bunny_3485 | hand_10345 | horse_19851 | octopus_16554 |
+| :----- | -----------: | ---------: | ---------: | ----------: | ------------: |
+| the default | @fandisk default D_iso@ | @bunny default D_iso@ | @hand default D_iso@ | @horse default D_iso@ | @octopus default D_iso@ |
+| hierarchical | @fandisk only_hierarchical D_iso@ | @bunny only_hierarchical D_iso@ | @hand only_hierarchical D_iso@ | @horse only_hierarchical D_iso@ | @octopus only_hierarchical D_iso@ |
+| harmonic | @fandisk only_harmonic D_iso@ | @bunny only_harmonic D_iso@ | @hand only_harmonic D_iso@ | @horse only_harmonic D_iso@ | refused |
+| as-rigid-as-possible | @fandisk only_arap D_iso@ | @bunny only_arap D_iso@ | @hand only_arap D_iso@ | @horse only_arap D_iso@ | @octopus only_arap D_iso@ |
+| published | @fandisk paper D_iso@ | @bunny paper D_iso@ | @hand paper D_iso@ | | |
+| the default with the conformal energy, D_angle | @fandisk conformal D_angle@ | @bunny conformal D_angle@ | @hand conformal D_angle@ | @horse conformal D_angle@ | @octopus conformal D_angle@ |
+| harmonic, D_angle | @fandisk only_harmonic D_angle@ | @bunny only_harmonic D_angle@ | @hand only_harmonic D_angle@ | @horse only_harmonic D_angle@ | |
+| conformal, D_angle | @fandisk only_conformal D_angle@ | @bunny only_conformal D_angle@ | @hand only_conformal D_angle@ | @horse only_conformal D_angle@ | @octopus only_conformal D_iso@ |
+""",
+    "energies": r"""
+| Energy | Sharpness | D_iso | D_area | D_angle |
+| :----- | --------: | ----: | -----: | ------: |
+| `Symmetric_Dirichlet_energy_3`, the default: lengths | 13.5 | @hand default D_iso@ | @hand default D_area@ | @hand default D_angle@ |
+| `Isometric_energy_3`, that of the BLD paper: half angles, half areas | 13.5 | @hand isometric D_iso@ | @hand isometric D_area@ | @hand isometric D_angle@ |
+| `Conformal_energy_3`: angles only | 13.5 | | | @hand conformal D_angle@ |
+| `Symmetric_Dirichlet_energy_3` | 0 | @hand beta_0 D_iso@ | @hand beta_0 D_area@ | @hand beta_0 D_angle@ |
+| `Isometric_energy_3` | 0 | @hand isometric_0 D_iso@ | @hand isometric_0 D_area@ | @hand isometric_0 D_angle@ |
+""",
+    "sharpness": r"""
+| Mesh | \f$ \beta = 0 \f$ | 3 | 6 | 13.5 | 25 | 50 | 200 |
+| :--- | ---: | ---: | ---: | ---: | ---: | ---: | ---: |
+| fandisk_6475 | @fandisk beta_0 D_iso@ | @fandisk beta_3 D_iso@ | @fandisk beta_6 D_iso@ | @fandisk default D_iso@ | @fandisk beta_25 D_iso@ | @fandisk worst D_iso@ | @fandisk beta_200 D_iso@ |
+| bunny_3485 | @bunny beta_0 D_iso@ | @bunny beta_3 D_iso@ | @bunny beta_6 D_iso@ | @bunny default D_iso@ | @bunny beta_25 D_iso@ | @bunny worst D_iso@ | @bunny beta_200 D_iso@ |
+| hand_10345 | @hand beta_0 D_iso@ | @hand beta_3 D_iso@ | @hand beta_6 D_iso@ | @hand default D_iso@ | @hand beta_25 D_iso@ | @hand worst D_iso@ | @hand beta_200 D_iso@ |
+| horse_19851 | @horse beta_0 D_iso@ | @horse beta_3 D_iso@ | @horse beta_6 D_iso@ | @horse default D_iso@ | @horse beta_25 D_iso@ | @horse worst D_iso@ | @horse beta_200 D_iso@ |
+| octopus_16554 | @octopus beta_0 D_iso@ | @octopus beta_3 D_iso@ | @octopus beta_6 D_iso@ | @octopus default D_iso@ | @octopus beta_25 D_iso@ | @octopus worst D_iso@ | @octopus beta_200 D_iso@ |
+""",
+    "radii": r"""
+| Policy | Radius is such that | Radius | D_iso | D_area |
+| :----- | :------------------ | -----: | ----: | -----: |
+| `Two_phase_radius_3`, the default | areas are kept in total at first, then as the next one | @horse default radius@ | @horse default D_iso@ | @horse default D_area@ |
+| `Area_balancing_radius_3` | as much area distortion comes from growth as from shrinking (eq. 11 of the paper) | @horse radius_balanced radius@ | @horse radius_balanced D_iso@ | @horse radius_balanced D_area@ |
+| `Optimal_radius_3` | the sum of the energies in use is lowest | @horse radius_optimal radius@ | @horse radius_optimal D_iso@ | @horse radius_optimal D_area@ |
+| `Area_preserving_radius_3` | the flat images of the faces have the area of the surface in total (eq. 9) | @horse radius_area radius@ | @horse radius_area D_iso@ | @horse radius_area D_area@ |
+| `Fixed_radius_3` of 1 | it is what you say, in the unit of the mesh | 1 | @horse radius_fixed=1 D_iso@ | @horse radius_fixed=1 D_area@ |
+""",
+    "starts": r"""
+| Start | fandisk_6475, 100 sweeps | 2000 sweeps at most | bunny_3485, 100 | 2000 | horse_19851, 100 | 2000 |
+| :---- | ---: | ---: | ---: | ---: | ---: | ---: |
+| hierarchical | @fandisk default D_iso@ | @fandisk sweeps_2000 D_iso@ (@fandisk sweeps_2000 sweeps@) | @bunny default D_iso@ | @bunny sweeps_2000 D_iso@ (@bunny sweeps_2000 sweeps@) | @horse default D_iso@ | @horse sweeps_2000 D_iso@ (@horse sweeps_2000 sweeps@) |
+| harmonic | @fandisk from_harmonic D_iso@ | @fandisk from_harmonic_2000 D_iso@ (@fandisk from_harmonic_2000 sweeps@) | @bunny from_harmonic D_iso@ | @bunny from_harmonic_2000 D_iso@ (@bunny from_harmonic_2000 sweeps@) | @horse from_harmonic D_iso@ | @horse from_harmonic_2000 D_iso@ (@horse from_harmonic_2000 sweeps@) |
+| stereographic | @fandisk from_stereographic D_iso@ | | @bunny from_stereographic D_iso@ | | @horse from_stereographic D_iso@ | |
+""",
+    "sweeps": r"""
+| Sweeps at most | 0 | 25 | 100 | 400 |
+| :------------- | ---: | ---: | ---: | ---: |
+| D_iso | @horse sweeps_0 D_iso@ | @horse sweeps_25 D_iso@ | @horse default D_iso@ | @horse sweeps_400 D_iso@ (converged after @horse sweeps_400 sweeps@) |
+""",
+}
+
+TIMED_RUNS = 5  # of which only one is made where it takes long
+LONG = 5.0  # seconds
+
+
+class Runs:
+    """Runs the program, each mesh with each set of options once, and again where times are asked for."""
+
+    def __init__(self, program: Path, folder: Path):
+        self._program = program
+        self._folder = folder
+        self._reports: dict[tuple[str, str], dict | None] = {}
+        self._seconds: dict[tuple[str, str], float] = {}
+
+    def report(self, mesh: str, options: str) -> dict | None:
+        """The report of a run, or None if it has found no map."""
+        if (mesh, options) not in self._reports:
+            self._reports[mesh, options] = self._run(mesh, OPTIONS[options])
+        return self._reports[mesh, options]
+
+    def seconds(self, mesh: str, options: str) -> float:
+        """With one thread, without reading, measuring and writing; the median of some runs."""
+        if (mesh, options) not in self._seconds:
+            times = []
+            for _ in range(TIMED_RUNS):
+                told = self._run(mesh, [*OPTIONS[options], "--threads", "1"])["seconds"]
+                times.append(sum(told[stage] for stage in ("copy", "hierarchy", "initial_map", "sweeps", "certificate")))
+                if times[0] > LONG:
+                    break
+            self._seconds[mesh, options] = statistics.median(times)
+        return self._seconds[mesh, options]
+
+    def _run(self, mesh: str, arguments: list[str]) -> dict | None:
+        path = next((p for p in sorted(self._folder.iterdir()) if p.stem == MESHES[mesh]), None)
+        if path is None:
+            sys.exit(f"There is no mesh {MESHES[mesh]} in {self._folder}.")
+        with tempfile.NamedTemporaryFile(suffix=".json") as file:
+            command = [self._program, path, "--quiet", "--json", file.name, *arguments]
+            status = subprocess.run(command, stderr=subprocess.DEVNULL, check=False).returncode
+            return None if status == 1 else json.loads(Path(file.name).read_text(encoding="utf-8"))
+
+
+def number_text(value: float | None) -> str:
+    if value is None:
+        return "infinite"
+    if value >= 100:
+        return f"{value:,.0f}"
+    return f"{value:.1f}" if value >= 10 else f"{value:.3f}"
+
+
+def pair_text(statistics_of_figure: dict) -> str:
+    return "&nbsp;/&nbsp;".join(number_text(statistics_of_figure[key]) for key in ("maximum", "average"))
+
+
+def figure_text(runs: Runs, mesh: str, options: str, figure: str) -> str:
+    if figure == "time":
+        ratio = runs.seconds(mesh, options) / runs.seconds(mesh, "default")
+        return f"{ratio:.1f}" if ratio < 10 else f"{ratio:.0f}"
+    report = runs.report(mesh, options)
+    if report is None:
+        return "refused"
+    if figure == "sweeps":
+        return f"{report['sweeps']['average'] + report['sweeps']['sharp']:,}"
+    if figure == "radius":
+        return f"{report['radius']:.4f}"
+    if not report["one_to_one"]:
+        return f"folds ({report['distortion']['inverted_faces']:,} faces)"
+    # Maps to the unit sphere are compared at the radius of eq. 11.
+    return pair_text(report.get("balanced", report["distortion"]).get(figure) or report["distortion"][figure])
+
+
+def fill_in(text: str, tables: dict[str, str]) -> str:
+    for name, table in tables.items():
+        pattern = rf"(<!-- begin {name} -->\n).*?(<!-- end {name} -->)"
+        text, count = re.subn(pattern, lambda m, table=table: m.group(1) + table + m.group(2), text, flags=re.DOTALL)
+        if count != 1:
+            sys.exit(f"The manual has {count} places for the table {name}.")
+    return text
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--program", type=Path, required=True, help="the command line program")
+    parser.add_argument("--meshes", type=Path, required=True, help="a folder with " + ", ".join(MESHES.values()))
+    parser.add_argument("--manual", type=Path, help="the chapter to be filled in",
+                        default=PACKAGE / "doc/Spherical_parameterization/Spherical_parameterization.txt")
+    arguments = parser.parse_args()
+
+    runs = Runs(arguments.program, arguments.meshes)
+    tables = {
+        name: re.sub(r"@(\w+) (\S+) (\w+)@", lambda m: figure_text(runs, *m.groups()), table.lstrip("\n"))
+        for name, table in TABLES.items()
+    }
+    text = arguments.manual.read_text(encoding="utf-8")
+    arguments.manual.write_text(fill_in(text, tables), encoding="utf-8")
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,50 @@
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/boost/graph/IO/polygon_mesh_io.h>
+#include <CGAL/spherical_parameterization.h>
+
+#include <cstdlib>
+#include <iostream>
+#include <string>
+
+namespace SP = CGAL::Spherical_parameterization;
+
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Point_3 = Kernel::Point_3;
+using Mesh = CGAL::Surface_mesh<Point_3>;
+
+// In this order: mesh, initial parameterizer, energy, sharpness, radius. What is not named has its default.
+using Parameterizer = SP::Bijective_low_distortion_parameterizer_3<Mesh, CGAL::Default, CGAL::Default,
+                                                                   SP::Relative_sharpness_3, SP::Optimal_radius_3>;
+
+int main(int argc, char** argv)
+{
+  const std::string filename = (argc > 1) ? argv[1] : CGAL::data_file_path("meshes/hand.off");
+
+  Mesh mesh;
+  if(!CGAL::IO::read_polygon_mesh(filename, mesh))
+  {
+    std::cerr << "Invalid input file: " << filename << std::endl;
+    return EXIT_FAILURE;
+  }
+
+  // From the lowest average to the lowest maximum.
+  auto sphere = mesh.add_property_map<Mesh::Vertex_index, Point_3>("v:sphere").first;
+  for(const double beta : {0., 3., 13.5, 50.})
+  {
+    Parameterizer parameterizer{Parameterizer::Energy(), SP::Relative_sharpness_3(beta)};
+    const SP::Error_code error =
+        SP::parameterize(mesh, parameterizer, sphere, CGAL::parameters::number_of_iterations(300));
+    if(error != SP::OK)
+    {
+      std::cerr << SP::get_error_message(error) << std::endl;
+      return EXIT_FAILURE;
+    }
+
+    const SP::Distortion_statistics distortion = SP::measure_distortion(mesh, sphere).isometric;
+    std::cout << "beta " << beta << ": isometric distortion " << distortion.average << " on average and "
+              << distortion.maximum << " at most, " << parameterizer.report().number_of_iterations() << " sweeps, "
+              << SP::get_stop_message(parameterizer.report().stop_reason) << std::endl;
+  }
+  return EXIT_SUCCESS;
+}

@@ -1,0 +1,70 @@
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/boost/graph/IO/polygon_mesh_io.h>
+#include <CGAL/spherical_parameterization.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <iostream>
+#include <string>
+
+namespace SP = CGAL::Spherical_parameterization;
+
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Point_3 = Kernel::Point_3;
+using Mesh = CGAL::Surface_mesh<Point_3>;
+using Sphere_map = Mesh::Property_map<Mesh::Vertex_index, Point_3>;
+using Start = SP::Precomputed_parameterizer_3<Mesh, Sphere_map>;
+
+int main(int argc, char** argv)
+{
+  const std::string filename = (argc > 1) ? argv[1] : CGAL::data_file_path("meshes/homer.off");
+
+  Mesh mesh;
+  if(!CGAL::IO::read_polygon_mesh(filename, mesh))
+  {
+    std::cerr << "Invalid input file: " << filename << std::endl;
+    return EXIT_FAILURE;
+  }
+
+  // A first map, stopped early, and a second one that goes on from there.
+  Sphere_map first = mesh.add_property_map<Mesh::Vertex_index, Point_3>("v:first").first;
+  Sphere_map second = mesh.add_property_map<Mesh::Vertex_index, Point_3>("v:second").first;
+  SP::Bijective_low_distortion_parameterizer_3<Mesh, Start> going_on{Start(first)};
+  SP::Error_code error = SP::parameterize(mesh, first, CGAL::parameters::number_of_iterations(5));
+  if(error == SP::OK)
+    error = SP::parameterize(mesh, going_on, second);
+  if(error != SP::OK)
+  {
+    std::cerr << SP::get_error_message(error) << std::endl;
+    return EXIT_FAILURE;
+  }
+  std::cout << "isometric distortion at most " << SP::measure_distortion(mesh, first).isometric.maximum << ", then "
+            << SP::measure_distortion(mesh, second).isometric.maximum << std::endl;
+
+  // Another pose of the surface, which has the same faces: bent a little.
+  Mesh pose = mesh;
+  for(const Mesh::Vertex_index v : pose.vertices())
+  {
+    const Point_3 p = mesh.point(v);
+    pose.point(v) = Point_3(p.x() + 0.2 * std::sin(2. * p.y()), p.y(), p.z());
+  }
+
+  // A map of it that starts from that of the first pose stays near to it, so that vertices correspond
+  // through the sphere.
+  Sphere_map bent = pose.add_property_map<Mesh::Vertex_index, Point_3>("v:bent").first;
+  SP::Bijective_low_distortion_parameterizer_3<Mesh, Start> transfer{Start(second)};
+  error = SP::parameterize(pose, transfer, bent);
+  if(error != SP::OK)
+  {
+    std::cerr << SP::get_error_message(error) << std::endl;
+    return EXIT_FAILURE;
+  }
+  double largest_angle = 0.;
+  for(const Mesh::Vertex_index v : mesh.vertices())
+    largest_angle =
+        (std::max)(largest_angle, CGAL::approximate_angle(second[v] - CGAL::ORIGIN, bent[v] - CGAL::ORIGIN));
+  std::cout << "no image moved by more than " << largest_angle << " degrees" << std::endl;
+  return EXIT_SUCCESS;
+}
