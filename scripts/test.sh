@@ -2,8 +2,8 @@
 # Usage: scripts/test.sh
 #
 # Installs what is missing, checks the style of the sources, builds everything with warnings as errors and runs all
-# tests, then once more those of the library and the program under the sanitizers of Clang, and meanwhile builds and
-# checks the manual. May be run again.
+# tests, checks that the package fits into CGAL's tree, then runs tests of the library and the program under the
+# sanitizers of Clang, and meanwhile builds and checks the manual. May be run again.
 
 # shellcheck source-path=SCRIPTDIR source=common.sh
 . "$(dirname "${BASH_SOURCE[0]}")/common.sh"
@@ -18,6 +18,7 @@ run_stage "configure" cmake -S "$root" -B "$build" -DCMAKE_BUILD_TYPE=Release \
 run_stage "build everything" cmake --build "$build" -j "$jobs"
 echo "== test"
 ctest --test-dir "$build" --output-on-failure --no-tests=error -j 2
+"$root/scripts/test_in_cgal_tree.sh" --only '^test_error_codes$'
 
 # Of the manual, one process does nearly all. The sanitizers, which build elsewhere, need not wait for it.
 "$root/scripts/check_documentation.sh" &

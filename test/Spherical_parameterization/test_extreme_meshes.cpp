@@ -167,7 +167,7 @@ Triangle_list tube(const Curve& c, std::size_t n, double radius, std::size_t siz
   Triangle_list list = surface_of_revolution(0., rings, 1.); // for its triangles
   for(std::size_t k = 0; k < n; ++k)
   {
-    const Coordinates tangent = c(std::min(k + 1, n - 1)) - c(k > 0 ? k - 1 : 0);
+    const Coordinates tangent = c((std::min)(k + 1, n - 1)) - c(k > 0 ? k - 1 : 0);
     const Coordinates x = test_meshes::normalized(cross(up, tangent)), y = test_meshes::normalized(cross(tangent, x));
     for(std::size_t i = 0; i < size; ++i)
     {

@@ -237,7 +237,7 @@ Timing limit_time(const Mesh& mesh, const Method& prototype, bool may_fold, unsi
     EXPECT_TRUE(test_maps::have_same_bits(result.images, stopped.images));
     return report.seconds();
   };
-  timing.of_first_map = expect_sound(std::numeric_limits<double>::min());
+  timing.of_first_map = expect_sound((std::numeric_limits<double>::min)());
   EXPECT_EQ(timing.n_cut, 1u);
   for(std::size_t k = 0; k < n_runs; ++k)
   {

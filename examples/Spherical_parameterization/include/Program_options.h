@@ -242,7 +242,7 @@ private:
   {
     using CGAL::Spherical_parameterization::Absolute_sharpness_3;
     const Absolute_sharpness_3 usual;
-    const double least = std::numeric_limits<double>::min();
+    const double least = (std::numeric_limits<double>::min)();
     const char* range = "a number greater than 0, at most 1e6";
     const double first = m_line.number("s-first", least, largest_sharpness, range, usual.first());
     const double last = m_line.number("s-last", least, largest_sharpness, range, usual.last());
@@ -292,7 +292,7 @@ private:
     else if(value == "balanced")
       radius = Any_radius(Any_radius::Area_balancing_radius_3());
     else if(value.compare(0, fixed.size(), fixed) == 0 && Command_line::read_number(value.substr(fixed.size()), r) &&
-            r >= std::numeric_limits<double>::min() && r <= std::numeric_limits<double>::max())
+            r >= (std::numeric_limits<double>::min)() && r <= (std::numeric_limits<double>::max)())
       radius = Any_radius(Any_radius::Fixed_radius_3(r));
     else
       m_line.refuse("radius", "two-phase, optimal, area, balanced or fixed=R with a number R greater than 0");
@@ -350,8 +350,8 @@ private:
     if(knows("iterations"))
       description +=
           ", at most " + std::to_string(most_iterations) + (method == Method_choice::BLD ? " sweeps" : " global steps");
-    most_seconds = m_line.number("time-limit", std::numeric_limits<double>::min(), std::numeric_limits<double>::max(),
-                                 "a number greater than 0", 0.);
+    most_seconds = m_line.number("time-limit", (std::numeric_limits<double>::min)(),
+                                 (std::numeric_limits<double>::max)(), "a number greater than 0", 0.);
     if(most_seconds > 0.)
       description += ", at most " + short_text(most_seconds) + " seconds";
     most_threads = m_line.whole_number("threads", 1, 0);

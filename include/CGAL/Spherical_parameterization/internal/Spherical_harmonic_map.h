@@ -3,6 +3,8 @@
 //
 // This file is part of the Spherical_parameterization package for CGAL (www.cgal.org).
 //
+// $URL$
+// $Id$
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Author(s)     : The Spherical_parameterization authors
