@@ -15,6 +15,7 @@
 #include <functional>
 #include <stdexcept>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 namespace SP = CGAL::Spherical_parameterization;
@@ -356,6 +357,9 @@ protected:
 
 using Methods = ::testing::Types<SP::Harmonic_parameterizer_3<Mesh>, SP::Conformal_parameterizer_3<Mesh>,
                                  SP::ARAP_parameterizer_3<Mesh>, SP::Published_low_distortion_parameterizer_3<Mesh>>;
+template <class Method>
+constexpr bool may_fold = std::is_same<Method, SP::Conformal_parameterizer_3<Mesh>>::value ||
+                          std::is_same<Method, SP::ARAP_parameterizer_3<Mesh>>::value;
 TYPED_TEST_SUITE(Visitor_of_method, Methods, ); // without the last comma, Clang is pedantic about the macro
 
 TYPED_TEST(Visitor_of_method, is_called_in_order)
@@ -418,8 +422,11 @@ TYPED_TEST(Visitor_of_method, may_stop_anywhere)
     SCOPED_TRACE(stop_at);
     Recorder stopper;
     stopper.stop_at = stop_at;
-    ASSERT_EQ(SP::parameterize(this->mesh, this->method, this->map, params::visitor(std::ref(stopper))), SP::OK);
-    EXPECT_TRUE(SP::is_bijective(this->mesh, this->map));
+    // What promises no bijection may have folded in the one step that it makes of a start that was stopped.
+    const SP::Error_code error =
+        SP::parameterize(this->mesh, this->method, this->map, params::visitor(std::ref(stopper)));
+    ASSERT_TRUE(error == SP::OK || (may_fold<TypeParam> && error == SP::ERROR_NO_1_TO_1_MAPPING));
+    EXPECT_EQ(SP::is_bijective(this->mesh, this->map), error == SP::OK);
     const SP::Parameterization_report& report = this->method.report();
     EXPECT_EQ(report.stop_reason, SP::STOPPED);
     EXPECT_EQ(stopper.n_questions, stop_at); // it is not asked again
