@@ -3,7 +3,7 @@
 #
 # Builds the manual in build/doc/html, which fails on any warning of doxygen's, and checks that everything public is
 # documented and that no link within the manual is broken. Links to other sites are not followed, but listed in
-# build/doc/external_links.txt. The build has to be configured.
+# build/doc/external_links.txt. Installs nothing; scripts/setup.sh --tests does.
 
 # shellcheck source-path=SCRIPTDIR source=common.sh
 . "$(dirname "${BASH_SOURCE[0]}")/common.sh"
@@ -28,6 +28,7 @@ check_links() (
   return $status
 )
 
+[ -f "$build/CMakeCache.txt" ] || run_stage "configure" cmake -S "$root" -B "$build"
 run_stage "build the manual" cmake --build "$build" --target doc
 run_stage "check that everything is documented" python3 "$root/scripts/check_documentation.py" "$build/doc/xml"
 run_stage "check the links of the manual" check_links
