@@ -227,6 +227,10 @@ TEST_F(Visitor, may_stop_the_hierarchy_alone)
     EXPECT_EQ(hierarchical.report().radius, 1.);
     EXPECT_EQ(stopper.n_questions, stop_at);
     EXPECT_EQ(stopper.count("iteration"), 0u);
+    if(stop_at == 1) // each level needs one sweep, and gets no more
+    {
+      EXPECT_EQ(hierarchical.report().number_of_level_iterations, hierarchical.report().number_of_levels);
+    }
   }
 }
 
