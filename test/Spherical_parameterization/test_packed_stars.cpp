@@ -178,8 +178,8 @@ TEST(Packed_double, has_an_exponential)
       EXPECT_NEAR(lane(e, i) / std::exp(lane(packed, i)), 1., 1e-15);
   }
   EXPECT_EQ(lane(exponential(Four(0.)), 0), 1.);
-  EXPECT_EQ(lane(exponential(Four(1e3)), 0), infinity);
-  EXPECT_EQ(lane(exponential(Four(infinity)), 0), infinity);
+  EXPECT_GT(lane(exponential(Four(1e3)), 0), 1e307);
+  EXPECT_GT(lane(exponential(Four(infinity)), 0), 1e307);
   EXPECT_LT(lane(exponential(Four(-1e300)), 0), 1e-307);
   EXPECT_LT(lane(exponential(Four(-infinity)), 0), 1e-307);
 }

@@ -21,11 +21,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstring>
-#include <limits>
-
-#ifdef __SSE2__
-#include <emmintrin.h>
-#endif
 
 namespace CGAL {
 namespace Spherical_parameterization {
@@ -80,8 +75,7 @@ public:
   static CGAL_SPHERICAL_PARAMETERIZATION_INLINE Packed_double generate(const Function& f)
   {
     Packed_double result;
-    for(std::size_t k = 0; k < W; ++k)
-      result.m_lanes[k] = f(k);
+    Vectors::generate(result.m_lanes, f);
     return result;
   }
 
@@ -147,55 +141,55 @@ public:
 
   friend CGAL_SPHERICAL_PARAMETERIZATION_INLINE Packed_double square_root(const Packed_double& a)
   {
-    Packed_double result;
-#ifdef __SSE2__
-    // The library function would have to set errno, which keeps compilers from using the instruction for several lanes.
-    double values[sizeof(Doubles) / sizeof(double)];
-    std::memcpy(values, &a.m_lanes, sizeof(values));
-    for(std::size_t k = 0; k < W; k += 2)
-      _mm_storeu_pd(values + k, _mm_sqrt_pd(_mm_loadu_pd(values + k)));
-    std::memcpy(&result.m_lanes, values, sizeof(values));
-#else
-    for(std::size_t k = 0; k < W; ++k)
-      result.m_lanes[k] = std::sqrt(a.m_lanes[k]);
-#endif
+    Packed_double result = a;
+    Vectors::take_square_roots(result.m_lanes);
     return result;
   }
 
-  // exp(a) with a relative error of some 1e-16 as long as it is a normal number. What is smaller than these becomes the
-  // smallest of them, what is larger infinite.
+  // exp(a) with a relative error of some 1e-16 from -708 to 709; what is smaller or larger gets the value there.
   friend CGAL_SPHERICAL_PARAMETERIZATION_INLINE Packed_double exponential(const Packed_double& a)
   {
-    // a = k log(2) + r with |r| <= log(2) / 2; the sum of the powers of r, and 2^k as bits of the exponent.
     const Packed_double lowest(-708.), highest(709.);
     const Packed_double x = select(a > lowest, smaller(a, highest), lowest);
-    const Packed_double half = select(x < Packed_double(0.), Packed_double(-0.5), Packed_double(0.5));
-    const Packed_double scaled = x * Packed_double(1.4426950408889634074) + half;
-    const Short_integers k = __builtin_convertvector(scaled.m_lanes, Short_integers);
-    const Packed_double multiple(__builtin_convertvector(k, Doubles));
-    const Packed_double r = (x - multiple * Packed_double(6.93147180369123816490e-01)) -
-                            multiple * Packed_double(1.90821492927058770002e-10);
-    const Packed_double r2 = r * r, r4 = r2 * r2;
-    const Packed_double p0 = (r + Packed_double(1.)) + r2 * (r * Packed_double(1. / 6.) + Packed_double(0.5));
-    const Packed_double p1 = (r * Packed_double(1. / 120.) + Packed_double(1. / 24.)) +
-                             r2 * (r * Packed_double(1. / 5040.) + Packed_double(1. / 720.));
-    const Packed_double p2 = (r * Packed_double(1. / 362880.) + Packed_double(1. / 40320.)) +
-                             r2 * (r * Packed_double(1. / 39916800.) + Packed_double(1. / 3628800.));
-    const Packed_double sum = p0 + r4 * (p1 + r4 * (p2 + r4 * Packed_double(1. / 479001600.)));
-    const Integers exponent = __builtin_convertvector(k, Integers) << 52;
+
+    // x = k log(2) + r with |r| <= log(2) / 2: next to this shift, doubles are integers, so that the last bits of the
+    // sum are k. The sign, which is not set, is masked for compilers that may reorder sums (-ffast-math): they would
+    // take the shift out again without any rounding.
+    const Packed_double shift(6755399441055744.); // 3 * 2^51
+    const Packed_double shifted = x * Packed_double(1.4426950408889634074) + shift;
     Integers bits;
-    std::memcpy(&bits, &sum.m_lanes, sizeof(bits));
+    std::memcpy(&bits, &shifted.m_lanes, sizeof(bits));
+    const Integers exponent = bits << 52;
+    bits &= 0x7fffffffffffffff;
+    Packed_double k;
+    std::memcpy(&k.m_lanes, &bits, sizeof(bits));
+    k = k - shift;
+    const Packed_double r =
+        (x - k * Packed_double(6.93147180369123816490e-01)) - k * Packed_double(1.90821492927058770002e-10);
+
+    // exp(r) = 1 + r + r^2 q(r), where q interpolates at the zeros of a Chebyshev polynomial, to 2e-17. The
+    // coefficients are written out, as a quotient of two numbers is not evaluated by compilers that have to respect the
+    // rounding mode, but whenever it is needed.
+    const Packed_double r2 = r * r, r4 = r2 * r2;
+    const Packed_double q0 = (Packed_double(5.00000000000000111e-01) + r * Packed_double(1.66666666666666685e-01)) +
+                             r2 * (Packed_double(4.16666666666241289e-02) + r * Packed_double(8.33333333333006153e-03));
+    const Packed_double q1 = (Packed_double(1.38888889172137167e-03) + r * Packed_double(1.98412698630536177e-04)) +
+                             r2 * (Packed_double(2.48015212959543761e-05) + r * Packed_double(2.75572684599970641e-06));
+    const Packed_double q2 = Packed_double(2.76200884454097462e-07) + r * Packed_double(2.51003854955103203e-08);
+    const Packed_double power = Packed_double(1.) + (r + r2 * (q0 + r4 * (q1 + r4 * q2)));
+
+    // times 2^k
+    std::memcpy(&bits, &power.m_lanes, sizeof(bits));
     bits += exponent;
     Packed_double result;
     std::memcpy(&result.m_lanes, &bits, sizeof(bits));
-    return select(a > highest, Packed_double(std::numeric_limits<double>::infinity()), result);
+    return result;
   }
 
 private:
   using Vectors = Packed_vectors<W>;
   using Doubles = typename Vectors::Doubles;
   using Integers = typename Vectors::Integers;
-  using Short_integers = typename Vectors::Short_integers;
 
   CGAL_SPHERICAL_PARAMETERIZATION_INLINE explicit Packed_double(const Doubles& lanes)
     : m_lanes(lanes)

@@ -66,10 +66,7 @@ public:
   // whether the condition holds in any lane
   friend CGAL_SPHERICAL_PARAMETERIZATION_INLINE bool any(const Packed_mask& a)
   {
-    std::int64_t result = 0;
-    for(std::size_t k = 0; k < W; ++k)
-      result |= a.m_lanes[k];
-    return result != 0;
+    return Packed_vectors<W>::any_negative(a.m_lanes);
   }
 
   // all bits of a lane are set where the condition holds
