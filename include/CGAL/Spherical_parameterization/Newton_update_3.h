@@ -94,14 +94,14 @@ public:
     const FT small = larger(absolute(absolute(mean) - radius), least_ratio * large);
     // In the direction of the eigenvalue of larger modulus the inverse is 1 / large, across it 1 / small.
     const FT middle = 0.5 * (1. / large + 1. / small);
-    const FT spread = select(radius > 0., sign * 0.5 * (1. / large - 1. / small) / radius, FT(0.));
+    const FT spread = select(radius > least_radius, sign * 0.5 * (1. / large - 1. / small) * (1. / radius), FT(0.));
     const FT x = -(middle * g[0] + spread * (half * g[0] + h[1] * g[1]));
     const FT y = -(middle * g[1] + spread * (h[1] * g[0] - half * g[1]));
 
     const FT slope = g[0] * x + g[1] * y;
-    const FT size = square_root(x * x + y * y);
-    auto is_open = large > 0. && large < std::numeric_limits<double>::infinity() && slope < 0. &&
-                   size > least_step * energy.shortest_edge();
+    const FT least = least_step * energy.shortest_edge();
+    auto is_open =
+        large > 0. && large < std::numeric_limits<double>::infinity() && slope < 0. && x * x + y * y > least * least;
     auto is_moved = is_open && !is_open;
     std::array<FT, 2> accepted = {FT(0.), FT(0.)};
     const auto try_step = [&](double t, const FT& bound) {
@@ -124,7 +124,8 @@ public:
 
 private:
   static constexpr double least_ratio = 1e-3; // of the eigenvalues that a step is computed from
-  static constexpr double least_step = 1e-9;  // in units of the shortest edge; shorter ones are not worth an evaluation
+  static constexpr double least_radius = std::numeric_limits<double>::min(); // whose reciprocal is finite
+  static constexpr double least_step = 1e-9; // in units of the shortest edge; shorter ones are not worth an evaluation
   static constexpr double armijo = 1e-4;
   static constexpr int most_halvings = 12;
 

@@ -42,6 +42,9 @@ namespace internal {
 // This is the model of the concept `VertexEnergy_3` that a vertex update gets to see. One object serves many vertices:
 // it only allocates when it meets a star larger than all before. With a packed number type it serves as many stars at
 // once as that has lanes.
+//
+// Exponentials, whose operations have to wait for each other, are taken in loops of their own: the shorter a loop is,
+// the more of its rounds are under way at once.
 template <class Energy, class Barrier = Determinant_barrier_3, class FT = double>
 class Star_energy
 {
@@ -88,6 +91,9 @@ public:
       face.energy = energy_derivatives(m_energy, i, d);
       m_largest_energy = larger(m_largest_energy, face.energy.value);
     }
+    if(m_sharpness > 0.)
+      for(std::size_t j = 0; j < size; ++j)
+        m_faces[j].weight = weight_of(j, m_faces[j].energy.value);
   }
 
   // the length of the shortest edge at the vertex, the yardstick of its steps
@@ -111,7 +117,7 @@ public:
   FT operator()(const FT& x, const FT& y) const
   {
     auto is_valid = x * x + y * y < farthest_squared;
-    const FT scale = m_scale, sharpness = m_sharpness, infinite = std::numeric_limits<double>::infinity();
+    const FT scale = m_scale, infinite = std::numeric_limits<double>::infinity();
     if(!any(is_valid))
       return infinite;
     const FT z = Basic_tangent_frame<FT>::height_at(x, y);
@@ -124,14 +130,15 @@ public:
       const FT determinant = x * n[0] + y * n[1] + (1. + z) * n[2];
       const FT lp = squared_length(to_p), lq = squared_length(to_q);
       is_valid = is_valid && (is_safely_positive(determinant, lp + lq) || is_filling(j));
-      if(!any(is_valid))
-        break;
       const FT i = m_faces[j].fixed_i + scale * (m_star.opposite_2(j) * lp + m_star.opposite_1(j) * lq);
       const FT area = scale * m_star.inverse_area(j) * Area::value(determinant, n);
       const FT d = select(is_valid, unless_filling(j, area, FT(1.)), FT(1.)); // energies are for positive ones
-      const FT e = energy_value(m_energy, i, d);
-      f += unless_filling(j, m_sharpness > 0. ? exponential(sharpness * (e - m_largest_energy)) : e, FT(0.));
+      m_faces[j].new_energy = energy_value(m_energy, i, d);
     }
+    if(!any(is_valid))
+      return infinite;
+    for(std::size_t j = 0; j < m_star.size(); ++j)
+      f += m_sharpness > 0. ? weight_of(j, m_faces[j].new_energy) : unless_filling(j, m_faces[j].new_energy, FT(0.));
     return select(is_valid, f, infinite);
   }
 
@@ -149,6 +156,8 @@ private:
     Area area;
     FT fixed_i;
     Basic_energy_derivatives_3<FT> energy;
+    FT weight;             // exp(s E), if the objective is that
+    mutable FT new_energy; // the last one of operator()
   };
 
   // whether row j is beyond the end of a star
@@ -165,6 +174,13 @@ private:
       return value;
     else
       return select(is_filling(j), otherwise, value);
+  }
+
+  // what a face adds to the sum of exp(s E)
+  FT weight_of(std::size_t j, const FT& energy) const
+  {
+    const FT sharpness = m_sharpness;
+    return unless_filling(j, exponential(sharpness * (energy - m_largest_energy)), FT(0.));
   }
 
   template <bool with_hessian>
@@ -195,9 +211,9 @@ private:
       // The rest shape of a filling row is 0, and so are its derivatives.
       if(m_sharpness > 0.)
       {
-        const FT w = exponential(sharpness * (e.value - m_largest_energy));
+        const FT& w = m_faces[j].weight;
         const FT ws = w * sharpness;
-        f += unless_filling(j, w, FT(0.));
+        f += w;
         if constexpr(with_hessian)
         {
           exx = ws * (exx + sharpness * ex * ex);
