@@ -351,7 +351,7 @@ TEST(Measured_faces, agree_with_the_single_faces)
     stars.fill(v, [&](std::uint32_t) { return star; });
   }
   Measured_faces faces;
-  faces.assign(stars, mesh.rings().number_of_faces());
+  faces.assign<CGAL::Sequential_tag>(stars, mesh.rings().number_of_faces());
 
   const SP::Symmetric_Dirichlet_energy_3 energy;
   const double sharpness = 3., radius = 1.2;

@@ -69,7 +69,7 @@ public:
     const Independent_sets sets(rings);
     m_stars.assign(sets.vertices(), sets.first(), [&](std::uint32_t v) { return rings.degree(v); });
     fill(m_stars, [&](std::uint32_t v) { return Ring_star<decltype(rest_of_face)>{v, rings.ring(v), rest_of_face}; });
-    m_faces.assign(m_stars, rings.number_of_faces());
+    m_faces.template assign<ConcurrencyTag>(m_stars, rings.number_of_faces());
     m_places.resize(rings.number_of_vertices());
     for(std::size_t place = m_stars.number_of_places(); place-- > 0;) // the first place of each is its own
       m_places[m_stars.vertex(place)] = static_cast<std::uint32_t>(place);

@@ -22,6 +22,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <numeric>
 
 namespace CGAL {
 namespace Spherical_parameterization {
@@ -50,27 +51,55 @@ public:
     m_largest = (std::max)(m_largest, energy);
   }
 
-  // Adds the energies of many faces.
+  // Adds the energies of many faces, in several columns, which do not wait for each other. Which energies a column gets
+  // does not depend on the number of lanes.
   template <class FT>
   void add_all(const double* energies, std::size_t n)
   {
+    const std::size_t n_in_rows = n - n % n_columns;
+    std::array<double, n_columns> sums = {}, largest;
+    largest.fill(lowest);
+    for(std::size_t column = 0; column < n_columns; column += Lanes<FT>::width)
+    {
+      FT column_sum = 0., column_largest = lowest;
+      for(std::size_t k = column; k < n_in_rows; k += n_columns)
+      {
+        const FT energy = Lanes<FT>::load(energies + k);
+        column_sum += energy;
+        column_largest = larger(column_largest, energy);
+      }
+      Lanes<FT>::store(column_sum, sums.data() + column);
+      Lanes<FT>::store(column_largest, largest.data() + column);
+    }
+    for(std::size_t k = n_in_rows; k < n; ++k)
+    {
+      sums[k - n_in_rows] += energies[k];
+      largest[k - n_in_rows] = (std::max)(largest[k - n_in_rows], energies[k]);
+    }
     Energy_summary part(m_sharpness);
     part.m_size = n;
-    for(std::size_t k = 0; k < n; ++k)
-      part.m_largest = (std::max)(part.m_largest, energies[k]);
-    part.m_sum = sum_of(energies, n);
+    part.m_sum = std::accumulate(sums.begin(), sums.end(), 0.);
+    part.m_largest = *std::max_element(largest.begin(), largest.end());
     if(m_sharpness > 0.)
     {
-      std::array<double, packet_size> exponentials;
-      for(std::size_t first = 0; first < n; first += packet_size)
+      const auto exponential_of = [&](const FT& energy) {
+        const FT sharpness = m_sharpness, shift = part.m_largest;
+        return exponential(sharpness * (energy - shift));
+      };
+      std::array<double, n_columns> last_row;
+      last_row.fill(part.m_largest);
+      std::copy(energies + n_in_rows, energies + n, last_row.begin());
+      for(std::size_t column = 0; column < n_columns; column += Lanes<FT>::width)
       {
-        const std::size_t size = (std::min)(n - first, packet_size);
-        for(std::size_t k = 0; k < packet_size; ++k)
-          exponentials[k] = k < size ? m_sharpness * (energies[first + k] - part.m_largest) : 0.;
-        for(std::size_t k = 0; k < packet_size; k += Lanes<FT>::width)
-          Lanes<FT>::store(exponential(Lanes<FT>::load(exponentials.data() + k)), exponentials.data() + k);
-        part.m_sum_of_exponentials += sum_of(exponentials.data(), size);
+        FT column_sum = 0.;
+        for(std::size_t k = column; k < n_in_rows; k += n_columns)
+          column_sum += exponential_of(Lanes<FT>::load(energies + k));
+        Lanes<FT>::store(column_sum, sums.data() + column);
+        Lanes<FT>::store(exponential_of(Lanes<FT>::load(last_row.data() + column)), last_row.data() + column);
       }
+      for(std::size_t k = n_in_rows; k < n; ++k)
+        sums[k - n_in_rows] += last_row[k - n_in_rows];
+      part.m_sum_of_exponentials = std::accumulate(sums.begin(), sums.end(), 0.);
     }
     add(part);
   }
@@ -110,23 +139,7 @@ private:
     return m_size > 0 && m_largest > lowest ? std::exp(m_sharpness * (m_largest - new_largest)) : 0.;
   }
 
-  // In several sums, which do not wait for each other. Which ones does not depend on the processor.
-  static double sum_of(const double* values, std::size_t n)
-  {
-    std::array<double, packet_size> sums = {};
-    std::size_t k = 0;
-    for(; k + packet_size <= n; k += packet_size)
-      for(std::size_t i = 0; i < packet_size; ++i)
-        sums[i] += values[k + i];
-    for(std::size_t i = 0; k < n; ++k, ++i)
-      sums[i] += values[k];
-    double result = 0.;
-    for(const double sum : sums)
-      result += sum;
-    return result;
-  }
-
-  static constexpr std::size_t packet_size = 8;
+  static constexpr std::size_t n_columns = 8;
   static constexpr double lowest = std::numeric_limits<double>::lowest();
 
   double m_sharpness;

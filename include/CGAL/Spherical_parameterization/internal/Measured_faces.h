@@ -30,6 +30,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <numeric>
 #include <vector>
 
 namespace CGAL {
@@ -42,22 +43,32 @@ class Measured_faces
 {
 public:
   // Takes the faces of the mesh with these stars, which hold the rest shapes for the measurements as well.
+  template <class ConcurrencyTag>
   void assign(const Star_packets& stars, std::size_t n_faces)
   {
     m_number_of_faces = n_faces;
-    const std::size_t n_packets = (n_faces + width - 1) / width;
+    const std::size_t n_packets = (n_faces + width - 1) / width, n_star_packets = stars.number_of_packets();
     m_packets.resize(n_packets);
     m_invariants.resize(n_faces);
-    std::size_t n = 0;
-    stars.for_each_face([&](std::size_t corner, std::uint32_t a, std::uint32_t b, std::uint32_t c) {
-      Packet& packet = m_packets[n / width];
-      packet.corners[n % width] = static_cast<std::uint32_t>(corner);
-      packet.vertices[0][n % width] = a;
-      packet.vertices[1][n % width] = b;
-      packet.vertices[2][n % width] = c;
-      ++n;
+    std::vector<std::size_t> first(n_star_packets + 1, 0); // of the faces of each packet of stars
+    for_each_block<ConcurrencyTag>(0, n_star_packets, packets_per_block, [&](std::size_t begin, std::size_t end) {
+      for(std::size_t k = begin; k < end; ++k)
+        first[k + 1] = stars.number_of_faces(k);
     });
-    for(; n < n_packets * width; ++n)
+    std::partial_sum(first.begin(), first.end(), first.begin());
+    for_each_block<ConcurrencyTag>(0, n_star_packets, packets_per_block, [&](std::size_t begin, std::size_t end) {
+      std::size_t n = first[begin];
+      for(std::size_t k = begin; k < end; ++k)
+        stars.for_each_face(k, [&](std::size_t corner, std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+          Packet& packet = m_packets[n / width];
+          packet.corners[n % width] = static_cast<std::uint32_t>(corner);
+          packet.vertices[0][n % width] = a;
+          packet.vertices[1][n % width] = b;
+          packet.vertices[2][n % width] = c;
+          ++n;
+        });
+    });
+    for(std::size_t n = n_faces; n < n_packets * width; ++n)
     {
       Packet& packet = m_packets[n / width];
       packet.corners[n % width] = packet.corners[0];
@@ -77,9 +88,13 @@ public:
         using FT = typename decltype(number_type)::FT;
         std::array<double, width * packets_per_block> energies;
         for(std::size_t k = begin; k < end; ++k)
+        {
+          for(const std::uint32_t corner : m_packets[(std::min)(k + packets_ahead, m_packets.size() - 1)].corners)
+            stars.prefetch_rest(corner);
           for(std::size_t lane = 0; lane < width; lane += Lanes<FT>::width)
             measure_lanes<Barrier, FT>(stars, energy, positions.data(), radius * radius, k, lane,
                                        energies.data() + (k - begin) * width + lane);
+        }
         const std::size_t n = (std::min)(end * width, m_number_of_faces) - begin * width;
         m_partial[begin / packets_per_block].template add_all<FT>(energies.data(), n);
       };
@@ -120,6 +135,7 @@ public:
 private:
   static constexpr std::size_t width = 8;
   static constexpr std::size_t packets_per_block = 32;
+  static constexpr std::size_t packets_ahead = 3; // of which the rest shapes are fetched
 
   struct Packet
   {

@@ -20,9 +20,10 @@
 #include <CGAL/Spherical_parameterization/internal/Star_view.h>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
-#include <utility>
+#include <numeric>
 #include <vector>
 
 namespace CGAL {
@@ -64,11 +65,7 @@ public:
       for(std::size_t begin = first_of_set[set]; begin < first_of_set[set + 1]; begin += chunk_size)
       {
         const std::size_t end = (std::min)(begin + chunk_size, first_of_set[set + 1]);
-        order.assign(vertices.begin() + static_cast<std::ptrdiff_t>(begin),
-                     vertices.begin() + static_cast<std::ptrdiff_t>(end));
-        std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
-          return std::make_pair(degree_of(a), a) < std::make_pair(degree_of(b), b);
-        });
+        order_by_degree(vertices.data() + begin, vertices.data() + end, degree_of, order);
         for(std::size_t k = 0; k < order.size();)
         {
           const bool is_large = degree_of(order[k]) > most_rows;
@@ -173,28 +170,61 @@ public:
   // Number k of the rest shape of a corner.
   double rest(std::size_t corner, std::size_t k) const { return m_rest[rest_index(corner, k)]; }
 
-  // Calls f(corner, v, p, q) for all faces of the mesh, each at its smallest vertex v, in a fixed order.
-  template <class Function>
-  void for_each_face(const Function& f) const
+  // Announces that the rest shape of a corner is about to be read. Corners of a packet are near each other, but too far
+  // for a processor to see what comes next.
+  void prefetch_rest([[maybe_unused]] std::size_t corner) const
   {
-    for(const Packet& packet : m_packets)
-      for(std::size_t lane = 0; lane < packet.number_of_stars; ++lane)
+#ifdef __GNUC__
+    for(std::size_t k = 0; k < 4; ++k)
+      __builtin_prefetch(m_rest.data() + rest_index(corner, k));
+#endif
+  }
+
+  // Calls f(corner, v, p, q) for the faces of the mesh that have their smallest vertex v in a packet, in a fixed order.
+  template <class Function>
+  void for_each_face(std::size_t packet, const Function& f) const
+  {
+    const Packet& p = m_packets[packet];
+    for(std::size_t lane = 0; lane < p.number_of_stars; ++lane)
+      for(std::size_t j = 0; j < p.number_of_rows; ++j)
       {
-        const std::uint32_t v = m_vertices[packet.first_place + lane];
-        const std::size_t first = packet.first_corner + lane, d = degree(packet, lane);
-        for(std::size_t j = 0; j < d; ++j)
-        {
-          const std::uint32_t p = m_neighbors[first + j * packet.stride];
-          const std::uint32_t q = m_neighbors[first + (j + 1 < d ? j + 1 : 0) * packet.stride];
-          if(v < p && v < q)
-            f(first + j * packet.stride, v, p, q);
-        }
+        const Corner c = corner(p, lane, j);
+        if(c.is_smallest())
+          f(c.index, c.vertex, c.p, c.q);
       }
+  }
+
+  // The number of these faces.
+  std::size_t number_of_faces(std::size_t packet) const
+  {
+    const Packet& p = m_packets[packet];
+    std::size_t result = 0;
+    for(std::size_t j = 0; j < p.number_of_rows; ++j)
+      for(std::size_t lane = 0; lane < p.number_of_stars; ++lane)
+        result += corner(p, lane, j).is_smallest();
+    return result;
   }
 
 private:
   static constexpr std::size_t chunk_size = 1024; // of vertices that are ordered by their numbers of faces
   static constexpr std::size_t most_rows = 32;    // of a packet of several stars
+
+  // The vertices in `order` are in the order of their numbers of neighbors, those of the same number as they were before.
+  template <class DegreeOf>
+  static void order_by_degree(const std::uint32_t* begin, const std::uint32_t* end, const DegreeOf& degree_of,
+                              std::vector<std::uint32_t>& order)
+  {
+    const auto key_of = [&](std::uint32_t v) {
+      return (std::min)(static_cast<std::size_t>(degree_of(v)), most_rows + 1);
+    };
+    std::array<std::size_t, most_rows + 3> next = {};
+    for(const std::uint32_t* v = begin; v != end; ++v)
+      ++next[key_of(*v) + 1];
+    std::partial_sum(next.begin(), next.end(), next.begin());
+    order.resize(static_cast<std::size_t>(end - begin));
+    for(const std::uint32_t* v = begin; v != end; ++v)
+      order[next[key_of(*v)]++] = *v;
+  }
 
   // A vector that grows a little at a time takes twice the memory that it needs, and copies what is of no use any more.
   template <class T>
@@ -209,7 +239,30 @@ private:
     numbers.resize(n);
   }
 
-  static std::size_t rest_index(std::size_t corner, std::size_t k) { return Star_view<double>::rest_index(corner, k); }
+  // A corner as the one of a face at its vertex; p and q are the two others.
+  struct Corner
+  {
+    std::size_t index;
+    std::uint32_t vertex, p, q;
+
+    // A filling row has the first neighbor on both sides.
+    bool is_smallest() const
+    {
+      return static_cast<int>(vertex < p) & static_cast<int>(vertex < q) & static_cast<int>(p != q);
+    }
+  };
+
+  Corner corner(const Packet& p, std::size_t lane, std::size_t j) const
+  {
+    const std::size_t first = p.first_corner + lane, index = first + j * p.stride;
+    const std::size_t next = j + 1 < p.number_of_rows ? index + p.stride : first;
+    return {index, m_vertices[p.first_place + lane], m_neighbors[index], m_neighbors[next]};
+  }
+
+  static std::size_t rest_index(std::size_t corner, std::size_t k)
+  {
+    return Star_view<double>::rest_index(corner, k);
+  }
 
   std::size_t degree(const Packet& p, std::size_t lane) const
   {

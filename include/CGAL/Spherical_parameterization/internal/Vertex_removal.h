@@ -23,6 +23,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <limits>
 #include <utility>
 #include <vector>
@@ -52,48 +53,43 @@ public:
     if(d > highest_degree)
       return result;
 
-    std::array<Vector_3d, highest_degree> e, normal; // edges from v; normals of its faces, twice the area long
-    std::array<double, highest_degree> area;
+    std::array<Vector_3d, 2 * highest_degree> e;       // edges from v, twice round, so that no index has to be wrapped
+    std::array<Vector_3d, highest_degree> normal;      // of the faces of v, twice the area long
+    std::array<double, highest_degree> inverse_length; // of the normals
     double total_area = 0.;
     for(std::uint32_t j = 0; j < d; ++j)
-      e[j] = points[ring[j]] - points[v];
+      e[j] = e[j + d] = points[ring[j]] - points[v];
     for(std::uint32_t j = 0; j < d; ++j)
     {
-      normal[j] = cross(e[j], e[j + 1 < d ? j + 1 : 0]);
-      area[j] = length(normal[j]);
-      total_area += area[j];
+      normal[j] = cross(e[j], e[j + 1]);
+      const double area = length(normal[j]);
+      total_area += area;
+      inverse_length[j] = area > 0. ? 1. / area : 0.;
     }
 
-    std::array<bool, highest_degree> has_chord = {};
-    for(std::uint32_t j = 0; j < d; ++j)
-      for(std::uint32_t k = j + 2; k < d - (j == 0 ? 1 : 0); ++k)
-        if(are_neighbors(rings, ring[j], ring[k], is_exact))
-          has_chord[j] = has_chord[k] = true;
-
+    // What takes longest comes last, and only for targets that may still be the best one.
     for(std::uint32_t j = 0; j < d; ++j)
     {
-      if(has_chord[j])
-        continue;
       double cost = edge_weight * total_area * squared_length(e[j]);
       for(std::uint32_t k = 0; k < d; ++k)
       {
         const double volume = dot(normal[k], e[j]);
-        if(area[k] > 0.)
-          cost += volume * volume / area[k];
+        cost += volume * volume * inverse_length[k];
       }
-      double quality = 1.;
-      for(std::uint32_t k = 1; k + 1 < d; ++k)
-      {
-        const Vector_3d a = e[(j + k) % d] - e[j], b = e[(j + k + 1) % d] - e[j];
-        const double sum = squared_length(a) + squared_length(b) + squared_length(b - a);
-        const double ratio = length(cross(a, b)) / sum;
-        quality = (std::min)(quality, ratio > 0. ? 2. * std::sqrt(3.) * ratio : 0.); // 1 for an equilateral triangle
-      }
-      cost = (std::max)(cost, least_cost) / std::sqrt((std::max)(quality, least_quality));
+      cost = (std::max)(cost, least_cost);
       const std::size_t degree = rings.degree(ring[j]) + d - 4;
       if(degree > good_degree)
         cost *= 1. + static_cast<double>((degree - good_degree) * (degree - good_degree));
-      const std::uint32_t rank = rank_of(cost);
+      if(result.is_possible() && rank_of(cost) >= result.m_rank)
+        continue;
+      if(has_chord(rings, ring, j, is_exact))
+        continue;
+
+      double squared_quality = 1.;
+      for(std::uint32_t k = j + 1; k + 1 < j + d; ++k)
+        squared_quality = (std::min)(squared_quality, squared_quality_of(e[k] - e[j], e[k + 1] - e[j]));
+      const std::uint32_t rank =
+          rank_of(cost / std::sqrt(std::sqrt((std::max)(squared_quality, least_squared_quality))));
       if(!result.is_possible() || rank < result.m_rank)
       {
         result.m_rank = rank;
@@ -117,19 +113,37 @@ private:
   static constexpr std::size_t good_degree = 9;
   static constexpr std::size_t high_degree = 64;
   static constexpr double edge_weight = 1e-2;
-  static constexpr double least_quality = 1e-6;
+  static constexpr double least_squared_quality = 1e-12;
   static constexpr double least_cost = 1e-290; // where the surface says nothing, the degrees decide
 
   // Much coarser than the cost: costs that differ by rounding only nearly always have the same rank, so that no choice
   // depends on how the mesh is placed in space.
   static std::uint32_t rank_of(double cost)
   {
+    static_assert(std::numeric_limits<double>::is_iec559, "The exponent is followed by the mantissa.");
     constexpr double largest = (std::numeric_limits<double>::max)();
-    constexpr int least_exponent = std::numeric_limits<double>::min_exponent, digits = 11;
-    int exponent;
-    const float mantissa = static_cast<float>(std::frexp(cost <= largest ? cost : largest, &exponent)); // from 0.5 to 1
-    return (static_cast<std::uint32_t>(exponent - least_exponent) << digits) +
-           static_cast<std::uint32_t>(std::ldexp(mantissa - 0.5f, digits + 1));
+    const double number = cost <= largest ? cost : largest;
+    std::uint64_t bits;
+    std::memcpy(&bits, &number, sizeof(bits));
+    return static_cast<std::uint32_t>(bits >> 41); // the exponent and 11 digits
+  }
+
+  // The square of how near a triangle with these edges is to equilateral: from 0 for a flat one to 1.
+  static double squared_quality_of(const Vector_3d& a, const Vector_3d& b)
+  {
+    const double sum = squared_length(a) + squared_length(b) + squared_length(b - a);
+    const double squared_ratio = squared_length(cross(a, b)) / (sum * sum);
+    return squared_ratio > 0. ? 12. * squared_ratio : 0.;
+  }
+
+  // Whether vertex j of a ring has neighbors in the ring other than the two next to it.
+  static bool has_chord(const Vertex_rings& rings, const Vertex_rings::Ring& ring, std::uint32_t j, bool is_exact)
+  {
+    const std::uint32_t d = static_cast<std::uint32_t>(ring.size());
+    for(std::uint32_t k = j + 2; k + 1 < j + d; ++k)
+      if(are_neighbors(rings, ring[j], ring[k < d ? k : k - d], is_exact))
+        return true;
+    return false;
   }
 
   static bool are_neighbors(const Vertex_rings& rings, std::uint32_t a, std::uint32_t b, bool is_exact)
