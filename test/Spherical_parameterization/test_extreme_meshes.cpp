@@ -230,7 +230,14 @@ TEST(Extreme_degrees, two_vertices_of_all_faces)
 {
   const Triangle_list list = test_meshes::suspension(huge_degree);
   ASSERT_EQ(largest_degree(list), huge_degree);
-  EXPECT_LT(expect_mapped(list).distortion.isometric.average, 2.); // close to a sphere, with faces like needles
+  expect_mapped(list);
+}
+
+// Close to a sphere, with faces like needles. From some 60,000 on, rounding decides whether the neighbours of a vertex
+// fall into disorder in a place; the average then is anything up to a hundred.
+TEST(Extreme_degrees, two_vertices_of_many_faces)
+{
+  EXPECT_LT(expect_mapped(test_meshes::suspension(huge_degree / 5)).distortion.isometric.average, 1.5);
 }
 
 TEST(Extreme_degrees, one_hub_in_a_fine_mesh)

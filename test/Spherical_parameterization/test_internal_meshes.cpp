@@ -1,6 +1,7 @@
 // The flat meshes that the work is done on: rings, numbering, scaling and refusals of Indexed_mesh, the colouring, and
 // the hierarchy of coarser meshes.
 
+#include <CGAL/Spherical_parameterization/internal/Edge_set.h>
 #include <CGAL/Spherical_parameterization/internal/Independent_sets.h>
 #include <CGAL/Spherical_parameterization/internal/Indexed_mesh.h>
 #include <CGAL/Spherical_parameterization/internal/Mesh_hierarchy.h>
@@ -27,6 +28,7 @@ namespace SP = CGAL::Spherical_parameterization;
 
 namespace {
 
+using SP::internal::Edge_set;
 using SP::internal::Independent_sets;
 using SP::internal::Indexed_mesh;
 using SP::internal::Mesh_hierarchy;
@@ -377,6 +379,25 @@ TEST(Independent_sets, are_independent_and_complete)
       }
     }
     EXPECT_LE(sets.number_of_sets(), 12u); // a greedy colouring of a planar graph, hardly ever above 7
+  }
+}
+
+TEST(Edge_set, has_what_was_inserted_and_grows)
+{
+  for(const std::size_t expected_size : {std::size_t(0), std::size_t(5000)})
+  {
+    Edge_set edges(expected_size);
+    for(std::uint32_t a = 0; a < 5000; ++a)
+    {
+      EXPECT_FALSE(edges.contains(a, 3 * a + 1));
+      edges.insert(3 * a + 1, a);
+    }
+    for(std::uint32_t a = 0; a < 5000; ++a)
+    {
+      EXPECT_TRUE(edges.contains(a, 3 * a + 1));
+      EXPECT_TRUE(edges.contains(3 * a + 1, a));
+      EXPECT_FALSE(edges.contains(a, 3 * a + 2));
+    }
   }
 }
 

@@ -10,6 +10,7 @@
 #include <CGAL/Spherical_parameterization/Symmetric_Dirichlet_energy_3.h>
 #include <CGAL/Spherical_parameterization/internal/Energy_summary.h>
 #include <CGAL/Spherical_parameterization/internal/Lanes.h>
+#include <CGAL/Spherical_parameterization/internal/Independent_sets.h>
 #include <CGAL/Spherical_parameterization/internal/Measured_faces.h>
 #include <CGAL/Spherical_parameterization/internal/Packed_double.h>
 #include <CGAL/Spherical_parameterization/internal/Star_energy.h>
@@ -250,6 +251,45 @@ TEST(Star_packets, hold_every_star_once)
     }
   }
   EXPECT_EQ(n_times, std::vector<int>(degrees.size(), 1));
+}
+
+// The stars of a packet differ in their numbers of faces: what fills the shorter ones is no face.
+TEST(Star_packets, list_every_face_once)
+{
+  const Indexed_mesh mesh = test_indexed_meshes::indexed_mesh(test_meshes::icosphere(3));
+  const Vertex_rings& rings = mesh.rings();
+  const Independent_sets sets(rings);
+  Star_packets stars;
+  stars.assign(sets.vertices(), sets.first(), [&](std::uint32_t v) { return rings.degree(v); });
+  std::size_t n_filled = 0;
+  for(std::size_t k = 0; k < stars.number_of_packets(); ++k)
+  {
+    stars.fill(k, [&](std::uint32_t v) {
+      Random_stars::Star star;
+      const Vertex_rings::Ring ring = rings.ring(v);
+      star.neighbors.assign(ring.begin(), ring.end());
+      star.rests.assign(ring.size(), Rest_triangle{1., 1., 1., 1.});
+      return star;
+    });
+    for(std::size_t i = 0; i < stars.packet(k).number_of_stars; ++i)
+      n_filled += rings.degree(stars.vertex(stars.packet(k).first_place + i)) < stars.packet(k).number_of_rows;
+  }
+  EXPECT_GT(n_filled, 0u);
+
+  using Face = std::array<std::uint32_t, 3>;
+  std::vector<Face> expected, listed;
+  rings.for_each_face([&](std::uint32_t a, std::uint32_t b, std::uint32_t c) { expected.push_back({a, b, c}); });
+  for(std::size_t k = 0; k < stars.number_of_packets(); ++k)
+  {
+    const std::size_t n_before = listed.size();
+    stars.for_each_face(k, [&](std::size_t, std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+      listed.push_back({a, b, c});
+    });
+    EXPECT_EQ(stars.number_of_faces(k), listed.size() - n_before);
+  }
+  std::sort(expected.begin(), expected.end());
+  std::sort(listed.begin(), listed.end());
+  EXPECT_EQ(listed, expected);
 }
 
 template <class Energy, class Barrier>

@@ -83,15 +83,15 @@ private:
   // The derivatives of I and d (14), those of the energy in them (7, 1 / d^2 being known), the chain rule (28), the
   // exponential and its derivatives (16), and the sums (6).
   static constexpr Operations corner_of_derivatives = {71, 0, 0, 1};
-  // the inverse of the modulus of the Hessian (14), the step (14), its slope and its length (7)
-  static constexpr Operations newton_step = {35, 3, 2, 0};
+  // the inverse of the modulus of the Hessian (15), the step (14), its slope and its squared length (7)
+  static constexpr Operations newton_step = {36, 3, 1, 0};
   // The offset from the new place (3), the determinant (14), the squared length (5), I and d (7), the energy (4),
   // whether the face is safely positive (2), and its share of the objective (3).
   static constexpr Operations corner_of_value = {38, 1, 0, 1};
   // the height above the tangent plane
   static constexpr Operations value = {6, 1, 1, 0};
-  // from the frame to space, and to length 1
-  static constexpr Operations new_position = {26, 1, 1, 0};
+  // from the frame to space (18), and from nearly length 1 to it (10)
+  static constexpr Operations new_position = {28, 0, 0, 0};
 
   void add(const Operations& operations, double times)
   {

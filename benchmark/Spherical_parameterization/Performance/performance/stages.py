@@ -216,6 +216,22 @@ def _growth_verdict(results: list[Result], series: list[Result], number_of_threa
         _microseconds(*result, "optimization") / max(result[1]["sweeps"], 1.0) for result in (series[0], series[-1])
     ]
     return text + (
-        f" Stage by stage, the factors are: {', '.join(factors)}; that of a sweep over the finest mesh, with what is"
+        f"{_verdict_of_families(results)} Stage by stage, the factors are: {', '.join(factors)}; that of a sweep over the finest mesh, with what is"
         f" done around it, is {speed(sweep[1] / sweep[0])}."
     )
+
+
+def _verdict_of_families(results: list[Result]) -> str:
+    """What meshes of one shape say that differ in size by a factor of ten and more, by the first part of their names."""
+    families: dict[str, list[Result]] = {}
+    for result in results:
+        families.setdefault(result[0].name.rsplit("_", 1)[0], []).append(result)
+    words = []
+    for shape, members in families.items():
+        sizes = [file.number_of_vertices for file, _ in members]
+        if max(sizes) >= 10 * min(sizes):
+            totals = [_microseconds(*member, TOTAL) for member in members]
+            words.append(
+                f"{shape} from {min(sizes):,} to {max(sizes):,} vertices by {speed(max(totals) / min(totals))}"
+            )
+    return f" Shape by shape, where it is there in several sizes: {listed(words)}." if words else ""

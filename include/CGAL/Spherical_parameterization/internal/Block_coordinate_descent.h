@@ -30,6 +30,8 @@
 #include <CGAL/Spherical_parameterization/internal/Is_lanewise.h>
 #include <CGAL/Spherical_parameterization/internal/run_in_lanes.h>
 
+#include <boost/sort/spreadsort/integer_sort.hpp>
+
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -109,16 +111,15 @@ public:
     if(selected.size() > most)
       return selected.size();
 
-    std::sort(selected.begin(), selected.end(),
-              [&](std::uint32_t a, std::uint32_t b) { return m_places[a] < m_places[b]; });
+    for(std::uint32_t& v : selected)
+      v = m_places[v];
+    boost::sort::spreadsort::integer_sort(selected.begin(), selected.end());
     std::vector<std::size_t> first_of_set;
-    std::size_t k = 0;
     for(std::size_t set = 0; set <= m_stars.number_of_sets(); ++set)
-    {
-      while(k < selected.size() && m_places[selected[k]] < m_stars.first_place_of_set(set))
-        ++k;
-      first_of_set.push_back(k);
-    }
+      first_of_set.push_back(static_cast<std::size_t>(
+          std::lower_bound(selected.begin(), selected.end(), m_stars.first_place_of_set(set)) - selected.begin()));
+    for(std::uint32_t& place : selected)
+      place = m_stars.vertex(place);
     m_focus.assign(selected, first_of_set, [&](std::uint32_t v) { return m_rings.degree(v); });
     fill(m_focus, [&](std::uint32_t v) { return m_stars.star(m_places[v]); });
     return selected.size();
@@ -137,7 +138,7 @@ public:
                                                                           sharpness);
   }
 
-  const std::vector<Face_invariants_3>& faces() const { return m_faces.invariants(); }
+  const auto& faces() const { return m_faces.invariants(); }
 
 private:
   // Whether there are lanes of two decides for all.
@@ -157,10 +158,7 @@ private:
 
     std::size_t degree() const { return ring.size(); }
     std::uint32_t neighbor(std::size_t j) const { return ring[j]; }
-    Rest_triangle rest(std::size_t j) const
-    {
-      return rest_of_face(vertex, ring[j], ring[j + 1 < ring.size() ? j + 1 : 0]);
-    }
+    Rest_triangle rest(std::size_t j) const { return rest_of_face(vertex, ring[j], ring.around(j + 1)); }
   };
 
   template <class StarOf>

@@ -29,10 +29,16 @@ namespace internal {
 class Edge_set
 {
 public:
-  bool contains(std::uint32_t a, std::uint32_t b) const
+  // There may be more edges than expected.
+  explicit Edge_set(std::size_t expected_size = 0)
   {
-    return !m_table.empty() && m_table[place_of(key_of(a, b))] != none;
+    std::size_t size = least_size;
+    while(size < 2 * expected_size)
+      size *= 2;
+    m_table.resize(size, none);
   }
+
+  bool contains(std::uint32_t a, std::uint32_t b) const { return m_table[place_of(key_of(a, b))] != none; }
 
   void insert(std::uint32_t a, std::uint32_t b)
   {
@@ -46,7 +52,7 @@ public:
 
 private:
   static constexpr std::uint64_t none = 0; // no edge leads from vertex 0 to itself
-  static constexpr std::size_t least_size = 1024;
+  static constexpr std::size_t least_size = 64;
 
   static std::uint64_t key_of(std::uint32_t a, std::uint32_t b)
   {
@@ -66,14 +72,14 @@ private:
 
   void grow()
   {
-    std::vector<std::uint64_t> old((std::max)(2 * m_table.size(), least_size), none);
+    std::vector<std::uint64_t> old(2 * m_table.size(), none);
     old.swap(m_table);
     for(const std::uint64_t key : old)
       if(key != none)
         m_table[place_of(key)] = key;
   }
 
-  std::vector<std::uint64_t> m_table; // its size is a power of two, or 0
+  std::vector<std::uint64_t> m_table; // its size is a power of two
   std::size_t m_size = 0;
 };
 

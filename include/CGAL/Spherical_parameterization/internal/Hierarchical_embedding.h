@@ -97,11 +97,7 @@ private:
     std::size_t first;
 
     std::size_t size() const { return ring.size(); }
-    const Vector_3d& operator[](std::size_t j) const
-    {
-      const std::size_t k = first + j;
-      return positions[ring[k < ring.size() ? k : k - ring.size()]];
-    }
+    const Vector_3d& operator[](std::size_t j) const { return positions[ring.around(first + j)]; }
   };
 
   static std::vector<Vector_3d> gathered(const std::vector<Vector_3d>& all, const Mesh_hierarchy::Level& level)

@@ -118,9 +118,10 @@ private:
       std::frexp(extent, &m_exponent);
     // In two steps, because 2^-m_exponent may overflow itself.
     const int first = -m_exponent / 2, second = -m_exponent - first;
+    const double first_factor = std::ldexp(1., first), second_factor = std::ldexp(1., second);
     for(Vector_3d& p : points)
       for(std::size_t i = 0; i < 3; ++i)
-        p[i] = std::ldexp(std::ldexp(p[i] - (0.5 * low[i] + 0.5 * high[i]), first), second);
+        p[i] = (p[i] - (0.5 * low[i] + 0.5 * high[i])) * first_factor * second_factor;
   }
 
   // Builds the rings of all vertices that have a triangle, renumbered without the others. Fails if a vertex meets
@@ -205,7 +206,7 @@ private:
       const std::size_t d = ring.size(), shift = position(ring, entry[order[k]]);
       for(std::size_t j = 0; j < d; ++j)
       {
-        const std::uint32_t w = ring[(shift + j) % d];
+        const std::uint32_t w = ring.around(shift + j);
         if(number[w] == none)
           visit(w, order[k]);
       }
@@ -224,7 +225,7 @@ private:
       const Vertex_rings::Ring ring = rings.ring(order[k]);
       const std::size_t d = ring.size(), shift = position(ring, entry[order[k]]);
       for(std::size_t j = 0; j < d; ++j)
-        m_rings.push_neighbor(number[ring[(shift + j) % d]]);
+        m_rings.push_neighbor(number[ring.around(shift + j)]);
       m_rings.end_ring();
     }
     m_points.swap(points);

@@ -25,6 +25,8 @@
 #include <CGAL/Spherical_parameterization/internal/for_each_block.h>
 #include <CGAL/Spherical_parameterization/internal/run_in_lanes.h>
 
+#include <boost/container/vector.hpp>
+
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -48,8 +50,8 @@ public:
   {
     m_number_of_faces = n_faces;
     const std::size_t n_packets = (n_faces + width - 1) / width, n_star_packets = stars.number_of_packets();
-    m_packets.resize(n_packets);
-    m_invariants.resize(n_faces);
+    m_packets.resize(n_packets, boost::container::default_init);
+    m_invariants.resize(n_faces, boost::container::default_init);
     std::vector<std::size_t> first(n_star_packets + 1, 0); // of the faces of each packet of stars
     for_each_block<ConcurrencyTag>(0, n_star_packets, packets_per_block, [&](std::size_t begin, std::size_t end) {
       for(std::size_t k = begin; k < end; ++k)
@@ -110,7 +112,7 @@ public:
   }
 
   // what was measured last
-  const std::vector<Face_invariants_3>& invariants() const { return m_invariants; }
+  const boost::container::vector<Face_invariants_3>& invariants() const { return m_invariants; }
 
   // Calls f(a, b, c) for each face whose energy was above `bound` when it was measured last, as long as f returns true.
   template <class Energy, class Function>
@@ -172,8 +174,8 @@ private:
   }
 
   std::size_t m_number_of_faces = 0;
-  std::vector<Packet> m_packets;
-  std::vector<Face_invariants_3> m_invariants;
+  boost::container::vector<Packet> m_packets;
+  boost::container::vector<Face_invariants_3> m_invariants;
   std::vector<Energy_summary> m_partial; // of the blocks
 };
 

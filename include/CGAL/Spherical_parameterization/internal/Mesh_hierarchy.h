@@ -22,6 +22,8 @@
 #include <CGAL/Spherical_parameterization/internal/vertex_areas.h>
 #include <CGAL/Spherical_parameterization/internal/for_each_block.h>
 
+#include <boost/sort/spreadsort/integer_sort.hpp>
+
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
@@ -133,12 +135,12 @@ private:
     for(std::size_t v = 0; v < n; ++v)
       if(removals[v].is_possible())
         candidates.push_back(static_cast<std::uint64_t>(removals[v].rank()) << 32 | v);
-    std::sort(candidates.begin(), candidates.end());
+    boost::sort::spreadsort::integer_sort(candidates.begin(), candidates.end());
 
     const std::size_t most =
         (std::min)(n - 4, (std::max)(static_cast<std::size_t>(largest_share * static_cast<double>(n)), std::size_t(1)));
     std::vector<char> is_locked(n, 0);
-    Edge_set new_edges;
+    Edge_set new_edges(3 * most); // six faces, as there are in the mean, become four
     for(const std::uint64_t candidate : candidates)
     {
       if(fine.removed.size() == most)
@@ -150,11 +152,11 @@ private:
       const std::uint32_t d = static_cast<std::uint32_t>(ring.size()), target = removals[v].target();
       bool has_new_edge = false;
       for(std::uint32_t k = 2; k + 1 < d; ++k)
-        has_new_edge = has_new_edge || new_edges.contains(ring[target], ring[(target + k) % d]);
+        has_new_edge = has_new_edge || new_edges.contains(ring[target], ring.around(target + k));
       if(has_new_edge)
         continue;
       for(std::uint32_t k = 2; k + 1 < d; ++k)
-        new_edges.insert(ring[target], ring[(target + k) % d]);
+        new_edges.insert(ring[target], ring.around(target + k));
       fine.removed.push_back({v, target});
       for(const std::uint32_t w : ring)
         is_locked[w] = 1;
@@ -232,9 +234,9 @@ private:
       if(t == v)
       {
         for(std::size_t k = 2; k + 1 < h; ++k)
-          f(hole[(target[w] + k) % h]);
+          f(hole.around(target[w] + k));
       }
-      else if(ring[j + 1 < d ? j + 1 : 0] != t && ring[j > 0 ? j - 1 : d - 1] != t)
+      else if(ring.around(j + 1) != t && ring.around(j + d - 1) != t)
         f(t);
     }
   }

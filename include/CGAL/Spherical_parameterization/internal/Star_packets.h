@@ -19,6 +19,8 @@
 #include <CGAL/Spherical_parameterization/internal/Rest_triangle.h>
 #include <CGAL/Spherical_parameterization/internal/Star_view.h>
 
+#include <boost/container/vector.hpp>
+
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -56,6 +58,7 @@ public:
     m_vertices.clear();
     m_vertices.reserve(vertices.size() + vertices.size() / 16 + width);
     m_packets.clear();
+    m_number_of_singles = 0;
     m_packets.reserve(m_vertices.capacity() / width);
     m_first_packet.assign(1, 0);
     std::size_t n_corners = 0;
@@ -70,6 +73,7 @@ public:
         {
           const bool is_large = degree_of(order[k]) > most_rows;
           const std::size_t stride = is_large ? 1 : width;
+          m_number_of_singles += is_large;
           std::size_t last = k + 1;
           while(last < order.size() && last < k + stride && degree_of(order[last]) <= most_rows)
             ++last;
@@ -121,9 +125,13 @@ public:
     Star(const Star_packets& stars, std::size_t place)
       : m_stars(stars)
     {
-      const auto last = std::upper_bound(stars.m_packets.begin(), stars.m_packets.end(), place,
-                                         [](std::size_t p, const Packet& packet) { return p < packet.first_place; });
-      const Packet& packet = *(last - 1);
+      // All packets have `width` places but for those of a single star.
+      const std::size_t first = place / width, n = stars.m_packets.size();
+      const Packet* const packets = stars.m_packets.data();
+      const Packet& packet = *(std::upper_bound(packets + (std::min)(first, n),
+                                                packets + (std::min)(first + stars.m_number_of_singles + 1, n), place,
+                                                [](std::size_t p, const Packet& q) { return p < q.first_place; }) -
+                               1);
       m_first = packet.first_corner + place - packet.first_place;
       m_stride = packet.stride;
       m_degree = stars.degree(packet, place - packet.first_place);
@@ -227,16 +235,17 @@ private:
   }
 
   // A vector that grows a little at a time takes twice the memory that it needs, and copies what is of no use any more.
+  // What it gets is left to fill(), which touches the memory in parallel.
   template <class T>
-  static void resize(std::vector<T>& numbers, std::size_t n)
+  static void resize(boost::container::vector<T>& numbers, std::size_t n)
   {
     if(n > numbers.capacity())
     {
       const bool is_first = numbers.empty();
-      std::vector<T>().swap(numbers);
+      boost::container::vector<T>().swap(numbers);
       numbers.reserve(is_first ? n : n + n / 16);
     }
-    numbers.resize(n);
+    numbers.resize(n, boost::container::default_init);
   }
 
   // A corner as the one of a face at its vertex; p and q are the two others.
@@ -273,10 +282,11 @@ private:
   }
 
   std::vector<Packet> m_packets;
+  std::size_t m_number_of_singles = 0; // packets of a single star
   std::vector<std::size_t> m_first_packet;
   std::vector<std::uint32_t> m_vertices; // of the places
-  std::vector<std::uint32_t> m_neighbors;
-  std::vector<double> m_rest;
+  boost::container::vector<std::uint32_t> m_neighbors;
+  boost::container::vector<double> m_rest;
 };
 
 } // namespace internal

@@ -97,7 +97,7 @@ private:
     for(std::size_t j = 0; j < ring.size(); ++j)
     {
       const Vector_3d p = m_mesh.points()[ring[j]] - m_mesh.points()[m_pole];
-      const Vector_3d q = m_mesh.points()[ring[j + 1 < ring.size() ? j + 1 : 0]] - m_mesh.points()[m_pole];
+      const Vector_3d q = m_mesh.points()[ring.around(j + 1)] - m_mesh.points()[m_pole];
       sum += angles[j] = std::atan2(length(cross(p, q)), dot(p, q));
     }
     const double equal_share = 1. / static_cast<double>(ring.size());

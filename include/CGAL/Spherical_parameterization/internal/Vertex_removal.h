@@ -82,15 +82,12 @@ public:
         cost *= 1. + static_cast<double>((degree - good_degree) * (degree - good_degree));
       if(result.is_possible() && rank_of(cost) >= result.m_rank)
         continue;
-      if(has_chord(rings, ring, j, is_exact))
-        continue;
-
       double squared_quality = 1.;
       for(std::uint32_t k = j + 1; k + 1 < j + d; ++k)
         squared_quality = (std::min)(squared_quality, squared_quality_of(e[k] - e[j], e[k + 1] - e[j]));
       const std::uint32_t rank =
           rank_of(cost / std::sqrt(std::sqrt((std::max)(squared_quality, least_squared_quality))));
-      if(!result.is_possible() || rank < result.m_rank)
+      if((!result.is_possible() || rank < result.m_rank) && !has_chord(rings, ring, j, is_exact))
       {
         result.m_rank = rank;
         result.m_target = j;
@@ -141,7 +138,7 @@ private:
   {
     const std::uint32_t d = static_cast<std::uint32_t>(ring.size());
     for(std::uint32_t k = j + 2; k + 1 < j + d; ++k)
-      if(are_neighbors(rings, ring[j], ring[k < d ? k : k - d], is_exact))
+      if(are_neighbors(rings, ring[j], ring.around(k), is_exact))
         return true;
     return false;
   }

@@ -38,6 +38,9 @@ public:
     const std::uint32_t* end() const { return last; }
     std::size_t size() const { return static_cast<std::size_t>(last - first); }
     std::uint32_t operator[](std::size_t j) const { return first[j]; }
+
+    // the same where the ring closes, for j up to twice its size
+    std::uint32_t around(std::size_t j) const { return first[j < size() ? j : j - size()]; }
   };
 
   std::size_t number_of_vertices() const { return m_offsets.size() - 1; }
@@ -63,7 +66,7 @@ public:
   {
     for(std::size_t j = 0; j < ring.size(); ++j)
     {
-      const std::uint32_t p = ring[j], q = ring[j + 1 < ring.size() ? j + 1 : 0];
+      const std::uint32_t p = ring[j], q = ring.around(j + 1);
       if(v < p && v < q)
         f(j, p, q);
     }

@@ -51,7 +51,7 @@ inline std::vector<double> cotangent_weights(const Vertex_rings& rings, const st
       const std::uint32_t w = ring[j];
       if(w < v)
         continue;
-      const std::uint32_t left = ring[j + 1 < ring.size() ? j + 1 : 0], right = ring[j > 0 ? j - 1 : ring.size() - 1];
+      const std::uint32_t left = ring.around(j + 1), right = ring.around(j + ring.size() - 1);
       const double weight = 0.5 * (opposite_cotangent(v, w, left) + opposite_cotangent(w, v, right));
       const Vertex_rings::Ring other = rings.ring(w);
       const auto back = static_cast<std::size_t>(std::find(other.begin(), other.end(), v) - other.begin());
