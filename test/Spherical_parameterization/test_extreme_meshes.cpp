@@ -230,7 +230,7 @@ TEST(Extreme_degrees, two_vertices_of_all_faces)
 {
   const Triangle_list list = test_meshes::suspension(huge_degree);
   ASSERT_EQ(largest_degree(list), huge_degree);
-  expect_mapped(list);
+  EXPECT_LT(expect_mapped(list).distortion.isometric.average, 1000.); // see below
 }
 
 // Close to a sphere, with faces like needles. From some 60,000 on, rounding decides whether the neighbours of a vertex

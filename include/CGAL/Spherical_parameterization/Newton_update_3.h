@@ -124,7 +124,7 @@ public:
 
 private:
   static constexpr double least_ratio = 1e-3; // of the eigenvalues that a step is computed from
-  static constexpr double least_radius = std::numeric_limits<double>::min(); // whose reciprocal is finite
+  static constexpr double least_radius = (std::numeric_limits<double>::min)(); // whose reciprocal is finite
   static constexpr double least_step = 1e-9; // in units of the shortest edge; shorter ones are not worth an evaluation
   static constexpr double armijo = 1e-4;
   static constexpr int most_halvings = 12;

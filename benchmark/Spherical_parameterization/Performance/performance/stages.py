@@ -222,7 +222,10 @@ def _growth_verdict(results: list[Result], series: list[Result], number_of_threa
 
 
 def _verdict_of_families(results: list[Result]) -> str:
-    """What meshes of one shape say that differ in size by a factor of ten and more, by the first part of their names."""
+    """How far the times a vertex of one shape differ that is there in sizes of a factor of ten and more.
+
+    A shape is told by what its name has before the number of vertices.
+    """
     families: dict[str, list[Result]] = {}
     for result in results:
         families.setdefault(result[0].name.rsplit("_", 1)[0], []).append(result)
@@ -231,7 +234,5 @@ def _verdict_of_families(results: list[Result]) -> str:
         sizes = [file.number_of_vertices for file, _ in members]
         if max(sizes) >= 10 * min(sizes):
             totals = [_microseconds(*member, TOTAL) for member in members]
-            words.append(
-                f"{shape} from {min(sizes):,} to {max(sizes):,} vertices by {speed(max(totals) / min(totals))}"
-            )
-    return f" Shape by shape, where it is there in several sizes: {listed(words)}." if words else ""
+            words.append(f"{shape}, {min(sizes):,} to {max(sizes):,} vertices, by {speed(max(totals) / min(totals))}")
+    return f" Within one shape, they differ at most: {'; '.join(words)}." if words else ""

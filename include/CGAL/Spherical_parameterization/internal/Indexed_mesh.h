@@ -26,6 +26,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <cstdlib>
 #include <limits>
 #include <vector>
 
@@ -116,12 +117,19 @@ private:
     m_exponent = 0;
     if(extent > 0.)
       std::frexp(extent, &m_exponent);
+    const Vector_3d center = 0.5 * low + 0.5 * high;
+    if(std::abs(m_exponent) < 1000)
+    {
+      const double factor = std::ldexp(1., -m_exponent);
+      for(Vector_3d& p : points)
+        p = factor * (p - center);
+      return;
+    }
     // In two steps, because 2^-m_exponent may overflow itself.
     const int first = -m_exponent / 2, second = -m_exponent - first;
-    const double first_factor = std::ldexp(1., first), second_factor = std::ldexp(1., second);
     for(Vector_3d& p : points)
       for(std::size_t i = 0; i < 3; ++i)
-        p[i] = (p[i] - (0.5 * low[i] + 0.5 * high[i])) * first_factor * second_factor;
+        p[i] = std::ldexp(std::ldexp(p[i] - center[i], first), second);
   }
 
   // Builds the rings of all vertices that have a triangle, renumbered without the others. Fails if a vertex meets

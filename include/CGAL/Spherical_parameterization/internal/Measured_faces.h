@@ -25,6 +25,8 @@
 #include <CGAL/Spherical_parameterization/internal/for_each_block.h>
 #include <CGAL/Spherical_parameterization/internal/run_in_lanes.h>
 
+#include <CGAL/assertions.h>
+
 #include <boost/container/vector.hpp>
 
 #include <algorithm>
@@ -58,6 +60,7 @@ public:
         first[k + 1] = stars.number_of_faces(k);
     });
     std::partial_sum(first.begin(), first.end(), first.begin());
+    CGAL_assertion(first.back() == n_faces);
     for_each_block<ConcurrencyTag>(0, n_star_packets, packets_per_block, [&](std::size_t begin, std::size_t end) {
       std::size_t n = first[begin];
       for(std::size_t k = begin; k < end; ++k)

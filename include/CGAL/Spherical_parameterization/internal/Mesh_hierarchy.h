@@ -140,7 +140,7 @@ private:
     const std::size_t most =
         (std::min)(n - 4, (std::max)(static_cast<std::size_t>(largest_share * static_cast<double>(n)), std::size_t(1)));
     std::vector<char> is_locked(n, 0);
-    Edge_set new_edges(3 * most); // six faces, as there are in the mean, become four
+    Edge_set new_edges(3 * most); // in a hole of six sides, the mean
     for(const std::uint64_t candidate : candidates)
     {
       if(fine.removed.size() == most)

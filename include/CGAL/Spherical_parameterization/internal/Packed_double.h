@@ -146,13 +146,14 @@ public:
     return result;
   }
 
-  // exp(a) with a relative error of some 1e-16 from -708 to 709; what is smaller or larger gets the value there.
+  // exp(a) from -708 to 709, with a relative error of some 1e-16 (1e-11 where doubles are not rounded to nearest); what
+  // is smaller, or no number, gets the value at the lower end, what is larger that at the upper one.
   friend CGAL_SPHERICAL_PARAMETERIZATION_INLINE Packed_double exponential(const Packed_double& a)
   {
     const Packed_double lowest(-708.), highest(709.);
     const Packed_double x = select(a > lowest, smaller(a, highest), lowest);
 
-    // x = k log(2) + r with |r| <= log(2) / 2: next to this shift, doubles are integers, so that the last bits of the
+    // x = k log(2) + r, rounded to nearest with |r| <= log(2) / 2: next to this shift, doubles are integers, so that the last bits of the
     // sum are k. The sign, which is not set, is masked for compilers that may reorder sums (-ffast-math): they would
     // take the shift out again without any rounding.
     const Packed_double shift(6755399441055744.); // 3 * 2^51
@@ -200,7 +201,7 @@ private:
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_HAS_VECTORS
 
-// The same for a single number.
+// The same for a single number, but for the ends of the exponential.
 
 CGAL_SPHERICAL_PARAMETERIZATION_INLINE double lane(double a, std::size_t)
 {

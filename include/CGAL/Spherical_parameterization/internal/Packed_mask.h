@@ -18,7 +18,6 @@
 #include <CGAL/Spherical_parameterization/internal/Packed_vectors.h>
 
 #include <cstddef>
-#include <cstdint>
 
 namespace CGAL {
 namespace Spherical_parameterization {

@@ -41,7 +41,7 @@ namespace internal {
 //
 // This is the model of the concept `VertexEnergy_3` that a vertex update gets to see. One object serves many vertices:
 // it only allocates when it meets a star larger than all before. With a packed number type it serves as many stars at
-// once as that has lanes.
+// once as that has lanes. It is used by one thread at a time, as asking it for a value leaves notes in it.
 //
 // Exponentials, whose operations have to wait for each other, are taken in loops of their own: the shorter a loop is,
 // the more of its rounds are under way at once.
@@ -130,6 +130,9 @@ public:
       const FT determinant = x * n[0] + y * n[1] + (1. + z) * n[2];
       const FT lp = squared_length(to_p), lq = squared_length(to_q);
       is_valid = is_valid && (is_safely_positive(determinant, lp + lq) || is_filling(j));
+      if constexpr(std::is_same<FT, double>::value) // in lanes, to look costs more than to go on
+        if(!is_valid)
+          return infinite;
       const FT i = m_faces[j].fixed_i + scale * (m_star.opposite_2(j) * lp + m_star.opposite_1(j) * lq);
       const FT area = scale * m_star.inverse_area(j) * Area::value(determinant, n);
       const FT d = select(is_valid, unless_filling(j, area, FT(1.)), FT(1.)); // energies are for positive ones

@@ -217,7 +217,8 @@ private:
   static constexpr std::size_t chunk_size = 1024; // of vertices that are ordered by their numbers of faces
   static constexpr std::size_t most_rows = 32;    // of a packet of several stars
 
-  // The vertices in `order` are in the order of their numbers of neighbors, those of the same number as they were before.
+  // Puts the vertices in the order of their numbers of neighbors; those of the same number, or of more than most_rows,
+  // stay as they were.
   template <class DegreeOf>
   static void order_by_degree(const std::uint32_t* begin, const std::uint32_t* end, const DegreeOf& degree_of,
                               std::vector<std::uint32_t>& order)

@@ -57,7 +57,8 @@ public:
     const Vector_3<FT> p = {m_n[0] + (x * m_t1[0] + y * m_t2[0] + z * m_n[0]),
                             m_n[1] + (x * m_t1[1] + y * m_t2[1] + z * m_n[1]),
                             m_n[2] + (x * m_t1[2] + y * m_t2[2] + z * m_n[2])};
-    return (1.5 - 0.5 * squared_length(p)) * p; // normalized: its length is 1 up to some roundings
+    // The length is that of n, 1 up to some roundings, so that one step of Newton's method normalizes it.
+    return (1.5 - 0.5 * squared_length(p)) * p;
   }
 
   // the offset along n of that point: sqrt(1 - x^2 - y^2) - 1 without its cancellation

@@ -39,7 +39,7 @@ public:
     std::size_t size() const { return static_cast<std::size_t>(last - first); }
     std::uint32_t operator[](std::size_t j) const { return first[j]; }
 
-    // the same where the ring closes, for j up to twice its size
+    // the same around the closed ring, for j below twice its size
     std::uint32_t around(std::size_t j) const { return first[j < size() ? j : j - size()]; }
   };
 
