@@ -215,8 +215,9 @@ def _growth_verdict(results: list[Result], series: list[Result], number_of_threa
     sweep = [
         _microseconds(*result, "optimization") / max(result[1]["sweeps"], 1.0) for result in (series[0], series[-1])
     ]
+    text += _verdict_of_families(results)
     return text + (
-        f"{_verdict_of_families(results)} Stage by stage, the factors are: {', '.join(factors)}; that of a sweep over the finest mesh, with what is"
+        f" Stage by stage, the factors are: {', '.join(factors)}; that of a sweep over the finest mesh, with what is"
         f" done around it, is {speed(sweep[1] / sweep[0])}."
     )
 

@@ -153,9 +153,9 @@ public:
     const Packed_double lowest(-708.), highest(709.);
     const Packed_double x = select(a > lowest, smaller(a, highest), lowest);
 
-    // x = k log(2) + r, rounded to nearest with |r| <= log(2) / 2: next to this shift, doubles are integers, so that the last bits of the
-    // sum are k. The sign, which is not set, is masked for compilers that may reorder sums (-ffast-math): they would
-    // take the shift out again without any rounding.
+    // x = k log(2) + r with |r| <= log(2) / 2, if k is rounded to nearest: next to this shift, doubles are integers, so
+    // that the last bits of the sum are k. The sign, which is not set, is masked for compilers that may reorder sums
+    // (-ffast-math): they would take the shift out again without any rounding.
     const Packed_double shift(6755399441055744.); // 3 * 2^51
     const Packed_double shifted = x * Packed_double(1.4426950408889634074) + shift;
     Integers bits;
