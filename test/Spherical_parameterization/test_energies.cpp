@@ -247,10 +247,7 @@ TEST(Energy_summary, agrees_with_the_definition_of_the_means)
       for(std::size_t first = 0; first < energies.size(); first += part)
       {
         SP::internal::Energy_summary summary(s);
-        for(std::size_t k = first; k < (std::min)(first + part, energies.size()); ++k)
-        {
-          summary.add(energies[k]);
-        }
+        summary.add_all<double>(energies.data() + first, (std::min)(std::size_t(part), energies.size() - first));
         total.add(summary);
       }
       EXPECT_NEAR(total.average(), average, 1e-12 * average);
@@ -263,9 +260,10 @@ TEST(Energy_summary, agrees_with_the_definition_of_the_means)
 TEST(Energy_summary, does_not_overflow)
 {
   SP::internal::Energy_summary summary(1e3);
-  summary.add(2.);
-  summary.add(1e10);
-  summary.add(5.);
+  for(const double energy : {2., 1e10, 5.})
+  {
+    summary.add_all<double>(&energy, 1);
+  }
   EXPECT_NEAR(summary.mean(), 1e10 - std::log(3.) / 1e3, 1e-5);
 }
 

@@ -30,7 +30,7 @@ class Edge_set
 {
 public:
   // There may be more edges than expected.
-  explicit Edge_set(std::size_t expected_size = 0)
+  explicit Edge_set(std::size_t expected_size)
   {
     std::size_t size = least_size;
     while(size < 2 * expected_size)

@@ -36,21 +36,6 @@ public:
     : m_sharpness(sharpness)
   {}
 
-  void add(double energy)
-  {
-    ++m_size;
-    m_sum += energy;
-    if(m_sharpness > 0.)
-    {
-      // sum of exp(s (E - largest)), rescaled whenever a larger one comes
-      if(energy > m_largest)
-        m_sum_of_exponentials = 1. + m_sum_of_exponentials * rescaling(energy);
-      else
-        m_sum_of_exponentials += std::exp(m_sharpness * (energy - m_largest));
-    }
-    m_largest = (std::max)(m_largest, energy);
-  }
-
   // Adds the energies of many faces, in several columns, which do not wait for each other. Which energies a column gets
   // does not depend on the number of lanes.
   template <class FT>
@@ -112,6 +97,7 @@ public:
     m_sum += part.m_sum;
     if(m_sharpness > 0.)
     {
+      // sums of exp(s (E - largest)), rescaled to the larger one
       if(part.m_largest > m_largest)
         m_sum_of_exponentials = part.m_sum_of_exponentials + m_sum_of_exponentials * rescaling(part.m_largest);
       else
