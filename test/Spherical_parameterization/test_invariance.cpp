@@ -179,9 +179,10 @@ protected:
 
 TEST_P(Invariance_of_symmetric_surfaces, under_placement_is_rounding)
 {
-  expect_same_up_to_rounding(original, run(scaled(list, 3.3)), 3.3, 1e-8);
-  expect_same_up_to_rounding(original, run(moved(list, {10.1, -3.3, 0.777})), 1., 1e-8);
-  expect_same_up_to_rounding(original, run(rotated(list, 0.7, 1.9)), 1., 1e-8);
+  const double tolerance = 1e-7; // hundreds of sweeps over coarse levels turn a suspension a little
+  expect_same_up_to_rounding(original, run(scaled(list, 3.3)), 3.3, tolerance);
+  expect_same_up_to_rounding(original, run(moved(list, {10.1, -3.3, 0.777})), 1., tolerance);
+  expect_same_up_to_rounding(original, run(rotated(list, 0.7, 1.9)), 1., tolerance);
   EXPECT_TRUE(test_maps::have_same_bits(run(scaled(list, 1024.)).directions, original.directions));
 }
 

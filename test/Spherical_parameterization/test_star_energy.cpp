@@ -9,6 +9,7 @@
 #include <CGAL/Spherical_parameterization/Symmetric_Dirichlet_energy_3.h>
 #include <CGAL/Spherical_parameterization/internal/Star_energy.h>
 #include <CGAL/Spherical_parameterization/internal/Star_packets.h>
+#include <CGAL/Spherical_parameterization/internal/update_on_coarse_levels.h>
 
 #include <gtest/gtest.h>
 
@@ -443,6 +444,20 @@ TEST(Newton_update, knows_the_range_of_its_factor)
   EXPECT_FALSE(SP::Newton_update_3(2.).is_valid());
   EXPECT_FALSE(SP::Newton_update_3(std::nan("")).is_valid());
   EXPECT_EQ(SP::Newton_update_3(1.5).over_relaxation(), 1.5);
+}
+
+// An update that has on_coarse_levels() from its base only, which would be made of it.
+struct Derived_update : SP::Newton_update_3
+{
+  using SP::Newton_update_3::Newton_update_3;
+};
+
+TEST(Newton_update, is_more_careful_on_coarse_levels)
+{
+  EXPECT_EQ(SP::Newton_update_3().on_coarse_levels().over_relaxation(), 1.7);
+  EXPECT_EQ(SP::Newton_update_3(1.2).on_coarse_levels().over_relaxation(), 1.2);
+  EXPECT_EQ(SP::internal::update_on_coarse_levels(SP::Newton_update_3()).over_relaxation(), 1.7);
+  EXPECT_EQ(SP::internal::update_on_coarse_levels(Derived_update(1.8)).over_relaxation(), 1.8);
 }
 
 } // namespace

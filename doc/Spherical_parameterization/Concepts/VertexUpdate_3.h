@@ -42,5 +42,9 @@ public:
   /// returns whether the parameters of the update are in their ranges. If not, a parameterizer returns `ERROR_WRONG_PARAMETER`.
   bool is_valid() const;
 
+  /// returns the update for the levels of a hierarchy that are coarser than the mesh, an object of the same type. Without this
+  /// member, all levels get the same update.
+  VertexUpdate_3 on_coarse_levels() const;
+
   /// @}
 };

@@ -168,7 +168,7 @@ public:
   /// largest one. If the largest exceeds the average by less than half of their size, changes are relative to
   /// twice that excess instead, since a nearly isometric map has hardly more energy than the best one.
   ///
-  /// \param energy_tolerance at least 0, by default 3e-5
+  /// \param energy_tolerance at least 0, by default 4e-5
   /// \param radius_tolerance at least 0, by default 1e-3
   void set_tolerances(double energy_tolerance, double radius_tolerance)
   {
@@ -285,10 +285,12 @@ public:
 
 private:
   // The vertices around faces above this share of the largest energy are swept so many times more, but not more often
-  // than takes the time of a sweep over all vertices, nor if that is too little to be worth it.
+  // than takes the time of a sweep over all vertices, nor if that is too little to be worth it; then they are not
+  // looked for again in so many sweeps, as many faces stay many.
   static constexpr double focus_energy = 0.6;
   static constexpr std::size_t least_focus_sweeps = 5;
   static constexpr std::size_t most_focus_sweeps = 10;
+  static constexpr std::size_t sweeps_without_focus = 4;
 
   static Initial_parameterizer default_initial_parameterizer(const Energy& energy, const Sharpness& sharpness,
                                                              const Vertex_update& vertex_update)
@@ -322,11 +324,8 @@ private:
       return std::abs(std::expm1(sharpness * (summary.mean() - last_summary.mean()))) <= m_energy_tolerance;
     if(!m_is_accelerated)
       return is_settled(summary.average(), last_summary.average(), m_energy_tolerance);
-    // Where all energies are near their least value, a small part of them is much of what could still be gained.
-    const double spread = summary.largest() - summary.average();
     const auto is_settled_with = [&](double value, double last_value, double tolerance) {
-      const double scale = (std::max)((std::min)(last_value, 2. * spread), 1e-6 * last_value);
-      return std::abs(value - last_value) <= tolerance * scale;
+      return std::abs(value - last_value) <= tolerance * summary.scale_of_changes(last_value);
     };
     return is_settled_with(summary.mean(), last_summary.mean(), m_energy_tolerance) &&
            is_settled_with(summary.average(), last_summary.average(), m_energy_tolerance) &&
@@ -351,7 +350,8 @@ private:
     Descent descent(mesh.rings(), mesh.points(), std::vector<double>(), m_energy, m_vertex_update);
     internal::Energy_summary summary = descent.measure(positions, scaled(radius), 0.);
     m_report.initial_energy = summary.average();
-    bool is_final = false; // whether the sharpness was final in the last sweep already
+    std::size_t next_focus = 0; // the first sweep that may have one
+    bool is_final = false;      // whether the sharpness was final in the last sweep already
     m_report.stop_reason = ITERATION_LIMIT;
     for(std::size_t i = 0; i < most_iterations; ++i)
     {
@@ -364,11 +364,13 @@ private:
         radius = i == 0 || !m_is_accelerated ? aim : radius * std::sqrt(aim / radius);
       const double sharpness = next_sharpness(i, summary.average(), summary.largest());
       descent.sweep(positions, scaled(radius), sharpness);
-      if(sharpness > 0. && m_is_accelerated)
+      if(sharpness > 0. && m_is_accelerated && i >= next_focus)
       {
         const std::size_t most = mesh.number_of_vertices() / least_focus_sweeps;
         const std::size_t focus = descent.focus_on_faces_above(focus_energy * summary.largest(), most);
-        if(focus > 0 && focus <= most)
+        if(focus > most)
+          next_focus = i + 1 + sweeps_without_focus;
+        else if(focus > 0)
         {
           const std::size_t n_sweeps = (std::min)(mesh.number_of_vertices() / focus, most_focus_sweeps);
           for(std::size_t k = 0; k < n_sweeps; ++k)
@@ -408,7 +410,7 @@ private:
   Sharpness m_sharpness;
   Radius m_radius;
   Vertex_update m_vertex_update;
-  double m_energy_tolerance = 3e-5, m_radius_tolerance = 1e-3;
+  double m_energy_tolerance = 4e-5, m_radius_tolerance = 1e-3;
   unsigned int m_number_of_iterations = 100;
   bool m_is_accelerated = true;
   Parameterization_report m_report;

@@ -99,9 +99,9 @@ public:
   /// \param sharpness the sharpness policy, asked for its values on coarse levels, and used for all of at least 300
   ///        vertices; if the type is the default one, by default of sharpness 0 (eq. 6)
   /// \param vertex_update how a vertex is moved
-  /// \param sweeps_per_level sweeps over each level, at least 1; levels below 2000 vertices get up to three times as
-  ///        many, those above 500 a quarter if they have less than one and a half times as many vertices as the last
-  ///        level that got more
+  /// \param sweeps_per_level sweeps over each level, at least 1; levels below 500 vertices are swept until they have
+  ///        settled, up to ten times as often; those below 2000 get up to twice as many, and those above 500 a quarter
+  ///        if they have less than one and a half times as many vertices as the last level that got more
   explicit Hierarchical_parameterizer_3(const Energy& energy = Energy(),
                                         const Sharpness& sharpness = default_sharpness(),
                                         const Vertex_update& vertex_update = Vertex_update(),

@@ -19,6 +19,7 @@
 
 #include <CGAL/tags.h>
 
+#include <algorithm>
 #include <array>
 #include <limits>
 
@@ -62,6 +63,14 @@ public:
   bool is_valid() const
   {
     return m_over_relaxation >= 1. && m_over_relaxation < 2.;
+  }
+
+  /// returns the update for the levels of a hierarchy that are coarser than the mesh: one that prolongs steps by 1.7 at
+  /// most. Where a vertex has many thousands of neighbors, longer ones throw these into a disorder that no later sweep
+  /// undoes; and to carry changes far is what the levels themselves are for.
+  Newton_update_3 on_coarse_levels() const
+  {
+    return Newton_update_3((std::min)(m_over_relaxation, largest_factor_on_coarse_levels));
   }
 
   /// computes the step of one vertex from its tangent plane's origin.
@@ -123,6 +132,7 @@ public:
 #endif
 
 private:
+  static constexpr double largest_factor_on_coarse_levels = 1.7;
   static constexpr double least_ratio = 1e-3; // of the eigenvalues that a step is computed from
   static constexpr double least_radius = (std::numeric_limits<double>::min)(); // whose reciprocal is finite
   static constexpr double least_step = 1e-9; // in units of the shortest edge; shorter ones are not worth an evaluation

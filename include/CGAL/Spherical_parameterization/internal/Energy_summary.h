@@ -119,6 +119,14 @@ public:
     return m_largest + std::log(m_sum_of_exponentials / static_cast<double>(m_size)) / m_sharpness;
   }
 
+  // What a change of an energy near `energy` is to be compared with. Where all energies are near their least value, a
+  // small part of them is much of what could still be gained.
+  double scale_of_changes(double energy) const
+  {
+    const double spread = largest() - average();
+    return (std::max)((std::min)(energy, 2. * spread), 1e-6 * energy);
+  }
+
 private:
   double rescaling(double new_largest) const
   {

@@ -25,6 +25,7 @@
 #include <CGAL/Spherical_parameterization/internal/Vector_3d.h>
 #include <CGAL/Spherical_parameterization/internal/Vertex_rings.h>
 #include <CGAL/Spherical_parameterization/internal/for_each_block.h>
+#include <CGAL/Spherical_parameterization/internal/update_on_coarse_levels.h>
 #include <CGAL/Spherical_parameterization/internal/vertex_areas.h>
 
 #include <algorithm>
@@ -55,6 +56,7 @@ public:
     , m_energy(energy)
     , m_sharpness(sharpness)
     , m_update(update)
+    , m_coarse_update(update_on_coarse_levels(update))
     , m_sweeps_per_level(sweeps_per_level)
     , m_limits(limits)
     , m_kernels(Star_kernel())
@@ -151,10 +153,10 @@ private:
     const std::vector<Vector_3d> points = gathered(m_points, level);
     const std::vector<double> densities =
         m_limits.is_uniform ? std::vector<double>() : vertex_densities(rings, points, level.areas);
-    Block_coordinate_descent<Energy, VertexUpdate, ConcurrencyTag> descent(rings, points, densities, m_energy, m_update,
-                                                                           m_limits);
+    Block_coordinate_descent<Energy, VertexUpdate, ConcurrencyTag> descent(
+        rings, points, densities, m_energy, local.size() < m_points.size() ? m_coarse_update : m_update, m_limits);
     const std::size_t n_sweeps = is_full ? number_of_sweeps(local.size()) : (m_sweeps_per_level + 3) / 4;
-    double sharpness = 0.;
+    double sharpness = 0., last_average = 0.;
     bool is_stopped = false;
     for(std::size_t i = 0; i < n_sweeps; ++i)
     {
@@ -162,6 +164,10 @@ private:
       {
         const Energy_summary summary = descent.measure(local, m_radius, 0.);
         m_radius = Optimal_radius_3()(m_energy, descent.faces(), m_radius);
+        if(local.size() < least_brief_level && i > 0 &&
+           std::abs(summary.average() - last_average) < settled_change * summary.scale_of_changes(last_average))
+          break;
+        last_average = summary.average();
         sharpness = local.size() < least_sharp_level ? 0. : m_sharpness.on_coarse_level(summary.largest());
         is_stopped = !control.go_further(0, summary.average());
         if(is_stopped && i > 0)
@@ -174,11 +180,14 @@ private:
     }
   }
 
-  // Coarse levels are swept more often: there the large features find their places, at little cost.
+  // Coarse levels are swept more often: there the large features find their places, at little cost. On the coarsest they
+  // get the time that they need, which may be short; see relax().
   std::size_t number_of_sweeps(std::size_t n_vertices) const
   {
+    if(n_vertices < least_brief_level)
+      return most_sweeps_to_settle * m_sweeps_per_level;
     const double factor = std::sqrt(2000. / static_cast<double>(n_vertices));
-    return static_cast<std::size_t>(static_cast<double>(m_sweeps_per_level) * (std::min)((std::max)(factor, 1.), 3.));
+    return static_cast<std::size_t>(static_cast<double>(m_sweeps_per_level) * (std::max)(factor, 1.));
   }
 
   static constexpr std::size_t sweeps_per_measurement = 5;
@@ -187,14 +196,18 @@ private:
   // whole limb, to fight the worst one throws the limbs into disorder, from which the finer levels do not recover.
   static constexpr std::size_t least_sharp_level = 300;
 
-  // Levels with fewer vertices are all swept in full, as the limbs find their places there, at little cost.
+  // Levels with fewer vertices are all swept until the limbs have found their places: until the average energy changes
+  // by a smaller share than this from one measurement to the next, or so many times as often as others. The share is as
+  // small as it is for the sake of conformal maps, whose areas go on changing at hardly any gain of energy.
   static constexpr std::size_t least_brief_level = 500;
+  static constexpr double settled_change = 1e-5;
+  static constexpr std::size_t most_sweeps_to_settle = 10;
 
   Mesh_hierarchy& m_hierarchy;
   const std::vector<Vector_3d>& m_points;
   Energy m_energy;
   SharpnessPolicy m_sharpness;
-  VertexUpdate m_update;
+  VertexUpdate m_update, m_coarse_update;
   std::size_t m_sweeps_per_level;
   Rest_limits m_limits;
   Per_thread<ConcurrencyTag, Star_kernel> m_kernels;

@@ -22,6 +22,7 @@
 #include <CGAL/Spherical_parameterization/internal/Mesh_hierarchy.h>
 #include <CGAL/Spherical_parameterization/internal/Rest_limits.h>
 #include <CGAL/Spherical_parameterization/internal/Vector_3d.h>
+#include <CGAL/Spherical_parameterization/internal/update_on_coarse_levels.h>
 
 #include <array>
 #include <cmath>
@@ -44,6 +45,8 @@ struct One_by_one
   {
     return update(energy, step);
   }
+
+  One_by_one on_coarse_levels() const { return {update_on_coarse_levels(update)}; }
 };
 
 // Maps a mesh to the unit sphere through a hierarchy. It may happen that faces get so small that doubles cannot hold
