@@ -158,6 +158,7 @@ def make_session(options: argparse.Namespace) -> Session:
         limits=benchmark("machine_limits"),
         corpus=corpus,
         large=find_mesh_files(options.large) if options.large is not None and not options.short else [],
+        simplify=path_of("simplify_mesh"),
         folder_for_derived=options.output / "derived",
         report=Report(options.output, "Performance"),
         manual=Manual(PAGE, options.output / "manual"),

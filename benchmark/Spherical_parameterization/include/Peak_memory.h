@@ -20,7 +20,8 @@
 
 namespace benchmarks {
 
-// The physical memory that the calling process has at most, beyond what it has when this object is made. Only Linux tells.
+// The physical memory that the calling process has at most, beyond what it has when this object is made. The code of a
+// program, which is read when it is first needed and is there once for all processes, does not count. Only Linux tells.
 class Peak_memory
 {
 public:
@@ -32,12 +33,13 @@ public:
 #endif
     std::ofstream("/proc/self/clear_refs") << 5; // the peak starts anew
     m_first_bytes = read_bytes("VmRSS:");
+    m_first_bytes_of_files = read_bytes("RssFile:");
   }
 
   // In bytes; NaN where the system does not tell.
   double bytes() const
   {
-    return read_bytes("VmHWM:") - m_first_bytes;
+    return read_bytes("VmHWM:") - m_first_bytes - (read_bytes("RssFile:") - m_first_bytes_of_files);
   }
 
 private:
@@ -56,7 +58,7 @@ private:
     return std::numeric_limits<double>::quiet_NaN();
   }
 
-  double m_first_bytes;
+  double m_first_bytes, m_first_bytes_of_files;
 };
 
 } // namespace benchmarks

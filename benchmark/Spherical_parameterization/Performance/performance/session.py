@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import math
 import statistics
+import subprocess
+from collections.abc import Callable
 from dataclasses import dataclass, field
 from pathlib import Path
 
@@ -18,6 +20,7 @@ from .manual import Manual
 
 LEAST_VERTICES = 2500  # smaller meshes say little about speed
 LEAST_VERTICES_OF_THREADS = 20_000
+SIMPLIFIED_TO = (8, 4, 2)  # an eighth of the vertices and so on
 LARGE = 300_000  # meshes that take seconds are measured less often
 
 MESH = Column("Mesh", "mesh", is_number=False)
@@ -31,6 +34,7 @@ class Session:
     limits: BenchmarkProgram
     corpus: list[MeshFile]  # small ones first, at least one
     large: list[MeshFile]
+    simplify: Path  # the program simplify_mesh
     folder_for_derived: Path
     report: Report
     manual: Manual
@@ -46,7 +50,7 @@ class Session:
 
     @property
     def series(self) -> list[MeshFile]:
-        """One shape in several sizes, each four times as large as the one before."""
+        """One shape in several sizes: simplified, as it is, and subdivided."""
         if self._series is None:
             self._series = self._make_series()
         return self._series
@@ -115,28 +119,44 @@ class Session:
         first = self.corpus[0] if self.is_short else self.one("armadillo_26002") or self.corpus[-1]
         if not self.is_short and first.name != "armadillo_26002":
             self.notes.append(f"Growth: armadillo_26002 is not among the meshes; {first.name} is subdivided instead.")
-        files = [first]
         stem = first.name.rsplit("_", 1)[0]
+        files = []
         try:
+            for part in () if self.is_short else SIMPLIFIED_TO:
+                n_vertices = first.number_of_vertices // part
+                files.append(
+                    self._derived(f"{stem}_{n_vertices}", lambda path, n=n_vertices: self._write_simplified(first, n, path))
+                )
+            files.append(first)
             mesh = first.mesh
             for _ in range(1 if self.is_short else 3):
                 mesh = subdivide_smoothly(mesh)
-                name = f"{stem}_{len(mesh.vertices)}"
-                file = self.one(name)
-                if file is None:
-                    path = self.folder_for_derived / f"{name}.off"
-                    if not path.exists():
-                        self.folder_for_derived.mkdir(parents=True, exist_ok=True)
-                        part = path.with_suffix(".part")
-                        write_off(part, mesh)
-                        part.replace(path)  # whole, or not there
-                    file = MeshFile(path, len(mesh.vertices), len(mesh.faces), "subdivided")
-                files.append(file)
+                files.append(self._derived(f"{stem}_{len(mesh.vertices)}", lambda path, of=mesh: write_off(path, of)))
         except MeshError as error:
-            self.notes.append(f"Growth: {first.name} cannot be subdivided: {error}")
+            self.notes.append(f"Growth: the series of {first.name} is not complete: {error}")
         finally:
             first.forget()
         return files
+
+    def _derived(self, name: str, write: Callable[[Path], None]) -> MeshFile:
+        """The mesh of that name, which ends with the number of vertices; it is made if it is not there."""
+        file = self.one(name)
+        if file is not None:
+            return file
+        path = self.folder_for_derived / f"{name}.off"
+        if not path.exists():
+            self.folder_for_derived.mkdir(parents=True, exist_ok=True)
+            part = path.with_name(f"{name}.part.off")
+            write(part)
+            part.replace(path)  # whole, or not there
+        n_vertices = int(name.rsplit("_", 1)[1])
+        return MeshFile(path, n_vertices, 2 * n_vertices - 4, "derived")
+
+    def _write_simplified(self, file: MeshFile, n_vertices: int, path: Path) -> None:
+        command = [str(self.simplify), str(file.path), str(n_vertices), str(path)]
+        result = subprocess.run(command, capture_output=True, text=True, check=False)
+        if result.returncode != 0:
+            raise MeshError(result.stderr.strip() or f"simplify_mesh ended with {result.returncode}")
 
 
 def geometric_mean(values: list[float]) -> float:

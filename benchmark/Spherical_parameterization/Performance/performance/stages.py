@@ -199,15 +199,15 @@ def _growth_verdict(results: list[Result], series: list[Result], number_of_threa
         return _microseconds(*result, TOTAL)
 
     least, most = min(results, key=total), max(results, key=total)
+    in_series = [total(result) for result in series]
     (first, _), (last, values) = series[0], series[-1]
     text = (
         f"With {number_of_threads} threads, all meshes from {results[0][0].number_of_vertices:,} to"
         f" {results[-1][0].number_of_vertices:,} vertices take {number(total(least), 1)} ({least[0].name}) to"
         f" {number(total(most), 1)} ({most[0].name}) microseconds a vertex, a factor of"
-        f" {speed(total(most) / total(least))}. One shape, subdivided from {first.number_of_vertices:,} to"
-        f" {last.number_of_vertices:,} vertices, takes {number(total(series[0]), 1)} and"
-        f" {number(total(series[-1]), 1)}, a factor of {speed(total(series[-1]) / total(series[0]))}, and"
-        f" {number(values[TOTAL], 1)} seconds in the end."
+        f" {speed(total(most) / total(least))}. One shape, simplified and subdivided, from {first.number_of_vertices:,} to"
+        f" {last.number_of_vertices:,} vertices, takes {number(min(in_series), 1)} to {number(max(in_series), 1)}, a"
+        f" factor of {speed(max(in_series) / min(in_series))}, and {number(values[TOTAL], 1)} seconds in the end."
     )
     factors = [
         f"{stage} {speed(_microseconds(*series[-1], stage) / _microseconds(*series[0], stage))}" for stage in STAGES
@@ -217,7 +217,7 @@ def _growth_verdict(results: list[Result], series: list[Result], number_of_threa
     ]
     text += _verdict_of_families(results)
     return text + (
-        f" Stage by stage, the factors are: {', '.join(factors)}; that of a sweep over the finest mesh, with what is"
+        f" Stage by stage, from the smallest to the largest, the factors are: {', '.join(factors)}; that of a sweep over the finest mesh, with what is"
         f" done around it, is {speed(sweep[1] / sweep[0])}."
     )
 
