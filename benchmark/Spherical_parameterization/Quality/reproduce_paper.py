@@ -70,7 +70,7 @@ def main() -> None:
         library=Library([options.meshes], most, derived),
         large=Library(folders + [options.meshes], most, derived),
         report=Report(options.output, "The paper's results, reproduced"),
-        painter=Painter(None if options.no_pictures else options.output),
+        painter=Painter(None if options.no_pictures else options.output, options.short),
         is_short=options.short,
     )
     if not session.library.files:

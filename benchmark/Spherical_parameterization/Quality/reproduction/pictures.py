@@ -12,7 +12,7 @@ from rendering.colors import Scale
 from rendering.painting import paint
 from rendering.views import turned_like, view_of_sphere, view_of_surface
 
-SIZE = 420  # pixels of one surface or sphere
+SIZE, SIZE_OF_SHORT = 420, 100  # pixels of one surface or sphere
 EDGE_WIDTH = 0.6  # pixels
 
 
@@ -42,10 +42,11 @@ class Picture:
 
 
 class Painter:
-    """Draws pictures into a folder, or nothing if there is none."""
+    """Draws pictures into a folder, or nothing if there is none; small ones if nobody is to look at them."""
 
-    def __init__(self, folder: Path | None):
+    def __init__(self, folder: Path | None, is_short: bool):
         self._folder = folder
+        self._size = SIZE_OF_SHORT if is_short else SIZE
 
     @property
     def is_idle(self) -> bool:
@@ -67,10 +68,10 @@ class Painter:
                 if j == 0:
                     axes.set_ylabel(picture.row_titles[i], fontsize=8)
                 if isinstance(cell, Cell):
-                    axes.imshow(_surface_and_sphere(cell.run, picture))
+                    axes.imshow(_surface_and_sphere(cell.run, picture, self._size))
                     axes.set_xlabel(cell.caption, fontsize=8)
                 elif cell is not None:
-                    axes.imshow(np.ones((SIZE, 2 * SIZE, 3)))
+                    axes.imshow(np.ones((self._size, 2 * self._size, 3)))
                     axes.text(0.5, 0.5, cell, ha="center", va="center", fontsize=8, transform=axes.transAxes)
         scale = picture.scale
         label = f"{picture.measure}; magenta: folded"
@@ -82,7 +83,7 @@ class Painter:
         return True
 
 
-def _surface_and_sphere(run: Run, picture: Picture) -> np.ndarray:
+def _surface_and_sphere(run: Run, picture: Picture, size: int) -> np.ndarray:
     distortion = run.distortion
     values = distortion.angle_of_faces if picture.measure == "D_angle" else distortion.isometric_of_faces
     colors = picture.scale.of_faces(values, run.map.is_folded)
@@ -91,5 +92,5 @@ def _surface_and_sphere(run: Run, picture: Picture) -> np.ndarray:
     sphere = turned_like(mesh.vertices, run.map.unit_images, mesh.faces)
     parts = ((mesh.vertices, view), (sphere, view_of_sphere(view)))
     return np.concatenate(
-        [paint(points, mesh.faces, camera, SIZE, colors, edge_width=edge_width) for points, camera in parts], axis=1
+        [paint(points, mesh.faces, camera, size, colors, edge_width=edge_width) for points, camera in parts], axis=1
     )
