@@ -252,7 +252,7 @@ TEST(Extreme_degrees, one_hub_in_a_fine_mesh)
   const Triangle_list list = surface_of_revolution(0., rings, 1.);
   ASSERT_EQ(largest_degree(list), huge_degree);
   ASSERT_GT(list.points.size(), 2 * huge_degree - 100);
-  expect_mapped(list);
+  EXPECT_LT(expect_mapped(list).distortion.isometric.average, 6.);
 }
 
 TEST(Extreme_connectivity, a_thousand_nested_separating_triangles)

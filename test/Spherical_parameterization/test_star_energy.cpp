@@ -446,7 +446,7 @@ TEST(Newton_update, knows_the_range_of_its_factor)
   EXPECT_EQ(SP::Newton_update_3(1.5).over_relaxation(), 1.5);
 }
 
-// An update that has on_coarse_levels() from its base only, which would be made of it.
+// Inherits on_coarse_levels(), which returns the base, and so is not called.
 struct Derived_update : SP::Newton_update_3
 {
   using SP::Newton_update_3::Newton_update_3;

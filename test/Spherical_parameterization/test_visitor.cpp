@@ -10,6 +10,8 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+#include <atomic>
 #include <cmath>
 #include <cstddef>
 #include <functional>
@@ -288,6 +290,41 @@ TEST_F(Visitor, maximum_running_time_leaves_a_bijection)
   }
   ASSERT_EQ(SP::parameterize(mesh, bld, map, params::maximum_running_time(1e6)), SP::OK);
   EXPECT_NE(bld.report().stop_reason, SP::TIME_LIMIT);
+}
+
+TEST_F(Visitor, coarse_levels_get_at_most_ten_times_the_sweeps)
+{
+  SP::Hierarchical_parameterizer_3<Mesh> hierarchical(SP::Isometric_energy_3(), SP::Relative_sharpness_3(0.),
+                                                      SP::Newton_update_3(), 1);
+  ASSERT_EQ(SP::parameterize(mesh, hierarchical, map), SP::OK);
+  EXPECT_GT(hierarchical.report().number_of_level_iterations, hierarchical.report().number_of_levels);
+  EXPECT_LE(hierarchical.report().number_of_level_iterations, 10 * hierarchical.report().number_of_levels);
+}
+
+// Newton's update, which counts on which levels it is asked.
+struct Counting_update
+{
+  std::atomic<std::size_t>*n_coarse, *n_fine;
+  bool is_coarse;
+
+  template <class VertexEnergy>
+  bool operator()(const VertexEnergy& energy, std::array<double, 2>& step) const
+  {
+    ++*(is_coarse ? n_coarse : n_fine);
+    return SP::Newton_update_3()(energy, step);
+  }
+  Counting_update on_coarse_levels() const { return {n_coarse, n_fine, true}; }
+};
+
+TEST_F(Visitor, coarse_levels_get_the_update_for_them)
+{
+  std::atomic<std::size_t> n_coarse(0), n_fine(0);
+  SP::Hierarchical_parameterizer_3<Mesh, CGAL::Default, CGAL::Default, Counting_update> hierarchical(
+      SP::Isometric_energy_3(), SP::Relative_sharpness_3(0.), {&n_coarse, &n_fine, false}, 4);
+  ASSERT_EQ(SP::parameterize(mesh, hierarchical, map), SP::OK);
+  EXPECT_GT(n_coarse, 0u);
+  EXPECT_GT(n_fine, 0u);
+  EXPECT_EQ(n_fine % num_vertices(mesh), 0u); // so many sweeps over the mesh itself
 }
 
 TEST_F(Visitor, report_adds_up)

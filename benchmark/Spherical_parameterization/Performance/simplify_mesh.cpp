@@ -12,6 +12,8 @@
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/Surface_mesh_simplification/edge_collapse.h>
+#include <CGAL/boost/graph/IO/polygon_mesh_io.h>
+#include <CGAL/boost/graph/helpers.h>
 
 #include <cstddef>
 #include <cstdlib>
@@ -51,6 +53,11 @@ int main(int argc, char* argv[])
   // Euler: a closed triangle mesh of genus 0 has 3 (V - 2) edges.
   SMS::edge_collapse(mesh, Stop_at_edges{3 * static_cast<std::size_t>(n_vertices - 2)});
   mesh.collect_garbage();
+  if(mesh.number_of_vertices() != static_cast<std::size_t>(n_vertices) || !CGAL::is_closed(mesh))
+  {
+    std::cerr << argv[1] << " cannot be simplified to " << n_vertices << " vertices; is it closed and of genus 0?\n";
+    return EXIT_FAILURE;
+  }
   if(!CGAL::IO::write_polygon_mesh(argv[3], mesh, CGAL::parameters::stream_precision(17)))
   {
     std::cerr << argv[3] << " cannot be written.\n";

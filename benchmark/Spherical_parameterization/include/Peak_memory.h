@@ -21,7 +21,8 @@
 namespace benchmarks {
 
 // The physical memory that the calling process has at most, beyond what it has when this object is made. The code of a
-// program, which is read when it is first needed and is there once for all processes, does not count. Only Linux tells.
+// program, which is read when it is first needed and is there once for all processes, does not count, not even what is
+// read after the peak. Only Linux tells.
 class Peak_memory
 {
 public:

@@ -40,6 +40,9 @@ public:
     return std::get_if<CGAL::Spherical_parameterization::Newton_update_3>(&m_update);
   }
 
+  /// returns what the update says of the levels of a hierarchy, which is the Newton update alone.
+  Any_update on_coarse_levels() const { return newton() ? Any_update(Update(newton()->on_coarse_levels())) : *this; }
+
   template <class VertexEnergy>
   bool operator()(const VertexEnergy& energy, std::array<double, 2>& step) const
   {

@@ -54,8 +54,8 @@ namespace Spherical_parameterization {
 /// (eq. 9 to 11). The vertices of one colour of a graph colouring are moved in parallel. No step ever inverts a face.
 ///
 /// If the sharpness is positive, each sweep over all vertices is followed by some over those around the worst faces, as
-/// long as they are not more than a fifth: they settle slowest, and the largest distortion is theirs. The report does
-/// not count them.
+/// long as they are not more than a fifth: they settle slowest, and the largest distortion is theirs. If they are more,
+/// they are looked for again five sweeps later. The report does not count these sweeps.
 ///
 /// A one-to-one mapping is guaranteed whenever `OK` is returned: the orientation of every face and the degree of the
 /// map are computed by exact predicates on the points as they have been written. This holds for a run that was stopped
@@ -284,12 +284,12 @@ public:
   }
 
 private:
-  // The vertices around faces above this share of the largest energy are swept so many times more, but not more often
-  // than takes the time of a sweep over all vertices, nor if that is too little to be worth it; then they are not
-  // looked for again in so many sweeps, as many faces stay many.
+  // The vertices around faces above this share of the largest energy are swept some times more: as often as takes the
+  // time of a sweep over all vertices, if that is not too seldom to be worth it.
   static constexpr double focus_energy = 0.6;
   static constexpr std::size_t least_focus_sweeps = 5;
   static constexpr std::size_t most_focus_sweeps = 10;
+  // If it is, they are too many, and stay so for a while: these sweeps do without.
   static constexpr std::size_t sweeps_without_focus = 4;
 
   static Initial_parameterizer default_initial_parameterizer(const Energy& energy, const Sharpness& sharpness,

@@ -48,7 +48,8 @@ public:
 
   /// constructs the update.
   ///
-  /// \param over_relaxation the factor by which a step is prolonged at first, from 1 (not at all) to below 2
+  /// \param over_relaxation the factor by which a step is prolonged at first, from 1 (not at all) to below 2; see also
+  ///        `on_coarse_levels()`
   explicit Newton_update_3(double over_relaxation = 1.9)
     : m_over_relaxation(over_relaxation)
   {}
@@ -66,7 +67,7 @@ public:
   }
 
   /// returns the update for the levels of a hierarchy that are coarser than the mesh: one that prolongs steps by 1.7 at
-  /// most. Where a vertex has many thousands of neighbors, longer ones throw these into a disorder that no later sweep
+  /// most. Where a vertex has many thousands of neighbours, longer ones throw these into a disorder that no later sweep
   /// undoes; and to carry changes far is what the levels themselves are for.
   Newton_update_3 on_coarse_levels() const
   {

@@ -118,22 +118,25 @@ class Session:
     def _make_series(self) -> list[MeshFile]:
         first = self.corpus[0] if self.is_short else self.one("armadillo_26002") or self.corpus[-1]
         if not self.is_short and first.name != "armadillo_26002":
-            self.notes.append(f"Growth: armadillo_26002 is not among the meshes; {first.name} is subdivided instead.")
+            self.notes.append(f"Growth: armadillo_26002 is not among the meshes; {first.name} is taken instead.")
         stem = first.name.rsplit("_", 1)[0]
         files = []
+        for part in (2,) if self.is_short else SIMPLIFIED_TO:
+            n = first.number_of_vertices // part
+            if n < LEAST_VERTICES and not self.is_short:
+                continue
+            try:
+                files.append(self._derived(f"{stem}_{n}", lambda path, n=n: self._write_simplified(first, n, path)))
+            except MeshError as error:
+                self.notes.append(f"Growth: {first.name} cannot be simplified to {n:,} vertices: {error}")
+        files.append(first)
         try:
-            for part in () if self.is_short else SIMPLIFIED_TO:
-                n_vertices = first.number_of_vertices // part
-                files.append(
-                    self._derived(f"{stem}_{n_vertices}", lambda path, n=n_vertices: self._write_simplified(first, n, path))
-                )
-            files.append(first)
             mesh = first.mesh
             for _ in range(1 if self.is_short else 3):
                 mesh = subdivide_smoothly(mesh)
                 files.append(self._derived(f"{stem}_{len(mesh.vertices)}", lambda path, of=mesh: write_off(path, of)))
         except MeshError as error:
-            self.notes.append(f"Growth: the series of {first.name} is not complete: {error}")
+            self.notes.append(f"Growth: {first.name} cannot be subdivided: {error}")
         finally:
             first.forget()
         return files
@@ -154,7 +157,7 @@ class Session:
 
     def _write_simplified(self, file: MeshFile, n_vertices: int, path: Path) -> None:
         command = [str(self.simplify), str(file.path), str(n_vertices), str(path)]
-        result = subprocess.run(command, capture_output=True, text=True, check=False)
+        result = subprocess.run(command, stdin=subprocess.DEVNULL, capture_output=True, text=True, check=False)
         if result.returncode != 0:
             raise MeshError(result.stderr.strip() or f"simplify_mesh ended with {result.returncode}")
 

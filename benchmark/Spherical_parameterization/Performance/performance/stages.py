@@ -205,8 +205,9 @@ def _growth_verdict(results: list[Result], series: list[Result], number_of_threa
         f"With {number_of_threads} threads, all meshes from {results[0][0].number_of_vertices:,} to"
         f" {results[-1][0].number_of_vertices:,} vertices take {number(total(least), 1)} ({least[0].name}) to"
         f" {number(total(most), 1)} ({most[0].name}) microseconds a vertex, a factor of"
-        f" {speed(total(most) / total(least))}. One shape, simplified and subdivided, from {first.number_of_vertices:,} to"
-        f" {last.number_of_vertices:,} vertices, takes {number(min(in_series), 1)} to {number(max(in_series), 1)}, a"
+        f" {speed(total(most) / total(least))}. One shape, simplified and subdivided, from"
+        f" {first.number_of_vertices:,} to {last.number_of_vertices:,} vertices, takes"
+        f" {number(min(in_series), 1)} to {number(max(in_series), 1)}, a"
         f" factor of {speed(max(in_series) / min(in_series))}, and {number(values[TOTAL], 1)} seconds in the end."
     )
     factors = [
@@ -217,8 +218,8 @@ def _growth_verdict(results: list[Result], series: list[Result], number_of_threa
     ]
     text += _verdict_of_families(results)
     return text + (
-        f" Stage by stage, from the smallest to the largest, the factors are: {', '.join(factors)}; that of a sweep over the finest mesh, with what is"
-        f" done around it, is {speed(sweep[1] / sweep[0])}."
+        f" Stage by stage, from the smallest to the largest, the factors are: {', '.join(factors)}; that of a sweep"
+        f" over the finest mesh, with what is done around it, is {speed(sweep[1] / sweep[0])}."
     )
 
 

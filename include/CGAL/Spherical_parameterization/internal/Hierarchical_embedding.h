@@ -89,7 +89,7 @@ public:
   }
 
 private:
-  static constexpr std::size_t block_size = 64;
+  static constexpr std::size_t block_size = 16;
 
   // The vertices around a removed one, from its target on, as Star_kernel wants them.
   struct Hole
@@ -164,8 +164,8 @@ private:
       {
         const Energy_summary summary = descent.measure(local, m_radius, 0.);
         m_radius = Optimal_radius_3()(m_energy, descent.faces(), m_radius);
-        if(local.size() < least_brief_level && i > 0 &&
-           std::abs(summary.average() - last_average) < settled_change * summary.scale_of_changes(last_average))
+        if(ends_when_settled(local.size()) && i > 0 &&
+           std::abs(summary.average() - last_average) <= settled_change * summary.scale_of_changes(last_average))
           break;
         last_average = summary.average();
         sharpness = local.size() < least_sharp_level ? 0. : m_sharpness.on_coarse_level(summary.largest());
@@ -184,10 +184,16 @@ private:
   // get the time that they need, which may be short; see relax().
   std::size_t number_of_sweeps(std::size_t n_vertices) const
   {
-    if(n_vertices < least_brief_level)
+    if(ends_when_settled(n_vertices))
       return most_sweeps_to_settle * m_sweeps_per_level;
     const double factor = std::sqrt(2000. / static_cast<double>(n_vertices));
-    return static_cast<std::size_t>(static_cast<double>(m_sweeps_per_level) * (std::max)(factor, 1.));
+    return static_cast<std::size_t>(static_cast<double>(m_sweeps_per_level) * (std::min)((std::max)(factor, 1.), 3.));
+  }
+
+  // Where all faces are to be alike, after other attempts have failed, more sweeps are what makes the difference.
+  bool ends_when_settled(std::size_t n_vertices) const
+  {
+    return n_vertices < least_brief_level && !m_limits.is_uniform;
   }
 
   static constexpr std::size_t sweeps_per_measurement = 5;
@@ -197,8 +203,9 @@ private:
   static constexpr std::size_t least_sharp_level = 300;
 
   // Levels with fewer vertices are all swept until the limbs have found their places: until the average energy changes
-  // by a smaller share than this from one measurement to the next, or so many times as often as others. The share is as
-  // small as it is for the sake of conformal maps, whose areas go on changing at hardly any gain of energy.
+  // by no more than this share of Energy_summary::scale_of_changes() from one measurement to the next, or so many times
+  // as often as others. The share is as small as it is for the sake of conformal maps, whose areas go on changing at
+  // hardly any gain of energy.
   static constexpr std::size_t least_brief_level = 500;
   static constexpr double settled_change = 1e-5;
   static constexpr std::size_t most_sweeps_to_settle = 10;

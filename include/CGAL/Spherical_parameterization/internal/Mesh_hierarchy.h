@@ -92,7 +92,7 @@ public:
 private:
   // the share of the vertices that one level removes at most
   static constexpr double largest_share = 0.25;
-  static constexpr std::size_t block_size = 512;
+  static constexpr std::size_t block_size = 64;
 
   explicit Mesh_hierarchy(const Vertex_rings& rings)
     : m_finest_rings(rings)

@@ -30,7 +30,7 @@ struct Has_update_on_coarse_levels : std::false_type
 template <class VertexUpdate>
 struct Has_update_on_coarse_levels<VertexUpdate,
                                    std::void_t<decltype(std::declval<const VertexUpdate&>().on_coarse_levels())>>
-  : std::is_same<decltype(std::declval<const VertexUpdate&>().on_coarse_levels()), VertexUpdate>
+  : std::is_same<std::decay_t<decltype(std::declval<const VertexUpdate&>().on_coarse_levels())>, VertexUpdate>
 {};
 
 // The update for the levels of a hierarchy that are coarser than the mesh: what the update says, if it says anything.

@@ -16,7 +16,7 @@
 
 namespace archetypes {
 
-// VertexUpdate_3 without the optional member. It makes use of all that it is promised of the energy of a vertex.
+// VertexUpdate_3 without the optional members. It makes use of all that it is promised of the energy of a vertex.
 class Vertex_update : public Copy_constructible
 {
 public:
