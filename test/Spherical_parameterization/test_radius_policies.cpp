@@ -1,6 +1,8 @@
 // The radius of the sphere: each formula against the sums that it is made of, and on whole runs against the map that
 // was written.
 
+#include <CGAL/Spherical_parameterization/internal/Face_range.h>
+#include <CGAL/Spherical_parameterization/internal/sum_over_faces.h>
 #include <CGAL/spherical_parameterization.h>
 
 #include "test_maps.h"
@@ -8,6 +10,7 @@
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Surface_mesh.h>
+#include <CGAL/tags.h>
 
 #include <gtest/gtest.h>
 
@@ -135,6 +138,41 @@ TEST(Radius, of_a_sphere_on_one_of_another_size_is_found_in_one_step)
   EXPECT_NEAR(SP::Area_preserving_radius_3()(energy, faces, 1.), 5., 1e-13);
   EXPECT_NEAR(SP::Area_balancing_radius_3()(energy, faces, 1.), 5., 1e-13);
   EXPECT_NEAR(SP::Optimal_radius_3()(energy, faces, 1.), 5., 5e-2);
+}
+
+// The faces of a descent are summed up block by block, by several threads: each face once, however many there are, and
+// to the same bits.
+TEST(Radius, is_the_same_for_the_faces_of_a_descent)
+{
+  for(const std::size_t n : {1u, 2u, 1023u, 1024u, 1025u, 2048u, 10000u})
+  {
+    std::vector<SP::Face_invariants_3> faces;
+    double sum = 0.;
+    for(std::size_t k = 0; k < n; ++k)
+    {
+      const double x = 1. + static_cast<double>(k * 7919 % 1000) / 250.;
+      faces.push_back({x, 2. + x, 0.9 / x, 1.1 / x});
+      sum += x;
+    }
+    const SP::internal::Face_range<CGAL::Sequential_tag> range(faces.data(), faces.data() + n);
+    const SP::internal::Two_sums sums = SP::internal::sum_over_faces(range, [](const SP::Face_invariants_3& face) {
+      return SP::internal::Two_sums{1., face.area};
+    });
+    EXPECT_EQ(sums[0], static_cast<double>(n));
+    EXPECT_NEAR(sums[1], sum, 1e-12 * sum);
+    const auto expect_same = [&](auto policy) {
+      const double radius = policy(energy, range, 1.2);
+      EXPECT_NEAR(radius, policy(energy, faces, 1.2), 1e-12);
+      EXPECT_GT(std::abs(radius - 1.2), 1e-3);
+#ifdef CGAL_LINKED_WITH_TBB
+      const SP::internal::Face_range<CGAL::Parallel_tag> parallel_range(range.begin(), range.end());
+      EXPECT_EQ(radius, policy(energy, parallel_range, 1.2));
+#endif
+    };
+    expect_same(SP::Area_preserving_radius_3());
+    expect_same(SP::Area_balancing_radius_3());
+    expect_same(SP::Optimal_radius_3());
+  }
 }
 
 TEST(Radius, starts_with_the_area_of_the_surface)

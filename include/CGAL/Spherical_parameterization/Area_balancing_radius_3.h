@@ -15,6 +15,9 @@
 
 #include <CGAL/license/Spherical_parameterization.h>
 
+#include <CGAL/Spherical_parameterization/Face_invariants_3.h>
+#include <CGAL/Spherical_parameterization/internal/sum_over_faces.h>
+
 #include <cmath>
 
 /// \file Area_balancing_radius_3.h
@@ -52,12 +55,9 @@ public:
   template <class Energy, class FaceRange>
   double operator()(const Energy& /* energy */, const FaceRange& faces, double radius)
   {
-    double sum = 0., sum_of_inverses = 0.;
-    for(const auto& face : faces)
-    {
-      sum += face.flat_d;
-      sum_of_inverses += 1. / face.flat_d;
-    }
+    const auto [sum, sum_of_inverses] = internal::sum_over_faces(faces, [](const Face_invariants_3& face) {
+      return internal::Two_sums{face.flat_d, 1. / face.flat_d};
+    });
     return radius * std::sqrt(std::sqrt(sum_of_inverses / sum));
   }
 };

@@ -15,6 +15,9 @@
 
 #include <CGAL/license/Spherical_parameterization.h>
 
+#include <CGAL/Spherical_parameterization/Face_invariants_3.h>
+#include <CGAL/Spherical_parameterization/internal/sum_over_faces.h>
+
 #include <cmath>
 
 /// \file Area_preserving_radius_3.h
@@ -51,12 +54,9 @@ public:
   template <class Energy, class FaceRange>
   double operator()(const Energy& /* energy */, const FaceRange& faces, double radius)
   {
-    double area = 0., area_of_image = 0.;
-    for(const auto& face : faces)
-    {
-      area += face.area;
-      area_of_image += face.area * face.flat_d;
-    }
+    const auto [area, area_of_image] = internal::sum_over_faces(faces, [](const Face_invariants_3& face) {
+      return internal::Two_sums{face.area, face.area * face.flat_d};
+    });
     return radius * std::sqrt(area / area_of_image);
   }
 };

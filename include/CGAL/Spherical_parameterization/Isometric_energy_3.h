@@ -17,6 +17,7 @@
 
 #include <CGAL/Spherical_parameterization/Energy_derivatives_3.h>
 #include <CGAL/Spherical_parameterization/internal/Packed_double.h>
+#include <CGAL/Spherical_parameterization/internal/sum_over_faces.h>
 
 #include <CGAL/tags.h>
 
@@ -89,12 +90,9 @@ public:
   {
     if(m_alpha == 1.)
       return 1.;
-    double sum = 0., sum_of_inverses = 0.;
-    for(const auto& face : faces)
-    {
-      sum += face.d;
-      sum_of_inverses += 1. / face.d;
-    }
+    const auto [sum, sum_of_inverses] = internal::sum_over_faces(faces, [](const Face_invariants_3& face) {
+      return internal::Two_sums{face.d, 1. / face.d};
+    });
     return std::sqrt(std::sqrt(sum_of_inverses / sum));
   }
 

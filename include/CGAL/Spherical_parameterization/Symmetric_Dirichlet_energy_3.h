@@ -17,6 +17,7 @@
 
 #include <CGAL/Spherical_parameterization/Energy_derivatives_3.h>
 #include <CGAL/Spherical_parameterization/internal/Packed_double.h>
+#include <CGAL/Spherical_parameterization/internal/sum_over_faces.h>
 
 #include <CGAL/tags.h>
 
@@ -81,12 +82,9 @@ public:
   template <class FaceRange>
   double optimal_scale(const FaceRange& faces) const
   {
-    double sum_of_i = 0., sum_of_i_over_d2 = 0.;
-    for(const auto& face : faces)
-    {
-      sum_of_i += face.i;
-      sum_of_i_over_d2 += face.i / (face.d * face.d);
-    }
+    const auto [sum_of_i, sum_of_i_over_d2] = internal::sum_over_faces(faces, [](const Face_invariants_3& face) {
+      return internal::Two_sums{face.i, face.i / (face.d * face.d)};
+    });
     return std::sqrt(std::sqrt(sum_of_i_over_d2 / sum_of_i));
   }
 

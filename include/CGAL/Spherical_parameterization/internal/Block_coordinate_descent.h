@@ -17,6 +17,7 @@
 
 #include <CGAL/Spherical_parameterization/Face_invariants_3.h>
 #include <CGAL/Spherical_parameterization/internal/Energy_summary.h>
+#include <CGAL/Spherical_parameterization/internal/Face_range.h>
 #include <CGAL/Spherical_parameterization/internal/Independent_sets.h>
 #include <CGAL/Spherical_parameterization/internal/Measured_faces.h>
 #include <CGAL/Spherical_parameterization/internal/Lanes.h>
@@ -57,6 +58,13 @@ public:
   Block_coordinate_descent(const Vertex_rings& rings, const std::vector<Vector_3d>& points,
                            const std::vector<double>& densities, const Energy& energy, const VertexUpdate& update,
                            const Rest_limits& limits = Rest_limits())
+    : Block_coordinate_descent(rings, Independent_sets(rings), points, densities, energy, update, limits)
+  {}
+
+  // The same with sets that are there already. They are not needed any more afterwards.
+  Block_coordinate_descent(const Vertex_rings& rings, const Independent_sets& sets,
+                           const std::vector<Vector_3d>& points, const std::vector<double>& densities,
+                           const Energy& energy, const VertexUpdate& update, const Rest_limits& limits)
     : m_energy(energy)
     , m_update(update)
     , m_rings(rings)
@@ -68,7 +76,6 @@ public:
         rest.scale_area((densities[a] + densities[b] + densities[c]) / 3.);
       return rest;
     };
-    const Independent_sets sets(rings);
     m_stars.assign(sets.vertices(), sets.first(), [&](std::uint32_t v) { return rings.degree(v); });
     fill(m_stars, [&](std::uint32_t v) { return Ring_star<decltype(rest_of_face)>{v, rings.ring(v), rest_of_face}; });
     m_faces.template assign<ConcurrencyTag>(m_stars, rings.number_of_faces());
@@ -138,7 +145,11 @@ public:
                                                                           sharpness);
   }
 
-  const auto& faces() const { return m_faces.invariants(); }
+  Face_range<ConcurrencyTag> faces() const
+  {
+    const auto& invariants = m_faces.invariants();
+    return {invariants.data(), invariants.data() + invariants.size()};
+  }
 
 private:
   // Whether there are lanes of two decides for all.
