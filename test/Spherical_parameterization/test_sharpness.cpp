@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <string>
 #include <vector>
 
 namespace SP = CGAL::Spherical_parameterization;
@@ -199,6 +200,45 @@ TEST(Sharpness_of_a_run, may_be_as_large_as_you_like)
   }
   const Result<SP::Absolute_sharpness_3> run(SP::Absolute_sharpness_3(1e5, 1e5), 20);
   EXPECT_LT(run.report.largest_energy, 100.);
+}
+
+// A policy that notes what it is asked for: 'm' for the mesh before its first sweep, 'M' after it, 'c' for a level.
+struct Noted_sharpness
+{
+  std::string* notes;
+
+  double operator()(std::size_t sweep, double, double) const
+  {
+    *notes += sweep == 0 ? 'm' : 'M';
+    return 0.;
+  }
+  double on_coarse_level(double) const
+  {
+    *notes += 'c';
+    return 0.;
+  }
+  bool is_final() const { return true; }
+};
+
+// Levels of 2,500 vertices and more with at least half of those of the mesh are swept as the mesh will be.
+TEST(Sharpness_of_a_run, is_that_of_the_mesh_on_the_last_levels)
+{
+  const auto notes_on = [](unsigned int n_subdivisions) {
+    std::string notes;
+    const Mesh mesh = test_meshes::make_mesh<Mesh>(test_meshes::icosphere(n_subdivisions));
+    Parameterizer<Noted_sharpness> bld(SP::Symmetric_Dirichlet_energy_3(), Noted_sharpness{&notes});
+    bld.set_tolerances(0., 0.);
+    const auto map = test_maps::make_sentinel_map<Point_3>(mesh);
+    EXPECT_EQ(SP::parameterize(mesh, bld, map, CGAL::parameters::number_of_iterations(3)), SP::OK);
+    return notes;
+  };
+  const std::string large = notes_on(5), small = notes_on(4); // 10,242 and 2,562 vertices
+  EXPECT_EQ(small, std::string(small.size() - 3, 'c') + "mMM");
+  const std::size_t n_coarse = large.find('m');
+  ASSERT_NE(n_coarse, std::string::npos);
+  EXPECT_GT(n_coarse, small.size()); // as there are more levels
+  EXPECT_GT(large.size(), n_coarse + 3);
+  EXPECT_EQ(large.substr(n_coarse), std::string(large.size() - n_coarse - 2, 'm') + "MM");
 }
 
 TEST(Stopping_rule, is_met_within_its_tolerance)

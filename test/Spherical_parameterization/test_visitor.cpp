@@ -301,6 +301,19 @@ TEST_F(Visitor, coarse_levels_get_at_most_ten_times_the_sweeps)
   EXPECT_LE(hierarchical.report().number_of_level_iterations, 10 * hierarchical.report().number_of_levels);
 }
 
+// A small mesh is swept until it has settled, as the coarse levels are; a larger one as often as was asked for.
+TEST(Report, tells_why_the_sweeps_over_the_levels_ended)
+{
+  for(const unsigned int n_subdivisions : {1u, 3u}) // 42 and 642 vertices
+  {
+    const Mesh ball = test_meshes::make_mesh<Mesh>(test_meshes::bumpy_sphere(n_subdivisions));
+    const auto ball_map = test_maps::make_sentinel_map<Point_3>(ball);
+    SP::Hierarchical_parameterizer_3<Mesh> hierarchical;
+    ASSERT_EQ(SP::parameterize(ball, hierarchical, ball_map), SP::OK);
+    EXPECT_EQ(hierarchical.report().stop_reason, n_subdivisions == 1 ? SP::CONVERGED : SP::ITERATION_LIMIT);
+  }
+}
+
 // Newton's update, which counts on which levels it is asked.
 struct Counting_update
 {

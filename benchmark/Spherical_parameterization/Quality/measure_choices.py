@@ -101,14 +101,14 @@ TABLES = {
 | `Fixed_radius_3` of 1 | it is what you say, in the unit of the mesh | 1 | @horse radius_fixed=1 D_iso@ | @horse radius_fixed=1 D_area@ |
 """,
     "starts": r"""
-| Start | fandisk_6475, 100 sweeps | 2000 sweeps at most | bunny_3485, 100 | 2000 | horse_19851, 100 | 2000 |
+| Start | fandisk_6475, 90 sweeps | 2000 sweeps at most | bunny_3485, 90 | 2000 | horse_19851, 90 | 2000 |
 | :---- | ---: | ---: | ---: | ---: | ---: | ---: |
 | hierarchical | @fandisk default D_iso@ | @fandisk sweeps_2000 D_iso@ (@fandisk sweeps_2000 sweeps@) | @bunny default D_iso@ | @bunny sweeps_2000 D_iso@ (@bunny sweeps_2000 sweeps@) | @horse default D_iso@ | @horse sweeps_2000 D_iso@ (@horse sweeps_2000 sweeps@) |
 | harmonic | @fandisk from_harmonic D_iso@ | @fandisk from_harmonic_2000 D_iso@ (@fandisk from_harmonic_2000 sweeps@) | @bunny from_harmonic D_iso@ | @bunny from_harmonic_2000 D_iso@ (@bunny from_harmonic_2000 sweeps@) | @horse from_harmonic D_iso@ | @horse from_harmonic_2000 D_iso@ (@horse from_harmonic_2000 sweeps@) |
 | stereographic | @fandisk from_stereographic D_iso@ | | @bunny from_stereographic D_iso@ | | @horse from_stereographic D_iso@ | |
 """,
     "sweeps": r"""
-| Sweeps at most | 0 | 25 | 100 | 400 |
+| Sweeps at most | 0 | 25 | 90 | 400 |
 | :------------- | ---: | ---: | ---: | ---: |
 | D_iso | @horse sweeps_0 D_iso@ | @horse sweeps_25 D_iso@ | @horse default D_iso@ | @horse sweeps_400 D_iso@ (converged after @horse sweeps_400 sweeps@) |
 """,

@@ -178,8 +178,8 @@ private:
       ("update", word("UPDATE"), "how a vertex moves: newton, the default; or gradient, the paper's")
       ("barrier", word("BARRIER"), "how the energy sees the area of an image: determinant, the default, which is 0 "
                                    "where a face turns over; or flat, the paper's, which is not")
-      ("iterations", word("N"), "most sweeps over the mesh, or global steps: 100, if not given, 2000 with --paper, 500 "
-                                "with --method arap; 0 leaves the initial map")
+      ("iterations", word("N"), "most sweeps over the mesh, if not given 90, 2000 with --paper; or most global steps, if "
+                                "not given 100, 500 with --method arap; 0 leaves the initial map")
       ("time-limit", word("SECONDS"), "sweep no longer than this on each mesh; the map reached is written")
       ("threads", word("N"), "use no more threads; the result is always the same")
       ("json", word("FILE"), "write the report and the distortions as JSON")

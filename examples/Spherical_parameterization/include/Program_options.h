@@ -95,7 +95,7 @@ public:
   Barrier_choice barrier = Barrier_choice::DETERMINANT;
   bool is_unit_sphere = false; ///< whether the radius is 1 because nothing else has chosen one
   std::string description;     ///< the method with all of its settings in words
-  unsigned int most_iterations = 100;
+  unsigned int most_iterations = 90;
   double most_seconds = 0.;      ///< 0 if there is no limit
   unsigned int most_threads = 0; ///< 0 if there is no limit
 
@@ -343,10 +343,12 @@ private:
 
   void read_limits()
   {
-    constexpr unsigned int usual = 100, usual_of_paper = 2000, usual_of_arap = 500;
-    const bool is_arap = method == Method_choice::ARAP;
-    most_iterations =
-        m_line.whole_number("iterations", 0, is_published ? usual_of_paper : (is_arap ? usual_of_arap : usual));
+    constexpr unsigned int usual_sweeps = 90, usual_sweeps_of_paper = 2000, usual_steps = 100,
+                           usual_steps_of_arap = 500;
+    const unsigned int usual = method == Method_choice::BLD
+                                   ? (is_published ? usual_sweeps_of_paper : usual_sweeps)
+                                   : (method == Method_choice::ARAP ? usual_steps_of_arap : usual_steps);
+    most_iterations = m_line.whole_number("iterations", 0, usual);
     if(knows("iterations"))
       description +=
           ", at most " + std::to_string(most_iterations) + (method == Method_choice::BLD ? " sweeps" : " global steps");

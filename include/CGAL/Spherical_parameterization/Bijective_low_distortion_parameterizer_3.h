@@ -177,7 +177,7 @@ public:
   }
 
   /// sets the most sweeps over the vertices of the mesh that are made if the named parameter `number_of_iterations` is
-  /// not given, by default 100.
+  /// not given, by default 90.
   void set_number_of_iterations(unsigned int number_of_iterations)
   {
     m_number_of_iterations = number_of_iterations;
@@ -220,7 +220,7 @@ public:
   ///   \cgalParamNBegin{number_of_iterations}
   ///     \cgalParamDescription{the most sweeps over the vertices of `tmesh` itself}
   ///     \cgalParamType{unsigned int}
-  ///     \cgalParamDefault{`100`, or what `set_number_of_iterations()` was given}
+  ///     \cgalParamDefault{`90`, or what `set_number_of_iterations()` was given}
   ///     \cgalParamExtra{A negative number is refused with `ERROR_WRONG_PARAMETER`.}
   ///   \cgalParamNEnd
   ///   \cgalParamNBegin{maximum_running_time}
@@ -411,7 +411,7 @@ private:
   Radius m_radius;
   Vertex_update m_vertex_update;
   double m_energy_tolerance = 4e-5, m_radius_tolerance = 1e-3;
-  unsigned int m_number_of_iterations = 100;
+  unsigned int m_number_of_iterations = 90;
   bool m_is_accelerated = true;
   Parameterization_report m_report;
 };

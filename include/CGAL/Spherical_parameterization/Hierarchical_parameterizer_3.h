@@ -96,8 +96,9 @@ public:
   /// constructs the parameterizer.
   ///
   /// \param energy the energy that the sweeps lower
-  /// \param sharpness the sharpness policy, asked for its values on coarse levels, and used for all of at least 300
-  ///        vertices; if the type is the default one, by default of sharpness 0 (eq. 6)
+  /// \param sharpness the sharpness policy, which is asked on all levels of at least 300 vertices: on those of at least
+  ///        2500 that have half of the vertices of the mesh, as on the mesh itself, for its value for the mesh, on the
+  ///        others for that for coarse levels; if the type is the default one, by default of sharpness 0 (eq. 6)
   /// \param vertex_update how a vertex is moved
   /// \param sweeps_per_level sweeps over each level, at least 1; levels below 500 vertices are swept until they have
   ///        settled, up to ten times as often; those below 2000 get up to twice as many, and those above 500 a quarter
@@ -167,9 +168,8 @@ public:
                                             if(!embed<ConcurrencyTag>(mesh, positions, true, control))
                                               return ERROR_INSUFFICIENT_PRECISION;
                                             control.visitor().on_initialization_end();
-                                            m_report.stop_reason = control.stop_reason() == NOT_RUN
-                                                                       ? ITERATION_LIMIT
-                                                                       : control.stop_reason();
+                                            if(control.stop_reason() != NOT_RUN)
+                                              m_report.stop_reason = control.stop_reason();
                                             return OK;
                                           });
   }

@@ -94,8 +94,8 @@ namespace Spherical_parameterization {
 ///     \cgalParamDescription{the most sweeps over the vertices of `tmesh` itself, or the most steps of a method that
 ///                           moves all vertices at once}
 ///     \cgalParamType{unsigned int}
-///     \cgalParamDefault{`100`; `2000` for `Published_low_distortion_parameterizer_3`, `500` for
-///                       `ARAP_parameterizer_3`}
+///     \cgalParamDefault{`90`; `2000` for `Published_low_distortion_parameterizer_3`, `500` for
+///                       `ARAP_parameterizer_3`, and `100` for the other methods that make global steps}
 ///     \cgalParamExtra{Not used by `Hierarchical_parameterizer_3`, `Stereographic_parameterizer_3` and
 ///                     `Precomputed_parameterizer_3`. A negative number is refused with `ERROR_WRONG_PARAMETER`.}
 ///   \cgalParamNEnd
@@ -168,7 +168,7 @@ Error_code parameterize(const TriangleMesh& tmesh, Parameterizer&& parameterizer
 ///   \cgalParamNBegin{number_of_iterations}
 ///     \cgalParamDescription{the most sweeps over the vertices of `tmesh` itself}
 ///     \cgalParamType{unsigned int}
-///     \cgalParamDefault{`100`}
+///     \cgalParamDefault{`90`}
 ///     \cgalParamExtra{A negative number is refused with `ERROR_WRONG_PARAMETER`.}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{maximum_running_time}

@@ -50,7 +50,7 @@ def trade(session: Session) -> None:
     default = next(point for point in points if point.name == "default")
     report.paragraph(
         f"Each of {len(files)} meshes is mapped with at most so many sweeps over the finest mesh; the hierarchy and the"
-        " sweeps over its levels are the same for all. The default may make 100 and ends when it has converged. Times"
+        " sweeps over its levels are the same for all. The default may make 90 and ends when it has converged. Times"
         " are in units of the default's, distortions in units of the lowest that any setting reached on the same mesh;"
         " means are geometric."
     )

@@ -16,8 +16,10 @@
 #include <CGAL/license/Spherical_parameterization.h>
 
 #include <CGAL/Spherical_parameterization/Optimal_radius_3.h>
+#include <CGAL/Spherical_parameterization/Parameterization_report.h>
 #include <CGAL/Spherical_parameterization/internal/Block_coordinate_descent.h>
 #include <CGAL/Spherical_parameterization/internal/Energy_summary.h>
+#include <CGAL/Spherical_parameterization/internal/Independent_sets.h>
 #include <CGAL/Spherical_parameterization/internal/Mesh_hierarchy.h>
 #include <CGAL/Spherical_parameterization/internal/Per_thread.h>
 #include <CGAL/Spherical_parameterization/internal/Rest_limits.h>
@@ -32,6 +34,7 @@
 #include <atomic>
 #include <cmath>
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 namespace CGAL {
@@ -62,7 +65,8 @@ public:
     , m_kernels(Star_kernel())
   {}
 
-  // Computes the positions of all vertices of the finest level, which itself is only swept if `sweeps_finest_level`.
+  // Computes the positions of all vertices of the finest level, which itself is only swept if `sweeps_finest_level`; the
+  // report then says why that has ended.
   // Returns false if a kernel has become too narrow for doubles. The levels of the hierarchy that have been mapped are
   // dropped, as the finer ones need the memory.
   template <class RunControl>
@@ -78,8 +82,11 @@ public:
       std::vector<Vector_3d> local = gathered(positions, level);
       if(!insert_vertices(level, m_hierarchy.rings(k), local))
         return false;
-      if(k > 0 || sweeps_finest_level)
-        relax(level, m_hierarchy.rings(k), local, k == 0 || needs_all_sweeps(local.size()), control);
+      if(k > 0)
+        relax(level, m_hierarchy.rings(k), local, needs_all_sweeps(local.size()), control);
+      else if(sweeps_finest_level)
+        control.report().stop_reason =
+            relax(level, m_hierarchy.rings(k), local, true, control) ? CONVERGED : ITERATION_LIMIT;
       for(std::size_t v = 0; v < local.size(); ++v)
         positions[level.vertices[v]] = local[v];
       control.visitor().on_level(local.size());
@@ -146,15 +153,25 @@ private:
     return result;
   }
 
+  // Sweeps over a level, and returns whether it has settled.
   template <class RunControl>
-  void relax(const Mesh_hierarchy::Level& level, const Vertex_rings& rings, std::vector<Vector_3d>& local, bool is_full,
+  bool relax(const Mesh_hierarchy::Level& level, const Vertex_rings& rings, std::vector<Vector_3d>& local, bool is_full,
              RunControl& control)
   {
     const std::vector<Vector_3d> points = gathered(m_points, level);
-    const std::vector<double> densities =
-        m_limits.is_uniform ? std::vector<double>() : vertex_densities(rings, points, level.areas);
+    std::vector<double> densities;
+    std::optional<Independent_sets> sets;
+    // Both are for one thread, but may be done at the same time.
+    for_each_block<ConcurrencyTag>(0, 2, 1, [&](std::size_t task, std::size_t) {
+      if(task == 0)
+        sets.emplace(rings);
+      else if(!m_limits.is_uniform)
+        densities = vertex_densities(rings, points, level.areas);
+    });
     Block_coordinate_descent<Energy, VertexUpdate, ConcurrencyTag> descent(
-        rings, points, densities, m_energy, local.size() < m_points.size() ? m_coarse_update : m_update, m_limits);
+        rings, *sets, points, densities, m_energy, local.size() < m_points.size() ? m_coarse_update : m_update,
+        m_limits);
+    sets.reset();
     const std::size_t n_sweeps = is_full ? number_of_sweeps(local.size()) : (m_sweeps_per_level + 3) / 4;
     double sharpness = 0., last_average = 0.;
     bool is_stopped = false;
@@ -166,9 +183,9 @@ private:
         m_radius = Optimal_radius_3()(m_energy, descent.faces(), m_radius);
         if(ends_when_settled(local.size()) && i > 0 &&
            std::abs(summary.average() - last_average) <= settled_change * summary.scale_of_changes(last_average))
-          break;
+          return true;
         last_average = summary.average();
-        sharpness = local.size() < least_sharp_level ? 0. : m_sharpness.on_coarse_level(summary.largest());
+        sharpness = sharpness_on_level(local.size(), summary);
         is_stopped = !control.go_further(0, summary.average());
         if(is_stopped && i > 0)
           break;
@@ -178,6 +195,17 @@ private:
       if(is_stopped) // this one sweep had to be: see above
         break;
     }
+    return false;
+  }
+
+  // The policy may keep a state: the embedding has a copy of its own.
+  double sharpness_on_level(std::size_t n_vertices, const Energy_summary& summary)
+  {
+    if(n_vertices < least_sharp_level)
+      return 0.;
+    const bool is_nearly_the_mesh = n_vertices >= least_nearly_finest_level && 2 * n_vertices >= m_points.size();
+    return is_nearly_the_mesh ? m_sharpness(0, summary.average(), summary.largest())
+                              : m_sharpness.on_coarse_level(summary.largest());
   }
 
   // Coarse levels are swept more often: there the large features find their places, at little cost. On the coarsest they
@@ -201,6 +229,10 @@ private:
   // Levels with fewer vertices follow the average energy (eq. 6), whatever the policy says. Where a face stands for a
   // whole limb, to fight the worst one throws the limbs into disorder, from which the finer levels do not recover.
   static constexpr std::size_t least_sharp_level = 300;
+
+  // Levels with as many vertices and at least half of those of the mesh follow the worst faces as the mesh itself will:
+  // they leave to it what is near to where it ends. On smaller levels the average pays for it, a percent in places.
+  static constexpr std::size_t least_nearly_finest_level = 2500;
 
   // Levels with fewer vertices are all swept until the limbs have found their places: until the average energy changes
   // by no more than this share of Energy_summary::scale_of_changes() from one measurement to the next, or so many times
