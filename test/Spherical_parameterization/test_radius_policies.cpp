@@ -160,18 +160,20 @@ TEST(Radius, is_the_same_for_the_faces_of_a_descent)
     });
     EXPECT_EQ(sums[0], static_cast<double>(n));
     EXPECT_NEAR(sums[1], sum, 1e-12 * sum);
-    const auto expect_same = [&](auto policy) {
-      const double radius = policy(energy, range, 1.2);
-      EXPECT_NEAR(radius, policy(energy, faces, 1.2), 1e-12);
+    const auto expect_same = [&](auto policy, const auto& energy_in_use) {
+      const double radius = policy(energy_in_use, range, 1.2);
+      EXPECT_NEAR(radius, policy(energy_in_use, faces, 1.2), 1e-12);
       EXPECT_GT(std::abs(radius - 1.2), 1e-3);
 #ifdef CGAL_LINKED_WITH_TBB
       const SP::internal::Face_range<CGAL::Parallel_tag> parallel_range(range.begin(), range.end());
-      EXPECT_EQ(radius, policy(energy, parallel_range, 1.2));
+      EXPECT_EQ(radius, policy(energy_in_use, parallel_range, 1.2));
 #endif
     };
-    expect_same(SP::Area_preserving_radius_3());
-    expect_same(SP::Area_balancing_radius_3());
-    expect_same(SP::Optimal_radius_3());
+    expect_same(SP::Area_preserving_radius_3(), energy);
+    expect_same(SP::Area_balancing_radius_3(), energy);
+    expect_same(SP::Optimal_radius_3(), energy);
+    expect_same(SP::Optimal_radius_3(), SP::Isometric_energy_3());
+    expect_same(SP::Optimal_radius_3(), Plain_isometric());
   }
 }
 

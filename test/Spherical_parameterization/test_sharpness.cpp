@@ -13,7 +13,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace SP = CGAL::Spherical_parameterization;
@@ -202,7 +204,7 @@ TEST(Sharpness_of_a_run, may_be_as_large_as_you_like)
   EXPECT_LT(run.report.largest_energy, 100.);
 }
 
-// A policy that notes what it is asked for: 'm' for the mesh before its first sweep, 'M' after it, 'c' for a level.
+// What a policy was asked for: 'm' for the mesh before its first sweep, 'M' after it, 'c' for a coarse level.
 struct Noted_sharpness
 {
   std::string* notes;
@@ -220,25 +222,64 @@ struct Noted_sharpness
   bool is_final() const { return true; }
 };
 
-// Levels of 2,500 vertices and more with at least half of those of the mesh are swept as the mesh will be.
+// Takes the notes of each level.
+struct Level_notes : SP::Default_visitor
+{
+  explicit Level_notes(std::string& notes)
+    : m_notes(notes)
+  {}
+
+  void on_level(std::size_t n_vertices)
+  {
+    levels.emplace_back(n_vertices, m_notes);
+    m_notes.clear();
+  }
+
+  std::vector<std::pair<std::size_t, std::string>> levels;
+
+private:
+  std::string& m_notes;
+};
+
+// Levels that are nearly as fine as the mesh are swept as the mesh will be.
 TEST(Sharpness_of_a_run, is_that_of_the_mesh_on_the_last_levels)
 {
-  const auto notes_on = [](unsigned int n_subdivisions) {
-    std::string notes;
+  std::size_t n_like_the_mesh = 0;
+  for(const unsigned int n_subdivisions : {2u, 4u, 5u}) // 162, 2,562 and 10,242 vertices
+  {
     const Mesh mesh = test_meshes::make_mesh<Mesh>(test_meshes::icosphere(n_subdivisions));
+    const std::size_t n = num_vertices(mesh);
+    const auto map = test_maps::make_sentinel_map<Point_3>(mesh);
+    const auto run = [&](auto parameterizer, std::string& notes) {
+      Level_notes levels(notes);
+      EXPECT_EQ(SP::parameterize(mesh, parameterizer, map,
+                                 CGAL::parameters::number_of_iterations(3).visitor(std::ref(levels))),
+                SP::OK);
+      EXPECT_EQ(levels.levels.back().first, n);
+      for(const auto& [n_level, asked] : levels.levels)
+      {
+        if(n_level == n)
+          break;
+        const bool is_like_the_mesh = n_level >= 2500 && 2 * n_level >= n;
+        n_like_the_mesh += is_like_the_mesh;
+        EXPECT_EQ(asked.empty(), n_level < 300);
+        EXPECT_EQ(asked, std::string(asked.size(), is_like_the_mesh ? 'm' : 'c')) << n_level << " of " << n;
+      }
+      return levels.levels.back().second;
+    };
+    std::string notes;
     Parameterizer<Noted_sharpness> bld(SP::Symmetric_Dirichlet_energy_3(), Noted_sharpness{&notes});
     bld.set_tolerances(0., 0.);
-    const auto map = test_maps::make_sentinel_map<Point_3>(mesh);
-    EXPECT_EQ(SP::parameterize(mesh, bld, map, CGAL::parameters::number_of_iterations(3)), SP::OK);
-    return notes;
-  };
-  const std::string large = notes_on(5), small = notes_on(4); // 10,242 and 2,562 vertices
-  EXPECT_EQ(small, std::string(small.size() - 3, 'c') + "mMM");
-  const std::size_t n_coarse = large.find('m');
-  ASSERT_NE(n_coarse, std::string::npos);
-  EXPECT_GT(n_coarse, small.size()); // as there are more levels
-  EXPECT_GT(large.size(), n_coarse + 3);
-  EXPECT_EQ(large.substr(n_coarse), std::string(large.size() - n_coarse - 2, 'm') + "MM");
+    EXPECT_EQ(run(bld, notes), "");
+    EXPECT_EQ(notes, "mMM"); // of the sweeps over the mesh, after all levels
+    notes.clear();
+    const std::string asked =
+        run(SP::Hierarchical_parameterizer_3<Mesh, CGAL::Default, Noted_sharpness>(SP::Isometric_energy_3(), {&notes}),
+            notes);
+    EXPECT_GT(asked.size(), 1u);
+    EXPECT_EQ(asked, 'm' + std::string(asked.size() - 1, 'M'));
+  }
+  EXPECT_EQ(n_like_the_mesh, 4u); // two of the large mesh, with each of the methods
 }
 
 TEST(Stopping_rule, is_met_within_its_tolerance)

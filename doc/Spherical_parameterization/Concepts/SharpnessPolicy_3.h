@@ -23,17 +23,20 @@ public:
   /// \name Operations
   /// @{
 
-  /// returns the sharpness of a sweep over the mesh, at least 0. It is called with `sweep` 0, and what is the average and the
-  /// largest energy there, for the levels of a hierarchy as well that have at least half of the vertices of the mesh and no fewer
-  /// than 2500: they are to end close to where the mesh will.
+  /// returns the sharpness of a sweep over the mesh, at least 0.
+  ///
+  /// It is also called, with `sweep` 0 and with the energies of the level, for those levels of a hierarchy that have at least 2500
+  /// vertices and half of those of the mesh: what the mesh will be swept with first, they are swept with already. On levels, and by
+  /// `CGAL::Spherical_parameterization::Hierarchical_parameterizer_3` on the mesh as well, the policy is asked anew every few
+  /// sweeps. The hierarchy has a copy of the policy, whose state does not go on to the sweeps over the mesh.
   ///
   /// \param sweep the number of the sweep, from 0
   /// \param average_energy the average energy of the faces before the sweep
   /// \param largest_energy the largest energy of a face before the sweep
   double operator()(std::size_t sweep, double average_energy, double largest_energy);
 
-  /// returns the sharpness of the next sweeps over a coarser level of a hierarchy, whose largest energy is `largest_energy`. It
-  /// is not called on levels below 300 vertices, where it is 0. Neither function is when a hierarchy is mapped again after an
+  /// returns the sharpness of the next sweeps over a coarser level of a hierarchy, whose largest energy is `largest_energy`. On
+  /// levels below 300 vertices it is 0 without being asked. Neither function is called when a hierarchy is mapped again after an
   /// attempt has failed.
   double on_coarse_level(double largest_energy) const;
 

@@ -70,7 +70,8 @@ public:
   /// returns whether the two values are in their range.
   bool is_valid() const { return m_first > 0. && m_first <= m_last && m_last <= 1e6; }
 
-  /// returns the sharpness of the next sweep over the finest mesh.
+  /// returns the sharpness of the next sweep over the mesh. A level of a hierarchy that is nearly as fine gets that of
+  /// the first sweep.
   ///
   /// \param sweep the number of the sweep, from 0
   /// \param average_energy the average energy of the faces before the sweep

@@ -96,9 +96,8 @@ public:
   /// constructs the parameterizer.
   ///
   /// \param energy the energy that the sweeps lower
-  /// \param sharpness the sharpness policy, which is asked on all levels of at least 300 vertices: on those of at least
-  ///        2500 that have half of the vertices of the mesh, as on the mesh itself, for its value for the mesh, on the
-  ///        others for that for coarse levels; if the type is the default one, by default of sharpness 0 (eq. 6)
+  /// \param sharpness the sharpness policy; if the type is the default one, by default of sharpness 0 (eq. 6). Which of
+  ///        its functions is asked on which level is told by `SharpnessPolicy_3`.
   /// \param vertex_update how a vertex is moved
   /// \param sweeps_per_level sweeps over each level, at least 1; levels below 500 vertices are swept until they have
   ///        settled, up to ten times as often; those below 2000 get up to twice as many, and those above 500 a quarter
@@ -174,7 +173,8 @@ public:
                                           });
   }
 
-  /// returns what the last run did.
+  /// returns what the last run did. The reason for its end is `CONVERGED` if the mesh has fewer than 500 vertices and
+  /// has settled, `ITERATION_LIMIT` if all sweeps have been made.
   const Parameterization_report& report() const
   {
     return m_report;

@@ -16,6 +16,7 @@
 #include <CGAL/license/Spherical_parameterization.h>
 
 #include <CGAL/Spherical_parameterization/Energy_derivatives_3.h>
+#include <CGAL/Spherical_parameterization/Face_invariants_3.h>
 #include <CGAL/Spherical_parameterization/internal/Packed_double.h>
 #include <CGAL/Spherical_parameterization/internal/sum_over_faces.h>
 

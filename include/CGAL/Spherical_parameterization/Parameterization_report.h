@@ -28,7 +28,7 @@ namespace Spherical_parameterization {
 enum Stop_reason
 {
   NOT_RUN = 0,     ///< It has not run yet, or has refused the mesh.
-  CONVERGED,       ///< Energy and radius have settled.
+  CONVERGED,       ///< What is optimized has settled.
   ITERATION_LIMIT, ///< The given number of sweeps has been made.
   OBSTRUCTED,      ///< Every further step would turn a face over or raise the energy.
   TIME_LIMIT,      ///< The given time was over.

@@ -52,7 +52,8 @@ public:
   /// returns whether the dial is in its range.
   bool is_valid() const { return m_beta >= 0. && m_beta <= 1e6; }
 
-  /// returns the sharpness of the next sweep over the finest mesh, `beta() / largest_energy`, or 0 if that energy is 0.
+  /// returns the sharpness of the next sweep over the mesh, or over a level that is nearly as fine,
+  /// `beta() / largest_energy`, or 0 if that energy is 0.
   ///
   /// \param largest_energy the largest energy of a face before the sweep
   double operator()(std::size_t /* sweep */, double /* average_energy */, double largest_energy)

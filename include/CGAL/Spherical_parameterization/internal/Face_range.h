@@ -23,8 +23,8 @@ namespace CGAL {
 namespace Spherical_parameterization {
 namespace internal {
 
-// The faces of a mesh as policies see them: a range of their invariants. Its type says how those of the package may go
-// through it; see sum_over_faces().
+// The faces of a mesh as policies see them: a range of their invariants. Its type says how the policies of the
+// package may go through it; see sum_over_faces().
 template <class ConcurrencyTag>
 class Face_range
 {

@@ -162,10 +162,11 @@ private:
     std::vector<double> densities;
     std::optional<Independent_sets> sets;
     // Both are for one thread, but may be done at the same time.
-    for_each_block<ConcurrencyTag>(0, 2, 1, [&](std::size_t task, std::size_t) {
+    const std::size_t n_tasks = m_limits.is_uniform ? 1 : 2;
+    for_each_block<ConcurrencyTag>(0, n_tasks, 1, [&](std::size_t task, std::size_t) {
       if(task == 0)
         sets.emplace(rings);
-      else if(!m_limits.is_uniform)
+      else
         densities = vertex_densities(rings, points, level.areas);
     });
     Block_coordinate_descent<Energy, VertexUpdate, ConcurrencyTag> descent(
@@ -185,7 +186,7 @@ private:
            std::abs(summary.average() - last_average) <= settled_change * summary.scale_of_changes(last_average))
           return true;
         last_average = summary.average();
-        sharpness = sharpness_on_level(local.size(), summary);
+        sharpness = sharpness_on_level(local.size(), i, summary);
         is_stopped = !control.go_further(0, summary.average());
         if(is_stopped && i > 0)
           break;
@@ -198,14 +199,17 @@ private:
     return false;
   }
 
-  // The policy may keep a state: the embedding has a copy of its own.
-  double sharpness_on_level(std::size_t n_vertices, const Energy_summary& summary)
+  // What the policy says before a sweep over a level, which may be the mesh itself. The embedding has a copy of its own,
+  // as policies may keep a state.
+  double sharpness_on_level(std::size_t n_vertices, std::size_t sweep, const Energy_summary& summary)
   {
+    if(n_vertices == m_points.size())
+      return m_sharpness(sweep, summary.average(), summary.largest());
     if(n_vertices < least_sharp_level)
       return 0.;
-    const bool is_nearly_the_mesh = n_vertices >= least_nearly_finest_level && 2 * n_vertices >= m_points.size();
-    return is_nearly_the_mesh ? m_sharpness(0, summary.average(), summary.largest())
-                              : m_sharpness.on_coarse_level(summary.largest());
+    if(n_vertices < least_nearly_finest_level || 2 * n_vertices < m_points.size())
+      return m_sharpness.on_coarse_level(summary.largest());
+    return m_sharpness(0, summary.average(), summary.largest());
   }
 
   // Coarse levels are swept more often: there the large features find their places, at little cost. On the coarsest they
@@ -230,8 +234,8 @@ private:
   // whole limb, to fight the worst one throws the limbs into disorder, from which the finer levels do not recover.
   static constexpr std::size_t least_sharp_level = 300;
 
-  // Levels with as many vertices and at least half of those of the mesh follow the worst faces as the mesh itself will:
-  // they leave to it what is near to where it ends. On smaller levels the average pays for it, a percent in places.
+  // Levels with at least so many vertices, and half of those of the mesh, follow the worst faces as the mesh itself
+  // will: they leave to it what is near to where it ends. On smaller levels the average pays for it, a percent in places.
   static constexpr std::size_t least_nearly_finest_level = 2500;
 
   // Levels with fewer vertices are all swept until the limbs have found their places: until the average energy changes
