@@ -109,25 +109,28 @@ private:
       p[v] = points[fine.vertices[v]];
 
     std::vector<Vertex_removal> removals(n);
+    std::vector<std::uint32_t> target;
     for(const bool is_exact : {false, true}) // exact only if the quick search finds nothing
     {
       for_each_block<ConcurrencyTag>(0, n, block_size, [&](std::size_t begin, std::size_t end) {
         for(std::size_t v = begin; v < end; ++v)
           removals[v] = Vertex_removal::best(fine_rings, p, static_cast<std::uint32_t>(v), is_exact);
       });
-      select(fine, fine_rings, removals);
+      target = select(fine, fine_rings, removals);
       if(!fine.removed.empty())
         break;
     }
     Level coarse;
-    Vertex_rings coarse_rings = without_removed<ConcurrencyTag>(fine, fine_rings, coarse);
+    Vertex_rings coarse_rings = without_removed<ConcurrencyTag>(fine, fine_rings, target, coarse);
     m_levels.push_back(std::move(coarse));
     m_coarse_rings.push_back(std::move(coarse_rings));
   }
 
   // Chooses the removals in the order of their costs, unless a neighbour has been chosen already or an edge of the new
   // faces is there already.
-  static void select(Level& fine, const Vertex_rings& rings, const std::vector<Vertex_removal>& removals)
+  // Returns the targets of those, as indices into their rings, and `kept` for all other vertices.
+  static std::vector<std::uint32_t> select(Level& fine, const Vertex_rings& rings,
+                                           const std::vector<Vertex_removal>& removals)
   {
     const std::size_t n = removals.size();
     std::vector<std::uint64_t> candidates; // rank of the cost, vertex
@@ -141,40 +144,45 @@ private:
         (std::min)(n - 4, (std::max)(static_cast<std::size_t>(largest_share * static_cast<double>(n)), std::size_t(1)));
     std::vector<char> is_locked(n, 0);
     Edge_set new_edges(3 * most); // in a hole of six sides, the mean
+    std::vector<std::uint32_t> target(n, kept);
+    std::size_t n_removed = 0;
     for(const std::uint64_t candidate : candidates)
     {
-      if(fine.removed.size() == most)
+      if(n_removed == most)
         break;
       const std::uint32_t v = static_cast<std::uint32_t>(candidate);
       if(is_locked[v])
         continue;
       const Vertex_rings::Ring ring = rings.ring(v);
-      const std::uint32_t d = static_cast<std::uint32_t>(ring.size()), target = removals[v].target();
+      const std::uint32_t d = static_cast<std::uint32_t>(ring.size()), t = removals[v].target();
       bool has_new_edge = false;
       for(std::uint32_t k = 2; k + 1 < d; ++k)
-        has_new_edge = has_new_edge || new_edges.contains(ring[target], ring.around(target + k));
+        has_new_edge = has_new_edge || new_edges.contains(ring[t], ring.around(t + k));
       if(has_new_edge)
         continue;
       for(std::uint32_t k = 2; k + 1 < d; ++k)
-        new_edges.insert(ring[target], ring.around(target + k));
-      fine.removed.push_back({v, target});
+        new_edges.insert(ring[t], ring.around(t + k));
+      target[v] = t;
+      ++n_removed;
       for(const std::uint32_t w : ring)
         is_locked[w] = 1;
     }
-    std::sort(fine.removed.begin(), fine.removed.end(),
-              [](const Removed_vertex& a, const Removed_vertex& b) { return a.vertex < b.vertex; });
+    fine.removed.reserve(n_removed);
+    for(std::uint32_t v = 0; v < n; ++v)
+      if(target[v] != kept)
+        fine.removed.push_back({v, target[v]});
+    return target;
   }
 
   // Makes the next level, and returns its rings.
   template <class ConcurrencyTag>
-  static Vertex_rings without_removed(const Level& fine, const Vertex_rings& rings, Level& coarse)
+  static Vertex_rings without_removed(const Level& fine, const Vertex_rings& rings,
+                                      const std::vector<std::uint32_t>& target, Level& coarse)
   {
     const std::size_t n = fine.vertices.size();
-    std::vector<std::uint32_t> target(n, kept); // of the removed vertices, as an index into their rings
     std::vector<double> areas = fine.areas;
     for(const Removed_vertex& r : fine.removed)
     {
-      target[r.vertex] = r.target;
       const Vertex_rings::Ring ring = rings.ring(r.vertex);
       for(const std::uint32_t w : ring)
         areas[w] += areas[r.vertex] / static_cast<double>(ring.size());
