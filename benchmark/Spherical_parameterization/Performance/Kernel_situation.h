@@ -79,7 +79,8 @@ public:
     : m_tmesh(read_mesh(mesh_file))
   {
     SP::Parameterization_report report;
-    const SP::Error_code error = SP::internal::read_mesh(m_tmesh, m_tmesh.points(), m_mesh, m_vertices_of_mesh, report);
+    const SP::Error_code error =
+        SP::internal::read_mesh<CGAL::Sequential_tag>(m_tmesh, m_tmesh.points(), m_mesh, m_vertices_of_mesh, report);
     if(error != SP::OK)
     {
       throw std::runtime_error(SP::get_error_message(error));
@@ -100,7 +101,7 @@ public:
     SP::Parameterization_report report;
     SP::internal::Indexed_mesh mesh;
     std::vector<Mesh::Vertex_index> vertices_of_mesh;
-    SP::internal::read_mesh(m_tmesh, m_tmesh.points(), mesh, vertices_of_mesh, report);
+    SP::internal::read_mesh<CGAL::Sequential_tag>(m_tmesh, m_tmesh.points(), mesh, vertices_of_mesh, report);
     return {mesh.number_of_vertices(), mesh.points()[0][0]};
   }
 

@@ -59,7 +59,8 @@ public:
     const SP::Error_code error = SP::parameterize(mesh, parameterizer, sphere);
     std::vector<Mesh::Vertex_index> vertices;
     SP::Parameterization_report report;
-    if(error != SP::OK || Internal::read_mesh(mesh, get(CGAL::vertex_point, mesh), m_mesh, vertices, report) != SP::OK)
+    if(error != SP::OK || Internal::read_mesh<CGAL::Sequential_tag>(mesh, get(CGAL::vertex_point, mesh), m_mesh,
+                                                                    vertices, report) != SP::OK)
     {
       throw std::runtime_error(SP::get_error_message(error));
     }

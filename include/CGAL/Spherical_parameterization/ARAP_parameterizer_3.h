@@ -153,7 +153,7 @@ public:
     std::size_t most_iterations = 500;
     if(!internal::read_number_of_iterations(np, most_iterations))
       return ERROR_WRONG_PARAMETER;
-    return internal::run_parameterization(
+    return internal::run_parameterization<ConcurrencyTag>(
         tmesh, vertex_sphere_map, np, m_report, internal::Guarantee::NONE,
         [&](const internal::Indexed_mesh& mesh, const auto& vertices_of_mesh,
             std::vector<internal::Vector_3d>& positions, double& radius, auto& control) {

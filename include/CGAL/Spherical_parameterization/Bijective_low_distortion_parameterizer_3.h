@@ -29,6 +29,7 @@
 #include <CGAL/Spherical_parameterization/internal/is_valid_policy.h>
 #include <CGAL/Spherical_parameterization/internal/next_phase.h>
 #include <CGAL/Spherical_parameterization/internal/read_number_of_iterations.h>
+#include <CGAL/Spherical_parameterization/internal/run_both.h>
 #include <CGAL/Spherical_parameterization/internal/run_parameterization.h>
 
 #include <CGAL/Default.h>
@@ -254,7 +255,7 @@ public:
     std::size_t most_iterations = m_number_of_iterations;
     if(!internal::read_number_of_iterations(np, most_iterations))
       return ERROR_WRONG_PARAMETER;
-    return internal::run_parameterization(
+    return internal::run_parameterization<ConcurrencyTag>(
         tmesh, vertex_sphere_map, np, m_report, internal::Guarantee::ONE_TO_ONE,
         [&](const internal::Indexed_mesh& mesh, const auto& vertices_of_mesh,
             std::vector<internal::Vector_3d>& positions, double& radius, auto& control) {
@@ -350,6 +351,7 @@ private:
     Descent descent(mesh.rings(), mesh.points(), std::vector<double>(), m_energy, m_vertex_update);
     internal::Energy_summary summary = descent.measure(positions, scaled(radius), 0.);
     m_report.initial_energy = summary.average();
+    const std::size_t largest_focus = mesh.number_of_vertices() / least_focus_sweeps;
     std::size_t next_focus = 0; // the first sweep that may have one
     bool is_final = false;      // whether the sharpness was final in the last sweep already
     m_report.stop_reason = ITERATION_LIMIT;
@@ -357,25 +359,29 @@ private:
     {
       const double last_radius = radius;
       const internal::Energy_summary last_summary = summary;
+      const double sharpness = next_sharpness(i, summary.average(), summary.largest());
+      double aim = 0.;
+      std::size_t focus = 0;
+      const auto find_aim = [&] { aim = next_radius(m_energy, descent.faces(), radius); };
+      const auto find_focus = [&] {
+        focus = descent.focus_on_faces_above(focus_energy * summary.largest(), largest_focus);
+      };
+      if(sharpness > 0. && m_is_accelerated && i >= next_focus)
+        internal::run_both<ConcurrencyTag>(find_aim, find_focus);
+      else
+        find_aim();
       // Half the way, but for the first time: over-relaxed vertices answer a full step with more than their share, and
       // the two never settle.
-      const double aim = next_radius(m_energy, descent.faces(), radius);
       if(is_positive_and_finite(aim))
         radius = i == 0 || !m_is_accelerated ? aim : radius * std::sqrt(aim / radius);
-      const double sharpness = next_sharpness(i, summary.average(), summary.largest());
       descent.sweep(positions, scaled(radius), sharpness);
-      if(sharpness > 0. && m_is_accelerated && i >= next_focus)
+      if(focus > largest_focus)
+        next_focus = i + 1 + sweeps_without_focus;
+      else if(focus > 0)
       {
-        const std::size_t most = mesh.number_of_vertices() / least_focus_sweeps;
-        const std::size_t focus = descent.focus_on_faces_above(focus_energy * summary.largest(), most);
-        if(focus > most)
-          next_focus = i + 1 + sweeps_without_focus;
-        else if(focus > 0)
-        {
-          const std::size_t n_sweeps = (std::min)(mesh.number_of_vertices() / focus, most_focus_sweeps);
-          for(std::size_t k = 0; k < n_sweeps; ++k)
-            descent.sweep_focus(positions, scaled(radius), sharpness);
-        }
+        const std::size_t n_sweeps = (std::min)(mesh.number_of_vertices() / focus, most_focus_sweeps);
+        for(std::size_t k = 0; k < n_sweeps; ++k)
+          descent.sweep_focus(positions, scaled(radius), sharpness);
       }
 
       summary = descent.measure(positions, scaled(radius), sharpness);

@@ -136,13 +136,13 @@ public:
     std::size_t most_iterations = 100;
     if(!internal::read_number_of_iterations(np, most_iterations))
       return ERROR_WRONG_PARAMETER;
-    return internal::run_parameterization(tmesh, vertex_sphere_map, np, m_report, internal::Guarantee::ONE_TO_ONE,
-                                          [&](const internal::Indexed_mesh& mesh, const auto&,
-                                              std::vector<internal::Vector_3d>& positions, double&, auto& control) {
-                                            return internal::map_harmonically<Solver_traits, ConcurrencyTag>(
-                                                mesh, internal::Guarantee::ONE_TO_ONE, most_iterations, positions,
-                                                control);
-                                          });
+    return internal::run_parameterization<ConcurrencyTag>(
+        tmesh, vertex_sphere_map, np, m_report, internal::Guarantee::ONE_TO_ONE,
+        [&](const internal::Indexed_mesh& mesh, const auto&, std::vector<internal::Vector_3d>& positions, double&,
+            auto& control) {
+          return internal::map_harmonically<Solver_traits, ConcurrencyTag>(mesh, internal::Guarantee::ONE_TO_ONE,
+                                                                           most_iterations, positions, control);
+        });
   }
 
   /// returns what the last run did.

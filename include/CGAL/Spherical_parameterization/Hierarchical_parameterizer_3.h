@@ -160,17 +160,18 @@ public:
     m_report = Parameterization_report();
     if(!is_valid())
       return ERROR_WRONG_PARAMETER;
-    return internal::run_parameterization(tmesh, vertex_sphere_map, np, m_report, internal::Guarantee::ONE_TO_ONE,
-                                          [&](const internal::Indexed_mesh& mesh, const auto&,
-                                              std::vector<internal::Vector_3d>& positions, double&, auto& control) {
-                                            control.visitor().on_initialization_begin(mesh.number_of_vertices());
-                                            if(!embed<ConcurrencyTag>(mesh, positions, true, control))
-                                              return ERROR_INSUFFICIENT_PRECISION;
-                                            control.visitor().on_initialization_end();
-                                            if(control.stop_reason() != NOT_RUN)
-                                              m_report.stop_reason = control.stop_reason();
-                                            return OK;
-                                          });
+    return internal::run_parameterization<ConcurrencyTag>(
+        tmesh, vertex_sphere_map, np, m_report, internal::Guarantee::ONE_TO_ONE,
+        [&](const internal::Indexed_mesh& mesh, const auto&, std::vector<internal::Vector_3d>& positions, double&,
+            auto& control) {
+          control.visitor().on_initialization_begin(mesh.number_of_vertices());
+          if(!embed<ConcurrencyTag>(mesh, positions, true, control))
+            return ERROR_INSUFFICIENT_PRECISION;
+          control.visitor().on_initialization_end();
+          if(control.stop_reason() != NOT_RUN)
+            m_report.stop_reason = control.stop_reason();
+          return OK;
+        });
   }
 
   /// returns what the last run did. The reason for its end is `CONVERGED` if the mesh has fewer than 500 vertices and

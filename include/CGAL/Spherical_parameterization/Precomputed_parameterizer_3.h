@@ -62,7 +62,8 @@ public:
 
   /// checks the caller's map, and writes its projection to the unit sphere.
   ///
-  /// \tparam ConcurrencyTag has no influence.
+  /// \tparam ConcurrencyTag enables sequential versus parallel algorithm. Possible values are `Sequential_tag`,
+  ///         `Parallel_tag`, and `Parallel_if_available_tag`. The result does not depend on it.
   /// \tparam VertexSphereMap must be a model of `WritablePropertyMap` with
   ///         `boost::graph_traits<Triangle_mesh>::%vertex_descriptor` as key type and `%Point_3` as value type.
   /// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
@@ -104,15 +105,15 @@ public:
                           const CGAL_NP_CLASS& np = parameters::default_values())
   {
     m_report = Parameterization_report();
-    return internal::run_parameterization(tmesh, vertex_sphere_map, np, m_report, internal::Guarantee::ONE_TO_ONE,
-                                          [&](const internal::Indexed_mesh& mesh, const auto& vertices_of_mesh,
-                                              std::vector<internal::Vector_3d>& positions, double&, auto& control) {
-                                            const bool is_bijective =
-                                                internal::read_map(mesh, vertices_of_mesh, m_map, positions);
-                                            m_report.seconds_for_embedding = control.lap();
-                                            m_report.stop_reason = ITERATION_LIMIT;
-                                            return is_bijective ? OK : ERROR_INVALID_INITIAL_PARAMETERIZATION;
-                                          });
+    return internal::run_parameterization<ConcurrencyTag>(
+        tmesh, vertex_sphere_map, np, m_report, internal::Guarantee::ONE_TO_ONE,
+        [&](const internal::Indexed_mesh& mesh, const auto& vertices_of_mesh,
+            std::vector<internal::Vector_3d>& positions, double&, auto& control) {
+          const bool is_bijective = internal::read_map<ConcurrencyTag>(mesh, vertices_of_mesh, m_map, positions);
+          m_report.seconds_for_embedding = control.lap();
+          m_report.stop_reason = ITERATION_LIMIT;
+          return is_bijective ? OK : ERROR_INVALID_INITIAL_PARAMETERIZATION;
+        });
   }
 
   /// returns what the last run did.

@@ -78,7 +78,8 @@ public:
 
   /// computes a one-to-one map from `tmesh` to the unit sphere around the origin.
   ///
-  /// \tparam ConcurrencyTag has no influence.
+  /// \tparam ConcurrencyTag enables sequential versus parallel algorithm. Possible values are `Sequential_tag`,
+  ///         `Parallel_tag`, and `Parallel_if_available_tag`. The result does not depend on it.
   /// \tparam VertexSphereMap must be a model of `WritablePropertyMap` with
   ///         `boost::graph_traits<Triangle_mesh>::%vertex_descriptor` as key type and `%Point_3` as value type.
   /// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
@@ -120,21 +121,22 @@ public:
                           const CGAL_NP_CLASS& np = parameters::default_values())
   {
     m_report = Parameterization_report();
-    return internal::run_parameterization(tmesh, vertex_sphere_map, np, m_report, internal::Guarantee::ONE_TO_ONE,
-                                          [&](const internal::Indexed_mesh& mesh, const auto&,
-                                              std::vector<internal::Vector_3d>& positions, double&, auto& control) {
-                                            control.visitor().on_initialization_begin(mesh.number_of_vertices());
-                                            internal::Stereographic_embedding<Solver_traits> embedding(mesh);
-                                            if(!embedding.solve())
-                                              return ERROR_CANNOT_SOLVE_LINEAR_SYSTEM;
-                                            const bool is_bijective = embedding.project_bijectively(positions);
-                                            m_report.seconds_for_embedding = control.lap();
-                                            if(!is_bijective)
-                                              return ERROR_INSUFFICIENT_PRECISION;
-                                            control.visitor().on_initialization_end();
-                                            m_report.stop_reason = CONVERGED;
-                                            return OK;
-                                          });
+    return internal::run_parameterization<ConcurrencyTag>(
+        tmesh, vertex_sphere_map, np, m_report, internal::Guarantee::ONE_TO_ONE,
+        [&](const internal::Indexed_mesh& mesh, const auto&, std::vector<internal::Vector_3d>& positions, double&,
+            auto& control) {
+          control.visitor().on_initialization_begin(mesh.number_of_vertices());
+          internal::Stereographic_embedding<Solver_traits> embedding(mesh);
+          if(!embedding.solve())
+            return ERROR_CANNOT_SOLVE_LINEAR_SYSTEM;
+          const bool is_bijective = embedding.project_bijectively(positions);
+          m_report.seconds_for_embedding = control.lap();
+          if(!is_bijective)
+            return ERROR_INSUFFICIENT_PRECISION;
+          control.visitor().on_initialization_end();
+          m_report.stop_reason = CONVERGED;
+          return OK;
+        });
   }
 
   /// returns what the last run did.

@@ -15,10 +15,14 @@
 #include <CGAL/license/Spherical_parameterization.h>
 
 #include <CGAL/Spherical_parameterization/internal/Orientation_about_origin_3.h>
+#include <CGAL/Spherical_parameterization/internal/for_each_block.h>
 
 #include <CGAL/enum.h>
+#include <CGAL/tags.h>
 
+#include <atomic>
 #include <cstddef>
+#include <type_traits>
 
 namespace CGAL {
 namespace Spherical_parameterization {
@@ -47,56 +51,70 @@ struct Bijectivity_certificate
   bool is_bijective() const { return number_of_non_positive_faces == 0 && degree == 1; }
 };
 
+// counts the triangles for which `is_counted(t)`.
+template <class ConcurrencyTag, class Triangles, class Predicate>
+std::size_t count_triangles(const Triangles& triangles, const Predicate& is_counted)
+{
+  constexpr std::size_t block_size = 1024;
+  std::atomic<std::size_t> result(0);
+  for_each_block<ConcurrencyTag>(0, triangles.size(), block_size, [&](std::size_t begin, std::size_t end) {
+    std::size_t n = 0;
+    for(std::size_t k = begin; k < end; ++k)
+    {
+      n += is_counted(triangles[k]);
+    }
+    result += n;
+  });
+  return result;
+}
+
 // counts the triangles whose open cone contains `q`; returns false if `q` lies on the boundary of a cone.
 // Precondition: all triangles are positive.
-template <class K, class Points, class Triangles>
+template <class K, class ConcurrencyTag, class Points, class Triangles>
 bool count_triangles_around(const typename K::Point_3& q, const Points& points, const Triangles& triangles,
                             const Orientation_about_origin_3<K>& orientation, std::size_t& number_of_triangles)
 {
-  number_of_triangles = 0;
-  for(const auto& t : triangles)
-  {
+  std::atomic<bool> is_inside(true); // of all cones that contain it
+  number_of_triangles = count_triangles<ConcurrencyTag>(triangles, [&](const auto& t) {
     const Sign ab = orientation(points[t[0]], points[t[1]], q);
     if(ab == NEGATIVE)
     {
-      continue;
+      return false;
     }
     const Sign bc = orientation(points[t[1]], points[t[2]], q);
     if(bc == NEGATIVE)
     {
-      continue;
+      return false;
     }
     const Sign ca = orientation(points[t[2]], points[t[0]], q);
     if(ca == NEGATIVE)
     {
-      continue;
+      return false;
     }
     if(ab == ZERO || bc == ZERO || ca == ZERO)
     {
-      return false;
+      is_inside = false;
     }
-    ++number_of_triangles;
-  }
-  return true;
+    return true;
+  });
+  return is_inside;
 }
 
-// computes the certificate in linear time and without allocating memory.
+// computes the certificate in linear time and without allocating memory, in parallel if `ConcurrencyTag` asks for it and
+// the coordinates are doubles; copies of an exact number may share what is not for several threads.
 //
-// `K` is a kernel with exact predicates, `points` a random-access range of its points, `triangles` a range of triples
-// of indices into it: a closed mesh, all triangles oriented alike. Points that no triangle uses are not looked at.
-template <class K, class Points, class Triangles>
+// `K` is a kernel with exact predicates, `points` a random-access range of its points, `triangles` one of triples of
+// indices into it: a closed mesh, all triangles oriented alike. Points that no triangle uses are not looked at.
+template <class K, class ConcurrencyTag = Sequential_tag, class Points, class Triangles>
 Bijectivity_certificate certify_bijectivity(const Points& points, const Triangles& triangles)
 {
+  using FT = typename K::FT;
+  using Tag = std::conditional_t<std::is_same<FT, double>::value, ConcurrencyTag, Sequential_tag>;
   const Orientation_about_origin_3<K> orientation;
 
   Bijectivity_certificate certificate;
-  for(const auto& t : triangles)
-  {
-    if(orientation(points[t[0]], points[t[1]], points[t[2]]) != POSITIVE)
-    {
-      ++certificate.number_of_non_positive_faces;
-    }
-  }
+  certificate.number_of_non_positive_faces = count_triangles<Tag>(
+      triangles, [&](const auto& t) { return orientation(points[t[0]], points[t[1]], points[t[2]]) != POSITIVE; });
   if(certificate.number_of_non_positive_faces != 0)
   {
     return certificate;
@@ -105,12 +123,11 @@ Bijectivity_certificate certify_bijectivity(const Points& points, const Triangle
   // The directions (1, x, x^2) lie on a curve that meets any plane through the origin twice at most: whatever the mesh,
   // no more than two of them are lost per edge, and in practice the first one does. With x = k / 2^20 and k < 2^26 they
   // are exact in double precision.
-  using FT = typename K::FT;
   for(double k = 742913.; k < 0x1p26; ++k)
   {
     const double x = k * 0x1p-20;
     const typename K::Point_3 q(FT(1.), FT(x), FT(x * x));
-    if(count_triangles_around<K>(q, points, triangles, orientation, certificate.degree))
+    if(count_triangles_around<K, Tag>(q, points, triangles, orientation, certificate.degree))
     {
       return certificate;
     }

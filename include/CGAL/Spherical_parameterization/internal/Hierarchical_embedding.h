@@ -27,6 +27,7 @@
 #include <CGAL/Spherical_parameterization/internal/Vector_3d.h>
 #include <CGAL/Spherical_parameterization/internal/Vertex_rings.h>
 #include <CGAL/Spherical_parameterization/internal/for_each_block.h>
+#include <CGAL/Spherical_parameterization/internal/run_both.h>
 #include <CGAL/Spherical_parameterization/internal/update_on_coarse_levels.h>
 #include <CGAL/Spherical_parameterization/internal/vertex_areas.h>
 
@@ -161,14 +162,11 @@ private:
     const std::vector<Vector_3d> points = gathered(m_points, level);
     std::vector<double> densities;
     std::optional<Independent_sets> sets;
-    // Both are for one thread, but may be done at the same time.
-    const std::size_t n_tasks = m_limits.is_uniform ? 1 : 2;
-    for_each_block<ConcurrencyTag>(0, n_tasks, 1, [&](std::size_t task, std::size_t) {
-      if(task == 0)
-        sets.emplace(rings);
-      else
+    const auto find_densities = [&] {
+      if(!m_limits.is_uniform)
         densities = vertex_densities(rings, points, level.areas);
-    });
+    };
+    run_both<ConcurrencyTag>([&] { sets.emplace(rings); }, find_densities);
     Block_coordinate_descent<Energy, VertexUpdate, ConcurrencyTag> descent(
         rings, *sets, points, densities, m_energy, local.size() < m_points.size() ? m_coarse_update : m_update,
         m_limits);

@@ -77,8 +77,8 @@ struct Initial_map
     if(error != OK)
       return error;
     // The sweeps compute with rounding, so a face that is positive by less than that would not be safe with them.
-    const bool is_safe =
-        read_map(mesh, vertices_of_mesh, map, positions) && are_safely_positive(mesh.rings(), positions);
+    const bool is_safe = read_map<ConcurrencyTag>(mesh, vertices_of_mesh, map, positions) &&
+                         are_safely_positive(mesh.rings(), positions);
     control.report().seconds_for_embedding = control.lap();
     return is_safe ? OK : ERROR_INVALID_INITIAL_PARAMETERIZATION;
   }

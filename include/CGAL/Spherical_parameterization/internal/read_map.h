@@ -33,7 +33,7 @@ namespace internal {
 
 // Reads a map from the vertices of the caller's mesh and projects it to the unit sphere. Returns whether it is a
 // bijection there.
-template <class VertexDescriptor, class VertexSphereMap>
+template <class ConcurrencyTag, class VertexDescriptor, class VertexSphereMap>
 bool read_map(const Indexed_mesh& mesh, const std::vector<VertexDescriptor>& vertices_of_mesh, VertexSphereMap map,
               std::vector<Vector_3d>& positions)
 {
@@ -49,7 +49,7 @@ bool read_map(const Indexed_mesh& mesh, const std::vector<VertexDescriptor>& ver
     positions[v] = normalized({x[0] / size, x[1] / size, x[2] / size});
     points.push_back(Kernel::Point_3(positions[v][0], positions[v][1], positions[v][2]));
   }
-  return certify_bijectivity<Kernel>(points, mesh.triangles()).is_bijective();
+  return certify_bijectivity<Kernel, ConcurrencyTag>(points, mesh.triangles()).is_bijective();
 }
 
 } // namespace internal

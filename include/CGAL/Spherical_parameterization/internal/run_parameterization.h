@@ -40,7 +40,7 @@ namespace internal {
 // and writes the map, by what the method guarantees. The report is to be a new one. The work itself is
 //   Error_code compute(mesh, vertices_of_mesh, positions, radius, control)
 // which sets the positions on the unit sphere and the radius in the caller's unit of length.
-template <class TriangleMesh, class VertexSphereMap, class NamedParameters, class Compute>
+template <class ConcurrencyTag, class TriangleMesh, class VertexSphereMap, class NamedParameters, class Compute>
 Error_code run_parameterization(const TriangleMesh& tmesh, VertexSphereMap vertex_sphere_map, const NamedParameters& np,
                                 Parameterization_report& report, Guarantee guarantee, const Compute& compute)
 {
@@ -59,7 +59,7 @@ Error_code run_parameterization(const TriangleMesh& tmesh, VertexSphereMap verte
       choose_parameter(get_parameter(np, internal_np::vertex_point), get_const_property_map(vertex_point, tmesh));
   Indexed_mesh mesh;
   std::vector<typename boost::graph_traits<TriangleMesh>::vertex_descriptor> vertices_of_mesh;
-  Error_code error = read_mesh(tmesh, vpm, mesh, vertices_of_mesh, report);
+  Error_code error = read_mesh<ConcurrencyTag>(tmesh, vpm, mesh, vertices_of_mesh, report);
   report.seconds_for_reading = control.lap();
   if(error != OK)
     return error;
@@ -68,7 +68,7 @@ Error_code run_parameterization(const TriangleMesh& tmesh, VertexSphereMap verte
   double radius = 1.;
   error = compute(mesh, vertices_of_mesh, positions, radius, control);
   if(error == OK)
-    error = write_map(mesh, vertices_of_mesh, positions, radius, guarantee, vertex_sphere_map);
+    error = write_map<ConcurrencyTag>(mesh, vertices_of_mesh, positions, radius, guarantee, vertex_sphere_map);
   report.radius = radius;
   report.seconds_for_certificate = control.lap();
   return error;

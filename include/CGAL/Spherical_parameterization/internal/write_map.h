@@ -40,7 +40,7 @@ namespace internal {
 // Scales the positions from the unit sphere to the sphere of radius `radius`, certifies the points exactly as the
 // caller will get them, and only then writes them: the second of the two places that touch the caller's data. A map
 // that is not one-to-one is written only if nothing else was promised.
-template <class VertexDescriptor, class VertexSphereMap>
+template <class ConcurrencyTag, class VertexDescriptor, class VertexSphereMap>
 Error_code write_map(const Indexed_mesh& mesh, const std::vector<VertexDescriptor>& vertices_of_mesh,
                      const std::vector<Vector_3d>& positions, double radius, Guarantee guarantee,
                      VertexSphereMap vertex_sphere_map)
@@ -68,7 +68,8 @@ Error_code write_map(const Indexed_mesh& mesh, const std::vector<VertexDescripto
         Point_3(static_cast<FT>(radius * u[0]), static_cast<FT>(radius * u[1]), static_cast<FT>(radius * u[2])));
     exact_points.push_back(Selection::convert(points.back()));
   }
-  const bool is_bijective = certify_bijectivity<Exact_kernel>(exact_points, mesh.triangles()).is_bijective();
+  const bool is_bijective =
+      certify_bijectivity<Exact_kernel, ConcurrencyTag>(exact_points, mesh.triangles()).is_bijective();
   if(!is_bijective && guarantee == Guarantee::ONE_TO_ONE)
     return ERROR_INSUFFICIENT_PRECISION;
 
