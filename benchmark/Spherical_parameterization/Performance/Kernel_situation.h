@@ -79,8 +79,7 @@ public:
     : m_tmesh(read_mesh(mesh_file))
   {
     SP::Parameterization_report report;
-    const SP::Error_code error =
-        SP::internal::read_mesh<CGAL::Sequential_tag>(m_tmesh, m_tmesh.points(), m_mesh, m_vertices_of_mesh, report);
+    const SP::Error_code error = SP::internal::read_mesh(m_tmesh, m_tmesh.points(), m_mesh, m_vertices_of_mesh, report);
     if(error != SP::OK)
     {
       throw std::runtime_error(SP::get_error_message(error));
@@ -101,7 +100,7 @@ public:
     SP::Parameterization_report report;
     SP::internal::Indexed_mesh mesh;
     std::vector<Mesh::Vertex_index> vertices_of_mesh;
-    SP::internal::read_mesh<CGAL::Sequential_tag>(m_tmesh, m_tmesh.points(), mesh, vertices_of_mesh, report);
+    SP::internal::read_mesh(m_tmesh, m_tmesh.points(), mesh, vertices_of_mesh, report);
     return {mesh.number_of_vertices(), mesh.points()[0][0]};
   }
 
@@ -116,7 +115,7 @@ public:
   template <class ConcurrencyTag>
   Work prepare_descent() const
   {
-    const Descent<ConcurrencyTag> descent(m_mesh.rings(), m_mesh.points(), std::vector<double>(), m_energy, m_update);
+    const Descent<ConcurrencyTag> descent(m_mesh.rings(), m_mesh.points(), m_energy, m_update);
     return {m_mesh.number_of_vertices(), static_cast<double>(descent.faces().size())};
   }
 
@@ -325,7 +324,7 @@ private:
     auto& descent = std::get<std::optional<Descent<ConcurrencyTag>>>(m_descents);
     if(!descent)
     {
-      descent.emplace(m_mesh.rings(), m_mesh.points(), std::vector<double>(), m_energy, m_update);
+      descent.emplace(m_mesh.rings(), m_mesh.points(), m_energy, m_update);
     }
     return *descent;
   }

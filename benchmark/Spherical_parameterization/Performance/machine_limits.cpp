@@ -59,8 +59,7 @@ public:
     const SP::Error_code error = SP::parameterize(mesh, parameterizer, sphere);
     std::vector<Mesh::Vertex_index> vertices;
     SP::Parameterization_report report;
-    if(error != SP::OK || Internal::read_mesh<CGAL::Sequential_tag>(mesh, get(CGAL::vertex_point, mesh), m_mesh,
-                                                                    vertices, report) != SP::OK)
+    if(error != SP::OK || Internal::read_mesh(mesh, get(CGAL::vertex_point, mesh), m_mesh, vertices, report) != SP::OK)
     {
       throw std::runtime_error(SP::get_error_message(error));
     }
@@ -79,7 +78,7 @@ public:
   double seconds_for_sweep(const Update& update, std::size_t repetitions) const
   {
     using Energy = SP::Symmetric_Dirichlet_energy_3;
-    Internal::Block_coordinate_descent<Energy, Update, ConcurrencyTag> descent(rings(), m_mesh.points(), {}, Energy(),
+    Internal::Block_coordinate_descent<Energy, Update, ConcurrencyTag> descent(rings(), m_mesh.points(), Energy(),
                                                                                update);
     std::vector<double> seconds;
     for(std::size_t i = 0; i < repetitions; ++i)

@@ -348,7 +348,7 @@ private:
     // the radius in the unit of the mesh, kept where its powers are finite
     const auto scaled = [&](double r) { return (std::min)((std::max)(mesh.scaled_radius(r), 1e-50), 1e50); };
 
-    Descent descent(mesh.rings(), mesh.points(), std::vector<double>(), m_energy, m_vertex_update);
+    Descent descent(mesh.rings(), mesh.points(), m_energy, m_vertex_update);
     internal::Energy_summary summary = descent.measure(positions, scaled(radius), 0.);
     m_report.initial_energy = summary.average();
     const std::size_t largest_focus = mesh.number_of_vertices() / least_focus_sweeps;

@@ -25,7 +25,6 @@
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/named_params_helper.h>
 #include <CGAL/boost/graph/properties.h>
-#include <CGAL/tags.h>
 
 #include <boost/graph/graph_traits.hpp>
 
@@ -79,7 +78,7 @@ Mesh_defect<TriangleMesh> find_defect(const TriangleMesh& tmesh, const CGAL_NP_C
   internal::Indexed_mesh mesh;
   std::vector<typename boost::graph_traits<TriangleMesh>::vertex_descriptor> vertices_of_mesh;
   Parameterization_report report;
-  const Error_code error = internal::read_mesh<Sequential_tag>(tmesh, vpm, mesh, vertices_of_mesh, report);
+  const Error_code error = internal::read_mesh(tmesh, vpm, mesh, vertices_of_mesh, report);
   return internal::Mesh_defect_locator<TriangleMesh>(tmesh).locate(error, vpm);
 }
 

@@ -6,8 +6,10 @@ import csv
 import hashlib
 import json
 import re
+import statistics
 import subprocess
 import sys
+from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -24,6 +26,7 @@ class Measurement:
     rows: list[dict]  # of the table that the program prints: numbers, where a cell is one
     message: str  # why there is no row; empty otherwise
     is_reused: bool = False
+    copies: int = 1  # that ran at the same time
 
 
 @dataclass(frozen=True)
@@ -35,6 +38,7 @@ class Job:
     arguments: tuple[str, ...]
     repetitions: int
     purpose: str = ""  # jobs with another purpose are measured anew, next to what they are compared with
+    copies: int = 1  # that run at the same time, each in a process of its own; the result is their mean
 
 
 class BenchmarkProgram:
@@ -71,6 +75,7 @@ class BenchmarkProgram:
         if measurement is None:
             file = self._folder / self._name(job, repetition)
             settings = {"program": self._checksum, "mesh": job.mesh.checksum, "arguments": list(job.arguments)}
+            settings["copies"] = job.copies
             measurement = self._stored(job, file, settings) if self._may_resume else None
             if measurement is None:
                 measurement = self._measure(job)
@@ -81,6 +86,17 @@ class BenchmarkProgram:
         return measurement
 
     def _measure(self, job: Job) -> Measurement:
+        if job.copies == 1:
+            return self._run(job)
+        with ThreadPoolExecutor(job.copies) as executor:
+            copies = list(executor.map(self._run, [job] * job.copies))
+        for copy in copies:
+            if copy.message:
+                return copy
+        rows = [_mean(rows) for rows in zip(*(copy.rows for copy in copies), strict=True)]
+        return Measurement(job.mesh, job.arguments, rows, "", copies=job.copies)
+
+    def _run(self, job: Job) -> Measurement:
         command = [str(self.path), "--csv", *job.arguments, str(job.mesh.path)]
         try:
             answer = subprocess.run(
@@ -107,13 +123,26 @@ class BenchmarkProgram:
         content = json.loads(file.read_text(encoding="utf-8"))
         if any(content.get(name) != value for name, value in settings.items()) or content["message"]:
             return None
-        return Measurement(job.mesh, job.arguments, content["rows"], "", is_reused=True)
+        return Measurement(job.mesh, job.arguments, content["rows"], "", is_reused=True, copies=job.copies)
 
     def _name(self, job: Job, repetition: int) -> str:
         words = re.sub(r"[^A-Za-z0-9]+", "-", " ".join(job.arguments)).strip("-")
         key = hashlib.sha256(str(job.mesh.path).encode()).hexdigest()[:8]
-        parts = (self.path.name, job.purpose, job.mesh.name, words, key, str(repetition))
+        at_once = f"{job.copies}-at-once" if job.copies > 1 else ""
+        parts = (self.path.name, job.purpose, job.mesh.name, words, at_once, key, str(repetition))
         return "_".join(part for part in parts if part) + ".json"
+
+
+def _mean(rows: tuple[dict, ...]) -> dict:
+    """The means of the numbers of several rows; of other cells, what all say."""
+    mean = {}
+    for key, first in rows[0].items():
+        cells = [row[key] for row in rows]
+        if isinstance(first, float):
+            mean[key] = statistics.fmean(cells)
+        else:
+            mean[key] = first if len(set(cells)) == 1 else "differs"
+    return mean
 
 
 def _value(text: str) -> float | str:
@@ -133,4 +162,6 @@ def _log(measurement: Measurement) -> None:
         result = measurement.message
     origin = " (of an earlier session)" if measurement.is_reused else ""
     arguments = " ".join(measurement.arguments)
+    if measurement.copies > 1:
+        arguments += f", {measurement.copies} at once"
     print(f"  {measurement.mesh.name} {arguments}: {result}{origin}", file=sys.stderr, flush=True)

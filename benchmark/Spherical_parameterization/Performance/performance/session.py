@@ -89,6 +89,17 @@ class Session:
                 values[key] = first if len(set(of_key)) == 1 else "differs"
         return values
 
+    def median_ratio(self, job: Job, other: Job, key: str) -> float:
+        """The median of how many times as large a number is for a job as for another one that is measured next to it.
+
+        None of the runs may have failed.
+        """
+        rows = [
+            [of.program.measure(of, repetition).rows[0] for of in (job, other)]
+            for repetition in range(min(job.repetitions, other.repetitions))
+        ]
+        return statistics.median(row[key] / other_row[key] for row, other_row in rows)
+
     def failures(self, jobs: list[Job]) -> list[str]:
         lines = []
         for job in jobs:

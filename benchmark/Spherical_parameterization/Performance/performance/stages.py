@@ -7,7 +7,17 @@ from measuring.plots import Axes, Curve
 from measuring.report import Column, listed, number
 
 from .benchmark_program import Job
-from .session import LEAST_VERTICES, LEAST_VERTICES_OF_THREADS, MESH, VERTICES, Session, geometric_mean, span, speed
+from .session import (
+    LARGE,
+    LEAST_VERTICES,
+    LEAST_VERTICES_OF_THREADS,
+    MESH,
+    VERTICES,
+    Session,
+    geometric_mean,
+    span,
+    speed,
+)
 
 STAGES = ("reading", "hierarchy", "embedding", "optimization", "certificate")
 TOTAL = "mesh to map"
@@ -85,7 +95,7 @@ def threads(session: Session) -> None:
     if len(session.thread_counts) < 2:
         report.paragraph("There is one thread only.")
         return
-    least = LEAST_VERTICES if session.is_short else LEAST_VERTICES_OF_THREADS
+    least = _least_vertices(session)
     alone, together = (dict(_results(session, n)) for n in session.thread_counts)
     both = [file for file in alone if file in together]
     different = [file.name for file in both if not _has_same_bits(alone[file], together[file])]
@@ -95,18 +105,35 @@ def threads(session: Session) -> None:
         return
 
     def gain(file: MeshFile, stage: str) -> float:
-        return alone[file][stage] / together[file][stage]
+        jobs = [_job(session, file, n) for n in session.thread_counts]
+        return session.median_ratio(*jobs, stage)
+
+    def ceiling(file: MeshFile) -> float:
+        return session.threads * session.median_ratio(_job(session, file, 1), _job_at_once(session, file), TOTAL)
 
     totals = [gain(file, TOTAL) for file in files]
     text = (
         f"With {session.threads} threads, meshes of {least:,} vertices and more are mapped {span(totals)} times as fast"
-        f" as with one, {speed(geometric_mean(totals))} times in the geometric mean. "
+        f" as with one, {speed(geometric_mean(totals))} times in the geometric mean: medians of the ratios of runs that"
+        " came one after the other. "
     )
+    with_ceiling = [file for file in files if _has_ceiling(session, file)]
+    if with_ceiling:
+        ceilings = [ceiling(file) for file in with_ceiling]
+        shares = [gain(file, TOTAL) / most for file, most in zip(with_ceiling, ceilings, strict=True)]
+        text += (
+            f"As many processes with one thread each, on a mesh each and at the same time, get {span(ceilings)} times"
+            f" as much done as one, {speed(geometric_mean(ceilings))} times in the geometric mean (column `At once`,"
+            f" below {LARGE:,} vertices). They never wait for each other, so this is what the cores of this machine"
+            " give to anybody, in the state that it was in; the threads of one map get"
+            f" {100.0 * geometric_mean(shares):.0f} % of it. "
+        )
     text += f"The maps of {listed(different)} differ." if different else f"All {len(both)} maps have the same bits."
     session.tell("threads", text)
     columns = [MESH, VERTICES, *(Column(stage.capitalize(), stage) for stage in STAGES)]
     columns += [
         Column("Mesh to map", TOTAL),
+        Column("At once", "ceiling"),
         Column("1 thread, s", "alone"),
         Column(f"{session.threads}, s", "together"),
     ]
@@ -114,6 +141,7 @@ def threads(session: Session) -> None:
         {
             **_head(file),
             **{stage: speed(gain(file, stage)) for stage in (*STAGES, TOTAL)},
+            "ceiling": speed(ceiling(file)) if file in with_ceiling else None,
             "alone": number(alone[file][TOTAL]),
             "together": number(together[file][TOTAL]),
         }
@@ -125,6 +153,9 @@ def threads(session: Session) -> None:
         Curve(stage, x, [gain(file, stage) for file in both], is_connected=False)
         for stage in ("hierarchy", "embedding", "optimization", TOTAL)
     ]
+    if with_ceiling:
+        x = [file.number_of_vertices for file in with_ceiling]
+        curves.append(Curve(f"{session.threads} processes", x, ceilings, is_connected=False))
     y_label = f"times as fast with {session.threads} threads"
     axes = Axes("Threads", "vertices", y_label, curves, is_x_log=True, starts_at_zero=True)
     session.draw("performance_threads.png", [axes], f"How many times as fast {session.threads} threads are as one.")
@@ -169,8 +200,32 @@ def _job(session: Session, mesh: MeshFile, number_of_threads: int) -> Job:
     return Job(session.stages, mesh, arguments, session.repetitions_of(mesh))
 
 
+def _least_vertices(session: Session) -> int:
+    """Of the meshes on which threads are judged."""
+    return LEAST_VERTICES if session.is_short else LEAST_VERTICES_OF_THREADS
+
+
+def _job_at_once(session: Session, mesh: MeshFile) -> Job:
+    """As many maps at the same time as there are threads, each made by one."""
+    arguments = ("--repeat", "1", *session.stages.threads(1))
+    return Job(session.stages, mesh, arguments, session.repetitions_of(mesh), copies=session.threads)
+
+
+def _is_for_ceiling(session: Session, mesh: MeshFile) -> bool:
+    return len(session.thread_counts) > 1 and _least_vertices(session) <= mesh.number_of_vertices < LARGE
+
+
+def _has_ceiling(session: Session, mesh: MeshFile) -> bool:
+    return _is_for_ceiling(session, mesh) and session.medians(_job_at_once(session, mesh)) is not None
+
+
 def _jobs(session: Session, meshes: list[MeshFile]) -> list[Job]:
-    return [_job(session, mesh, n) for mesh in meshes for n in session.thread_counts]
+    jobs = []
+    for mesh in meshes:
+        jobs += [_job(session, mesh, n) for n in session.thread_counts]
+        if _is_for_ceiling(session, mesh):
+            jobs.append(_job_at_once(session, mesh))
+    return jobs
 
 
 def _results(session: Session, number_of_threads: int, meshes: list[MeshFile] | None = None) -> list[Result]:

@@ -52,24 +52,28 @@ template <class Energy, class VertexUpdate, class ConcurrencyTag, class Barrier 
 class Block_coordinate_descent
 {
 public:
-  // `points` are those of the surface, scaled such that its area is 4 pi. If `densities` are given, one for each
-  // vertex, a face gets the shape that it has on the surface but as many times its area as the mean of the densities of
-  // its vertices. The rings have to last as long as the descent.
-  Block_coordinate_descent(const Vertex_rings& rings, const std::vector<Vector_3d>& points,
-                           const std::vector<double>& densities, const Energy& energy, const VertexUpdate& update,
-                           const Rest_limits& limits = Rest_limits())
-    : Block_coordinate_descent(rings, Independent_sets(rings), points, densities, energy, update, limits)
-  {}
-
-  // The same with sets that are there already. They are not needed any more afterwards.
-  Block_coordinate_descent(const Vertex_rings& rings, const Independent_sets& sets,
-                           const std::vector<Vector_3d>& points, const std::vector<double>& densities,
-                           const Energy& energy, const VertexUpdate& update, const Rest_limits& limits)
+  // for meshes that are yet to come
+  Block_coordinate_descent(const Energy& energy, const VertexUpdate& update)
     : m_energy(energy)
     , m_update(update)
-    , m_rings(rings)
     , m_scratch(Scratch(energy))
+  {}
+
+  // for one mesh that has lost nothing; see assign()
+  Block_coordinate_descent(const Vertex_rings& rings, const std::vector<Vector_3d>& points, const Energy& energy,
+                           const VertexUpdate& update)
+    : Block_coordinate_descent(energy, update)
   {
+    assign(rings, Independent_sets(rings), points, std::vector<double>(), Rest_limits());
+  }
+
+  // Takes over a mesh, whose rings have to last until the next one. `points` are those of the surface, scaled such that
+  // its area is 4 pi. If `densities` are given, one for each vertex, a face gets the shape that it has on the surface
+  // but as many times its area as the mean of the densities of its vertices.
+  void assign(const Vertex_rings& rings, const Independent_sets& sets, const std::vector<Vector_3d>& points,
+              const std::vector<double>& densities, const Rest_limits& limits)
+  {
+    m_rings = &rings;
     const auto rest_of_face = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
       Rest_triangle rest = Rest_triangle::from_points(points[a], points[b], points[c], limits);
       if(!densities.empty())
@@ -84,6 +88,17 @@ public:
       m_places[m_stars.vertex(place)] = static_cast<std::uint32_t>(place);
   }
 
+  // Makes room for a mesh with so many vertices, so that it and all smaller ones that come before it get the same
+  // memory. Nothing of it is touched before it is needed.
+  void reserve(std::size_t n_vertices)
+  {
+    m_stars.reserve(n_vertices);
+    m_faces.reserve(2 * n_vertices);
+    m_places.reserve(n_vertices);
+  }
+
+  void set_update(const VertexUpdate& update) { m_update = update; }
+
   // Moves every vertex once. The energy is that on the sphere of radius `radius`; `sharpness` is the s of exp(s E), or
   // 0.
   void sweep(std::vector<Vector_3d>& positions, double radius, double sharpness)
@@ -95,7 +110,7 @@ public:
   // unless they are more than `most`. Returns their number, or some number above `most`.
   std::size_t focus_on_faces_above(double bound, std::size_t most)
   {
-    m_is_selected.resize(m_rings.number_of_vertices(), 0);
+    m_is_selected.resize(m_rings->number_of_vertices(), 0);
     std::vector<std::uint32_t> selected;
     const auto select_vertex = [&](std::uint32_t v) {
       if(!m_is_selected[v])
@@ -110,7 +125,7 @@ public:
     {
       const std::size_t end = selected.size();
       for(; begin < end && selected.size() <= most; ++begin)
-        for(const std::uint32_t w : m_rings.ring(selected[begin]))
+        for(const std::uint32_t w : m_rings->ring(selected[begin]))
           select_vertex(w);
     }
     for(const std::uint32_t v : selected)
@@ -127,7 +142,7 @@ public:
           std::lower_bound(selected.begin(), selected.end(), m_stars.first_place_of_set(set)) - selected.begin()));
     for(std::uint32_t& place : selected)
       place = m_stars.vertex(place);
-    m_focus.assign(selected, first_of_set, [&](std::uint32_t v) { return m_rings.degree(v); });
+    m_focus.assign(selected, first_of_set, [&](std::uint32_t v) { return m_rings->degree(v); });
     fill(m_focus, [&](std::uint32_t v) { return m_stars.star(m_places[v]); });
     return selected.size();
   }
@@ -257,7 +272,7 @@ private:
 
   Energy m_energy;
   VertexUpdate m_update;
-  const Vertex_rings& m_rings;
+  const Vertex_rings* m_rings = nullptr;
   Star_packets m_stars, m_focus;
   std::vector<std::uint32_t> m_places; // of the vertices in m_stars
   std::vector<char> m_is_selected;     // 0 outside of focus_on_faces_above()

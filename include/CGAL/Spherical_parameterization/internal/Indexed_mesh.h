@@ -19,20 +19,15 @@
 #include <CGAL/Spherical_parameterization/internal/Rest_triangle.h>
 #include <CGAL/Spherical_parameterization/internal/Vector_3d.h>
 #include <CGAL/Spherical_parameterization/internal/Vertex_rings.h>
-#include <CGAL/Spherical_parameterization/internal/for_each_block.h>
 #include <CGAL/Spherical_parameterization/internal/is_finite.h>
-
-#include <CGAL/tags.h>
 
 #include <algorithm>
 #include <array>
-#include <atomic>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
 #include <limits>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -51,7 +46,6 @@ class Indexed_mesh
 public:
   // Takes the mesh with these points and triangles, all of them oriented alike. Vertices without a triangle are left
   // out.
-  template <class ConcurrencyTag = Sequential_tag>
   Error_code assign(std::vector<Vector_3d> points, const std::vector<std::array<std::uint32_t, 3>>& triangles)
   {
     for(const Vector_3d& p : points)
@@ -69,11 +63,11 @@ public:
     for(std::size_t v = 0; v < used.size(); ++v)
       m_points[v] = points[used[v]];
 
-    if(!renumber<ConcurrencyTag>(rings, used))
+    if(!renumber(rings, used))
       return ERROR_SEVERAL_COMPONENTS;
     if(2 * m_points.size() != triangles.size() + 4) // Euler: V - E + F = 2 with 2 E = 3 F
       return ERROR_NO_TOPOLOGICAL_SPHERE;
-    scale_to_unit_area<ConcurrencyTag>();
+    scale_to_unit_area();
     return OK;
   }
 
@@ -191,7 +185,6 @@ private:
   }
 
   // Gives the vertices of `rings` and m_points their final numbers. Fails if some cannot be reached from the others.
-  template <class ConcurrencyTag>
   bool renumber(const Vertex_rings& rings, const std::vector<std::uint32_t>& used)
   {
     const std::size_t n = m_points.size();
@@ -231,22 +224,18 @@ private:
 
     std::vector<Vector_3d> points(n);
     m_originals.resize(n);
-    std::vector<std::uint32_t> offsets(n + 1, 0);
+    m_rings = Vertex_rings();
+    m_rings.reserve(n, rings.number_of_corners());
     for(std::size_t k = 0; k < n; ++k)
-      offsets[k + 1] = offsets[k] + static_cast<std::uint32_t>(rings.degree(order[k]));
-    m_rings.assign(std::move(offsets));
-    for_each_block<ConcurrencyTag>(0, n, block_size, [&](std::size_t begin, std::size_t end) {
-      for(std::size_t k = begin; k < end; ++k)
-      {
-        points[k] = m_points[order[k]];
-        m_originals[k] = used[order[k]];
-        const Vertex_rings::Ring ring = rings.ring(order[k]);
-        const std::size_t d = ring.size(), shift = position(ring, entry[order[k]]);
-        std::uint32_t* out = m_rings.ring_to_fill(k);
-        for(std::size_t j = 0; j < d; ++j)
-          *out++ = number[ring.around(shift + j)];
-      }
-    });
+    {
+      points[k] = m_points[order[k]];
+      m_originals[k] = used[order[k]];
+      const Vertex_rings::Ring ring = rings.ring(order[k]);
+      const std::size_t d = ring.size(), shift = position(ring, entry[order[k]]);
+      for(std::size_t j = 0; j < d; ++j)
+        m_rings.push_neighbor(number[ring.around(shift + j)]);
+      m_rings.end_ring();
+    }
     m_points.swap(points);
     return true;
   }
@@ -263,10 +252,10 @@ private:
     return static_cast<std::size_t>(std::find(ring.begin(), ring.end(), v) - ring.begin());
   }
 
-  template <class ConcurrencyTag>
   void scale_to_unit_area()
   {
     double area = 0.;
+    m_number_of_flat_faces = 0;
     m_rings.for_each_face([&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
       area += 0.5 * length(cross(m_points[b] - m_points[a], m_points[c] - m_points[a]));
     });
@@ -275,18 +264,12 @@ private:
     m_unit = area > (std::numeric_limits<double>::min)() ? std::sqrt(area / (4. * pi)) : 1.;
     for(Vector_3d& p : m_points)
       p = (1. / m_unit) * p;
-    std::atomic<std::size_t> n_flat_faces(0);
-    for_each_block<ConcurrencyTag>(0, m_points.size(), block_size, [&](std::size_t begin, std::size_t end) {
-      std::size_t n = 0;
-      m_rings.for_each_face(begin, end, [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
-        n += Rest_triangle::is_too_flat(m_points[a], m_points[b], m_points[c]);
-      });
-      n_flat_faces += n;
+    m_rings.for_each_face([&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+      if(Rest_triangle::is_too_flat(m_points[a], m_points[b], m_points[c]))
+        ++m_number_of_flat_faces;
     });
-    m_number_of_flat_faces = n_flat_faces;
   }
 
-  static constexpr std::size_t block_size = 512;
   static constexpr std::uint32_t none = (std::numeric_limits<std::uint32_t>::max)();
 
   std::vector<Vector_3d> m_points;

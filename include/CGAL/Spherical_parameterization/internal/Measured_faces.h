@@ -46,6 +46,13 @@ namespace internal {
 class Measured_faces
 {
 public:
+  // Sets memory aside for so many faces.
+  void reserve(std::size_t n_faces)
+  {
+    m_packets.reserve((n_faces + width - 1) / width);
+    m_invariants.reserve(n_faces);
+  }
+
   // Takes the faces of the mesh with these stars, which hold the rest shapes for the measurements as well.
   template <class ConcurrencyTag>
   void assign(const Star_packets& stars, std::size_t n_faces)

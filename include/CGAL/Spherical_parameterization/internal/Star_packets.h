@@ -49,6 +49,14 @@ public:
     std::uint32_t first_place, number_of_stars, number_of_rows, stride;
   };
 
+  // Sets memory aside for so many stars, with a little to spare for the lanes that stay empty.
+  void reserve(std::size_t n_vertices)
+  {
+    const std::size_t n_corners = 6 * (n_vertices + n_vertices / 8 + width);
+    m_neighbors.reserve(n_corners);
+    m_rest.reserve(4 * n_corners);
+  }
+
   // Makes room for the stars of `vertices`, of which vertices[first_of_set[k]], ..., vertices[first_of_set[k + 1] - 1]
   // are independent. degree_of(v) is the number of neighbors of a vertex.
   template <class DegreeOf>

@@ -56,14 +56,7 @@ public:
   template <class Function>
   void for_each_face(Function f) const
   {
-    for_each_face(0, number_of_vertices(), f);
-  }
-
-  // The same for the faces with their smallest vertex in [begin, end).
-  template <class Function>
-  void for_each_face(std::size_t begin, std::size_t end, Function f) const
-  {
-    for(std::uint32_t v = static_cast<std::uint32_t>(begin); v < end; ++v)
+    for(std::uint32_t v = 0; v < number_of_vertices(); ++v)
       for_each_face_of_smallest(v, ring(v), [&](std::size_t, std::uint32_t p, std::uint32_t q) { f(v, p, q); });
   }
 

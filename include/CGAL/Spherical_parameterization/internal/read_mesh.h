@@ -40,7 +40,7 @@ namespace internal {
 
 // Checks the caller's mesh and copies it: the first of the two places that touch it. `vertices_of_mesh` gets the
 // vertices in the order of their original numbers, the report the counts.
-template <class ConcurrencyTag, class TriangleMesh, class VertexPointMap>
+template <class TriangleMesh, class VertexPointMap>
 Error_code read_mesh(const TriangleMesh& tmesh, const VertexPointMap& vpm, Indexed_mesh& mesh,
                      std::vector<typename boost::graph_traits<TriangleMesh>::vertex_descriptor>& vertices_of_mesh,
                      Parameterization_report& report)
@@ -61,6 +61,8 @@ Error_code read_mesh(const TriangleMesh& tmesh, const VertexPointMap& vpm, Index
 
   const auto index = get(CGAL::dynamic_vertex_property_t<Index>(), tmesh);
   std::vector<Vector_3d> points;
+  points.reserve(num_vertices(tmesh));
+  vertices_of_mesh.reserve(num_vertices(tmesh));
   for(const auto v : vertices(tmesh))
   {
     if(halfedge(v, tmesh) == boost::graph_traits<TriangleMesh>::null_halfedge())
@@ -74,13 +76,14 @@ Error_code read_mesh(const TriangleMesh& tmesh, const VertexPointMap& vpm, Index
     points.push_back({CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z())});
   }
   std::vector<std::array<Index, 3>> triangles;
+  triangles.reserve(num_faces(tmesh));
   for(const auto f : faces(tmesh))
   {
     const auto h = halfedge(f, tmesh);
     triangles.push_back(
         {get(index, source(h, tmesh)), get(index, target(h, tmesh)), get(index, target(next(h, tmesh), tmesh))});
   }
-  const Error_code error = mesh.assign<ConcurrencyTag>(std::move(points), triangles);
+  const Error_code error = mesh.assign(std::move(points), triangles);
   report.number_of_vertices = mesh.number_of_vertices();
   report.number_of_faces = triangles.size();
   report.number_of_flat_faces = mesh.number_of_flat_faces();

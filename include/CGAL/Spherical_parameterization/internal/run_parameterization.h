@@ -21,6 +21,7 @@
 #include <CGAL/Spherical_parameterization/internal/Guarantee.h>
 #include <CGAL/Spherical_parameterization/internal/Indexed_mesh.h>
 #include <CGAL/Spherical_parameterization/internal/Run_control.h>
+#include <CGAL/Spherical_parameterization/internal/for_each_block.h>
 #include <CGAL/Spherical_parameterization/internal/read_mesh.h>
 #include <CGAL/Spherical_parameterization/internal/write_map.h>
 
@@ -29,6 +30,7 @@
 
 #include <boost/graph/graph_traits.hpp>
 
+#include <cstddef>
 #include <type_traits>
 #include <vector>
 
@@ -57,9 +59,12 @@ Error_code run_parameterization(const TriangleMesh& tmesh, VertexSphereMap verte
 
   const auto vpm =
       choose_parameter(get_parameter(np, internal_np::vertex_point), get_const_property_map(vertex_point, tmesh));
+  // Threads that are not there as yet are made while the mesh is read.
+  for_each_block<ConcurrencyTag>(0, 2, 1, [](std::size_t, std::size_t) {});
+
   Indexed_mesh mesh;
   std::vector<typename boost::graph_traits<TriangleMesh>::vertex_descriptor> vertices_of_mesh;
-  Error_code error = read_mesh<ConcurrencyTag>(tmesh, vpm, mesh, vertices_of_mesh, report);
+  Error_code error = read_mesh(tmesh, vpm, mesh, vertices_of_mesh, report);
   report.seconds_for_reading = control.lap();
   if(error != OK)
     return error;
