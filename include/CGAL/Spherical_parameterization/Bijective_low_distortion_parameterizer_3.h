@@ -359,22 +359,21 @@ private:
     {
       const double last_radius = radius;
       const internal::Energy_summary last_summary = summary;
-      const double sharpness = next_sharpness(i, summary.average(), summary.largest());
-      double aim = 0.;
-      std::size_t focus = 0;
-      const auto find_aim = [&] { aim = next_radius(m_energy, descent.faces(), radius); };
-      const auto find_focus = [&] {
-        focus = descent.focus_on_faces_above(focus_energy * summary.largest(), largest_focus);
-      };
-      if(sharpness > 0. && m_is_accelerated && i >= next_focus)
-        internal::run_both<ConcurrencyTag>(find_aim, find_focus);
-      else
-        find_aim();
       // Half the way, but for the first time: over-relaxed vertices answer a full step with more than their share, and
       // the two never settle.
+      const double aim = next_radius(m_energy, descent.faces(), radius);
       if(is_positive_and_finite(aim))
         radius = i == 0 || !m_is_accelerated ? aim : radius * std::sqrt(aim / radius);
-      descent.sweep(positions, scaled(radius), sharpness);
+      const double sharpness = next_sharpness(i, summary.average(), summary.largest());
+      const auto sweep = [&] { descent.sweep(positions, scaled(radius), sharpness); };
+      std::size_t focus = 0;
+      // One thread looks for the worst faces, while the others have begun with the sweep.
+      if(sharpness > 0. && m_is_accelerated && i >= next_focus)
+        internal::run_both<ConcurrencyTag>(sweep, [&] {
+          focus = descent.focus_on_faces_above(focus_energy * summary.largest(), largest_focus);
+        });
+      else
+        sweep();
       if(focus > largest_focus)
         next_focus = i + 1 + sweeps_without_focus;
       else if(focus > 0)
