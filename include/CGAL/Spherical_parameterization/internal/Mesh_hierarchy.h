@@ -41,7 +41,8 @@ namespace internal {
 // kept. So all vertices that one level adds to the next coarser one can be inserted at once, each into a hole of
 // vertices that are all there, and no error is handed from one insertion to the next.
 //
-// Level 0 is the given mesh itself, whose rings have to last as long as the hierarchy. Every level numbers its own vertices, in the order of the given mesh.
+// Level 0 is the given mesh itself, whose rings have to last as long as the hierarchy. Every level numbers its own
+// vertices, in the order of the given mesh.
 //
 // A coarse mesh has lost area: where a limb was, there may be a spike. So every vertex carries the area of the surface
 // that it stands for, and hands it on to its ring when it is removed. Whoever maps a coarse level can then leave as
