@@ -369,9 +369,11 @@ private:
       std::size_t focus = 0;
       // One thread looks for the worst faces, while the others have begun with the sweep.
       if(sharpness > 0. && m_is_accelerated && i >= next_focus)
-        internal::run_both<ConcurrencyTag>(sweep, [&] {
-          focus = descent.focus_on_faces_above(focus_energy * summary.largest(), largest_focus);
-        });
+      {
+        descent.reserve_focus(largest_focus);
+        internal::run_both<ConcurrencyTag>(
+            sweep, [&] { focus = descent.focus_on_faces_above(focus_energy * summary.largest(), largest_focus); });
+      }
       else
         sweep();
       if(focus > largest_focus)

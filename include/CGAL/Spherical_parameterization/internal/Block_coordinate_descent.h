@@ -106,16 +106,27 @@ public:
     move_all(m_stars, positions, radius, sharpness);
   }
 
+  // Makes room for a focus on so many vertices. Another thread may look for it then without memory of its own.
+  void reserve_focus(std::size_t n_vertices)
+  {
+    m_focus.reserve(n_vertices);
+    m_selected.reserve(n_vertices + 1);
+    m_is_selected.resize(m_rings->number_of_vertices(), 0);
+  }
+
   // Selects the vertices around the faces whose energy was above `bound` when they were last measured, some rings wide,
   // unless they are more than `most`. Returns their number, or some number above `most`.
   std::size_t focus_on_faces_above(double bound, std::size_t most)
   {
     m_is_selected.resize(m_rings->number_of_vertices(), 0);
-    std::vector<std::uint32_t> selected;
+    std::vector<std::uint32_t>& selected = m_selected;
+    selected.clear();
     const auto select_vertex = [&](std::uint32_t v) {
-      if(!m_is_selected[v])
+      if(!m_is_selected[v] && selected.size() <= most)
+      {
         selected.push_back(v);
-      m_is_selected[v] = 1;
+        m_is_selected[v] = 1;
+      }
       return selected.size() <= most;
     };
     m_faces.for_each_above(m_energy, bound, [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
@@ -275,7 +286,8 @@ private:
   const Vertex_rings* m_rings = nullptr;
   Star_packets m_stars, m_focus;
   std::vector<std::uint32_t> m_places; // of the vertices in m_stars
-  std::vector<char> m_is_selected;     // 0 outside of focus_on_faces_above()
+  std::vector<std::uint32_t> m_selected;
+  std::vector<char> m_is_selected; // 0 outside of focus_on_faces_above()
   Measured_faces m_faces;
   Per_thread<ConcurrencyTag, Scratch> m_scratch;
 };

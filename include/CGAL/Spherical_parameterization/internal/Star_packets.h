@@ -52,7 +52,9 @@ public:
   // Sets memory aside for so many stars, with a little to spare for the lanes that stay empty.
   void reserve(std::size_t n_vertices)
   {
-    const std::size_t n_corners = 6 * (n_vertices + n_vertices / 8 + width);
+    const std::size_t n_places = n_vertices + n_vertices / 8 + width, n_corners = 6 * n_places;
+    m_vertices.reserve(n_places);
+    m_packets.reserve(n_places / width);
     m_neighbors.reserve(n_corners);
     m_rest.reserve(4 * n_corners);
   }
