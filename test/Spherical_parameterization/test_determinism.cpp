@@ -1,8 +1,13 @@
 // The same input and options give the same bits: sequentially or in parallel, with any number of threads, again and
 // again.
 
+#include <CGAL/Spherical_parameterization/internal/Block_coordinate_descent.h>
+#include <CGAL/Spherical_parameterization/internal/Independent_sets.h>
+#include <CGAL/Spherical_parameterization/internal/Indexed_mesh.h>
+#include <CGAL/Spherical_parameterization/internal/Rest_limits.h>
 #include <CGAL/spherical_parameterization.h>
 
+#include "test_indexed_meshes.h"
 #include "test_maps.h"
 #include "test_meshes.h"
 
@@ -90,6 +95,42 @@ TEST(Determinism, of_policies_with_a_state)
   ASSERT_EQ(SP::parameterize(small, parameterizer, map), SP::OK);
   EXPECT_EQ(parameterizer.report().number_of_average_iterations, n);
   EXPECT_TRUE(test_maps::have_same_bits(test_maps::images(small, map), first));
+}
+
+// A descent that takes over one mesh after the other does what one of its own would do on each.
+TEST(Determinism, of_a_descent_on_another_mesh)
+{
+  namespace Internal = SP::internal;
+  using Descent =
+      Internal::Block_coordinate_descent<SP::Symmetric_Dirichlet_energy_3, SP::Newton_update_3, CGAL::Sequential_tag>;
+  const auto optimize = [](Descent& descent, const Internal::Indexed_mesh& mesh) {
+    std::vector<Coordinates> positions;
+    for(const Coordinates& p : mesh.points()) // those of an ellipsoid
+      positions.push_back(test_meshes::normalized(p));
+    for(int sweep = 0; sweep < 3; ++sweep)
+    {
+      const double largest = descent.measure(positions, 1., 1.).largest();
+      descent.sweep(positions, 1., 1.);
+      const std::size_t n = descent.focus_on_faces_above(0.9 * largest, mesh.number_of_vertices() / 2);
+      EXPECT_GT(n, 0u);
+      EXPECT_LE(n, mesh.number_of_vertices() / 2);
+      descent.sweep_focus(positions, 1., 1.);
+    }
+    return positions;
+  };
+  const SP::Symmetric_Dirichlet_energy_3 energy;
+  const SP::Newton_update_3 update;
+  Descent descent(energy, update);
+  descent.reserve(600); // for some of them
+  for(const unsigned int subdivisions : {3u, 2u, 4u, 3u})
+  {
+    const Internal::Indexed_mesh mesh =
+        test_indexed_meshes::indexed_mesh(test_meshes::ellipsoid(1., 2., 3., subdivisions));
+    Descent own(mesh.rings(), mesh.points(), energy, update);
+    descent.assign(mesh.rings(), Internal::Independent_sets(mesh.rings()), mesh.points(), std::vector<double>(),
+                   Internal::Rest_limits());
+    EXPECT_TRUE(test_maps::have_same_bits(optimize(descent, mesh), optimize(own, mesh))) << subdivisions;
+  }
 }
 
 // The other methods, which have parallel parts of their own.

@@ -1,3 +1,4 @@
+#include <CGAL/Spherical_parameterization/internal/Bijectivity_certificate.h>
 #include <CGAL/Spherical_parameterization/internal/Orientation_about_origin_3.h>
 #include <CGAL/Spherical_parameterization/is_bijective.h>
 
@@ -11,9 +12,11 @@
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/boost/graph/Euler_operations.h>
 #include <CGAL/boost/graph/generators.h>
+#include <CGAL/tags.h>
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cfenv>
 #include <cmath>
 #include <cstddef>
@@ -349,6 +352,44 @@ TEST(Is_bijective_filter, agrees_with_exact_arithmetic_in_any_rounding_mode)
     EXPECT_GT(n_positive, 500u);
     EXPECT_LT(n_positive, 3500u);
   }
+}
+
+// What the certificate of a list says, which must not depend on who computes it.
+SP::internal::Bijectivity_certificate certificate_of(const Triangle_list& list)
+{
+  std::vector<Epick::Point_3> points;
+  for(const Coordinates& p : list.points)
+    points.push_back(Epick::Point_3(p[0], p[1], p[2]));
+  const auto result = SP::internal::certify_bijectivity<Epick>(points, list.triangles);
+  const auto in_parallel =
+      SP::internal::certify_bijectivity<Epick, CGAL::Parallel_if_available_tag>(points, list.triangles);
+  EXPECT_EQ(in_parallel.number_of_non_positive_faces, result.number_of_non_positive_faces);
+  EXPECT_EQ(in_parallel.degree, result.degree);
+  return result;
+}
+
+TEST(Is_bijective_certificate, is_the_same_in_parallel)
+{
+  Triangle_list list = test_meshes::icosphere(5); // enough faces for many blocks
+  EXPECT_TRUE(certificate_of(list).is_bijective());
+  EXPECT_EQ(certificate_of(test_meshes::suspension(5001, 2)).degree, 2u);
+  EXPECT_EQ(certificate_of(test_meshes::suspension(5001, 1250)).degree, 1250u);
+
+  // A vertex in the first direction that faces are counted around: it is on their boundaries, and another one is taken.
+  const double x = 742913. * 0x1p-20;
+  const Coordinates q = {1., x, x * x}, direction = test_meshes::normalized(q);
+  const auto cosine = [&](const Coordinates& p) {
+    return p[0] * direction[0] + p[1] * direction[1] + p[2] * direction[2];
+  };
+  *std::max_element(list.points.begin(), list.points.end(),
+                    [&](const Coordinates& a, const Coordinates& b) { return cosine(a) < cosine(b); }) = q;
+  EXPECT_TRUE(certificate_of(list).is_bijective());
+
+  // Faces that are inverted here and there are all counted.
+  std::size_t n_inverted = 0;
+  for(std::size_t k = 5; k < list.triangles.size(); k += 997, ++n_inverted)
+    std::swap(list.triangles[k][0], list.triangles[k][1]);
+  EXPECT_EQ(certificate_of(list).number_of_non_positive_faces, n_inverted);
 }
 
 TEST(Is_bijective_index_map, uses_the_map_given)
