@@ -97,8 +97,6 @@ public:
     m_places.reserve(n_vertices);
   }
 
-  void set_update(const VertexUpdate& update) { m_update = update; }
-
   // Moves every vertex once. The energy is that on the sphere of radius `radius`; `sharpness` is the s of exp(s E), or
   // 0.
   void sweep(std::vector<Vector_3d>& positions, double radius, double sharpness)

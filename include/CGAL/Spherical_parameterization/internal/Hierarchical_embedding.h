@@ -36,6 +36,7 @@
 #include <cmath>
 #include <cstddef>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -63,7 +64,7 @@ public:
     , m_sweeps_per_level(sweeps_per_level)
     , m_limits(limits)
     , m_energy(energy)
-    , m_descent(energy, m_coarse_update)
+    , m_descent(std::in_place, energy, m_coarse_update)
     , m_kernels(Star_kernel())
   {}
 
@@ -77,7 +78,7 @@ public:
     m_radius = 1.;
     positions.resize(m_points.size());
     if(m_hierarchy.number_of_levels() > 1)
-      m_descent.reserve(m_hierarchy.level(sweeps_finest_level ? 0 : 1).vertices.size());
+      m_descent->reserve(m_hierarchy.level(1).vertices.size());
     const std::size_t coarsest = m_hierarchy.number_of_levels() - 1;
     place_tetrahedron(m_hierarchy.level(coarsest), m_hierarchy.rings(coarsest), positions);
     for(std::size_t k = coarsest + 1; k-- > 0;)
@@ -170,10 +171,10 @@ private:
         densities = vertex_densities(rings, points, level.areas);
     };
     run_both<ConcurrencyTag>([&] { sets.emplace(rings); }, find_densities);
-    m_descent.assign(rings, *sets, points, densities, m_limits);
-    sets.reset();
     if(local.size() == m_points.size())
-      m_descent.set_update(m_update);
+      m_descent.emplace(m_energy, m_update);
+    m_descent->assign(rings, *sets, points, densities, m_limits);
+    sets.reset();
     const std::size_t n_sweeps = is_full ? number_of_sweeps(local.size()) : (m_sweeps_per_level + 3) / 4;
     double sharpness = 0., last_average = 0.;
     bool is_stopped = false;
@@ -181,8 +182,8 @@ private:
     {
       if(i % sweeps_per_measurement == 0)
       {
-        const Energy_summary summary = m_descent.measure(local, m_radius, 0.);
-        m_radius = Optimal_radius_3()(m_energy, m_descent.faces(), m_radius);
+        const Energy_summary summary = m_descent->measure(local, m_radius, 0.);
+        m_radius = Optimal_radius_3()(m_energy, m_descent->faces(), m_radius);
         if(ends_when_settled(local.size()) && i > 0 &&
            std::abs(summary.average() - last_average) <= settled_change * summary.scale_of_changes(last_average))
           return true;
@@ -192,7 +193,7 @@ private:
         if(is_stopped && i > 0)
           break;
       }
-      m_descent.sweep(local, m_radius, sharpness);
+      m_descent->sweep(local, m_radius, sharpness);
       ++control.report().number_of_level_iterations;
       if(is_stopped) // this one sweep had to be: see above
         break;
@@ -254,7 +255,7 @@ private:
   std::size_t m_sweeps_per_level;
   Rest_limits m_limits;
   Energy m_energy;
-  Block_coordinate_descent<Energy, VertexUpdate, ConcurrencyTag> m_descent; // of the level at hand
+  std::optional<Block_coordinate_descent<Energy, VertexUpdate, ConcurrencyTag>> m_descent; // on the level at hand
   Per_thread<ConcurrencyTag, Star_kernel> m_kernels;
   std::size_t m_size_of_last_full_level = 0;
   double m_radius = 1.; // of the sphere that the energies are taken on
