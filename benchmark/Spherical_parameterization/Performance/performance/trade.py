@@ -14,9 +14,10 @@ from .benchmark_program import Job
 from .session import Session, geometric_mean
 
 SECTION = "trade"
-SWEEPS = (0, 6, 12, 25, 50, 100, 200, 400, 800)
+SWEEPS = (0, 6, 12, 25, 50, 100, 200, 400, 800, 1600)
 SHORT_SWEEPS = (0, 25, 50)
 TIMES = (0.25, 0.5, 1.0, 2.0, 4.0)  # in units of the default's
+NOISE = 0.03  # times that differ by no more are the same
 MOST_REPETITIONS = 3
 MOST_VERTICES = 60_000
 MAXIMUM, AVERAGE, SECONDS = "D_iso max", "D_iso avg", "mesh to map"
@@ -58,7 +59,7 @@ def trade(session: Session) -> None:
     columns += [Column("D_iso max", "maximum"), Column("D_iso avg", "average")]
     session.tabulate(SECTION, columns, [_shown(point, point.name) for point in points])
     session.tell(SECTION, _verdict(default, points))
-    columns = [Column("Time allowed", "name"), columns[1], *columns[3:]]
+    columns = [Column("Time allowed", "name"), columns[1], Column("Time taken", "time"), *columns[3:]]
     session.tabulate(SECTION, columns, [_shown(_at(points, time), f"{time:g}") for time in TIMES])
     records = [
         {"sweeps at most": "default" if sweeps is None else sweeps, **medians[file, sweeps]}
@@ -93,10 +94,13 @@ def _point(medians: dict, files: list[MeshFile], settings: list[int | None], swe
 
 
 def _at(points: list[Point], time: float) -> Point | None:
-    """Between the settings, by the logarithm of the time; None where the settings do not reach."""
+    """What that much time buys: between the settings, by the logarithm of the time; beyond, the last one, which takes
+    less. None if it is too little for any.
+    """
     times = np.maximum.accumulate([point.time for point in points])  # more sweeps take no less but for noise
-    if not times[0] <= time <= times[-1]:
+    if time < (1.0 - NOISE) * times[0]:
         return None
+    time = float(np.clip(time, times[0], times[-1]))
 
     def between(values: list[float]) -> float:
         return float(np.interp(np.log(time), np.log(times), values))
@@ -112,7 +116,7 @@ def _at(points: list[Point], time: float) -> Point | None:
 
 def _shown(point: Point | None, name: str) -> dict:
     if point is None:
-        return {"name": name, "sweeps": "–", "maximum": "–", "average": "–"}
+        return {"name": name, "sweeps": "–", "time": "no map", "maximum": "–", "average": "–"}
     return {
         "name": name,
         "sweeps": f"{point.sweeps:.0f}",
@@ -126,7 +130,7 @@ def _verdict(default: Point, points: list[Point]) -> str:
     texts = []
     for time in TIMES:
         point = _at(points, time)
-        if point is not None and time != 1.0:
+        if point is not None and time not in (1.0, 4.0):
             texts.append(
                 f"with {time:g} times its time, the maximum is {_change(point.maximum / default.maximum)} and the"
                 f" average {_change(point.average / default.average)}"
