@@ -130,7 +130,7 @@ def _verdict(default: Point, points: list[Point]) -> str:
     texts = []
     for time in TIMES:
         point = _at(points, time)
-        if point is not None and time not in (1.0, 4.0):
+        if point is not None and time != 1.0 and abs(point.time / time - 1.0) <= NOISE:
             texts.append(
                 f"with {time:g} times its time, the maximum is {_change(point.maximum / default.maximum)} and the"
                 f" average {_change(point.average / default.average)}"
