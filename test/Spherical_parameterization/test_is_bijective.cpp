@@ -14,6 +14,11 @@
 #include <CGAL/boost/graph/generators.h>
 #include <CGAL/tags.h>
 
+#ifdef CGAL_LINKED_WITH_TBB
+#include <tbb/global_control.h>
+#include <tbb/task_arena.h>
+#endif
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -354,15 +359,25 @@ TEST(Is_bijective_filter, agrees_with_exact_arithmetic_in_any_rounding_mode)
   }
 }
 
-// What the certificate of a list says, which must not depend on who computes it.
-SP::internal::Bijectivity_certificate certificate_of(const Triangle_list& list)
+// What the certificate of a list says, which must not depend on who computes it, nor on the order of the triangles.
+SP::internal::Bijectivity_certificate certificate_of(Triangle_list list)
 {
+  std::shuffle(list.triangles.begin(), list.triangles.end(), std::mt19937(3));
   std::vector<Epick::Point_3> points;
   for(const Coordinates& p : list.points)
     points.push_back(Epick::Point_3(p[0], p[1], p[2]));
   const auto result = SP::internal::certify_bijectivity<Epick>(points, list.triangles);
-  const auto in_parallel =
-      SP::internal::certify_bijectivity<Epick, CGAL::Parallel_if_available_tag>(points, list.triangles);
+  SP::internal::Bijectivity_certificate in_parallel;
+  const auto certify = [&] {
+    in_parallel = SP::internal::certify_bijectivity<Epick, CGAL::Parallel_if_available_tag>(points, list.triangles);
+  };
+#ifdef CGAL_LINKED_WITH_TBB
+  // more threads than the machine may have
+  const tbb::global_control control(tbb::global_control::max_allowed_parallelism, 4);
+  tbb::task_arena(4).execute(certify);
+#else
+  certify();
+#endif
   EXPECT_EQ(in_parallel.number_of_non_positive_faces, result.number_of_non_positive_faces);
   EXPECT_EQ(in_parallel.degree, result.degree);
   return result;

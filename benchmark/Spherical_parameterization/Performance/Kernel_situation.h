@@ -170,6 +170,19 @@ public:
     return {m_mesh.rings().number_of_faces(), summary.mean()};
   }
 
+  // The search for the worst faces of what was measured last, and their neighbourhood.
+  Work find_focus()
+  {
+    constexpr double share_of_largest = 0.6; // as by default
+    auto& found = descent<CGAL::Sequential_tag>();
+    if(!m_largest_energy)
+    {
+      m_largest_energy = found.measure(m_map, m_radius, m_sharpness).largest();
+    }
+    const std::size_t n = m_mesh.number_of_vertices();
+    return {n, static_cast<double>(found.focus_on_faces_above(share_of_largest * *m_largest_energy, n))};
+  }
+
   // The cost of removing each vertex of the finest level.
   Work cost_removals() const
   {
@@ -226,9 +239,10 @@ public:
   void restore_hierarchy() { m_hierarchy_in_use.emplace(*m_hierarchy); }
 
   // The exact check of all faces, and of the degree.
+  template <class ConcurrencyTag>
   Work certify() const
   {
-    const auto certificate = SP::internal::certify_bijectivity<Kernel>(m_images, m_triangles);
+    const auto certificate = SP::internal::certify_bijectivity<Kernel, ConcurrencyTag>(m_images, m_triangles);
     return {m_triangles.size(), static_cast<double>(certificate.degree)};
   }
 
@@ -437,6 +451,7 @@ private:
   Energy m_energy;
   Update m_update;
   double m_radius = 1., m_sharpness = 0.;
+  std::optional<double> m_largest_energy;                  // of the map
   std::vector<SP::internal::Vector_3d> m_map, m_positions; // on the unit sphere; the latter move
   std::tuple<std::optional<Descent<CGAL::Sequential_tag>>
 #ifdef CGAL_LINKED_WITH_TBB

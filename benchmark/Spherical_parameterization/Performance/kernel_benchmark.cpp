@@ -103,6 +103,7 @@ void add_kernels(Kernel_situation& situation)
   add(
       "sweep", [&] { return situation.sweep<Sequential_tag>(); }, restore_positions);
   add("measurement", [&] { return situation.measure<Sequential_tag>(); });
+  add("focus", [&] { return situation.find_focus(); });
   add("descent_setup", [&] { return situation.prepare_descent<Sequential_tag>(); });
   add("coloring", [&] { return situation.color(); });
   add("removal_cost", [&] { return situation.cost_removals(); });
@@ -111,7 +112,7 @@ void add_kernels(Kernel_situation& situation)
   add(
       "embedding", [&] { return situation.embed<Sequential_tag>(); }, restore_hierarchy);
   add("reading", [&] { return situation.read(); });
-  add("certificate", [&] { return situation.certify(); });
+  add("certificate", [&] { return situation.certify<Sequential_tag>(); });
 #ifdef CGAL_LINKED_WITH_TBB
   using Parallel_tag = CGAL::Parallel_tag;
 
@@ -122,6 +123,7 @@ void add_kernels(Kernel_situation& situation)
   add_parallel("coarsening", [&] { return situation.coarsen<Parallel_tag>(); });
   add_parallel(
       "embedding", [&] { return situation.embed<Parallel_tag>(); }, restore_hierarchy);
+  add_parallel("certificate", [&] { return situation.certify<Parallel_tag>(); });
 #endif
 }
 

@@ -3,8 +3,8 @@
 
 Writes report.md, one CSV file for each section and plots; and manual/, a copy of the page of the user manual with the
 new tables and figures, to be copied over doc/Spherical_parameterization. Needs the Debian packages python3-numpy and
-python3-matplotlib. Runs are made one after the other: leave the machine alone meanwhile. With all meshes it takes about
-an hour, of which paper mode takes a third; --short takes less than a minute.
+python3-matplotlib. Runs are made one after the other, but for those that say "at once": leave the machine alone
+meanwhile. With all meshes it takes about an hour, of which paper mode takes a third; --short takes less than a minute.
 """
 
 from __future__ import annotations
@@ -185,7 +185,7 @@ def write(session: Session, options: argparse.Namespace, passed: float) -> list[
     where = [
         f"Machine: {processor()}, {os.cpu_count()} cores, {platform.system()} {platform.machine()}.",
         f"Programs: {session.program.version}; {describe_build(options.build, 'performance_benchmark')}.",
-        f"Threads: {session.threads}, where nothing else is said. One run after the other; medians of"
+        f"Threads: {session.threads}, where nothing else is said. One run after the other, but for those at once; medians of"
         f" {session.repetitions} runs, of at most 3 for what takes long.",
     ]
     facts = [
@@ -227,7 +227,7 @@ def contradictions(session: Session) -> list[str]:
 def failures(session: Session) -> list[str]:
     """What could not be measured; paper mode may have no map."""
     lines = [
-        f"{measurement.mesh.name}, `{' '.join(measurement.arguments)}`: {measurement.message}"
+        f"{measurement.mesh.name}, `{measurement.words}`: {measurement.message}"
         for measurement in _measurements(session)
         if measurement.message
     ]
@@ -255,7 +255,12 @@ def _measurements(session: Session) -> list[Measurement]:
 def write_all_runs(session: Session) -> None:
     session.report.begin_section("All runs")
     rows = [
-        {"arguments": " ".join(measurement.arguments), "is_reused": measurement.is_reused, **row}
+        {
+            "arguments": " ".join(measurement.arguments),
+            "copies": measurement.copies,
+            "is_reused": measurement.is_reused,
+            **row,
+        }
         for measurement in session.stages.measurements
         for row in measurement.rows
     ]

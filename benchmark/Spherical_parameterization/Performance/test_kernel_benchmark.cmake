@@ -37,10 +37,10 @@ function(expect status patterns)
 endfunction()
 
 # Some work is done by each.
-set(kernels certificate coarsening coloring descent_setup embedding insertion measurement reading removal_cost star_derivatives
-            star_load star_update star_value sweep)
+set(kernels certificate coarsening coloring descent_setup embedding focus insertion measurement reading removal_cost
+            star_derivatives star_load star_update star_value sweep)
 if(TBB)
-  foreach(kernel coarsening descent_setup embedding measurement sweep)
+  foreach(kernel certificate coarsening descent_setup embedding measurement sweep)
     list(APPEND kernels "${kernel}_2_threads/process_time/real_time")
   endforeach()
 endif()

@@ -83,7 +83,7 @@ struct Parameterization_report
   double average_energy = 0.;                 ///< average energy of the map
   double largest_energy = 0.;                 ///< largest energy of a face
 
-  double seconds_for_reading = 0.;   ///< checking and copying the mesh
+  double seconds_for_reading = 0.;   ///< checking and copying the mesh; starting threads
   double seconds_for_hierarchy = 0.; ///< removing vertices down to a tetrahedron
   double seconds_for_embedding =
       0.; ///< inserting them again, with the sweeps over the coarse levels; or the initial map

@@ -10,16 +10,18 @@ import statistics
 import subprocess
 import sys
 from concurrent.futures import ThreadPoolExecutor
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 from measuring.mesh_files import MeshFile
 from measuring.program import checksum
 
+FINGERPRINT = "fingerprint"  # of a map, in hexadecimal digits, which may look like a number
+
 
 @dataclass(eq=False)
 class Measurement:
-    """One call of a program for one mesh."""
+    """One call of a program for one mesh, or several that were made at the same time."""
 
     mesh: MeshFile
     arguments: tuple[str, ...]
@@ -27,6 +29,11 @@ class Measurement:
     message: str  # why there is no row; empty otherwise
     is_reused: bool = False
     copies: int = 1  # that ran at the same time
+
+    @property
+    def words(self) -> str:
+        """What was asked for."""
+        return " ".join(self.arguments) + (f", {self.copies} at once" if self.copies > 1 else "")
 
 
 @dataclass(frozen=True)
@@ -75,7 +82,8 @@ class BenchmarkProgram:
         if measurement is None:
             file = self._folder / self._name(job, repetition)
             settings = {"program": self._checksum, "mesh": job.mesh.checksum, "arguments": list(job.arguments)}
-            settings["copies"] = job.copies
+            if job.copies > 1:
+                settings["copies"] = job.copies
             measurement = self._stored(job, file, settings) if self._may_resume else None
             if measurement is None:
                 measurement = self._measure(job)
@@ -92,7 +100,7 @@ class BenchmarkProgram:
             copies = list(executor.map(self._run, [job] * job.copies))
         for copy in copies:
             if copy.message:
-                return copy
+                return replace(copy, copies=job.copies)
         rows = [_mean(rows) for rows in zip(*(copy.rows for copy in copies), strict=True)]
         return Measurement(job.mesh, job.arguments, rows, "", copies=job.copies)
 
@@ -111,7 +119,10 @@ class BenchmarkProgram:
             return Measurement(
                 job.mesh, job.arguments, [], f"stopped by this driver after {self._most_seconds:.0f} seconds"
             )
-        rows = [{key: _value(text) for key, text in row.items()} for row in csv.DictReader(answer.stdout.splitlines())]
+        rows = [
+            {key: text if key == FINGERPRINT else _value(text) for key, text in row.items()}
+            for row in csv.DictReader(answer.stdout.splitlines())
+        ]
         if answer.returncode == 0 and rows:
             return Measurement(job.mesh, job.arguments, rows, "")
         lines = answer.stderr.replace(str(job.mesh.path), job.mesh.path.name).strip().splitlines()
@@ -138,7 +149,7 @@ def _mean(rows: tuple[dict, ...]) -> dict:
     mean = {}
     for key, first in rows[0].items():
         cells = [row[key] for row in rows]
-        if isinstance(first, float):
+        if all(isinstance(cell, float) for cell in cells):
             mean[key] = statistics.fmean(cells)
         else:
             mean[key] = first if len(set(cells)) == 1 else "differs"
@@ -161,7 +172,4 @@ def _log(measurement: Measurement) -> None:
     else:
         result = measurement.message
     origin = " (of an earlier session)" if measurement.is_reused else ""
-    arguments = " ".join(measurement.arguments)
-    if measurement.copies > 1:
-        arguments += f", {measurement.copies} at once"
-    print(f"  {measurement.mesh.name} {arguments}: {result}{origin}", file=sys.stderr, flush=True)
+    print(f"  {measurement.mesh.name} {measurement.words}: {result}{origin}", file=sys.stderr, flush=True)

@@ -90,7 +90,7 @@ class Session:
         return values
 
     def median_ratio(self, job: Job, other: Job, key: str) -> float:
-        """The median of how many times as large a number is for a job as for another one that is measured next to it.
+        """The median of how many times as large a number is for a job as for another one in the same round.
 
         None of the runs may have failed.
         """
@@ -104,9 +104,9 @@ class Session:
         lines = []
         for job in jobs:
             for repetition in range(job.repetitions):
-                message = job.program.measure(job, repetition).message
-                if message:
-                    lines.append(f"{job.mesh.name}, `{' '.join(job.arguments)}`: {message}")
+                measurement = job.program.measure(job, repetition)
+                if measurement.message:
+                    lines.append(f"{job.mesh.name}, `{measurement.words}`: {measurement.message}")
         return list(dict.fromkeys(lines))
 
     def draw(self, name: str, diagrams: list[Axes], caption: str) -> None:

@@ -114,26 +114,25 @@ def threads(session: Session) -> None:
     totals = [gain(file, TOTAL) for file in files]
     text = (
         f"With {session.threads} threads, meshes of {least:,} vertices and more are mapped {span(totals)} times as fast"
-        f" as with one, {speed(geometric_mean(totals))} times in the geometric mean: medians of the ratios of runs that"
-        " came one after the other. "
+        f" as with one, {speed(geometric_mean(totals))} times in the geometric mean: medians of the ratios of runs"
+        " of the same round. "
     )
     with_ceiling = [file for file in files if _has_ceiling(session, file)]
     if with_ceiling:
         ceilings = [ceiling(file) for file in with_ceiling]
         shares = [gain(file, TOTAL) / most for file, most in zip(with_ceiling, ceilings, strict=True)]
         text += (
-            f"As many processes with one thread each, on a mesh each and at the same time, get {span(ceilings)} times"
-            f" as much done as one, {speed(geometric_mean(ceilings))} times in the geometric mean (column `At once`,"
-            f" below {LARGE:,} vertices). They never wait for each other, so this is what the cores of this machine"
-            " give to anybody, in the state that it was in; the threads of one map get"
-            f" {100.0 * geometric_mean(shares):.0f} % of it. "
+            f"Below {LARGE:,} vertices, {session.threads} processes with one thread each that map the same mesh at the"
+            f" same time get {span(ceilings)} times as much done as one, {speed(geometric_mean(ceilings))} times in the"
+            " geometric mean (column `At once`). They share the caches and the memory but never wait for each other;"
+            f" the threads of one map get {100.0 * geometric_mean(shares):.0f} % of that on the same meshes. "
         )
     text += f"The maps of {listed(different)} differ." if different else f"All {len(both)} maps have the same bits."
     session.tell("threads", text)
     columns = [MESH, VERTICES, *(Column(stage.capitalize(), stage) for stage in STAGES)]
     columns += [
         Column("Mesh to map", TOTAL),
-        Column("At once", "ceiling"),
+        *([Column("At once", "ceiling")] if with_ceiling else []),
         Column("1 thread, s", "alone"),
         Column(f"{session.threads}, s", "together"),
     ]
@@ -155,10 +154,10 @@ def threads(session: Session) -> None:
     ]
     if with_ceiling:
         x = [file.number_of_vertices for file in with_ceiling]
-        curves.append(Curve(f"{session.threads} processes", x, ceilings, is_connected=False))
-    y_label = f"times as fast with {session.threads} threads"
+        curves.append(Curve(f"{session.threads} processes at once", x, ceilings, is_connected=False))
+    y_label = "times as much done as by one thread"
     axes = Axes("Threads", "vertices", y_label, curves, is_x_log=True, starts_at_zero=True)
-    session.draw("performance_threads.png", [axes], f"How many times as fast {session.threads} threads are as one.")
+    session.draw("performance_threads.png", [axes], f"How many times as much {session.threads} threads do as one.")
 
 
 def memory(session: Session) -> None:

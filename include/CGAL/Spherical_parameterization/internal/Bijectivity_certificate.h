@@ -100,8 +100,8 @@ bool count_triangles_around(const typename K::Point_3& q, const Points& points, 
   return is_inside;
 }
 
-// computes the certificate in linear time and without allocating memory, in parallel if `ConcurrencyTag` asks for it and
-// the coordinates are doubles; copies of an exact number may share what is not for several threads.
+// computes the certificate in linear time and, sequentially, without allocating memory; in parallel if `ConcurrencyTag`
+// asks for it and the coordinates are doubles: copies of an exact number may share what is not for several threads.
 //
 // `K` is a kernel with exact predicates, `points` a random-access range of its points, `triangles` one of triples of
 // indices into it: a closed mesh, all triangles oriented alike. Points that no triangle uses are not looked at.

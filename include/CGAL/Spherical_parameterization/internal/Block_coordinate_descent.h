@@ -43,7 +43,7 @@ namespace CGAL {
 namespace Spherical_parameterization {
 namespace internal {
 
-// Block coordinate descent on the positions of the vertices of one mesh on the unit sphere: each sweep moves every
+// Block coordinate descent on the positions of the vertices of a mesh on the unit sphere: each sweep moves every
 // vertex once, one independent set after the other, the vertices of a set in parallel. Every face that is positively
 // oriented before a sweep is so after it.
 //
@@ -59,7 +59,7 @@ public:
     , m_scratch(Scratch(energy))
   {}
 
-  // for one mesh that has lost nothing; see assign()
+  // for a mesh with the areas that it has, whatever they are; see assign()
   Block_coordinate_descent(const Vertex_rings& rings, const std::vector<Vector_3d>& points, const Energy& energy,
                            const VertexUpdate& update)
     : Block_coordinate_descent(energy, update)
@@ -67,7 +67,7 @@ public:
     assign(rings, Independent_sets(rings), points, std::vector<double>(), Rest_limits());
   }
 
-  // Takes over a mesh, whose rings have to last until the next one. `points` are those of the surface, scaled such that
+  // Takes over a mesh, whose rings have to last until the next one; measurements and the focus are void then. `points` are those of the surface, scaled such that
   // its area is 4 pi. If `densities` are given, one for each vertex, a face gets the shape that it has on the surface
   // but as many times its area as the mean of the densities of its vertices.
   void assign(const Vertex_rings& rings, const Independent_sets& sets, const std::vector<Vector_3d>& points,
@@ -88,8 +88,8 @@ public:
       m_places[m_stars.vertex(place)] = static_cast<std::uint32_t>(place);
   }
 
-  // Makes room for a mesh with so many vertices, so that it and all smaller ones that come before it get the same
-  // memory. Nothing of it is touched before it is needed.
+  // Makes room for a mesh with so many vertices, so that it and the smaller ones that come before it use the same
+  // memory, but for stars that do not fit together well. Nothing of it is touched before it is needed.
   void reserve(std::size_t n_vertices)
   {
     m_stars.reserve(n_vertices);
@@ -104,12 +104,13 @@ public:
     move_all(m_stars, positions, radius, sharpness);
   }
 
-  // Makes room for a focus on so many vertices. Another thread may look for it then without memory of its own.
+  // Makes room for a focus on so many vertices, so that another thread, whose memory may come from a heap of its own,
+  // hardly needs any to look for it.
   void reserve_focus(std::size_t n_vertices)
   {
     m_focus.reserve(n_vertices);
     m_selected.reserve(n_vertices + 1);
-    m_is_selected.resize(m_rings->number_of_vertices(), 0);
+    m_is_selected.reserve(m_rings->number_of_vertices());
   }
 
   // Selects the vertices around the faces whose energy was above `bound` when they were last measured, some rings wide,

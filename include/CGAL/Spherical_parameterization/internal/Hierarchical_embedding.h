@@ -58,13 +58,12 @@ public:
                          const Rest_limits& limits)
     : m_hierarchy(hierarchy)
     , m_points(points)
+    , m_energy(energy)
     , m_sharpness(sharpness)
     , m_update(update)
-    , m_coarse_update(update_on_coarse_levels(update))
     , m_sweeps_per_level(sweeps_per_level)
     , m_limits(limits)
-    , m_energy(energy)
-    , m_descent(std::in_place, energy, m_coarse_update)
+    , m_descent(std::in_place, energy, update_on_coarse_levels(update))
     , m_kernels(Star_kernel())
   {}
 
@@ -166,13 +165,14 @@ private:
     const std::vector<Vector_3d> points = gathered(m_points, level);
     std::vector<double> densities;
     std::optional<Independent_sets> sets;
+    // Both are for one thread.
     const auto find_densities = [&] {
       if(!m_limits.is_uniform)
         densities = vertex_densities(rings, points, level.areas);
     };
     run_both<ConcurrencyTag>([&] { sets.emplace(rings); }, find_densities);
     if(local.size() == m_points.size())
-      m_descent.emplace(m_energy, m_update);
+      m_descent.emplace(m_energy, m_update); // updates need not be assignable
     m_descent->assign(rings, *sets, points, densities, m_limits);
     sets.reset();
     const std::size_t n_sweeps = is_full ? number_of_sweeps(local.size()) : (m_sweeps_per_level + 3) / 4;
@@ -250,11 +250,11 @@ private:
 
   Mesh_hierarchy& m_hierarchy;
   const std::vector<Vector_3d>& m_points;
+  Energy m_energy;
   SharpnessPolicy m_sharpness;
-  VertexUpdate m_update, m_coarse_update;
+  VertexUpdate m_update; // of the mesh itself
   std::size_t m_sweeps_per_level;
   Rest_limits m_limits;
-  Energy m_energy;
   std::optional<Block_coordinate_descent<Energy, VertexUpdate, ConcurrencyTag>> m_descent; // on the level at hand
   Per_thread<ConcurrencyTag, Star_kernel> m_kernels;
   std::size_t m_size_of_last_full_level = 0;

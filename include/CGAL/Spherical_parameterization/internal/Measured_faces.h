@@ -58,6 +58,7 @@ public:
   void assign(const Star_packets& stars, std::size_t n_faces)
   {
     m_number_of_faces = n_faces;
+    m_partial.clear(); // nothing has been measured
     const std::size_t n_packets = (n_faces + width - 1) / width, n_star_packets = stars.number_of_packets();
     m_packets.resize(n_packets, boost::container::default_init);
     m_invariants.resize(n_faces, boost::container::default_init);

@@ -128,8 +128,8 @@ private:
   }
 
   // Chooses the removals in the order of their costs, unless a neighbour has been chosen already or an edge of the new
-  // faces is there already.
-  // Returns the targets of those, as indices into their rings, and `kept` for all other vertices.
+  // faces is there already. Returns the targets of the removed vertices, as indices into their rings, and `kept` for all
+  // others.
   static std::vector<std::uint32_t> select(Level& fine, const Vertex_rings& rings,
                                            const std::vector<Vertex_removal>& removals)
   {

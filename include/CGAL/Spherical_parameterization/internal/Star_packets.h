@@ -49,7 +49,8 @@ public:
     std::uint32_t first_place, number_of_stars, number_of_rows, stride;
   };
 
-  // Sets memory aside for so many stars, with a little to spare for the lanes that stay empty.
+  // Sets memory aside for so many stars of six faces, the mean of a closed mesh, with a little to spare for the lanes
+  // that stay empty.
   void reserve(std::size_t n_vertices)
   {
     const std::size_t n_places = n_vertices + n_vertices / 8 + width, n_corners = 6 * n_places;

@@ -24,7 +24,8 @@ namespace Spherical_parameterization {
 namespace internal {
 
 // Calls f() and g(), at the same time if `ConcurrencyTag` asks for it, else one after the other. Neither may see what
-// the other one does. Loops inside of them are parallel as well.
+// the other one does. Loops inside of them are parallel as well; but a thread that has called one of the two does not
+// help with the loops of the other, so g() should be the shorter one.
 template <class ConcurrencyTag, class Function, class OtherFunction>
 void run_both(const Function& f, const OtherFunction& g)
 {
