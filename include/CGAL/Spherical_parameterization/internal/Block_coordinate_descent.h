@@ -67,9 +67,9 @@ public:
     assign(rings, Independent_sets(rings), points, std::vector<double>(), Rest_limits());
   }
 
-  // Takes over a mesh, whose rings have to last until the next one; measurements and the focus are void then. `points` are those of the surface, scaled such that
-  // its area is 4 pi. If `densities` are given, one for each vertex, a face gets the shape that it has on the surface
-  // but as many times its area as the mean of the densities of its vertices.
+  // Takes over a mesh, whose rings have to last until the next one; measurements and the focus are void then. `points`
+  // are those of the surface, scaled such that its area is 4 pi. If `densities` are given, one for each vertex, a face
+  // gets the shape that it has on the surface but as many times its area as the mean of the densities of its vertices.
   void assign(const Vertex_rings& rings, const Independent_sets& sets, const std::vector<Vector_3d>& points,
               const std::vector<double>& densities, const Rest_limits& limits)
   {
