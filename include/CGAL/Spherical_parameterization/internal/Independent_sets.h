@@ -82,12 +82,8 @@ public:
       m_first[color + 1] += m_first[color];
     m_vertices.resize(n);
     std::vector<std::size_t> next(m_first.begin(), m_first.end() - 1);
-    m_slots.resize(n);
     for(std::size_t v = 0; v < n; ++v)
-    {
-      m_slots[v] = static_cast<std::uint32_t>(next[colors[v]]++);
-      m_vertices[m_slots[v]] = static_cast<std::uint32_t>(v);
-    }
+      m_vertices[next[colors[v]]++] = static_cast<std::uint32_t>(v);
   }
 
   std::size_t number_of_sets() const { return m_first.size() - 1; }
@@ -97,12 +93,9 @@ public:
   const std::vector<std::size_t>& first() const { return m_first; }
   const std::vector<std::uint32_t>& vertices() const { return m_vertices; }
 
-  // where vertex v is in vertices()
-  std::size_t slot(std::size_t v) const { return m_slots[v]; }
-
 private:
   std::vector<std::size_t> m_first;
-  std::vector<std::uint32_t> m_vertices, m_slots;
+  std::vector<std::uint32_t> m_vertices;
 };
 
 } // namespace internal
