@@ -88,6 +88,7 @@ public:
     m_hierarchy.emplace(SP::internal::Mesh_hierarchy::build<CGAL::Sequential_tag>(m_mesh.rings(), m_mesh.points()));
     const SP::internal::Energy_summary summary = descent<CGAL::Sequential_tag>().measure(m_positions, m_radius, 0.);
     m_sharpness = SP::Relative_sharpness_3()(0, summary.average(), summary.largest());
+    m_largest_energy = summary.largest();
     take_stars();
     take_holes();
   }
@@ -162,25 +163,22 @@ public:
   }
   void restore_positions() { m_positions = m_map; }
 
-  // The energy of all faces.
+  // The energy of all faces of the map.
   template <class ConcurrencyTag>
   Work measure()
   {
-    const SP::internal::Energy_summary summary = descent<ConcurrencyTag>().measure(m_positions, m_radius, m_sharpness);
+    const SP::internal::Energy_summary summary = descent<ConcurrencyTag>().measure(m_map, m_radius, m_sharpness);
     return {m_mesh.rings().number_of_faces(), summary.mean()};
   }
 
-  // The search for the worst faces of what was measured last, and their neighbourhood.
+  // The search for the worst faces of the map, as measure() or the constructor has left them, and their neighbourhood.
   Work find_focus()
   {
-    constexpr double share_of_largest = 0.6; // as by default
-    auto& found = descent<CGAL::Sequential_tag>();
-    if(!m_largest_energy)
-    {
-      m_largest_energy = found.measure(m_map, m_radius, m_sharpness).largest();
-    }
-    const std::size_t n = m_mesh.number_of_vertices();
-    return {n, static_cast<double>(found.focus_on_faces_above(share_of_largest * *m_largest_energy, n))};
+    constexpr double share_of_largest = 0.6; // this and the bound on their number as by default
+    const std::size_t n = m_mesh.number_of_vertices(), most = n / 5;
+    auto& descent = this->descent<CGAL::Sequential_tag>();
+    descent.reserve_focus(most);
+    return {n, static_cast<double>(descent.focus_on_faces_above(share_of_largest * m_largest_energy, most))};
   }
 
   // The cost of removing each vertex of the finest level.
@@ -450,8 +448,7 @@ private:
   std::vector<Mesh::Vertex_index> m_vertices_of_mesh;
   Energy m_energy;
   Update m_update;
-  double m_radius = 1., m_sharpness = 0.;
-  std::optional<double> m_largest_energy;                  // of the map
+  double m_radius = 1., m_sharpness = 0., m_largest_energy = 0.;
   std::vector<SP::internal::Vector_3d> m_map, m_positions; // on the unit sphere; the latter move
   std::tuple<std::optional<Descent<CGAL::Sequential_tag>>
 #ifdef CGAL_LINKED_WITH_TBB
