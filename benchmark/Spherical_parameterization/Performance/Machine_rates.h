@@ -37,14 +37,14 @@ public:
   Machine_rates(std::size_t n_threads, std::size_t working_set)
     : m_n_threads(n_threads)
   {
-    bytes = rate<Triad>(working_set / n_threads);
+    bytes = rate<Sums_of_columns>(working_set / n_threads);
     sums_and_products = rate<Sums_and_products>();
     divisions = rate<Divisions>();
     square_roots = rate<Square_roots>();
     exponentials = rate<Exponentials>();
   }
 
-  double bytes; // read or written; a line that has to be read before it is written counts once, as in STREAM
+  double bytes;             // read or written, ten times as many of the former
   double sums_and_products; // additions, subtractions and multiplications of doubles
   double divisions;
   double square_roots;
@@ -57,40 +57,53 @@ private:
   // Each kernel has amount(), what one call of it does, and operator()(x), which returns something that depends on all
   // of it and on x.
 
-  class Triad
+  // Reads ten numbers for each that is written, as a sweep does: one is the sum of nine others and of its own half.
+  class Sums_of_columns
   {
   public:
-    explicit Triad(std::size_t n_bytes)
-      : m_a((std::max)(n_bytes / (3 * sizeof(double)), std::size_t(64)), 0.)
-      , m_b(m_a.size(), 1.)
-      , m_c(m_a.size(), 2.)
-      , m_n_passes(1 + least_bytes / (3 * sizeof(double) * m_a.size()))
+    explicit Sums_of_columns(std::size_t n_bytes)
+      : m_sums(most_lanes * (n_bytes / bytes_of_sum / most_lanes + 1), 0.)
+      , m_values(n_columns * m_sums.size(), 1.)
+      , m_n_passes(1 + least_bytes / (bytes_of_sum * m_sums.size()))
     {}
-    double amount() const { return static_cast<double>(3 * sizeof(double) * m_a.size() * m_n_passes); }
+    double amount() const { return static_cast<double>(bytes_of_sum * m_sums.size() * m_n_passes); }
     double operator()(double x)
     {
-      for(std::size_t pass = 0; pass < m_n_passes; ++pass)
-      {
-        pass_once(x + static_cast<double>(pass));
-        m_a.swap(m_b); // what has been written is read next, so no pass can be left out
-      }
-      return m_b.front() + m_b.back();
+      m_values.front() = x;
+      Internal::run_in_lanes([&](auto type) {
+        using FT = typename decltype(type)::FT;
+        for(std::size_t pass = 0; pass < m_n_passes; ++pass)
+        {
+          pass_once<FT>(); // with what the one before has written, so none can be left out
+        }
+      });
+      return m_sums.front() + m_sums.back();
     }
 
   private:
+    static constexpr std::size_t n_columns = 9, bytes_of_sum = (n_columns + 2) * sizeof(double);
+    static constexpr std::size_t most_lanes = 8; // the number of sums is a multiple of the lanes
     static constexpr std::size_t least_bytes = std::size_t(1) << 27;
 
-    void pass_once(double x)
+    template <class FT>
+    void pass_once()
     {
-      double* a = m_a.data();
-      const double *b = m_b.data(), *c = m_c.data();
-      for(std::size_t i = 0, n = m_a.size(); i < n; ++i)
+      using Lanes = Internal::Lanes<FT>;
+      const FT half(0.5);
+      const double* values = m_values.data();
+      for(std::size_t i = 0; i < m_sums.size(); i += Lanes::width)
       {
-        a[i] = b[i] + x * c[i];
+        double* sums = m_sums.data() + i;
+        FT sum = half * Lanes::load(sums);
+        for(std::size_t column = 0; column < n_columns; ++column, values += Lanes::width)
+        {
+          sum = sum + Lanes::load(values);
+        }
+        Lanes::store(sum, sums);
       }
     }
 
-    std::vector<double> m_a, m_b, m_c;
+    std::vector<double> m_sums, m_values;
     std::size_t m_n_passes;
   };
 

@@ -1,10 +1,11 @@
 #!/usr/bin/env python3
 """Measures how fast the package is, on a folder of meshes: every figure of the page on performance, in one run.
 
-Writes report.md, one CSV file for each section and plots; and manual/, a copy of the page of the user manual with the
-new tables and figures, to be copied over doc/Spherical_parameterization. Needs the Debian packages python3-numpy and
-python3-matplotlib. Runs are made one after the other, but for those that say "at once": leave the machine alone
-meanwhile. With all meshes it takes about an hour, of which paper mode takes a third; --short takes less than a minute.
+Writes report.md, one CSV file for each section and plots; and, when all sections have been measured, manual/, a copy of
+the page of the user manual with the new tables and figures, to be copied over doc/Spherical_parameterization. Needs the
+Debian packages python3-numpy and python3-matplotlib. Runs are made one after the other, but for those that say "at
+once": leave the machine alone meanwhile. With forty meshes of up to two million vertices it takes about an hour, of which
+paper mode takes a fifth; --short takes less than a minute.
 """
 
 from __future__ import annotations
@@ -27,7 +28,7 @@ except ImportError as error:
 sys.dont_write_bytecode = True  # leaves the sources as they are
 sys.path.append(str(Path(__file__).resolve().parents[1] / "python"))
 
-from measuring.environment import describe_build, find_program, find_shared_meshes, processor
+from measuring.environment import describe_build, describe_version, find_program, find_shared_meshes, processor
 from measuring.mesh_files import MeshFile, find_mesh_files
 from measuring.meshes import MeshError, why_not_a_sphere
 from measuring.program import CERTIFIED, Program
@@ -36,7 +37,7 @@ from performance.benchmark_program import BenchmarkProgram, Measurement
 from performance.comparison import comparison, method_of
 from performance.limits import limits
 from performance.manual import Manual
-from performance.session import LEAST_VERTICES, Session
+from performance.session import LARGE, LEAST_VERTICES, Session
 from performance.stages import absolute, growth, memory, threads
 from performance.trade import trade
 
@@ -60,15 +61,15 @@ def main() -> None:
     options = read_options()
     start = time.monotonic()
     session = make_session(options)
-    objections: list[str] = []
     for name in options.only:
         print(f"{name}, after {duration(time.monotonic() - start)}", file=sys.stderr, flush=True)
         SECTIONS[name](session)
-        objections = write(session, options, time.monotonic() - start)
+        write(session, options, time.monotonic() - start)
     write_all_runs(session)
     write(session, options, time.monotonic() - start)
+    is_whole = len(options.only) == len(SECTIONS) and not options.short
+    wrong = contradictions(session) + failures(session) + session.manual.write(is_whole)
     print(options.output / "report.md")
-    wrong = objections + contradictions(session) + failures(session)
     if wrong:
         sys.exit("\n".join(wrong))
 
@@ -180,13 +181,15 @@ def objection_to(file: MeshFile) -> str:
         file.forget()
 
 
-def write(session: Session, options: argparse.Namespace, passed: float) -> list[str]:
-    """Writes the report and the manual; returns what is wrong with the latter's page."""
+def write(session: Session, options: argparse.Namespace, passed: float) -> None:
+    """Writes the report as far as it has come."""
     where = [
         f"Machine: {processor()}, {os.cpu_count()} cores, {platform.system()} {platform.machine()}.",
         f"Programs: {session.program.version}; {describe_build(options.build, 'performance_benchmark')}.",
         f"Threads: {session.threads}, where nothing else is said. One run after the other, but for those at once; medians of"
-        f" {session.repetitions} runs, of at most 3 for what takes long.",
+        f" {session.repetitions} runs, of at most 3 for what takes long: paper mode, meshes of {LARGE:,} vertices and more,"
+        " the floor, and time against distortion.",
+        f"When, and how: {describe_version(PROJECT)}, {command(options)}.",
     ]
     facts = [
         *where,
@@ -206,7 +209,21 @@ def write(session: Session, options: argparse.Namespace, passed: float) -> list[
         parts += ["About the meshes:", "\n".join(f"- {note}" for note in dict.fromkeys(session.notes))]
     session.report.write(parts)
     session.manual.set("environment", "\n".join(f"- {fact}" for fact in where))
-    return session.manual.write()
+
+
+def command(options: argparse.Namespace) -> str:
+    """The command that measures the same, without the names of folders."""
+    words = [Path(__file__).name, "--build BUILD", "--meshes FOLDER"]
+    if options.large is not None:
+        words.append("--large FOLDER")
+    words += ["--output REPORT", f"--repeat {options.repeat}"]
+    if options.short:
+        words.append("--short")
+    if len(options.only) < len(SECTIONS):
+        words.append(f"--only {','.join(options.only)}")
+    if options.paper_meshes:
+        words.append(f"--paper-meshes {options.paper_meshes}")
+    return f"`{' '.join(words)}`"
 
 
 def contradictions(session: Session) -> list[str]:

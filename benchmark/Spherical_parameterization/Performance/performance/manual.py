@@ -28,8 +28,12 @@ class Manual:
     def add_figure(self, figure: Path) -> None:
         self._figures.append(figure)
 
-    def write(self) -> list[str]:
-        """Writes the copy beside the report; returns what is wrong with the page."""
+    def write(self, is_whole: bool) -> list[str]:
+        """Writes the copy beside the report if all is there that the page wants; returns what is wrong otherwise.
+
+        Part of the measurements, `is_whole` being false, fits into the page at best: there is no copy then, as it would
+        mix them with older ones.
+        """
         if not self._page.is_file():
             return [f"There is no {self._page.name} to fill in."]
         text = self._page.read_text(encoding="utf-8")
@@ -40,10 +44,14 @@ class Manual:
             text, count = re.subn(pattern, lambda m: m.group(1) + content + m.group(2), text, flags=re.DOTALL)
             if count != 1:
                 objections.append(f"{self._page.name} has {count} places for the section {section}.")
+        if is_whole:
+            missing = set(re.findall(r"<!-- begin (\w+) -->", text)) - set(self._parts)
+            objections += [f"{self._page.name}: nothing was measured for {section}." for section in sorted(missing)]
+        if not is_whole or objections:
+            return objections
         figures = self._folder / "fig"
         figures.mkdir(parents=True, exist_ok=True)
         (self._folder / self._page.name).write_text(text, encoding="utf-8")
         for figure in self._figures:
-            if figure.is_file():
-                shutil.copyfile(figure, figures / figure.name)
-        return objections
+            shutil.copyfile(figure, figures / figure.name)
+        return []

@@ -75,14 +75,19 @@ class Session:
                 if repetition < job.repetitions:
                     job.program.measure(job, repetition)
 
+    def rows(self, job: Job, row: int = 0) -> list[dict] | None:
+        """A row of what each run of a job has given; None if any has failed."""
+        tables = [job.program.measure(job, repetition).rows for repetition in range(job.repetitions)]
+        return [table[row] for table in tables] if all(tables) else None
+
     def medians(self, job: Job, row: int = 0) -> dict | None:
         """The medians of a row of what a job has given; None if any of its runs has failed."""
-        rows = [job.program.measure(job, repetition).rows for repetition in range(job.repetitions)]
-        if not all(rows):
+        rows = self.rows(job, row)
+        if rows is None:
             return None
         values = {}
-        for key, first in rows[0][row].items():
-            of_key = [of_run[row][key] for of_run in rows]
+        for key, first in rows[0].items():
+            of_key = [of_run[key] for of_run in rows]
             if isinstance(first, float):
                 values[key] = statistics.median(of_key)
             else:
@@ -94,11 +99,8 @@ class Session:
 
         None of the runs may have failed.
         """
-        rows = [
-            [of.program.measure(of, repetition).rows[0] for of in (job, other)]
-            for repetition in range(min(job.repetitions, other.repetitions))
-        ]
-        return statistics.median(row[key] / other_row[key] for row, other_row in rows)
+        pairs = zip(self.rows(job), self.rows(other), strict=False)  # the rounds that both have
+        return statistics.median(row[key] / other_row[key] for row, other_row in pairs)
 
     def failures(self, jobs: list[Job]) -> list[str]:
         lines = []

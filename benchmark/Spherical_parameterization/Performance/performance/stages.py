@@ -59,17 +59,20 @@ def growth(session: Session) -> None:
     if len(results) < 2 or len(series) < 2:
         report.paragraph("There are too few meshes.")
         return
-    session.tell("growth", _growth_verdict(results, series, session.threads))
-    columns = [MESH, VERTICES, *(Column(stage.capitalize(), stage) for stage in STAGES)]
+    series_of = {threads: _results(session, threads, session.series) for threads in session.thread_counts}
+    session.tell("growth", _growth_verdict(results, series_of))
+    columns = [MESH, VERTICES, Column("Threads", "threads"), *(Column(stage.capitalize(), stage) for stage in STAGES)]
     columns += [Column("Total, µs a vertex", TOTAL), Column("Sweeps", "sweeps"), Column("Total, s", "seconds")]
     rows = [
         {
             **_head(file),
+            "threads": threads,
             **{stage: number(_microseconds(file, values, stage), 2) for stage in (*STAGES, TOTAL)},
             "sweeps": f"{values['sweeps']:.0f}",
             "seconds": number(values[TOTAL], 2),
         }
-        for file, values in series
+        for threads, of_threads in series_of.items()
+        for file, values in of_threads
     ]
     session.tabulate("growth", columns, rows)
 
@@ -79,9 +82,9 @@ def growth(session: Session) -> None:
 
     all_curves = []
     for threads in session.thread_counts:
-        words = "1 thread" if threads == 1 else f"{threads} threads"
+        words = _words(threads)
         all_curves.append(per_vertex(_results(session, threads), TOTAL, words, is_connected=False))
-        all_curves.append(per_vertex(_results(session, threads, session.series), TOTAL, f"{words}, one shape"))
+        all_curves.append(per_vertex(series_of[threads], TOTAL, f"{words}, one shape"))
     x_label, y_label = "vertices", "microseconds a vertex"
     left = Axes("All meshes, mesh to map", x_label, y_label, all_curves, is_x_log=True, starts_at_zero=True)
     curves = [per_vertex(series, stage, stage) for stage in STAGES]
@@ -171,15 +174,14 @@ def memory(session: Session) -> None:
     if not results:
         report.paragraph("This system does not tell.")
         return
-    _, least = min(results, key=lambda result: result[1]["bytes/vertex"])
-    worst, most = max(results, key=lambda result: result[1]["bytes/vertex"])
+    alone = dict(_results(session, 1))
+    peaks = [(values["bytes/vertex"], file) for file, values in (*results, *alone.items())]
+    (least, _), (most, worst) = (choose(peaks, key=lambda peak: peak[0]) for choose in (min, max))
     text = (
-        f"At its peak, the default needs {least['bytes/vertex']:.0f} to {most['bytes/vertex']:.0f} bytes a vertex"
-        f" ({worst.name}) beside the caller's mesh; on the largest mesh, {results[-1][0].name},"
-        f" {results[-1][1]['bytes/vertex']:.0f}."
+        f"At its peak, the default needs {least:.0f} to {most:.0f} bytes a vertex ({worst.name}) beside the caller's mesh;"
+        f" on the largest mesh, {results[-1][0].name}, {results[-1][1]['bytes/vertex']:.0f}."
     )
     session.tell("memory", text)
-    alone = dict(_results(session, 1))
     columns = [MESH, VERTICES, Column(f"Bytes a vertex, {session.threads} threads", "bytes")]
     columns += [Column("Bytes a vertex, 1 thread", "alone"), Column("MB in all", "megabytes")]
     rows = [
@@ -236,6 +238,10 @@ def _results(session: Session, number_of_threads: int, meshes: list[MeshFile] | 
     return [(file, values) for file, values in results if values is not None]
 
 
+def _words(number_of_threads: int) -> str:
+    return "1 thread" if number_of_threads == 1 else f"{number_of_threads} threads"
+
+
 def _head(file: MeshFile) -> dict:
     return {"mesh": file.name, "vertices": f"{file.number_of_vertices:,}"}
 
@@ -248,33 +254,32 @@ def _has_same_bits(first: dict, second: dict) -> bool:
     return first["fingerprint"] == second["fingerprint"] != "differs"
 
 
-def _growth_verdict(results: list[Result], series: list[Result], number_of_threads: int) -> str:
+def _growth_verdict(results: list[Result], series_of: dict[int, list[Result]]) -> str:
+    """What follows from all results with the most threads, and from those of one shape with any number of them."""
+
     def total(result: Result) -> float:
         return _microseconds(*result, TOTAL)
 
+    def factor(of: list[Result]) -> float:
+        totals = [total(result) for result in of]
+        return max(totals) / min(totals)
+
+    number_of_threads = max(series_of)
+    series = series_of[number_of_threads]
     least, most = min(results, key=total), max(results, key=total)
     in_series = [total(result) for result in series]
     (first, _), (last, values) = series[0], series[-1]
     text = (
-        f"With {number_of_threads} threads, all meshes from {results[0][0].number_of_vertices:,} to"
+        f"With {_words(number_of_threads)}, all meshes from {results[0][0].number_of_vertices:,} to"
         f" {results[-1][0].number_of_vertices:,} vertices take {number(total(least), 1)} ({least[0].name}) to"
         f" {number(total(most), 1)} ({most[0].name}) microseconds a vertex, a factor of"
         f" {speed(total(most) / total(least))}. One shape, simplified and subdivided, from"
         f" {first.number_of_vertices:,} to {last.number_of_vertices:,} vertices, takes"
         f" {number(min(in_series), 1)} to {number(max(in_series), 1)}, a"
-        f" factor of {speed(max(in_series) / min(in_series))}, and {number(values[TOTAL], 1)} seconds in the end."
+        f" factor of {speed(factor(series))}, and {number(values[TOTAL], 1)} seconds in the end"
     )
-    factors = [
-        f"{stage} {speed(_microseconds(*series[-1], stage) / _microseconds(*series[0], stage))}" for stage in STAGES
-    ]
-    sweep = [
-        _microseconds(*result, "optimization") / max(result[1]["sweeps"], 1.0) for result in (series[0], series[-1])
-    ]
-    text += _verdict_of_families(results)
-    return text + (
-        f" Stage by stage, from the smallest to the largest, the factors are: {', '.join(factors)}; that of a sweep"
-        f" over the finest mesh, with what is done around it, is {speed(sweep[1] / sweep[0])}."
-    )
+    text += f"; with 1 thread, the factor is {speed(factor(series_of[1]))}." if number_of_threads > 1 else "."
+    return text + _verdict_of_families(results)
 
 
 def _verdict_of_families(results: list[Result]) -> str:

@@ -53,12 +53,12 @@ def trade(session: Session) -> None:
         f"Each of {len(files)} meshes is mapped with at most so many sweeps over the finest mesh; the hierarchy and the"
         " sweeps over its levels are the same for all. The default may make 90 and ends when it has converged. Times"
         " are in units of the default's, distortions in units of the lowest that any setting reached on the same mesh;"
-        " means are geometric."
+        " their means are geometric, those of the sweeps arithmetic."
     )
     columns = [Column("Sweeps at most", "name"), Column("Sweeps made", "sweeps"), Column("Time", "time")]
     columns += [Column("D_iso max", "maximum"), Column("D_iso avg", "average")]
     session.tabulate(SECTION, columns, [_shown(point, point.name) for point in points])
-    session.tell(SECTION, _verdict(default, points))
+    session.tell(SECTION, _verdict(default, points, len(files)))
     columns = [Column("Time allowed", "name"), columns[1], Column("Time taken", "time"), *columns[3:]]
     session.tabulate(SECTION, columns, [_shown(_at(points, time), f"{time:g}") for time in TIMES])
     records = [
@@ -73,7 +73,7 @@ def trade(session: Session) -> None:
         curve = Curve(f"{len(files)} meshes", [p.time for p in of_curve], [getattr(p, key) for p in of_curve])
         mark = (1.0, "default")
         diagrams.append(Axes(name, "time, 1 = default", "1 = lowest", [curve], is_x_log=True, ticks=TIMES, marked=mark))
-    session.draw("performance_trade.png", diagrams, "D_iso against time, geometric means over all meshes.")
+    session.draw("performance_trade.png", diagrams, f"D_iso against time, geometric means over {len(files)} meshes.")
 
 
 def _job(session: Session, file: MeshFile, sweeps: int | None) -> Job:
@@ -126,7 +126,7 @@ def _shown(point: Point | None, name: str) -> dict:
     }
 
 
-def _verdict(default: Point, points: list[Point]) -> str:
+def _verdict(default: Point, points: list[Point], n_meshes: int) -> str:
     texts = []
     for time in TIMES:
         point = _at(points, time)
@@ -137,8 +137,9 @@ def _verdict(default: Point, points: list[Point]) -> str:
             )
     first, last = points[0], points[-1]
     reach = (
-        f"The limits lead from {first.time:.2f} to {last.time:.2f} times the default's time, and to {last.sweeps:.0f}"
-        " sweeps on average until they have converged or are ended."
+        f"On the {n_meshes} meshes of up to {MOST_VERTICES:,} vertices, the limits lead from {first.time:.2f} to"
+        f" {last.time:.2f} times the default's time, and to {last.sweeps:.0f} sweeps on average until they have converged"
+        " or are ended."
     )
     return reach + (f" Against the default: {listed(texts)}." if texts else "")
 

@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import datetime
 import os
 import platform
 import re
+import shutil
 import subprocess
 from pathlib import Path
 
@@ -53,6 +55,17 @@ def describe_build(folder: Path, target: str) -> str:
     version = _version_of(Path(cache.get("TBB_DIR", "")) / "TBBConfigVersion.cmake")
     facts.append(f"TBB {version}" if version else "TBB: not found")
     return ", ".join(facts) if cache else "unknown, as there is no CMakeCache.txt"
+
+
+def describe_version(project: Path) -> str:
+    """Today's date, and the commit of the sources, as far as git knows."""
+    today = datetime.date.today().isoformat()
+    git = shutil.which("git")
+    if git is None:
+        return today
+    command = [git, "-C", str(project), "describe", "--always", "--exclude=*", "--dirty= with changes"]
+    answer = subprocess.run(command, capture_output=True, text=True, check=False)
+    return f"{today}, commit {answer.stdout.strip()}" if answer.returncode == 0 else today
 
 
 def _read_cache(file: Path) -> dict[str, str]:
