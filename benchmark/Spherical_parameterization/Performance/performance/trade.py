@@ -8,7 +8,7 @@ import numpy as np
 
 from measuring.mesh_files import MeshFile
 from measuring.plots import Axes, Curve
-from measuring.report import Column, listed, percent
+from measuring.report import Column, percent
 
 from .benchmark_program import Job
 from .session import Session, geometric_mean
@@ -141,7 +141,7 @@ def _verdict(default: Point, points: list[Point], n_meshes: int) -> str:
         f" {last.time:.2f} times the default's time, and to {last.sweeps:.0f} sweeps on average until they have converged"
         " or are ended."
     )
-    return reach + (f" Against the default: {listed(texts)}." if texts else "")
+    return reach + (f" Against the default: {'; '.join(texts)}." if texts else "")
 
 
 def _change(ratio: float) -> str:
