@@ -4,8 +4,8 @@
 Writes report.md, one CSV file for each section and plots; and, when all sections have been measured, manual/, a copy of
 the page of the user manual with the new tables and figures, to be copied over doc/Spherical_parameterization. Needs the
 Debian packages python3-numpy and python3-matplotlib. Runs are made one after the other, but for those that say "at
-once": leave the machine alone meanwhile. With forty meshes of up to two million vertices it takes about an hour, of which
-paper mode takes a fifth; --short takes less than a minute.
+once": leave the machine alone meanwhile. Forty meshes of up to two million vertices take some twenty minutes with
+--repeat 9, of which paper mode takes a fifth; --short takes less than a minute.
 """
 
 from __future__ import annotations
@@ -60,13 +60,14 @@ REPETITIONS, REPETITIONS_OF_SHORT = 5, 2
 def main() -> None:
     options = read_options()
     start = time.monotonic()
+    version = describe_version(PROJECT)
     session = make_session(options)
     for name in options.only:
         print(f"{name}, after {duration(time.monotonic() - start)}", file=sys.stderr, flush=True)
         SECTIONS[name](session)
-        write(session, options, time.monotonic() - start)
+        write(session, options, version, time.monotonic() - start)
     write_all_runs(session)
-    write(session, options, time.monotonic() - start)
+    write(session, options, version, time.monotonic() - start)
     is_whole = len(options.only) == len(SECTIONS) and not options.short
     wrong = contradictions(session) + failures(session) + session.manual.write(is_whole)
     print(options.output / "report.md")
@@ -181,24 +182,24 @@ def objection_to(file: MeshFile) -> str:
         file.forget()
 
 
-def write(session: Session, options: argparse.Namespace, passed: float) -> None:
+def write(session: Session, options: argparse.Namespace, version: str, passed: float) -> None:
     """Writes the report as far as it has come."""
     where = [
         f"Machine: {processor()}, {os.cpu_count()} cores, {platform.system()} {platform.machine()}.",
         f"Programs: {session.program.version}; {describe_build(options.build, 'performance_benchmark')}.",
-        f"Threads: {session.threads}, where nothing else is said. One run after the other, but for those at once; medians of"
-        f" {session.repetitions} runs, of at most 3 for what takes long: paper mode, meshes of {LARGE:,} vertices and more,"
-        " the floor, and time against distortion.",
-        f"When, and how: {describe_version(PROJECT)}, {command(options)}.",
+        f"Threads: {session.threads}, where nothing else is said. One run after the other, but for those at once; medians"
+        f" of {session.repetitions} runs, of at most 3 for what takes long: paper mode, meshes of {LARGE:,} vertices and"
+        " more, the floor, and time against distortion.",
+        f"When, and how: {version}, {command(options)}.",
     ]
+    if options.resume:
+        runs = [*session.program.runs, *_measurements(session)]
+        where.append(f"{sum(run.is_reused for run in runs)} of {len(runs)} runs are from an earlier session.")
     facts = [
         *where,
         f"Sections: {', '.join(options.only)}" + (" (not all)." if len(options.only) < len(SECTIONS) else "."),
         f"This report took {duration(passed)}.",
     ]
-    if options.resume:
-        runs = [*session.program.runs, *_measurements(session)]
-        facts.append(f"{sum(run.is_reused for run in runs)} of {len(runs)} runs are from an earlier session.")
     if options.short:
         facts.append("Short version: it shows that the driver works, and no more.")
     parts = ["\n".join(f"- {fact}" for fact in facts)]
@@ -216,7 +217,7 @@ def command(options: argparse.Namespace) -> str:
     words = [Path(__file__).name, "--build BUILD", "--meshes FOLDER"]
     if options.large is not None:
         words.append("--large FOLDER")
-    words += ["--output REPORT", f"--repeat {options.repeat}"]
+    words += ["--output REPORT", f"--repeat {options.repeat}", f"--threads {options.threads}"]
     if options.short:
         words.append("--short")
     if len(options.only) < len(SECTIONS):

@@ -36,9 +36,9 @@ public:
   /// \endcode
   ///
   /// `FT` is any type that can be constructed from a `double` and has a sign and the four operations of arithmetic with itself and
-  /// with `double`. Then the energy is evaluated for several faces in one call: where all faces are measured, and by
-  /// `CGAL::Spherical_parameterization::Newton_update_3`, which moves several vertices at once. Without it, it is called for one face
-  /// after the other, which gives the same map in somewhat more time.
+  /// with `double`. Then, with `CGAL::Spherical_parameterization::Newton_update_3`, which moves several vertices at once, the
+  /// energy is evaluated for several faces in one call. Without it, it is called for one face after the other, which gives the same
+  /// map in somewhat more time.
   typedef unspecified_type Is_lanewise;
 
   /// @}

@@ -58,7 +58,7 @@ def comparison(session: Session) -> None:
         pairs.append((defaults, published))
         rows.append(_shown(defaults, published))
     if not rows:
-        report.paragraph("There is nothing to compare.")
+        session.tell(SECTION, "None of the meshes of paper mode could be compared; `--paper-meshes` names others.")
         return
     session.tell(SECTION, _verdict(pairs))
     session.tabulate(SECTION, COLUMNS, rows)
@@ -82,6 +82,8 @@ def _run(session: Session, file: MeshFile) -> tuple[list[Run], list[Run]]:
     for k in range(rounds):
         defaults += [session.program.run(file, [], SECTION, i) for i in range(k, session.repetitions, rounds)]
         published.append(session.program.run(file, paper, SECTION, k))
+        if not published[-1].has_map:
+            break
     return defaults, published
 
 

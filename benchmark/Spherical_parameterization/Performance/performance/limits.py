@@ -36,7 +36,7 @@ def limits(session: Session) -> None:
     measured = [job for job in jobs if _values(session, job, 0) is not None]
     report.items(session.failures(jobs))
     if not measured:
-        report.paragraph("There is nothing to tell.")
+        session.tell(SECTION, "None of the meshes could be measured.")
         return
     number_of_rows = len(measured[0].program.measure(measured[0], 0).rows)
     by_threads = [[(job.mesh, _values(session, job, row)) for job in measured] for row in range(number_of_rows)]
@@ -76,6 +76,8 @@ def _values(session: Session, job: Job, row: int) -> dict | None:
         rows = session.rows(job, row)
         values |= {key: min(of_run[key] for of_run in rows) for key in (FOR_BYTES, FOR_OPERATIONS)}
         values |= {key: max(of_run[key] for of_run in rows) for key in RATES}
+        values["sweep/bytes"] = values[SWEEP] / values[FOR_BYTES]
+        values["sweep/operations"] = values[SWEEP] / values[FOR_OPERATIONS]
     return values
 
 
@@ -91,8 +93,8 @@ def _shown(file: MeshFile, values: dict) -> dict:
         "sweep": number(values[SWEEP], 0),
         "bytes": number(values[FOR_BYTES], 1),
         "operations": number(values[FOR_OPERATIONS], 0),
-        "to_bytes": speed(values[SWEEP] / values[FOR_BYTES]),
-        "to_operations": speed(values[SWEEP] / values[FOR_OPERATIONS]),
+        "to_bytes": speed(values["sweep/bytes"]),
+        "to_operations": speed(values["sweep/operations"]),
         "bandwidth": number(values["GB/s"], 1),
     }
 
@@ -118,8 +120,8 @@ def _rate(x: float) -> str:
 def _verdict(by_threads: list[list[tuple[MeshFile, dict]]]) -> str:
     texts = []
     for results in by_threads:
-        to_operations = [values[SWEEP] / values[FOR_OPERATIONS] for _, values in results]
-        to_bytes = [values[SWEEP] / values[FOR_BYTES] for _, values in results]
+        to_operations = [values["sweep/operations"] for _, values in results]
+        to_bytes = [values["sweep/bytes"] for _, values in results]
         (first, small), (last, large) = results[0], results[-1]
         texts.append(
             f"With {_threads(large)}, a sweep takes {span(to_operations)} times the time for its operations and"

@@ -31,9 +31,10 @@ class Manual:
     def write(self, is_whole: bool) -> list[str]:
         """Writes the copy beside the report if all is there that the page wants; returns what is wrong otherwise.
 
-        Part of the measurements, `is_whole` being false, fits into the page at best: there is no copy then, as it would
-        mix them with older ones.
+        Part of the measurements, `is_whole` being false, fits into the page at best: there is no copy then, not even an
+        earlier one, as it would mix them with older ones.
         """
+        shutil.rmtree(self._folder, ignore_errors=True)
         if not self._page.is_file():
             return [f"There is no {self._page.name} to fill in."]
         text = self._page.read_text(encoding="utf-8")

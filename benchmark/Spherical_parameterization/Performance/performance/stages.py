@@ -57,7 +57,7 @@ def growth(session: Session) -> None:
     results = _results(session, session.threads)
     series = _results(session, session.threads, session.series)
     if len(results) < 2 or len(series) < 2:
-        report.paragraph("There are too few meshes.")
+        session.tell("growth", "There are too few meshes.")
         return
     series_of = {threads: _results(session, threads, session.series) for threads in session.thread_counts}
     session.tell("growth", _growth_verdict(results, series_of))
@@ -96,7 +96,7 @@ def threads(session: Session) -> None:
     report = session.report
     report.begin_section("Threads")
     if len(session.thread_counts) < 2:
-        report.paragraph("There is one thread only.")
+        session.tell("threads", "There is one thread only.")
         return
     least = _least_vertices(session)
     alone, together = (dict(_results(session, n)) for n in session.thread_counts)
@@ -104,7 +104,7 @@ def threads(session: Session) -> None:
     different = [file.name for file in both if not _has_same_bits(alone[file], together[file])]
     files = [file for file in both if file.number_of_vertices >= least]
     if not files:
-        report.paragraph(f"There is no mesh of at least {least:,} vertices.")
+        session.tell("threads", f"There is no mesh of at least {least:,} vertices.")
         return
 
     def gain(file: MeshFile, stage: str) -> float:
@@ -172,7 +172,7 @@ def memory(session: Session) -> None:
         if isinstance(values["bytes/vertex"], float)
     ]
     if not results:
-        report.paragraph("This system does not tell.")
+        session.tell("memory", "This system does not tell.")
         return
     alone = dict(_results(session, 1))
     peaks = [(values["bytes/vertex"], file) for file, values in (*results, *alone.items())]
@@ -278,7 +278,9 @@ def _growth_verdict(results: list[Result], series_of: dict[int, list[Result]]) -
         f" {number(min(in_series), 1)} to {number(max(in_series), 1)}, a"
         f" factor of {speed(factor(series))}, and {number(values[TOTAL], 1)} seconds in the end"
     )
-    text += f"; with 1 thread, the factor is {speed(factor(series_of[1]))}." if number_of_threads > 1 else "."
+    if number_of_threads > 1 and len(series_of[1]) == len(series):
+        text += f"; with 1 thread, the factor is {speed(factor(series_of[1]))}"
+    text += "."
     return text + _verdict_of_families(results)
 
 

@@ -45,7 +45,7 @@ def trade(session: Session) -> None:
     files = [file for file in files if all(medians[file, sweeps] is not None for sweeps in settings)]
     report.items(session.failures(list(jobs.values())))
     if not files:
-        report.paragraph("There is no mesh of a suitable size.")
+        session.tell(SECTION, "There is no mesh of a suitable size.")
         return
     points = sorted((_point(medians, files, settings, sweeps) for sweeps in settings), key=lambda point: point.sweeps)
     default = next(point for point in points if point.name == "default")

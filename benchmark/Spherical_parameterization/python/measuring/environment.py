@@ -65,7 +65,7 @@ def describe_version(project: Path) -> str:
         return today
     command = [git, "-C", str(project), "describe", "--always", "--exclude=*", "--dirty= with changes"]
     answer = subprocess.run(command, capture_output=True, text=True, check=False)
-    return f"{today}, commit {answer.stdout.strip()}" if answer.returncode == 0 else today
+    return f"{today}, sources at commit {answer.stdout.strip()}" if answer.returncode == 0 else today
 
 
 def _read_cache(file: Path) -> dict[str, str]:
