@@ -784,6 +784,33 @@ private:
   std::thread::id m_caller = std::this_thread::get_id();
 };
 
+// An energy that throws when it is evaluated the `throw_at`th time for a single face: where several are in one call, only
+// the search for the worst faces does that, which goes on beside a sweep.
+class Failing_energy : public SP::Symmetric_Dirichlet_energy_3
+{
+public:
+  Failing_energy(std::atomic<std::size_t>& n_calls, std::size_t throw_at)
+    : m_n_calls(n_calls)
+    , m_throw_at(throw_at)
+  {}
+
+  template <class FT>
+  FT operator()(const FT& i, const FT& d) const
+  {
+    if constexpr(std::is_same<FT, double>::value)
+    {
+      const std::size_t k = ++m_n_calls;
+      if(k == m_throw_at)
+        throw Interruption{k};
+    }
+    return SP::Symmetric_Dirichlet_energy_3::operator()(i, d);
+  }
+
+private:
+  std::atomic<std::size_t>& m_n_calls;
+  std::size_t m_throw_at;
+};
+
 class Exception_safety_in_parallel : public ::testing::Test
 {
 protected:
@@ -873,6 +900,37 @@ TEST_F(Exception_safety_in_parallel, of_another_thread)
     n_caught += is_caught;
   }
   EXPECT_GT(n_caught, 0u);
+}
+
+TEST_F(Exception_safety_in_parallel, of_the_search_for_the_worst_faces)
+{
+  using Method = SP::Bijective_low_distortion_parameterizer_3<Mesh, Precomputed, Failing_energy>;
+  Subject subject(test_meshes::bumpy_sphere(4));
+  const Precomputed start(subject.mesh.points());
+  std::size_t n_calls = 0;
+  const auto run = [&](std::size_t throw_at) {
+    execute([&] {
+      std::atomic<std::size_t> n(0);
+      Method method(start, Failing_energy(n, throw_at));
+      EXPECT_EQ(SP::parameterize<CGAL::Parallel_tag>(std::as_const(subject.mesh), method, subject.sphere,
+                                                     params::number_of_iterations(5u)),
+                SP::OK);
+      n_calls = n;
+    });
+  };
+  run(0);
+  ASSERT_GT(n_calls, 0u);
+  const std::vector<Coordinates> expected = subject.images();
+  const std::size_t n_samples = test_scale::reduced(20);
+  for(std::size_t i = 0; i <= n_samples; ++i)
+  {
+    const std::size_t k = 1 + i * (n_calls - 1) / n_samples;
+    SCOPED_TRACE(k);
+    subject.forget_images();
+    subject.expect_no_trace_of<Interruption>([&] { run(k); });
+  }
+  run(0);
+  EXPECT_TRUE(test_maps::have_same_bits(subject.images(), expected));
 }
 #endif
 
