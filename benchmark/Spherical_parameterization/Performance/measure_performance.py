@@ -1,11 +1,12 @@
 #!/usr/bin/env python3
-"""Measures how fast the package is, on a folder of meshes: every figure of the page on performance, in one run.
+"""Measures how fast the package is, on a folder of meshes: the page of the manual on performance, in one run.
 
 Writes report.md, one CSV file for each section and plots; and, when all sections have been measured, manual/, a copy of
-the page of the user manual with the new tables and figures, to be copied over doc/Spherical_parameterization. Needs the
-Debian packages python3-numpy and python3-matplotlib. Runs are made one after the other, but for those that say "at
-once": leave the machine alone meanwhile. Forty meshes of up to two million vertices take some twenty minutes with
---repeat 9, of which paper mode takes a fifth; --short takes less than a minute.
+the page with the new tables and figures, to be copied over doc/Spherical_parameterization. Its last two sections, on
+other programs and on kernels, are by hand. Needs the Debian packages python3-numpy and python3-matplotlib. Runs are
+made one after the other, but for those that say "at once": leave the machine alone meanwhile. Forty meshes of up to two
+million vertices take some twenty minutes with --repeat 9, of which paper mode takes a fifth; --short takes less than a
+minute.
 """
 
 from __future__ import annotations

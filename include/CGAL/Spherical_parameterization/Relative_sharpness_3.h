@@ -32,8 +32,8 @@ namespace Spherical_parameterization {
 /// scale, so that one \f$ \beta \f$ serves a smooth and a limbed surface, the coarse levels of a hierarchy and the
 /// finest, and needs no phase of its own for the plain sum of eq. 6, which is \f$ \beta = 0 \f$.
 ///
-/// \f$ \beta \f$ is a dial from the lowest average distortion, 0, to a low maximum; beyond 50 it may rise again, as no
-/// number of sweeps at hand brings so sharp an objective to its end. With 13.5, the default, the average is 3 to 20
+/// \f$ \beta \f$ is a dial from the lowest average distortion, 0, to a low maximum; beyond 50 it may rise again, as the
+/// sweeps of the default do not bring so sharp an objective to its end. With 13.5, the default, the average is 3 to 20
 /// percent above the lowest; \ref SphericalParameterizationSharpness has a table.
 ///
 /// \cgalModels{SharpnessPolicy_3}

@@ -180,7 +180,7 @@ private:
   // Whether there are lanes of two decides for all.
   static constexpr bool is_lanewise =
       Is_lanewise<VertexUpdate, const Star_energy<Energy, Barrier, Two_lanes>&, std::array<Two_lanes, 2>&>::value;
-  static constexpr std::size_t packets_per_block = 4; // of parallel work: some five microseconds
+  static constexpr std::size_t packets_per_block = 4; // of parallel work: some two microseconds
 
   static constexpr std::size_t rings_of_focus = 4;
 
