@@ -3,8 +3,8 @@
 \cgalConcept
 
 The concept `VertexUpdate_3` describes how one vertex moves on the sphere while all others stay. It is called by several threads
-at once, by each of them for one vertex after the other. (`CGAL::Spherical_parameterization::Newton_update_3` can also be called
-for several vertices in one call, which is no part of the concept.)
+at once, by each of them for one vertex after the other. That `CGAL::Spherical_parameterization::Newton_update_3` can also be
+called for several vertices at once is no part of the concept.
 
 \cgalRefines{CopyConstructible}
 
