@@ -19,6 +19,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstddef>
 #include <map>
 #include <string>
@@ -246,16 +247,9 @@ TEST(Vertex_sphere_map, needs_to_be_writable_only)
   EXPECT_TRUE(test_maps::have_same_bits(images, reference()));
 }
 
-// The certificate is for the points as they are written: of floats here.
-TEST(Vertex_sphere_map, may_be_of_single_precision)
+// a face of size 1e-12, whose corners cannot be told from each other by numbers of single precision
+Triangle_list with_a_tiny_face()
 {
-  const Surface_mesh mesh = test_meshes::make_mesh<Surface_mesh>(list());
-  const auto map = test_maps::make_sentinel_map<Float::Point_3>(mesh);
-  ASSERT_EQ(SP::parameterize(mesh, map), SP::OK);
-  EXPECT_TRUE(SP::is_bijective(mesh, map));
-  EXPECT_LT(test_maps::largest_distance(test_maps::images(mesh, map), reference()), 1e-6);
-
-  // The corners of a face of size 1e-12 cannot be told from each other then.
   Triangle_list graded = test_meshes::icosphere(1);
   const test_meshes::Triangle t = graded.triangles[0];
   const Coordinates &a = graded.points[t[0]], &b = graded.points[t[1]], &c = graded.points[t[2]];
@@ -277,12 +271,82 @@ TEST(Vertex_sphere_map, may_be_of_single_precision)
   {
     graded.triangles.push_back(triangle);
   }
-  const Surface_mesh fine = test_meshes::make_mesh<Surface_mesh>(graded);
+  return graded;
+}
+
+// The certificate is for the points as they are written: of floats here.
+TEST(Vertex_sphere_map, may_be_of_single_precision)
+{
+  const Surface_mesh mesh = test_meshes::make_mesh<Surface_mesh>(list());
+  const auto map = test_maps::make_sentinel_map<Float::Point_3>(mesh);
+  ASSERT_EQ(SP::parameterize(mesh, map), SP::OK);
+  EXPECT_TRUE(SP::is_bijective(mesh, map));
+  EXPECT_LT(test_maps::largest_distance(test_maps::images(mesh, map), reference()), 1e-6);
+
+  const Surface_mesh fine = test_meshes::make_mesh<Surface_mesh>(with_a_tiny_face());
   const auto single = test_maps::make_sentinel_map<Float::Point_3>(fine);
   const std::vector<Coordinates> before = test_maps::images(fine, single);
   EXPECT_EQ(SP::parameterize(fine, single), SP::ERROR_INSUFFICIENT_PRECISION);
   EXPECT_TRUE(test_maps::have_same_bits(test_maps::images(fine, single), before));
   EXPECT_EQ(SP::parameterize(fine, test_maps::make_sentinel_map<Epick::Point_3>(fine)), SP::OK);
+}
+
+// What a map hands out are doubles, but what it keeps are not, as with the points of OpenMesh.
+struct Rounding_map
+{
+  using key_type = Surface_mesh::Vertex_index;
+  using value_type = Epick::Point_3;
+  using reference = value_type;
+  using category = boost::read_write_property_map_tag;
+
+  friend value_type get(const Rounding_map& map, key_type v)
+  {
+    const Float::Point_3& p = get(map.kept, v);
+    return {static_cast<double>(p.x()), static_cast<double>(p.y()), static_cast<double>(p.z())};
+  }
+  friend void put(const Rounding_map& map, key_type v, const value_type& p)
+  {
+    put(map.kept, v, Float::Point_3(map.rounded(p.x()), map.rounded(p.y()), map.rounded(p.z())));
+  }
+
+  float rounded(double x) const
+  {
+    const float y = static_cast<float>(x);
+    return unit > 0.f ? unit * std::round(y / unit) : y;
+  }
+
+  decltype(test_maps::make_sentinel_map<Float::Point_3>(Surface_mesh())) kept;
+  float unit = 0.f; // of which the coordinates are multiples, if any
+};
+
+TEST(Vertex_sphere_map, may_keep_other_values_than_it_was_given)
+{
+  const Surface_mesh mesh = test_meshes::make_mesh<Surface_mesh>(list());
+  const Rounding_map map = {test_maps::make_sentinel_map<Float::Point_3>(mesh)};
+  ASSERT_EQ(SP::parameterize(mesh, map), SP::OK);
+  EXPECT_TRUE(SP::is_bijective(mesh, map));
+  EXPECT_LT(test_maps::largest_distance(test_maps::images(mesh, map), reference()), 1e-6);
+
+  const Surface_mesh fine = test_meshes::make_mesh<Surface_mesh>(with_a_tiny_face());
+  const Rounding_map single = {test_maps::make_sentinel_map<Float::Point_3>(fine)};
+  const std::vector<Coordinates> before = test_maps::images(fine, single);
+  EXPECT_EQ(SP::parameterize(fine, single), SP::ERROR_INSUFFICIENT_PRECISION);
+  EXPECT_TRUE(test_maps::have_same_bits(test_maps::images(fine, single), before));
+  // beyond the largest number that is kept
+  const Surface_mesh huge = test_meshes::make_mesh<Surface_mesh>(test_meshes::scaled(list(), 1e200, 1e200, 1e200));
+  const Rounding_map narrow = {test_maps::make_sentinel_map<Float::Point_3>(huge)};
+  const std::vector<Coordinates> before_narrow = test_maps::images(huge, narrow);
+  EXPECT_EQ(SP::parameterize(huge, narrow), SP::ERROR_INSUFFICIENT_PRECISION);
+  EXPECT_TRUE(test_maps::have_same_bits(test_maps::images(huge, narrow), before_narrow));
+
+  // A method that promises nothing writes the map, and says what it is as it has been kept.
+  const Rounding_map rough = {test_maps::make_sentinel_map<Float::Point_3>(mesh), 1.f};
+  EXPECT_EQ(SP::parameterize(mesh, SP::ARAP_parameterizer_3<Surface_mesh>(), map), SP::OK);
+  EXPECT_EQ(SP::parameterize(mesh, SP::ARAP_parameterizer_3<Surface_mesh>(), rough), SP::ERROR_NO_1_TO_1_MAPPING);
+  for(const Coordinates& p : test_maps::images(mesh, rough))
+  {
+    EXPECT_TRUE(std::abs(p[0]) <= 2. && p[0] == std::round(p[0]));
+  }
 }
 
 // A view of one component of a mesh.

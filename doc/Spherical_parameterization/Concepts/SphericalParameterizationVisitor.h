@@ -44,7 +44,7 @@ public:
   ///        failed
   void on_level(std::size_t number_of_vertices);
 
-  /// called when the initial map is there; from now on, stopping leaves a bijection at once.
+  /// called when the initial map is there; from now on, stopping leaves a bijection at once, if the method promises one.
   void on_initialization_end();
 
   /// called after each sweep over the mesh, or each step of a method that moves all vertices at once.

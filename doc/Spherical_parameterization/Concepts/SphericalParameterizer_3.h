@@ -28,12 +28,14 @@ public:
   /// \name Operations
   /// @{
 
-  /// computes the map.
+  /// computes the map. The object may change, for example to tell later what it did, so that calls at the same time need objects of
+  /// their own.
   ///
   /// \tparam ConcurrencyTag one of `CGAL::Sequential_tag`, `CGAL::Parallel_tag`, and `CGAL::Parallel_if_available_tag`
   /// \tparam TriangleMesh a model of `FaceListGraph`
   /// \tparam VertexSphereMap a model of `WritablePropertyMap` with
-  ///         `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and `%Point_3` as value type
+  ///         `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and `%Point_3` of a \cgal kernel as
+  ///         value type; its coordinates are of type `double` or `float`, or of an exact number type
   /// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
   ///
   /// \param tmesh the mesh

@@ -98,7 +98,8 @@ public:
   /// \tparam ConcurrencyTag enables sequential versus parallel algorithm. Possible values are `Sequential_tag`,
   ///         `Parallel_tag`, and `Parallel_if_available_tag`. The result does not depend on it.
   /// \tparam VertexSphereMap must be a model of `WritablePropertyMap` with
-  ///         `boost::graph_traits<Triangle_mesh>::%vertex_descriptor` as key type and `%Point_3` as value type.
+  ///         `boost::graph_traits<Triangle_mesh>::%vertex_descriptor` as key type and `%Point_3` of a \cgal kernel as
+  ///         value type; its coordinates are of type `double` or `float`, or of an exact number type.
   /// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
   ///
   /// \param tmesh a triangle mesh that is closed, connected and of genus 0
@@ -139,7 +140,8 @@ public:
   ///         see `find_defect()`; `ERROR_WRONG_PARAMETER` if `is_valid()` is `false` or a negative
   ///         `number_of_iterations` is given; what the initial parameterizer returns if it fails, or
   ///         `ERROR_INVALID_INITIAL_PARAMETERIZATION` if its map is not one-to-one by more than rounding can change;
-  ///         `ERROR_CANNOT_SOLVE_LINEAR_SYSTEM`
+  ///         `ERROR_CANNOT_SOLVE_LINEAR_SYSTEM`; `ERROR_INSUFFICIENT_PRECISION` if the map cannot be held by the
+  ///         coordinates of `vertex_sphere_map`
   ///
   /// \pre `num_halfedges(tmesh) < 2147483647`, that is, 2<sup>31</sup> - 1
   template <class ConcurrencyTag = Parallel_if_available_tag, class VertexSphereMap,

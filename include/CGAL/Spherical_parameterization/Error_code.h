@@ -22,8 +22,8 @@ namespace Spherical_parameterization {
 
 /// \ingroup PkgSphericalParameterizationEnums
 ///
-/// List of the outcomes of a spherical parameterization. Every value but `OK` describes a property of the data, not a
-/// programming error, and is reported in Release mode as well. Whenever a value other than `OK` and
+/// List of the outcomes of a spherical parameterization. Every value but `OK` and `ERROR_WRONG_PARAMETER` describes a
+/// property of the data, not a programming error; all are reported in Release mode as well. Whenever a value other than `OK` and
 /// `ERROR_NO_1_TO_1_MAPPING` is returned, the output map has not been written to.
 enum Error_code
 {
@@ -38,7 +38,7 @@ enum Error_code
   ERROR_NON_FINITE_COORDINATE,            ///< A coordinate is infinite or not a number.
   ERROR_INVALID_INITIAL_PARAMETERIZATION, ///< The initial map is not one-to-one, or only just so.
   ERROR_NO_1_TO_1_MAPPING,                ///< The map that has been computed is not one-to-one.
-  ERROR_INSUFFICIENT_PRECISION,           ///< No one-to-one map was found that double precision numbers can hold.
+  ERROR_INSUFFICIENT_PRECISION,           ///< No one-to-one map was found that the coordinates can hold.
   ERROR_CANNOT_SOLVE_LINEAR_SYSTEM,       ///< The solver of a method that needs one has failed.
   ERROR_WRONG_PARAMETER                   ///< A parameter is out of its range.
 };
@@ -82,8 +82,8 @@ inline const char* get_error_message(Error_code error_code)
   case ERROR_NO_1_TO_1_MAPPING:
     return "The map that was computed is not one-to-one: use a parameterizer that guarantees a bijection.";
   case ERROR_INSUFFICIENT_PRECISION:
-    return "No one-to-one map was found that double precision numbers can hold: parts of the surface would have to be "
-           "smaller than their resolution; try an energy that also preserves areas.";
+    return "No one-to-one map was found that the coordinates can hold: parts of the surface would have to be smaller "
+           "than their resolution; use coordinates of type double, or an energy that also preserves areas.";
   case ERROR_CANNOT_SOLVE_LINEAR_SYSTEM:
     return "The linear system of the method could not be solved: try another solver, or a method without one, such as "
            "Hierarchical_parameterizer_3.";

@@ -27,7 +27,7 @@ namespace Spherical_parameterization {
 /// Why a parameterizer has stopped.
 enum Stop_reason
 {
-  NOT_RUN = 0,     ///< It has not run yet, or has refused the mesh.
+  NOT_RUN = 0,     ///< It has not run yet, or has refused the mesh or the map to start from.
   CONVERGED,       ///< What is optimized has settled.
   ITERATION_LIMIT, ///< The given number of sweeps has been made.
   OBSTRUCTED,      ///< Every further step would turn a face over or raise the energy.
@@ -61,8 +61,9 @@ inline const char* get_stop_message(Stop_reason reason)
 /// \ingroup PkgSphericalParameterizationMethods
 ///
 /// What a parameterizer did in its last run. The energies are those of the method, per face for
-/// `Bijective_low_distortion_parameterizer_3` and per area for the others that iterate; what a method does not have is
-/// 0.
+/// `Bijective_low_distortion_parameterizer_3` and per area for those that make global steps; what a method does not
+/// have is 0. To `Hierarchical_parameterizer_3` the mesh is but the finest of the levels: it has no energies, and all
+/// its sweeps are those over levels.
 struct Parameterization_report
 {
   std::size_t number_of_vertices = 0;          ///< vertices that were mapped

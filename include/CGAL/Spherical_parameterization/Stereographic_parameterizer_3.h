@@ -46,8 +46,7 @@ namespace Spherical_parameterization {
 /// projected from the centre of the sphere. But limbs may get smaller than double precision numbers resolve; then
 /// `ERROR_INSUFFICIENT_PRECISION` is returned.
 ///
-/// One sparse system with two right-hand sides is solved, which in practice takes less time than reading the mesh from
-/// a file.
+/// One sparse matrix is factorised, and used twice: to learn where most of the surface is, and to place it there.
 ///
 /// \cgalModels{SphericalParameterizer_3}
 ///
@@ -81,7 +80,8 @@ public:
   /// \tparam ConcurrencyTag enables sequential versus parallel algorithm. Possible values are `Sequential_tag`,
   ///         `Parallel_tag`, and `Parallel_if_available_tag`. The result does not depend on it.
   /// \tparam VertexSphereMap must be a model of `WritablePropertyMap` with
-  ///         `boost::graph_traits<Triangle_mesh>::%vertex_descriptor` as key type and `%Point_3` as value type.
+  ///         `boost::graph_traits<Triangle_mesh>::%vertex_descriptor` as key type and `%Point_3` of a \cgal kernel as
+  ///         value type; its coordinates are of type `double` or `float`, or of an exact number type.
   /// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
   ///
   /// \param tmesh a triangle mesh that is closed, connected and of genus 0

@@ -163,8 +163,9 @@ Distortion_summary measure_distortion(const TriangleMesh& tmesh, VertexSphereMap
 /// - An inverted face, one whose image is not positively oriented about the origin, is counted, by an exact predicate.
 ///   Its distortions are those of the mirrored face, and part of the statistics.
 ///
-/// The values have a relative error of about 1e-15 times the longest edge of the face over its height. Coordinates of
-/// any magnitude are treated alike. The running time is linear in the number of faces.
+/// The values have a relative error of about 1e-15 times the longest edge of the face over its height if the coordinates
+/// are of type `double` or `float`; others count as `CGAL::to_double()` rounds their differences. Coordinates of any
+/// magnitude are treated alike. The running time is linear in the number of faces.
 ///
 /// \tparam TriangleMesh a model of `FaceListGraph`
 /// \tparam VertexSphereMap a model of `ReadablePropertyMap` with

@@ -40,9 +40,11 @@ namespace Spherical_parameterization {
 ///
 /// <b>Guarantee.</b> If `OK` is returned, the map is a bijection. This has been certified by exact predicates on the
 /// points as they are in `vertex_sphere_map`: every face is positively oriented about the origin, and the faces cover
-/// the sphere once. The points are rounded and so not exactly on the sphere. The certificate is right for any compile
-/// flags: with those that change floating-point arithmetic, such as `-ffast-math`, points with coordinates of type
-/// `double` or `float` are certified by integer arithmetic, and exact kernels do not compile.
+/// the sphere once. The points are rounded and so not exactly on the sphere. If the map does not hold what was put into
+/// it, for example because it rounds numbers once more, the points that it holds are certified instead; a map that can
+/// only be written has to hold them as they are. The certificate is right for any compile flags: with those that change
+/// floating-point arithmetic, such as `-ffast-math`, points with coordinates of type `double` or `float` are certified
+/// by integer arithmetic, and exact kernels do not compile.
 ///
 /// The default method returns `OK` for every mesh that `find_defect()` finds nothing wrong with, whatever its shape:
 /// faces without area, needles, vertices in one place, self-intersections and any orientation included. There is one
@@ -58,7 +60,7 @@ namespace Spherical_parameterization {
 ///
 /// <b>Exceptions.</b> What the visitor, a property map or an allocation throws reaches the caller. `tmesh` is as it
 /// was, and so is `vertex_sphere_map`: it is written at the very end, and values that have been overwritten when
-/// `put()` throws are put back if the map is readable as well.
+/// `put()` or `get()` throws are put back if the map is readable as well.
 ///
 /// The result does not depend on the number of threads. Placing the surface elsewhere in space or scaling it changes
 /// the result by rounding only. So does renumbering its vertices, unless the shape is so regular that the choice
@@ -70,7 +72,8 @@ namespace Spherical_parameterization {
 /// \tparam Parameterizer a model of `SphericalParameterizer_3`; the object itself is used, so that it can be asked for
 ///         its report afterwards
 /// \tparam VertexSphereMap a model of `WritablePropertyMap` with
-///         `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and `%Point_3` as value type
+///         `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and `%Point_3` of a \cgal kernel as
+///         value type; its coordinates are of type `double` or `float`, or of an exact number type
 /// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 ///
 /// \param tmesh a triangle mesh that is closed, connected and of genus 0; isolated vertices are skipped, faces without
@@ -78,7 +81,7 @@ namespace Spherical_parameterization {
 /// \param parameterizer the method
 /// \param vertex_sphere_map the map to be written; it is left as it is if an error is returned by a method that
 ///        promises a bijection. If its category is convertible to `boost::readable_property_map_tag`, its values are
-///        read before they are overwritten.
+///        read before they are overwritten, and again when all are there.
 /// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
 ///
 /// \cgalNamedParamsBegin
@@ -119,8 +122,9 @@ namespace Spherical_parameterization {
 ///
 /// \pre `num_halfedges(tmesh) < 2147483647`, that is, 2<sup>31</sup> - 1
 ///
-/// \note Calls at the same time are safe, also for the same mesh, which is only read, as long as they write different
-///       maps, and so are calls from within tasks of TBB.
+/// \note Calls at the same time are safe, also for the same mesh, which is only read, as long as each has a map, a
+///       parameterizer and a visitor of its own, and so are calls from within tasks of TBB. (The coordinates must be of
+///       a type that several threads may read at once.)
 ///
 /// \sa `CGAL::Spherical_parameterization::find_defect()`
 /// \sa `CGAL::Spherical_parameterization::is_bijective()`
@@ -148,7 +152,8 @@ Error_code parameterize(const TriangleMesh& tmesh, Parameterizer&& parameterizer
 ///         `Parallel_tag`, and `Parallel_if_available_tag`.
 /// \tparam TriangleMesh a model of `FaceListGraph`
 /// \tparam VertexSphereMap a model of `WritablePropertyMap` with
-///         `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and `%Point_3` as value type
+///         `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and `%Point_3` of a \cgal kernel as
+///         value type; its coordinates are of type `double` or `float`, or of an exact number type
 /// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 ///
 /// \param tmesh a triangle mesh that is closed, connected and of genus 0; isolated vertices are skipped, faces without

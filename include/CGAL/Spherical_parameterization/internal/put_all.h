@@ -25,27 +25,20 @@ namespace CGAL {
 namespace Spherical_parameterization {
 namespace internal {
 
-// Writes values[k] for the key key(k), for all k. If put() or get() throws, the values that have been overwritten are
-// put back and the exception goes on to the caller; a map that can only be written keeps what it has got by then.
-template <class PropertyMap, class Key>
-void put_all(PropertyMap map, const Key& key,
-             const std::vector<typename boost::property_traits<PropertyMap>::value_type>& values)
+// Writes values[k] for the key key(k), for all k, and returns true. If the map can be read as well, is_accepted() is
+// asked when all have been written: if it returns false, or if it, put() or get() throws, the values that have been
+// overwritten are put back. A map that can only be written keeps what it has got.
+template <class PropertyMap, class Key, class Condition>
+bool put_all(PropertyMap map, const Key& key,
+             const std::vector<typename boost::property_traits<PropertyMap>::value_type>& values,
+             const Condition& is_accepted)
 {
   using Category = typename boost::property_traits<PropertyMap>::category;
   if constexpr(std::is_convertible<Category, boost::readable_property_map_tag>::value)
   {
     std::vector<typename boost::property_traits<PropertyMap>::value_type> former;
     former.reserve(values.size());
-    try
-    {
-      for(std::size_t k = 0; k < values.size(); ++k)
-      {
-        former.push_back(get(map, key(k)));
-        put(map, key(k), values[k]);
-      }
-    }
-    catch(...)
-    {
+    const auto put_back = [&] {
       for(std::size_t k = former.size(); k-- > 0;)
         try
         {
@@ -53,12 +46,31 @@ void put_all(PropertyMap map, const Key& key,
         }
         catch(...) // a key that refuses any value keeps its own; the others are put back all the same
         {}
+    };
+    try
+    {
+      for(std::size_t k = 0; k < values.size(); ++k)
+      {
+        former.push_back(get(map, key(k)));
+        put(map, key(k), values[k]);
+      }
+      if(is_accepted())
+        return true;
+    }
+    catch(...)
+    {
+      put_back();
       throw;
     }
+    put_back();
+    return false;
   }
   else
+  {
     for(std::size_t k = 0; k < values.size(); ++k)
       put(map, key(k), values[k]);
+    return true;
+  }
 }
 
 } // namespace internal

@@ -40,12 +40,16 @@ namespace internal {
 // Scales the positions from the unit sphere to the sphere of radius `radius`, certifies the points exactly as the
 // caller will get them, and only then writes them: the second of the two places that touch the caller's data. A map
 // that is not one-to-one is written only if nothing else was promised.
+//
+// A property map may hold other values than those that it was given, for example numbers of single precision. So what
+// can be read is read again, and certified anew if it differs.
 template <class ConcurrencyTag, class VertexDescriptor, class VertexSphereMap>
 Error_code write_map(const Indexed_mesh& mesh, const std::vector<VertexDescriptor>& vertices_of_mesh,
                      const std::vector<Vector_3d>& positions, double radius, Guarantee guarantee,
                      VertexSphereMap vertex_sphere_map)
 {
   using Point_3 = typename boost::property_traits<VertexSphereMap>::value_type;
+  using Category = typename boost::property_traits<VertexSphereMap>::category;
   using Selection = Exact_predicates_kernel_of_map<VertexSphereMap>;
   using Exact_kernel = typename Selection::type;
   using FT = typename Kernel_traits<Point_3>::Kernel::FT;
@@ -57,24 +61,46 @@ Error_code write_map(const Indexed_mesh& mesh, const std::vector<VertexDescripto
       return ERROR_INSUFFICIENT_PRECISION;
 
   std::vector<Point_3> points;
-  std::vector<typename Exact_kernel::Point_3> exact_points;
   points.reserve(positions.size());
-  exact_points.reserve(positions.size());
   for(const Vector_3d& u : positions)
   {
     if(!is_finite(u))
       return ERROR_INSUFFICIENT_PRECISION;
     points.push_back(
         Point_3(static_cast<FT>(radius * u[0]), static_cast<FT>(radius * u[1]), static_cast<FT>(radius * u[2])));
-    exact_points.push_back(Selection::convert(points.back()));
   }
-  const bool is_bijective =
-      certify_bijectivity<Exact_kernel, ConcurrencyTag>(exact_points, mesh.triangles()).is_bijective();
+  const auto certify = [&](const std::vector<Point_3>& images) {
+    std::vector<typename Exact_kernel::Point_3> exact_images;
+    exact_images.reserve(images.size());
+    for(const Point_3& p : images)
+      exact_images.push_back(Selection::convert(p));
+    return certify_bijectivity<Exact_kernel, ConcurrencyTag>(exact_images, mesh.triangles()).is_bijective();
+  };
+  bool is_bijective = certify(points);
   if(!is_bijective && guarantee == Guarantee::ONE_TO_ONE)
     return ERROR_INSUFFICIENT_PRECISION;
 
-  put_all(
-      vertex_sphere_map, [&](std::size_t v) { return vertices_of_mesh[mesh.original(v)]; }, points);
+  const auto vertex = [&](std::size_t v) { return vertices_of_mesh[mesh.original(v)]; };
+  const auto is_accepted_as_written = [&] {
+    if constexpr(std::is_convertible<Category, boost::readable_property_map_tag>::value)
+    {
+      std::vector<Point_3> written;
+      written.reserve(points.size());
+      bool is_the_same = true, is_each_finite = true;
+      for(std::size_t v = 0; v < points.size(); ++v)
+      {
+        written.push_back(get(vertex_sphere_map, vertex(v)));
+        const Point_3& p = written.back();
+        is_the_same = is_the_same && p == points[v];
+        if constexpr(std::is_floating_point<FT>::value)
+          is_each_finite = is_each_finite && is_finite({p.x(), p.y(), p.z()});
+      }
+      is_bijective = is_each_finite && (is_the_same ? is_bijective : certify(written));
+    }
+    return is_bijective || guarantee != Guarantee::ONE_TO_ONE;
+  };
+  if(!put_all(vertex_sphere_map, vertex, points, is_accepted_as_written))
+    return ERROR_INSUFFICIENT_PRECISION;
   return is_bijective ? OK : ERROR_NO_1_TO_1_MAPPING;
 }
 
