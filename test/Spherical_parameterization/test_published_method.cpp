@@ -231,6 +231,22 @@ TEST(Published_method, is_made_of_the_settings_of_the_paper)
   EXPECT_EQ(bld.report().number_of_iterations(), 150u);
 }
 
+// Policies of other types are what they are by default.
+TEST(Published_method, takes_policies_of_any_type)
+{
+  const Mesh mesh = test_meshes::make_mesh<Mesh>(test_meshes::bumpy_sphere(1));
+  using Relative = SP::Relative_sharpness_3;
+  using Fixed = SP::Fixed_radius_3;
+  const auto expect_same = [&](auto&& a, auto&& b) {
+    EXPECT_TRUE(test_maps::have_same_bits(test_runs::run<Point_3>(mesh, a, false).images,
+                                          test_runs::run<Point_3>(mesh, b, false).images));
+  };
+  expect_same(Published(), SP::Published_low_distortion_parameterizer_3<Mesh, Harmonic, SP::Absolute_sharpness_3,
+                                                                        SP::Two_phase_radius_3<>>());
+  using Other = SP::Published_low_distortion_parameterizer_3<Mesh, Default, Relative, Fixed>;
+  expect_same(Other(), Other(Harmonic(), Relative(), Fixed()));
+}
+
 // On a mesh where it does not settle.
 TEST(Published_method, makes_2000_sweeps_at_most)
 {

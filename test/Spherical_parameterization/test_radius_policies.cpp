@@ -347,6 +347,21 @@ TEST(Two_phase_radius, changes_when_it_is_told_to)
   EXPECT_FALSE(Two_phase({}, {}, std::nan("")).is_valid());
 }
 
+// Each of the two may have phases itself.
+TEST(Two_phase_radius, goes_through_all_phases_of_its_parts)
+{
+  const std::vector<SP::Face_invariants_3> none;
+  using Fixed = SP::Fixed_radius_3;
+  using Two = SP::Two_phase_radius_3<Fixed, Fixed>;
+  SP::Two_phase_radius_3<Two, Two> policy(Two(Fixed(1.), Fixed(2.), 0.), Two(Fixed(3.), Fixed(4.), 0.), 0.);
+  for(const double radius : {1., 2., 3., 4.})
+  {
+    EXPECT_EQ(policy(energy, none, radius), radius);
+    EXPECT_EQ(policy.next_phase(), radius < 4.);
+  }
+  EXPECT_EQ(policy(energy, none, 4.), 4.);
+}
+
 TEST(Two_phase_radius, is_equation_9_and_then_11_by_default)
 {
   const Ellipsoid_on_sphere map;

@@ -50,7 +50,7 @@ public:
   /// @{
 
   /// starts the next phase of the policy and returns whether there is one. It is called when energy and radius have
-  /// settled, and before the last radius is asked for. Without it, the policy has one phase.
+  /// settled, and, until it returns `false`, before the last radius is asked for. Without it, the policy has one phase.
   bool next_phase();
 
   /// returns whether the parameters of the policy are in their ranges. If not, a parameterizer returns `ERROR_WRONG_PARAMETER`.

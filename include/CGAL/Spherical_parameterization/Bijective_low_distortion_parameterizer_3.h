@@ -128,8 +128,8 @@ public:
   /// Triangle mesh type
   using TriangleMesh = TriangleMesh_;
 
-  /// constructs the parameterizer with an initial parameterizer of its own kind: the default one is given the energy,
-  /// the sharpness and the vertex update, any other one is default constructed.
+  /// constructs the parameterizer with an initial parameterizer of the type given: one of the default type is made with
+  /// the energy, the sharpness and the vertex update, any other one is default constructed.
   ///
   /// \param energy the energy that is lowered
   /// \param sharpness the sharpness policy
@@ -201,7 +201,8 @@ public:
   /// \tparam ConcurrencyTag enables sequential versus parallel algorithm. Possible values are `Sequential_tag`,
   ///         `Parallel_tag`, and `Parallel_if_available_tag`. The result does not depend on it.
   /// \tparam VertexSphereMap must be a model of `WritablePropertyMap` with
-  ///         `boost::graph_traits<Triangle_mesh>::%vertex_descriptor` as key type and `%Point_3` as value type.
+  ///         `boost::graph_traits<Triangle_mesh>::%vertex_descriptor` as key type and `%Point_3` of a \cgal kernel as
+  ///         value type; its coordinates are of type `double` or `float`, or of an exact number type.
   /// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
   ///
   /// \param tmesh a triangle mesh that is closed, connected and of genus 0
@@ -293,10 +294,24 @@ private:
   // If it is, they are too many, and stay so for a while: these sweeps do without.
   static constexpr std::size_t sweeps_without_focus = 4;
 
+  // Whether a type is the default initial parameterizer, however it is written.
+  static constexpr bool is_default(const void*)
+  {
+    return false;
+  }
+  template <class E, class S, class U>
+  static constexpr bool is_default(const Hierarchical_parameterizer_3<TriangleMesh_, E, S, U>*)
+  {
+    using Hierarchical = Hierarchical_parameterizer_3<TriangleMesh_, E, S, U>;
+    return std::is_same<typename Hierarchical::Energy, Energy>::value &&
+           std::is_same<typename Hierarchical::Sharpness, Sharpness>::value &&
+           std::is_same<typename Hierarchical::Vertex_update, Vertex_update>::value;
+  }
+
   static Initial_parameterizer default_initial_parameterizer(const Energy& energy, const Sharpness& sharpness,
                                                              const Vertex_update& vertex_update)
   {
-    if constexpr(std::is_same<InitialParameterizer_, Default>::value)
+    if constexpr(is_default(static_cast<const Initial_parameterizer*>(nullptr)))
       return Initial_parameterizer(energy, sharpness, vertex_update);
     else
       return Initial_parameterizer();
@@ -402,7 +417,8 @@ private:
     }
     if(control.stop_reason() != NOT_RUN)
       m_report.stop_reason = control.stop_reason();
-    internal::next_phase(next_radius); // a run that was ended early gets the last radius as well
+    while(internal::next_phase(next_radius)) // a run that was ended early gets the last radius as well
+    {}
     const double last_radius = next_radius(m_energy, descent.faces(), radius);
     if(is_positive_and_finite(last_radius))
       radius = last_radius;

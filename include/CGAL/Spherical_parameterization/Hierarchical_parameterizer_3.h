@@ -96,8 +96,8 @@ public:
   /// constructs the parameterizer.
   ///
   /// \param energy the energy that the sweeps lower
-  /// \param sharpness the sharpness policy; if the type is the default one, by default of sharpness 0 (eq. 6). Which of
-  ///        its functions is asked on which level is told by `SharpnessPolicy_3`.
+  /// \param sharpness the sharpness policy, by default `Relative_sharpness_3(0.)`, which is eq. 6, or what a policy of
+  ///        another type is by default. Which of its functions is asked on which level is told by `SharpnessPolicy_3`.
   /// \param vertex_update how a vertex is moved
   /// \param sweeps_per_level sweeps over each level, at least 1; levels below 500 vertices are swept until they have
   ///        settled, up to ten times as often; those below 2000 get up to twice as many, and those above 500 a quarter
@@ -117,7 +117,8 @@ public:
   /// \tparam ConcurrencyTag enables sequential versus parallel algorithm. Possible values are `Sequential_tag`,
   ///         `Parallel_tag`, and `Parallel_if_available_tag`. The result does not depend on it.
   /// \tparam VertexSphereMap must be a model of `WritablePropertyMap` with
-  ///         `boost::graph_traits<Triangle_mesh>::%vertex_descriptor` as key type and `%Point_3` as value type.
+  ///         `boost::graph_traits<Triangle_mesh>::%vertex_descriptor` as key type and `%Point_3` of a \cgal kernel as
+  ///         value type; its coordinates are of type `double` or `float`, or of an exact number type.
   /// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
   ///
   /// \param tmesh a triangle mesh that is closed, connected and of genus 0
@@ -193,7 +194,7 @@ private:
 
   static Sharpness default_sharpness()
   {
-    if constexpr(std::is_same<Sharpness_, Default>::value)
+    if constexpr(std::is_same<Sharpness, Relative_sharpness_3>::value)
       return Sharpness(0.);
     else
       return Sharpness();

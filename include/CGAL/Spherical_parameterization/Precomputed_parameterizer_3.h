@@ -42,8 +42,9 @@ namespace Spherical_parameterization {
 ///
 /// \tparam TriangleMesh_ must be a model of `FaceListGraph`.
 /// \tparam VertexSphereMap_ must be a model of `ReadablePropertyMap` with
-///         `boost::graph_traits<TriangleMesh_>::%vertex_descriptor` as key type and `%Point_3` as value type. The
-///         images may be at any distance from the origin.
+///         `boost::graph_traits<TriangleMesh_>::%vertex_descriptor` as key type and `%Point_3` of a \cgal kernel as
+///         value type, whose coordinates are of type `double` or `float`, or of an exact number type. The images may be
+///         at any distance from the origin.
 template <class TriangleMesh_, class VertexSphereMap_>
 class Precomputed_parameterizer_3
 {
@@ -65,7 +66,8 @@ public:
   /// \tparam ConcurrencyTag enables sequential versus parallel algorithm. Possible values are `Sequential_tag`,
   ///         `Parallel_tag`, and `Parallel_if_available_tag`. The result does not depend on it.
   /// \tparam VertexSphereMap must be a model of `WritablePropertyMap` with
-  ///         `boost::graph_traits<Triangle_mesh>::%vertex_descriptor` as key type and `%Point_3` as value type.
+  ///         `boost::graph_traits<Triangle_mesh>::%vertex_descriptor` as key type and `%Point_3` of a \cgal kernel as
+  ///         value type; its coordinates are of type `double` or `float`, or of an exact number type.
   /// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
   ///
   /// \param tmesh a triangle mesh that is closed, connected and of genus 0
@@ -111,8 +113,10 @@ public:
             std::vector<internal::Vector_3d>& positions, double&, auto& control) {
           const bool is_bijective = internal::read_map<ConcurrencyTag>(mesh, vertices_of_mesh, m_map, positions);
           m_report.seconds_for_embedding = control.lap();
-          m_report.stop_reason = ITERATION_LIMIT;
-          return is_bijective ? OK : ERROR_INVALID_INITIAL_PARAMETERIZATION;
+          if(!is_bijective)
+            return ERROR_INVALID_INITIAL_PARAMETERIZATION;
+          m_report.stop_reason = CONVERGED; // as there is nothing to improve
+          return OK;
         });
   }
 

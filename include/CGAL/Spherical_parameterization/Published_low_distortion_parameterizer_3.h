@@ -27,6 +27,8 @@
 
 #include <CGAL/Default.h>
 
+#include <type_traits>
+
 /// \file Published_low_distortion_parameterizer_3.h
 
 namespace CGAL {
@@ -58,7 +60,7 @@ namespace Spherical_parameterization {
 /// \endcode
 /// \tparam Radius_ must be a model of `SphereRadiusPolicy_3`.<br> <b>%Default:</b>
 /// \code
-///   Two_phase_radius_3<Area_preserving_radius_3, Area_balancing_radius_3>
+///   Two_phase_radius_3<>
 /// \endcode
 template <class TriangleMesh_, class InitialParameterizer_ = Default, class Sharpness_ = Default,
           class Radius_ = Default>
@@ -84,17 +86,35 @@ public:
   /// constructs the parameterizer with the settings of the paper, or with those given instead.
   ///
   /// \param initial_parameterizer makes the map to start with
-  /// \param sharpness the sharpness policy, by default `Absolute_sharpness_3(0.1, 10., 100)`
-  /// \param radius the radius policy, by default `Two_phase_radius_3` with the tolerance 0
+  /// \param sharpness the sharpness policy, by default `Absolute_sharpness_3(0.1, 10., 100)`, or what a policy of
+  ///        another type is by default
+  /// \param radius the radius policy, by default `Two_phase_radius_3<>` with the tolerance 0, or what a policy of
+  ///        another type is by default
   explicit Published_low_distortion_parameterizer_3(
       const Initial_parameterizer& initial_parameterizer = Initial_parameterizer(),
-      const Sharpness& sharpness = Sharpness(Absolute_sharpness_3(0.1, 10., 100)),
-      const Radius& radius = Radius(Two_phase_radius_3<>(Area_preserving_radius_3(), Area_balancing_radius_3(), 0.)))
+      const Sharpness& sharpness = default_sharpness(), const Radius& radius = default_radius())
     : Base(initial_parameterizer, Isometric_energy_3(), sharpness, radius, Gradient_update_3())
   {
     Base::set_number_of_iterations(2000);
     Base::set_tolerances(1e-5, 1e-3);
     Base::set_acceleration(false);
+  }
+
+private:
+  static Sharpness default_sharpness()
+  {
+    if constexpr(std::is_same<Sharpness, Absolute_sharpness_3>::value)
+      return Absolute_sharpness_3(0.1, 10., 100);
+    else
+      return Sharpness();
+  }
+
+  static Radius default_radius()
+  {
+    if constexpr(std::is_same<Radius, Two_phase_radius_3<>>::value)
+      return Two_phase_radius_3<>(Area_preserving_radius_3(), Area_balancing_radius_3(), 0.);
+    else
+      return Radius();
   }
 };
 

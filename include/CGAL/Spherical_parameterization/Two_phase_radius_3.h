@@ -18,6 +18,7 @@
 #include <CGAL/Spherical_parameterization/Area_balancing_radius_3.h>
 #include <CGAL/Spherical_parameterization/Area_preserving_radius_3.h>
 #include <CGAL/Spherical_parameterization/internal/is_valid_policy.h>
+#include <CGAL/Spherical_parameterization/internal/next_phase.h>
 
 #include <CGAL/Default.h>
 
@@ -103,12 +104,13 @@ public:
   }
 
   /// starts the second phase, and returns whether the first one was still going on. It is called when the map has
-  /// settled.
+  /// settled. A policy that has phases itself goes through all of them.
   bool next_phase()
   {
-    const bool is_new = !m_is_settled;
-    m_is_settled = true;
-    return is_new;
+    if(m_is_settled)
+      return internal::next_phase(m_second);
+    m_is_settled = !internal::next_phase(m_first);
+    return true;
   }
 
 private:
