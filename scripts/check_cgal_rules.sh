@@ -104,6 +104,7 @@ done
 # Windows has macros of these names.
 grep_code '(^|[^\w(])(\w+(<[\w: ]*>)?::)*(min|max) *\(' "${sources[@]}" |
   report "parentheses are missing around the name of min or max"
+grep_code '\b(small|near|far|interface)\b' "${headers[@]}" | report "Windows has a macro of this name"
 grep_code '^ *# *define +(?!CGAL_)' "${headers[@]}" | report "the name of the macro does not begin with CGAL_"
 grep_code '\b(assert|abort|exit) *\(' "${headers[@]}" | report "headers neither abort nor exit"
 grep_code '\b(std::(cout|cerr|clog)|printf)\b' "${headers[@]}" | report "headers print nothing"

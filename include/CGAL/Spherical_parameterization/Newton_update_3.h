@@ -100,19 +100,20 @@ public:
     // so |H|^{-1} follows without eigenvectors.
     const FT mean = 0.5 * (h[0] + h[2]), half = 0.5 * (h[0] - h[2]);
     const FT radius = square_root(half * half + h[1] * h[1]);
-    const FT large = absolute(mean) + radius;
+    const FT largest = absolute(mean) + radius;
     const FT sign = select(mean < 0., FT(-1.), FT(1.));
-    const FT small = larger(absolute(absolute(mean) - radius), least_ratio * large);
-    // In the direction of the eigenvalue of larger modulus the inverse is 1 / large, across it 1 / small.
-    const FT middle = 0.5 * (1. / large + 1. / small);
-    const FT spread = select(radius > least_radius, sign * 0.5 * (1. / large - 1. / small) * (1. / radius), FT(0.));
+    const FT smallest = larger(absolute(absolute(mean) - radius), least_ratio * largest);
+    // In the direction of the eigenvalue of larger modulus the inverse is 1 / largest, across it 1 / smallest.
+    const FT middle = 0.5 * (1. / largest + 1. / smallest);
+    const FT spread =
+        select(radius > least_radius, sign * 0.5 * (1. / largest - 1. / smallest) * (1. / radius), FT(0.));
     const FT x = -(middle * g[0] + spread * (half * g[0] + h[1] * g[1]));
     const FT y = -(middle * g[1] + spread * (h[1] * g[0] - half * g[1]));
 
     const FT slope = g[0] * x + g[1] * y;
     const FT least = least_step * energy.shortest_edge();
-    auto is_open =
-        large > 0. && large < std::numeric_limits<double>::infinity() && slope < 0. && x * x + y * y > least * least;
+    auto is_open = largest > 0. && largest < std::numeric_limits<double>::infinity() && slope < 0. &&
+                   x * x + y * y > least * least;
     auto is_moved = is_open && !is_open;
     std::array<FT, 2> accepted = {FT(0.), FT(0.)};
     const auto try_step = [&](double t, const FT& bound) {

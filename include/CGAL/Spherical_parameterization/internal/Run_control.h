@@ -17,8 +17,7 @@
 
 #include <CGAL/Spherical_parameterization/Parameterization_report.h>
 
-#include <CGAL/Real_timer.h>
-
+#include <chrono>
 #include <cstddef>
 
 namespace CGAL {
@@ -35,9 +34,7 @@ public:
     : m_visitor(visitor)
     , m_most_seconds(most_seconds)
     , m_report(report)
-  {
-    m_timer.start();
-  }
+  {}
 
   Visitor& visitor() { return m_visitor; }
   Parameterization_report& report() { return m_report; }
@@ -45,7 +42,7 @@ public:
   // returns the seconds since the last call, or since the beginning
   double lap()
   {
-    const double now = m_timer.time(), lap = now - m_last_lap;
+    const double now = seconds(), lap = now - m_last_lap;
     m_last_lap = now;
     return lap;
   }
@@ -55,7 +52,7 @@ public:
   {
     if(m_stop_reason == NOT_RUN && !m_visitor.go_further(iteration, energy))
       m_stop_reason = STOPPED;
-    if(m_stop_reason == NOT_RUN && m_most_seconds > 0. && m_timer.time() > m_most_seconds)
+    if(m_stop_reason == NOT_RUN && m_most_seconds > 0. && seconds() > m_most_seconds)
       m_stop_reason = TIME_LIMIT;
     return m_stop_reason == NOT_RUN;
   }
@@ -64,10 +61,14 @@ public:
   Stop_reason stop_reason() const { return m_stop_reason; }
 
 private:
+  using Clock = std::chrono::steady_clock; // which nobody sets, other than that of Real_timer
+
+  double seconds() const { return std::chrono::duration<double>(Clock::now() - m_start).count(); }
+
   Visitor& m_visitor;
   double m_most_seconds;
   Parameterization_report& m_report;
-  Real_timer m_timer;
+  Clock::time_point m_start = Clock::now();
   double m_last_lap = 0.;
   Stop_reason m_stop_reason = NOT_RUN;
 };
