@@ -8,6 +8,7 @@
 #ifdef SPHERICAL_PARAMETERIZATION_PROGRAM
 
 #include "../../examples/Spherical_parameterization/include/Batch_scheduler.h"
+#include "../../examples/Spherical_parameterization/include/Interrupt_guard.h"
 #include "../../examples/Spherical_parameterization/include/Thread_limit.h"
 
 #include <gtest/gtest.h>
@@ -19,10 +20,13 @@
 #include <algorithm>
 #include <chrono>
 #include <condition_variable>
+#include <csignal>
 #include <cstddef>
 #include <cstdint>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <iostream>
 #include <map>
 #include <mutex>
 #include <numeric>
@@ -143,7 +147,7 @@ TEST_F(Batch, maps_what_is_valid_and_tells_what_is_not)
   EXPECT_EQ(report.get<std::string>("input"), "in/sphere.b.off");
   EXPECT_EQ(report.get<std::size_t>("vertices"), 162u);
   EXPECT_TRUE(report.get<bool>("one_to_one"));
-  EXPECT_EQ(report.get<std::size_t>("input_bytes"), fs::file_size(path("in/sphere.b.off")));
+  EXPECT_EQ(report.get<std::size_t>("input_stamp.bytes"), fs::file_size(path("in/sphere.b.off")));
   EXPECT_EQ(report.get<std::size_t>("sphere_bytes"), fs::file_size(path("new/out/sphere.b.off")));
 }
 
@@ -284,17 +288,22 @@ TEST_F(Batch, leaves_out_exactly_what_is_done)
              "\"program\": \"spherical_parameterization 0.0.1");
   EXPECT_EQ(redone("in"), (Names{"a.off", "b.off"}));
   // the input
-  make_older("out/c.json", 1); // than the input
+  const fs::file_time_type time_of_c = fs::last_write_time(path("in/c.off"));
+  make_older("in/c.off", 1); // as if it were another file of the same size
   EXPECT_EQ(redone("in"), (Names{"c.off"}));
+  fs::last_write_time(path("in/c.off"), time_of_c);
+  EXPECT_EQ(redone("in"), (Names{"c.off"}));
+  const fs::file_time_type time_of_d = fs::last_write_time(path("in/d.off"));
   write("in/d.off", corner_off + "# longer\n");
-  make_older("in/d.off", 1);
+  fs::last_write_time(path("in/d.off"), time_of_d);
   EXPECT_EQ(redone("in"), (Names{"d.off"}));
   const std::size_t size = 10000;
   write("in/e.off", corner_off + '#' + std::string(size - corner_off.size() - 1, ' '));
   EXPECT_EQ(redone("in --format off"), (Names{"e.off"}));
+  const fs::file_time_type time_of_e = fs::last_write_time(path("in/e.off"));
   fs::remove(path("in/e.off"));
   write("in/e.obj", corner_obj + '#' + std::string(size - corner_obj.size() - 1, ' '));
-  make_older("in/e.obj", 1);
+  fs::last_write_time(path("in/e.obj"), time_of_e);
   EXPECT_EQ(redone("in --format off"), (Names{"e.obj"}));
   EXPECT_EQ(redone("in --format off"), Names());
   fs::remove(path("in/e.obj"));
@@ -320,9 +329,11 @@ TEST_F(Batch, starts_again_if_the_start_is_another_one)
   ASSERT_EQ(run("in/a.off -o start.off --iterations 0").status, 0);
   EXPECT_EQ(redone("in --initial start.off"), (Names{"a.off", "b.off"}));
   EXPECT_EQ(redone("in --initial start.off"), Names());
-  make_older("out/a.json", 1); // than the start
-  make_older("in/a.off", 2);
-  EXPECT_EQ(redone("in --initial start.off"), Names{"a.off"});
+  make_older("start.off", 1);
+  EXPECT_EQ(redone("in --initial start.off"), (Names{"a.off", "b.off"}));
+  EXPECT_EQ(redone("in --initial start.off"), Names());
+  write("start.off", content(path("start.off")) + "\n");
+  EXPECT_EQ(redone("in --initial start.off"), (Names{"a.off", "b.off"}));
 }
 
 TEST_F(Batch, goes_on_where_a_file_cannot_be_written)
@@ -335,6 +346,7 @@ TEST_F(Batch, goes_on_where_a_file_cannot_be_written)
   EXPECT_EQ(told.at("in/full.off"), "failed: out/full.off: cannot be written: No space left on device");
   EXPECT_EQ(told.at("in/b.off"), "failed: out/b.json: cannot be written: it is a directory");
   EXPECT_EQ(names_of_files("out"), (Names{"a.off", "a.json", "b.json", "c.off", "c.json", "full.off"}));
+  EXPECT_EQ(redone("in", 1), (Names{"b.off", "full.off"})); // there is no report in a directory
   fs::remove(path("out/b.json"));
   fs::remove(path("out/full.off"));
   EXPECT_EQ(redone("in"), (Names{"b.off", "full.off"}));
@@ -362,6 +374,7 @@ TEST_F(Batch, tells_by_its_exit_status_what_has_become_of_the_meshes)
   EXPECT_TRUE(fs::exists(path("out/spiky.off")));
   EXPECT_EQ(redone("in --method conformal", 2), Names());
   EXPECT_NE(m_outcome.out.find("Mapped 0, left out 3, folded 1, failed 0"), std::string::npos) << m_outcome.out;
+  EXPECT_EQ(m_outcome.err, "spherical_parameterization: in/spiky.off: the map of an earlier run is not one-to-one\n");
   write("in/bad.off", "");
   run_batch("in --output-folder out --method conformal", 1);
   EXPECT_EQ(redone("in --method conformal", 1), Names{"bad.off"});
@@ -444,6 +457,23 @@ TEST_F(Interrupted_batch, keeps_the_earlier_results_of_meshes_that_are_not_begun
   const std::size_t n_results = results().size();
   EXPECT_GE(n_results, n - 2);
   EXPECT_EQ(redone("in").size(), n - n_results);
+}
+
+// Which of the two comes second makes no difference.
+TEST(Interrupt_guard_death, ends_the_program_at_the_second_signal)
+{
+  ::testing::FLAGS_gtest_death_test_style = "threadsafe";
+  for(const int first : {SIGINT, SIGTERM})
+    for(const int second : {SIGINT, SIGTERM})
+      EXPECT_EXIT(
+          {
+            const Program::Interrupt_guard guard({SIGINT, SIGTERM});
+            std::raise(first);
+            std::cerr << (Program::Interrupt_guard::is_interrupted() ? "interrupted" : "") << std::endl;
+            std::raise(second);
+            std::exit(EXIT_SUCCESS);
+          },
+          ::testing::KilledBySignal(second), "^interrupted");
 }
 
 using Program::Batch_scheduler;

@@ -75,7 +75,7 @@ private:
     {
       const Earlier_report report(names);
       if(report.tells_the_same_run(m_options))
-        m_log.leave_out(report.is_one_to_one());
+        m_log.leave_out(names.input, report.is_one_to_one());
       else
         meshes.push_back(names);
     }

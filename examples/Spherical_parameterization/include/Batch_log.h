@@ -42,10 +42,13 @@ public:
   void begin(std::size_t number_of_meshes) { m_number_of_meshes = number_of_meshes; }
 
   /// notes that a mesh is left out as it is done.
-  void leave_out(bool is_one_to_one)
+  void leave_out(const std::string& input, bool is_one_to_one)
   {
     ++m_left_out;
-    m_folded_before += is_one_to_one ? 0 : 1;
+    if(is_one_to_one)
+      return;
+    ++m_folded_before;
+    print_error(input + ": the map of an earlier run is not one-to-one");
   }
 
   /// notes that a mesh has been mapped, and its files are written.

@@ -143,7 +143,8 @@ private:
     if(error)
       throw Program_error(m_options.output_folder + ": cannot be made: " + error.message());
     if(!m_meshes.empty())
-      const Output_file check((std::filesystem::path(m_options.output_folder) / "check").string());
+      const Output_file check(
+          (std::filesystem::path(m_options.output_folder) / ".spherical_parameterization").string());
   }
 
   const Program_options& m_options;

@@ -12,6 +12,7 @@
 #define CGAL_SPHERICAL_PARAMETERIZATION_EXAMPLES_EARLIER_REPORT_H
 
 #include "File_names.h"
+#include "File_stamp.h"
 #include "Program_options.h"
 #include "Run_report.h"
 #include "program_version.h"
@@ -23,6 +24,7 @@
 #include <boost/property_tree/ptree.hpp>
 
 #include <cstdint>
+#include <exception>
 #include <filesystem>
 #include <string>
 #include <system_error>
@@ -41,9 +43,9 @@ public:
     {
       boost::property_tree::read_json(names.json, m_tree);
     }
-    catch(const boost::property_tree::json_parser_error&)
+    catch(const std::exception&) // what cannot be read or understood is the report of no run
     {
-      m_tree.clear(); // which is the report of no run
+      m_tree.clear();
     }
   }
 
@@ -54,31 +56,29 @@ public:
     namespace fs = std::filesystem;
     return text("program") == program_version() && text("method") == options.description &&
            fs::path(text("input")).filename() == fs::path(m_names.input).filename() &&
-           text("stop_reason") != Run_report::stop_reason_interrupted && has_size("input_bytes", m_names.input) &&
-           has_size("sphere_bytes", m_names.sphere) && is_newer_than(m_names.input) &&
-           (options.start_file.empty() || is_newer_than(options.start_file));
+           text("stop_reason") != Run_report::stop_reason_interrupted && is_as_it_was("input_stamp", m_names.input) &&
+           (options.start_file.empty() || is_as_it_was("start_stamp", options.start_file)) && has_sphere();
   }
 
   /// returns whether the map was certified.
   bool is_one_to_one() const { return text("one_to_one") == "true"; }
 
 private:
-  std::string text(const char* name) const { return m_tree.get<std::string>(name, ""); }
+  std::string text(const std::string& name) const { return m_tree.get<std::string>(name, ""); }
 
-  bool has_size(const char* name, const std::string& path) const
+  bool is_as_it_was(const std::string& name, const std::string& path) const
   {
-    std::error_code error;
-    const std::uintmax_t size = std::filesystem::file_size(path, error);
-    return !error && text(name) == std::to_string(size);
+    File_stamp stamp;
+    stamp.bytes = text(name + ".bytes");
+    stamp.changed = text(name + ".changed");
+    return !stamp.is_empty() && stamp == File_stamp(path);
   }
 
-  // Not older, to be precise: the clock of a file system may be slow.
-  bool is_newer_than(const std::string& path) const
+  bool has_sphere() const
   {
-    std::error_code error, other_error;
-    const auto time = std::filesystem::last_write_time(m_names.json, error);
-    const auto other_time = std::filesystem::last_write_time(path, other_error);
-    return !error && !other_error && time >= other_time;
+    std::error_code error;
+    const std::uintmax_t size = std::filesystem::file_size(m_names.sphere, error);
+    return !error && text("sphere_bytes") == std::to_string(size);
   }
 
   File_names m_names;

@@ -19,18 +19,22 @@
 
 namespace Program {
 
-/// As long as an object of this class lives, Ctrl-C does not end the program but is noted. A second one ends it.
+/// As long as an object of this class lives, Ctrl-C does not end the program but is noted. A second signal ends it.
 ///
 /// Objects that are made meanwhile, by whatever thread, and do not live longer leave everything to the first one.
 class Interrupt_guard
 {
 public:
-  /// \param signals what is noted; by default, what Ctrl-C sends
+  /// \param signals what is noted, two at most; by default, what Ctrl-C sends
   explicit Interrupt_guard(std::initializer_list<int> signals = {SIGINT})
   {
     const std::lock_guard<std::mutex> lock(s_mutex);
     if(s_number_of_guards++ > 0)
       return;
+    int n = 0;
+    for(const int signal : signals)
+      s_signals[n++] = signal;
+    s_number_of_signals = n;
     for(const int signal : signals)
       m_previous.emplace_back(signal, std::signal(signal, &note));
   }
@@ -50,13 +54,16 @@ public:
   static bool is_interrupted() { return s_flag != 0; }
 
 private:
-  static void note(int signal)
+  static void note(int)
   {
     s_flag = 1;
-    std::signal(signal, SIG_DFL);
+    for(int k = 0; k < s_number_of_signals; ++k)
+      std::signal(s_signals[k], SIG_DFL);
   }
 
-  inline static volatile std::sig_atomic_t s_flag = 0;
+  static constexpr int most_signals = 2;
+
+  inline static volatile std::sig_atomic_t s_flag = 0, s_number_of_signals = 0, s_signals[most_signals];
   inline static std::mutex s_mutex;
   inline static int s_number_of_guards = 0;
 

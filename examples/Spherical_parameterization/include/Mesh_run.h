@@ -13,6 +13,7 @@
 
 #include "Colored_mesh.h"
 #include "File_names.h"
+#include "File_stamp.h"
 #include "Input_mesh.h"
 #include "Method_runner.h"
 #include "Output_files.h"
@@ -26,11 +27,9 @@
 #include <CGAL/Real_timer.h>
 #include <CGAL/Spherical_parameterization/measure_distortion.h>
 
-#include <filesystem>
 #include <optional>
 #include <ostream>
 #include <string>
-#include <system_error>
 #include <vector>
 
 namespace Program {
@@ -64,8 +63,9 @@ public:
   void map()
   {
     lap();
-    std::error_code ignored; // reading fails as well, and says why
-    m_report.input_bytes = std::filesystem::file_size(m_names.input, ignored);
+    m_report.input_stamp = File_stamp(m_names.input);
+    if(!m_options.start_file.empty())
+      m_report.start_stamp = File_stamp(m_options.start_file);
     m_input.emplace(m_names.input, read_soup(m_names.input));
     m_report.seconds_for_input = lap();
 

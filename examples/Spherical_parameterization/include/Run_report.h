@@ -11,6 +11,7 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_EXAMPLES_RUN_REPORT_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_EXAMPLES_RUN_REPORT_H
 
+#include "File_stamp.h"
 #include "Json_object.h"
 #include "Program_options.h"
 #include "Run_result.h"
@@ -57,7 +58,8 @@ public:
   double seconds_for_measuring = 0.;
   double seconds_for_output = 0.;  ///< writing all files but that with this report
   std::vector<std::string> files;  ///< that were written
-  std::uintmax_t input_bytes = 0;  ///< the size of the file
+  File_stamp input_stamp;          ///< of the file, before it was read
+  File_stamp start_stamp;          ///< of the file with the map to start from; empty if there is none
   std::uintmax_t sphere_bytes = 0; ///< 0 if it was not written, or to no ordinary file
   /// the distortion with the darkest colour, and that with the lightest, if colours were written
   std::optional<std::array<double, 2>> color_range;
@@ -168,10 +170,13 @@ public:
         .add("D_angle", statistics(distortion.angle))
         .add("inverted_faces", distortion.number_of_inverted_faces)
         .add("degenerate_faces", distortion.number_of_degenerate_faces);
+    const auto stamp_of = [](const File_stamp& stamp) {
+      return Json_object().add("bytes", stamp.bytes).add("changed", stamp.changed);
+    };
     Json_object all;
     all.add("program", program_version())
         .add("input", m_input)
-        .add("input_bytes", std::size_t(input_bytes))
+        .add("input_stamp", stamp_of(input_stamp))
         .add("vertices", run.number_of_vertices)
         .add("faces", run.number_of_faces)
         .add("isolated_vertices", run.number_of_isolated_vertices)
@@ -187,6 +192,8 @@ public:
         .add("energy", energy)
         .add("history", result.history)
         .add("distortion", measures);
+    if(!start_stamp.is_empty())
+      all.add("start_stamp", stamp_of(start_stamp));
     if(balanced)
       all.add("balanced", Json_object()
                               .add("radius", balanced->radius)
