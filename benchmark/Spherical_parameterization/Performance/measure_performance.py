@@ -35,6 +35,7 @@ from measuring.meshes import MeshError, why_not_a_sphere
 from measuring.program import CERTIFIED, Program
 from measuring.report import Report, duration, listed
 from performance.benchmark_program import BenchmarkProgram, Measurement
+from performance.cohort import cohort
 from performance.comparison import comparison, method_of
 from performance.limits import limits
 from performance.manual import Manual
@@ -51,6 +52,7 @@ SECTIONS = {
     "limits": limits,
     "threads": threads,
     "memory": memory,
+    "cohort": cohort,
     "trade": trade,
 }
 PAPER_MESHES = ("bunny_3485", "fandisk_6475", "hand_10345", "santa_10241", "bunny_20002")
@@ -70,7 +72,7 @@ def main() -> None:
     write_all_runs(session)
     write(session, options, version, time.monotonic() - start)
     is_whole = len(options.only) == len(SECTIONS) and not options.short
-    wrong = contradictions(session) + failures(session) + session.manual.write(is_whole)
+    wrong = contradictions(session) + failures(session) + session.objections + session.manual.write(is_whole)
     print(options.output / "report.md")
     if wrong:
         sys.exit("\n".join(wrong))
@@ -94,7 +96,7 @@ def read_options() -> argparse.Namespace:
         help=f"the meshes that paper mode is run on, separated by commas ({','.join(PAPER_MESHES)})",
     )
     parser.add_argument(
-        "--resume", action="store_true", help="use the runs that an earlier, same call has left in OUTPUT/runs"
+        "--resume", action="store_true", help="use the runs that an earlier, same call has left in OUTPUT/runs, but for the cohort"
     )
     parser.add_argument("--short", action="store_true", help="few small meshes and runs: a test of this driver")
     parser.add_argument(

@@ -43,6 +43,7 @@ class Session:
     paper_meshes: list[str]
     is_short: bool
     notes: list[str] = field(default_factory=list)
+    objections: list[str] = field(default_factory=list)  # to what was measured
     _series: list[MeshFile] | None = None
 
     def one(self, name: str) -> MeshFile | None:
