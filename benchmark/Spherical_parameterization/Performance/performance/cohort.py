@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 import statistics
-import subprocess
 import tempfile
 import time
+from pathlib import Path
 
 from measuring.mesh_files import MeshFile
-from measuring.report import number
+from measuring.report import listed, number
 
 from .session import LARGE, Session
 
@@ -24,6 +24,9 @@ def cohort(session: Session) -> None:
         seconds = {}
         for is_together in (True, False) if repetition % 2 == 0 else (False, True):
             seconds[is_together] = _seconds_for(session, [meshes] if is_together else [[mesh] for mesh in meshes])
+        if None in seconds.values():
+            session.tell("cohort", "Not all meshes were mapped.")
+            return
         rounds.append({"together": seconds[True], "one after the other": seconds[False]})
     together = statistics.median(row["together"] for row in rounds)
     ratio = statistics.median(row["one after the other"] / row["together"] for row in rounds)
@@ -37,19 +40,13 @@ def cohort(session: Session) -> None:
     session.report.csv("cohort.csv", rounds)
 
 
-def _seconds_for(session: Session, commands: list[list[MeshFile]]) -> float:
-    """How long the commands take one after the other; each is for a list of meshes."""
+def _seconds_for(session: Session, commands: list[list[MeshFile]]) -> float | None:
+    """How long the commands, each for a list of meshes, take one after the other; None if one of them fails."""
     with tempfile.TemporaryDirectory(dir=session.report.folder) as folder:
         start = time.monotonic()
         for meshes in commands:
-            result = subprocess.run(
-                [session.program.path, *(mesh.path for mesh in meshes), "--output-folder", folder]
-                + ["--threads", str(session.threads), "--quiet"],
-                stdin=subprocess.DEVNULL,
-                capture_output=True,
-                text=True,
-                check=False,
-            )
-            if result.returncode != 0:
-                session.objections.append(f"{meshes[0].name}, --output-folder: {result.stderr.strip()}")
+            message = session.program.map_all(meshes, Path(folder))
+            if message:
+                session.objections.append(f"`--output-folder` with {listed([mesh.name for mesh in meshes])}: {message}")
+                return None
         return time.monotonic() - start

@@ -174,6 +174,23 @@ class Program:
             run.used_for.append(used_for)
         return run
 
+    def map_all(self, meshes: list[MeshFile], folder: Path) -> str:
+        """Maps meshes to a folder by one command, which is not kept, and returns what went wrong, if anything."""
+        command = [str(self.path), *(str(mesh.path) for mesh in meshes), "--output-folder", str(folder), "--quiet"]
+        command += ["--threads", str(self.threads)]
+        try:
+            answer = subprocess.run(
+                command,
+                capture_output=True,
+                text=True,
+                check=False,
+                timeout=self._most_seconds,
+                stdin=subprocess.DEVNULL,
+            )
+        except subprocess.TimeoutExpired:
+            return f"stopped by this driver after {self._most_seconds:.0f} seconds"
+        return "" if answer.returncode == CERTIFIED else answer.stderr.strip() or f"exit status {answer.returncode}"
+
     def _run(self, mesh: MeshFile, arguments: tuple[str, ...], stem: str) -> Run:
         sphere, report = (self._folder / (stem + ending) for ending in (".off", ".json"))
         record = self._folder / (stem + ".run.json")
