@@ -28,6 +28,14 @@ check_links() (
   return $status
 )
 
+# What a benchmark is to write between a line that begins a part of a page and one that ends it.
+check_measured_parts() {
+  awk '/<!-- begin /{ line = FNR }
+       /<!-- end / && FNR == line + 1 { print FILENAME ": nothing has been measured here:" $0; is_wrong = 1 }
+       END { exit is_wrong }' "$root"/doc/*/*.txt
+}
+
+run_stage "check that all that is to be measured is there" check_measured_parts
 [ -f "$build/CMakeCache.txt" ] || run_stage "configure" cmake -S "$root" -B "$build"
 run_stage "build the manual" cmake --build "$build" --target doc
 run_stage "check that everything is documented" python3 "$root/scripts/check_documentation.py" "$build/doc/xml"

@@ -577,7 +577,10 @@ protected:
       }
     };
     for(Countdown Map_failures::*function : {&Map_failures::get, &Map_failures::put, &Map_failures::put_has_written})
-      for(std::size_t k = 1; k <= mesh.num_vertices(); ++k)
+    {
+      // A value is read before it is overwritten, and when all are there.
+      const std::size_t n_calls = (function == &Map_failures::get ? 2 : 1) * mesh.num_vertices();
+      for(std::size_t k = 1; k <= n_calls; ++k)
       {
         SCOPED_TRACE(k);
         fill();
@@ -587,6 +590,7 @@ protected:
             [&] { SP::parameterize<CGAL::Sequential_tag>(mesh, method, make_failing_map(map, failures)); });
         EXPECT_TRUE(test_maps::have_same_bits(test_maps::images(mesh, map), subject.sentinels()));
       }
+    }
     EXPECT_EQ(SP::parameterize<CGAL::Sequential_tag>(mesh, method, map), SP::OK);
     EXPECT_TRUE(SP::is_bijective(mesh, map));
   }
@@ -595,6 +599,53 @@ protected:
 TEST_F(Exception_safety_of_maps, in_the_mesh)
 {
   expect_strong_guarantee(subject.sphere);
+}
+
+// keeps multiples of 10 only, so that the map folds
+struct Coarse_map
+{
+  using key_type = Vertex;
+  using value_type = Point_3;
+  using reference = value_type;
+  using category = boost::read_write_property_map_tag;
+
+  friend value_type get(const Coarse_map& map, const key_type& key) { return map.values->at(key); }
+  friend void put(const Coarse_map& map, const key_type& key, const value_type& p)
+  {
+    const auto rounded = [](double x) { return 10. * std::round(0.1 * x); };
+    map.values->at(key) = Point_3(rounded(p.x()), rounded(p.y()), rounded(p.z()));
+  }
+
+  std::vector<Point_3>* values;
+};
+
+// The map is found not to be one-to-one when it has been written, and a value cannot be put back: all others are.
+TEST_F(Exception_safety_of_maps, when_values_are_put_back)
+{
+  const std::size_t n = mesh.num_vertices();
+  const std::vector<Point_3> before(n, Point_3(70., 80., 90.));
+  for(std::size_t k = 0; k <= n; ++k)
+  {
+    SCOPED_TRACE(k);
+    std::vector<Point_3> values = before;
+    Map_failures failures;
+    failures.put.throw_at = n + k;
+    const auto map = make_failing_map(Coarse_map{&values}, failures);
+    const auto run = [&] { return SP::parameterize<CGAL::Sequential_tag>(mesh, method, map); };
+    if(k == 0) // the last one that is written
+    {
+      EXPECT_THROW(run(), Interruption);
+      EXPECT_EQ(values, before);
+      continue;
+    }
+    EXPECT_THROW(run(), Interruption);
+    EXPECT_EQ(std::count(values.begin(), values.end(), before.front()), static_cast<std::ptrdiff_t>(n - 1));
+    EXPECT_EQ(failures.put.n_calls, 2 * n);
+  }
+  std::vector<Point_3> values = before;
+  EXPECT_EQ(SP::parameterize<CGAL::Sequential_tag>(mesh, method, Coarse_map{&values}),
+            SP::ERROR_INSUFFICIENT_PRECISION);
+  EXPECT_EQ(values, before);
 }
 
 TEST_F(Exception_safety_of_maps, in_a_tree)

@@ -338,6 +338,8 @@ TEST(Vertex_sphere_map, may_keep_other_values_than_it_was_given)
   const std::vector<Coordinates> before_narrow = test_maps::images(huge, narrow);
   EXPECT_EQ(SP::parameterize(huge, narrow), SP::ERROR_INSUFFICIENT_PRECISION);
   EXPECT_TRUE(test_maps::have_same_bits(test_maps::images(huge, narrow), before_narrow));
+  EXPECT_EQ(SP::parameterize(huge, SP::ARAP_parameterizer_3<Surface_mesh>(), narrow), SP::ERROR_INSUFFICIENT_PRECISION);
+  EXPECT_TRUE(test_maps::have_same_bits(test_maps::images(huge, narrow), before_narrow));
 
   // A method that promises nothing writes the map, and says what it is as it has been kept.
   const Rounding_map rough = {test_maps::make_sentinel_map<Float::Point_3>(mesh), 1.f};

@@ -243,6 +243,10 @@ TEST(Published_method, takes_policies_of_any_type)
   };
   expect_same(Published(), SP::Published_low_distortion_parameterizer_3<Mesh, Harmonic, SP::Absolute_sharpness_3,
                                                                         SP::Two_phase_radius_3<>>());
+  expect_same(
+      Published(),
+      SP::Published_low_distortion_parameterizer_3<
+          Mesh, Default, Default, SP::Two_phase_radius_3<SP::Area_preserving_radius_3, SP::Area_balancing_radius_3>>());
   using Other = SP::Published_low_distortion_parameterizer_3<Mesh, Default, Relative, Fixed>;
   expect_same(Other(), Other(Harmonic(), Relative(), Fixed()));
 }

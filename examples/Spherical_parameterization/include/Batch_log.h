@@ -12,8 +12,7 @@
 #define CGAL_SPHERICAL_PARAMETERIZATION_EXAMPLES_BATCH_LOG_H
 
 #include "Run_report.h"
-
-#include <CGAL/Real_timer.h>
+#include "Stopwatch.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -34,9 +33,7 @@ class Batch_log
 public:
   explicit Batch_log(bool is_quiet)
     : m_is_quiet(is_quiet)
-  {
-    m_timer.start();
-  }
+  {}
 
   /// sets how many meshes are to be mapped.
   void begin(std::size_t number_of_meshes) { m_number_of_meshes = number_of_meshes; }
@@ -87,7 +84,7 @@ public:
     if(m_is_quiet)
       return;
     constexpr double minute = 60.;
-    const double seconds = m_timer.time();
+    const double seconds = m_stopwatch.seconds();
     std::cout << "Mapped " << m_mapped << ", left out " << m_left_out << ", folded " << m_folded + m_folded_before
               << ", failed " << m_failed;
     if(n_missed > 0)
@@ -120,7 +117,7 @@ private:
   }
 
   bool m_is_quiet;
-  CGAL::Real_timer m_timer;
+  Stopwatch m_stopwatch;
   std::mutex m_mutex;
   std::size_t m_number_of_meshes = 0, m_left_out = 0, m_folded_before = 0, m_mapped = 0, m_folded = 0, m_failed = 0;
 };

@@ -68,10 +68,9 @@ private:
 
   bool is_as_it_was(const std::string& name, const std::string& path) const
   {
-    File_stamp stamp;
-    stamp.bytes = text(name + ".bytes");
-    stamp.changed = text(name + ".changed");
-    return !stamp.is_empty() && stamp == File_stamp(path);
+    const File_stamp stamp(path);
+    return !stamp.is_empty() && text(name + ".bytes") == std::to_string(stamp.bytes) &&
+           text(name + ".changed") == stamp.changed;
   }
 
   bool has_sphere() const

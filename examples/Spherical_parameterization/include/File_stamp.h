@@ -31,18 +31,13 @@ struct File_stamp
     const std::filesystem::file_time_type time = std::filesystem::last_write_time(name, time_error);
     if(size_error || time_error)
       return;
-    bytes = std::to_string(size);
+    bytes = size;
     changed = std::to_string(time.time_since_epoch().count());
   }
 
-  bool is_empty() const { return bytes.empty(); }
+  bool is_empty() const { return changed.empty(); }
 
-  friend bool operator==(const File_stamp& a, const File_stamp& b)
-  {
-    return a.bytes == b.bytes && a.changed == b.changed;
-  }
-
-  std::string bytes;
+  std::uintmax_t bytes = 0;
   std::string changed; ///< in ticks of the clock of the file system, of which nothing but equality is meant
 };
 

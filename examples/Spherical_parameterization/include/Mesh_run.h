@@ -19,12 +19,12 @@
 #include "Output_files.h"
 #include "Program_options.h"
 #include "Run_report.h"
+#include "Stopwatch.h"
 #include "balanced_radius.h"
 #include "file_format.h"
 #include "read_soup.h"
 #include "write_soup.h"
 
-#include <CGAL/Real_timer.h>
 #include <CGAL/Spherical_parameterization/measure_distortion.h>
 
 #include <optional>
@@ -48,9 +48,7 @@ public:
     , m_names(names)
     , m_files(names, options.start_file)
     , m_report(options, names.input)
-  {
-    m_timer.start();
-  }
+  {}
 
   /// removes the files that an earlier run has left under the same names.
   ///
@@ -62,12 +60,12 @@ public:
   /// \throws Program_error if there is no map
   void map()
   {
-    lap();
+    m_stopwatch.lap();
     m_report.input_stamp = File_stamp(m_names.input);
     if(!m_options.start_file.empty())
       m_report.start_stamp = File_stamp(m_options.start_file);
     m_input.emplace(m_names.input, read_soup(m_names.input));
-    m_report.seconds_for_input = lap();
+    m_report.seconds_for_input = m_stopwatch.lap();
 
     // A vertex without a face stays at the origin.
     m_sphere = mesh().add_property_map<Vertex_index, Point_3>("v:sphere", Point_3(0, 0, 0)).first;
@@ -81,9 +79,9 @@ public:
   /// \throws Program_error if a file cannot be written
   void write()
   {
-    lap();
+    m_stopwatch.lap();
     measure();
-    m_report.seconds_for_measuring = lap();
+    m_report.seconds_for_measuring = m_stopwatch.lap();
     if(m_files.sphere)
     {
       m_files.sphere->write([&](std::ostream& out) {
@@ -93,7 +91,7 @@ public:
     }
     if(m_files.colored_surface)
       write_colors();
-    m_report.seconds_for_output = lap();
+    m_report.seconds_for_output = m_stopwatch.lap();
     m_report.files = m_files.names();
     if(m_files.json)
       m_files.json->write([&](std::ostream& out) { out << m_report.json(); });
@@ -104,14 +102,6 @@ public:
 
 private:
   Mesh& mesh() { return m_input->mesh(); }
-
-  // returns the seconds since the last call
-  double lap()
-  {
-    const double seconds = m_timer.time();
-    m_timer.reset();
-    return seconds;
-  }
 
   template <class Map>
   static std::vector<Point_3> points_of(const Map& map)
@@ -156,7 +146,7 @@ private:
   File_names m_names;
   Output_files m_files;
   Run_report m_report;
-  CGAL::Real_timer m_timer;
+  Stopwatch m_stopwatch;
   std::optional<Input_mesh> m_input;
   Sphere_map m_sphere;
   Distortion_map m_distortions;

@@ -171,7 +171,7 @@ public:
         .add("inverted_faces", distortion.number_of_inverted_faces)
         .add("degenerate_faces", distortion.number_of_degenerate_faces);
     const auto stamp_of = [](const File_stamp& stamp) {
-      return Json_object().add("bytes", stamp.bytes).add("changed", stamp.changed);
+      return Json_object().add("bytes", std::size_t(stamp.bytes)).add("changed", stamp.changed);
     };
     Json_object all;
     all.add("program", program_version())

@@ -294,24 +294,23 @@ private:
   // If it is, they are too many, and stay so for a while: these sweeps do without.
   static constexpr std::size_t sweeps_without_focus = 4;
 
-  // Whether a type is the default initial parameterizer, however it is written.
-  static constexpr bool is_default(const void*)
-  {
-    return false;
-  }
+  // Whether a type is the default initial parameterizer, however its arguments are written.
+  template <class Parameterizer>
+  struct Is_default : std::false_type
+  {};
   template <class E, class S, class U>
-  static constexpr bool is_default(const Hierarchical_parameterizer_3<TriangleMesh_, E, S, U>*)
+  struct Is_default<Hierarchical_parameterizer_3<TriangleMesh_, E, S, U>>
   {
     using Hierarchical = Hierarchical_parameterizer_3<TriangleMesh_, E, S, U>;
-    return std::is_same<typename Hierarchical::Energy, Energy>::value &&
-           std::is_same<typename Hierarchical::Sharpness, Sharpness>::value &&
-           std::is_same<typename Hierarchical::Vertex_update, Vertex_update>::value;
-  }
+    static constexpr bool value = std::is_same<typename Hierarchical::Energy, Energy>::value &&
+                                  std::is_same<typename Hierarchical::Sharpness, Sharpness>::value &&
+                                  std::is_same<typename Hierarchical::Vertex_update, Vertex_update>::value;
+  };
 
   static Initial_parameterizer default_initial_parameterizer(const Energy& energy, const Sharpness& sharpness,
                                                              const Vertex_update& vertex_update)
   {
-    if constexpr(is_default(static_cast<const Initial_parameterizer*>(nullptr)))
+    if constexpr(Is_default<Initial_parameterizer>::value)
       return Initial_parameterizer(energy, sharpness, vertex_update);
     else
       return Initial_parameterizer();
@@ -369,6 +368,7 @@ private:
     const std::size_t largest_focus = mesh.number_of_vertices() / least_focus_sweeps;
     std::size_t next_focus = 0; // the first sweep that may have one
     bool is_final = false;      // whether the sharpness was final in the last sweep already
+    bool has_phases = true;     // whether the radius policy may have further ones
     m_report.stop_reason = ITERATION_LIMIT;
     for(std::size_t i = 0; i < most_iterations; ++i)
     {
@@ -407,18 +407,21 @@ private:
       control.visitor().after_iteration(i + 1, energy, radius);
       if(!control.go_further(i + 1, energy))
         break;
-      if(is_final && has_converged(summary, last_summary, radius, last_radius, sharpness) &&
-         !internal::next_phase(next_radius))
+      if(is_final && has_converged(summary, last_summary, radius, last_radius, sharpness))
       {
-        m_report.stop_reason = CONVERGED;
-        break;
+        has_phases = internal::next_phase(next_radius);
+        if(!has_phases)
+        {
+          m_report.stop_reason = CONVERGED;
+          break;
+        }
       }
       is_final = next_sharpness.is_final();
     }
     if(control.stop_reason() != NOT_RUN)
       m_report.stop_reason = control.stop_reason();
-    while(internal::next_phase(next_radius)) // a run that was ended early gets the last radius as well
-    {}
+    while(has_phases) // a run that was ended early gets the last radius as well
+      has_phases = internal::next_phase(next_radius);
     const double last_radius = next_radius(m_energy, descent.faces(), radius);
     if(is_positive_and_finite(last_radius))
       radius = last_radius;

@@ -111,8 +111,9 @@ private:
 
   static Radius default_radius()
   {
-    if constexpr(std::is_same<Radius, Two_phase_radius_3<>>::value)
-      return Two_phase_radius_3<>(Area_preserving_radius_3(), Area_balancing_radius_3(), 0.);
+    using Written_out = Two_phase_radius_3<Area_preserving_radius_3, Area_balancing_radius_3>;
+    if constexpr(std::is_same<Radius, Two_phase_radius_3<>>::value || std::is_same<Radius, Written_out>::value)
+      return Radius(Area_preserving_radius_3(), Area_balancing_radius_3(), 0.);
     else
       return Radius();
   }

@@ -103,8 +103,9 @@ public:
     return next;
   }
 
-  /// starts the second phase, and returns whether the first one was still going on. It is called when the map has
-  /// settled. A policy that has phases itself goes through all of them.
+  /// starts the second phase, or the next one of a policy that has phases itself, and returns whether there was one
+  /// left. It is called when the map has settled. (With a positive tolerance, the first policy is left as soon as the
+  /// radius has settled, in whatever phase of its own it is.)
   bool next_phase()
   {
     if(m_is_settled)

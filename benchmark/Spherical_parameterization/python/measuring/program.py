@@ -177,7 +177,11 @@ class Program:
     def map_all(self, meshes: list[MeshFile], folder: Path) -> str:
         """Maps meshes to a folder by one command, which is not kept, and returns what went wrong, if anything."""
         command = [str(self.path), *(str(mesh.path) for mesh in meshes), "--output-folder", str(folder), "--quiet"]
-        command += ["--threads", str(self.threads)]
+        status, message, _ = self._call([*command, "--threads", str(self.threads)])
+        return "" if status == CERTIFIED else message or f"exit status {status}"
+
+    def _call(self, command: list[str]) -> tuple[int, str, float | None]:
+        """The exit status of a command, its first message, and the limit in seconds that has ended it, if any has."""
         try:
             answer = subprocess.run(
                 command,
@@ -188,8 +192,13 @@ class Program:
                 stdin=subprocess.DEVNULL,
             )
         except subprocess.TimeoutExpired:
-            return f"stopped by this driver after {self._most_seconds:.0f} seconds"
-        return "" if answer.returncode == CERTIFIED else answer.stderr.strip() or f"exit status {answer.returncode}"
+            return FAILED, f"stopped by this driver after {self._most_seconds:.0f} seconds", self._most_seconds
+        status, message = answer.returncode, _first_message(answer.stderr)
+        if status < 0:
+            message = f"ended by signal {-status}"
+        elif status not in (CERTIFIED, FOLDS):
+            message = message or f"exit status {status}"
+        return status, message, None
 
     def _run(self, mesh: MeshFile, arguments: tuple[str, ...], stem: str) -> Run:
         sphere, report = (self._folder / (stem + ending) for ending in (".off", ".json"))
@@ -200,28 +209,12 @@ class Program:
         command += ["--threads", str(self.threads), *arguments]
 
         before, start = resource.getrusage(resource.RUSAGE_CHILDREN), time.monotonic()
-        try:
-            answer = subprocess.run(
-                command,
-                capture_output=True,
-                text=True,
-                check=False,
-                timeout=self._most_seconds,
-                stdin=subprocess.DEVNULL,
-            )
-            status, message = answer.returncode, _first_message(answer.stderr).replace(str(mesh.path), mesh.path.name)
-            stopped_after = None
-        except subprocess.TimeoutExpired:
-            status, message = FAILED, f"stopped by this driver after {self._most_seconds:.0f} seconds"
-            stopped_after = self._most_seconds
+        status, message, stopped_after = self._call(command)
+        message = message.replace(str(mesh.path), mesh.path.name)
         process_seconds = time.monotonic() - start
         after = resource.getrusage(resource.RUSAGE_CHILDREN)
         cpu_seconds = after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
 
-        if status < 0:
-            message = f"ended by signal {-status}"
-        if status not in (CERTIFIED, FOLDS):
-            message = message or f"exit status {status}"
         told = json.loads(report.read_text()) if report.exists() and status in (CERTIFIED, FOLDS) else {}
         has_map = sphere.exists() and status in (CERTIFIED, FOLDS)
         if status in (CERTIFIED, FOLDS) and not has_map:

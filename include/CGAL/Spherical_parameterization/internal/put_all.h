@@ -18,6 +18,7 @@
 #include <boost/property_map/property_map.hpp>
 
 #include <cstddef>
+#include <exception>
 #include <type_traits>
 #include <vector>
 
@@ -27,7 +28,8 @@ namespace internal {
 
 // Writes values[k] for the key key(k), for all k, and returns true. If the map can be read as well, is_accepted() is
 // asked when all have been written: if it returns false, or if it, put() or get() throws, the values that have been
-// overwritten are put back. A map that can only be written keeps what it has got.
+// overwritten are put back; a key that refuses any value keeps its own. A map that can only be written keeps what it
+// has got. What is thrown first reaches the caller.
 template <class PropertyMap, class Key, class Condition>
 bool put_all(PropertyMap map, const Key& key,
              const std::vector<typename boost::property_traits<PropertyMap>::value_type>& values,
@@ -39,13 +41,18 @@ bool put_all(PropertyMap map, const Key& key,
     std::vector<typename boost::property_traits<PropertyMap>::value_type> former;
     former.reserve(values.size());
     const auto put_back = [&] {
+      std::exception_ptr first_exception;
       for(std::size_t k = former.size(); k-- > 0;)
         try
         {
           put(map, key(k), former[k]);
         }
-        catch(...) // a key that refuses any value keeps its own; the others are put back all the same
-        {}
+        catch(...) // the others are put back all the same
+        {
+          if(!first_exception)
+            first_exception = std::current_exception();
+        }
+      return first_exception;
     };
     try
     {
@@ -62,7 +69,8 @@ bool put_all(PropertyMap map, const Key& key,
       put_back();
       throw;
     }
-    put_back();
+    if(const std::exception_ptr exception = put_back())
+      std::rethrow_exception(exception);
     return false;
   }
   else

@@ -84,18 +84,24 @@ Error_code write_map(const Indexed_mesh& mesh, const std::vector<VertexDescripto
   const auto is_accepted_as_written = [&] {
     if constexpr(std::is_convertible<Category, boost::readable_property_map_tag>::value)
     {
+      // Lazy numbers that were made from what is not finite must not be compared.
+      constexpr bool are_comparable = std::is_floating_point<FT>::value;
       std::vector<Point_3> written;
       written.reserve(points.size());
-      bool is_the_same = true, is_each_finite = true;
+      bool is_the_same = are_comparable;
       for(std::size_t v = 0; v < points.size(); ++v)
       {
         written.push_back(get(vertex_sphere_map, vertex(v)));
-        const Point_3& p = written.back();
-        is_the_same = is_the_same && p == points[v];
-        if constexpr(std::is_floating_point<FT>::value)
-          is_each_finite = is_each_finite && is_finite({p.x(), p.y(), p.z()});
+        if constexpr(are_comparable)
+        {
+          const Point_3& p = written.back();
+          if(!is_finite({p.x(), p.y(), p.z()}))
+            return false;
+          is_the_same = is_the_same && p == points[v];
+        }
       }
-      is_bijective = is_each_finite && (is_the_same ? is_bijective : certify(written));
+      if(!is_the_same)
+        is_bijective = certify(written);
     }
     return is_bijective || guarantee != Guarantee::ONE_TO_ONE;
   };
