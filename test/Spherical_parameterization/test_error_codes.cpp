@@ -223,12 +223,14 @@ TEST(Error_code, invalid_initial_parameterization)
     if(error != SP::OK)
     {
       expect_error(mesh, alone, error);
+      EXPECT_EQ(alone.report().stop_reason, SP::NOT_RUN);
       expect_error(mesh, bld, error);
     }
     else
     {
       const auto map = test_maps::make_sentinel_map<Point_3>(mesh);
       EXPECT_EQ(SP::parameterize(mesh, alone, map), SP::OK);
+      EXPECT_EQ(alone.report().stop_reason, SP::CONVERGED);
       EXPECT_TRUE(SP::is_bijective(mesh, map));
       EXPECT_EQ(SP::parameterize(mesh, bld, map), SP::OK);
       EXPECT_TRUE(SP::is_bijective(mesh, map));

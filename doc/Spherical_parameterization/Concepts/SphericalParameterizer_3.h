@@ -43,7 +43,7 @@ public:
   /// \param np named parameters; what is not of use is to be ignored
   ///
   /// \return `OK` only if the map that was written is one-to-one, and `ERROR_NO_1_TO_1_MAPPING` if it is not; with all
-  ///         other values no map is written
+  ///         other values the map is as it was
   template <class ConcurrencyTag, class TriangleMesh, class VertexSphereMap, class NamedParameters>
   CGAL::Spherical_parameterization::Error_code parameterize(const TriangleMesh& tmesh,
                                                             VertexSphereMap vertex_sphere_map,

@@ -25,10 +25,9 @@ public:
   /// returns the same, and starts anew.
   double lap()
   {
-    const Clock::time_point now = Clock::now();
-    const double seconds = std::chrono::duration<double>(now - m_start).count();
-    m_start = now;
-    return seconds;
+    const double passed = seconds();
+    m_start = Clock::now();
+    return passed;
   }
 
 private:
