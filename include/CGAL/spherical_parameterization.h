@@ -18,43 +18,34 @@
 /// \file spherical_parameterization.h
 /// Convenience header file that includes every public header of the package.
 
-#include <CGAL/Spherical_parameterization/Error_code.h>
-#include <CGAL/Spherical_parameterization/Default_visitor.h>
-#include <CGAL/Spherical_parameterization/Mesh_defect.h>
-#include <CGAL/Spherical_parameterization/Parameterization_report.h>
-#include <CGAL/Spherical_parameterization/find_defect.h>
-#include <CGAL/Spherical_parameterization/parameterize.h>
-
-// Parameterizers
 #include <CGAL/Spherical_parameterization/ARAP_parameterizer_3.h>
-#include <CGAL/Spherical_parameterization/Bijective_low_distortion_parameterizer_3.h>
-#include <CGAL/Spherical_parameterization/Conformal_parameterizer_3.h>
-#include <CGAL/Spherical_parameterization/Harmonic_parameterizer_3.h>
-#include <CGAL/Spherical_parameterization/Hierarchical_parameterizer_3.h>
-#include <CGAL/Spherical_parameterization/Precomputed_parameterizer_3.h>
-#include <CGAL/Spherical_parameterization/Published_low_distortion_parameterizer_3.h>
-#include <CGAL/Spherical_parameterization/Stereographic_parameterizer_3.h>
-
-// Energies
-#include <CGAL/Spherical_parameterization/Conformal_energy_3.h>
-#include <CGAL/Spherical_parameterization/Isometric_energy_3.h>
-#include <CGAL/Spherical_parameterization/Symmetric_Dirichlet_energy_3.h>
-
-// Sharpness, radius, vertex update, barrier
-#include <CGAL/Spherical_parameterization/Absolute_sharpness_3.h>
-#include <CGAL/Spherical_parameterization/Relative_sharpness_3.h>
 #include <CGAL/Spherical_parameterization/Area_balancing_radius_3.h>
 #include <CGAL/Spherical_parameterization/Area_preserving_radius_3.h>
+#include <CGAL/Spherical_parameterization/Bijective_low_distortion_parameterizer_3.h>
+#include <CGAL/Spherical_parameterization/Conformal_energy_3.h>
+#include <CGAL/Spherical_parameterization/Conformal_parameterizer_3.h>
+#include <CGAL/Spherical_parameterization/Default_visitor.h>
+#include <CGAL/Spherical_parameterization/Distortion_summary.h>
+#include <CGAL/Spherical_parameterization/Energy_derivatives_3.h>
+#include <CGAL/Spherical_parameterization/Error_code.h>
+#include <CGAL/Spherical_parameterization/Face_invariants_3.h>
+#include <CGAL/Spherical_parameterization/Face_range_3.h>
 #include <CGAL/Spherical_parameterization/Fixed_radius_3.h>
+#include <CGAL/Spherical_parameterization/Harmonic_parameterizer_3.h>
+#include <CGAL/Spherical_parameterization/Hierarchical_parameterizer_3.h>
+#include <CGAL/Spherical_parameterization/Isometric_energy_3.h>
+#include <CGAL/Spherical_parameterization/Mesh_defect.h>
 #include <CGAL/Spherical_parameterization/Optimal_radius_3.h>
+#include <CGAL/Spherical_parameterization/Parameterization_report.h>
+#include <CGAL/Spherical_parameterization/Precomputed_parameterizer_3.h>
+#include <CGAL/Spherical_parameterization/Published_low_distortion_parameterizer_3.h>
+#include <CGAL/Spherical_parameterization/Sharpness.h>
+#include <CGAL/Spherical_parameterization/Stereographic_parameterizer_3.h>
+#include <CGAL/Spherical_parameterization/Symmetric_Dirichlet_energy_3.h>
 #include <CGAL/Spherical_parameterization/Two_phase_radius_3.h>
-#include <CGAL/Spherical_parameterization/Gradient_update_3.h>
-#include <CGAL/Spherical_parameterization/Newton_update_3.h>
-#include <CGAL/Spherical_parameterization/Determinant_barrier_3.h>
-#include <CGAL/Spherical_parameterization/Flat_area_barrier_3.h>
-
-// Measuring
+#include <CGAL/Spherical_parameterization/find_defect.h>
 #include <CGAL/Spherical_parameterization/is_bijective.h>
 #include <CGAL/Spherical_parameterization/measure_distortion.h>
+#include <CGAL/Spherical_parameterization/parameterize.h>
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_H

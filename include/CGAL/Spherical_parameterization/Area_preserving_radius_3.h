@@ -16,8 +16,9 @@
 #include <CGAL/license/Spherical_parameterization.h>
 
 #include <CGAL/Spherical_parameterization/Face_invariants_3.h>
-#include <CGAL/Spherical_parameterization/internal/sum_over_faces.h>
+#include <CGAL/Spherical_parameterization/Face_range_3.h>
 
+#include <array>
 #include <cmath>
 
 /// \file Area_preserving_radius_3.h
@@ -37,9 +38,6 @@ namespace Spherical_parameterization {
 class Area_preserving_radius_3
 {
 public:
-  /// returns `true`: there is no parameter.
-  bool is_valid() const { return true; }
-
   /// returns the radius to start with, which is `equal_area_radius`: that of the sphere which has the area of the
   /// surface.
   double initial_radius(double equal_area_radius) const { return equal_area_radius; }
@@ -47,15 +45,14 @@ public:
   /// returns the radius that follows `radius`, in linear time.
   ///
   /// \tparam Energy a model of `DistortionEnergy_3`; not used
-  /// \tparam FaceRange a model of `ConstRange` whose value type is `Face_invariants_3`
   ///
   /// \param faces the faces, as they are on the sphere of radius `radius`
   /// \param radius the current radius, in the unit of length of the surface
-  template <class Energy, class FaceRange>
-  double operator()(const Energy& /* energy */, const FaceRange& faces, double radius)
+  template <class Energy>
+  double operator()(const Energy& /* energy */, const Face_range_3& faces, double radius)
   {
-    const auto [area, area_of_image] = internal::sum_over_faces(faces, [](const Face_invariants_3& face) {
-      return internal::Two_sums{face.area, face.area * face.flat_d};
+    const auto [area, area_of_image] = faces.sums<2>([](const Face_invariants_3& face) {
+      return std::array<double, 2>{face.area, face.area * face.flat_d};
     });
     return radius * std::sqrt(area / area_of_image);
   }

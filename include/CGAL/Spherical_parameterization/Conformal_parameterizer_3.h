@@ -17,9 +17,8 @@
 
 #include <CGAL/Spherical_parameterization/Error_code.h>
 #include <CGAL/Spherical_parameterization/Parameterization_report.h>
-#include <CGAL/Spherical_parameterization/internal/Solver_traits.h>
-#include <CGAL/Spherical_parameterization/internal/map_harmonically.h>
-#include <CGAL/Spherical_parameterization/internal/read_number_of_iterations.h>
+#include <CGAL/Spherical_parameterization/internal/baselines/Harmonic_map.h>
+#include <CGAL/Spherical_parameterization/internal/baselines/Laplacian_system.h>
 #include <CGAL/Spherical_parameterization/internal/run_parameterization.h>
 
 #include <CGAL/Default.h>
@@ -27,7 +26,6 @@
 #include <CGAL/tags.h>
 
 #include <cstddef>
-#include <vector>
 
 /// \file Conformal_parameterizer_3.h
 
@@ -50,8 +48,7 @@ namespace Spherical_parameterization {
 ///
 /// \cgalModels{SphericalParameterizer_3}
 ///
-/// \tparam TriangleMesh_ must be a model of `FaceListGraph`.
-/// \tparam SolverTraits_ must be a model of `SparseLinearAlgebraWithFactorTraits_d`.<br> <b>%Default:</b> if
+/// \tparam SolverTraits must be a model of `SparseLinearAlgebraWithFactorTraits_d`.<br> <b>%Default:</b> if
 ///         \ref thirdpartyEigen "Eigen" 3.1 or greater is available and `CGAL_EIGEN3_ENABLED` is defined,
 /// \code
 ///   CGAL::Eigen_solver_traits<
@@ -60,96 +57,42 @@ namespace Spherical_parameterization {
 ///
 /// \sa `Harmonic_parameterizer_3`
 /// \sa `Conformal_energy_3`
-template <class TriangleMesh_, class SolverTraits_ = Default>
+template <class SolverTraits = Default>
 class Conformal_parameterizer_3
 {
 public:
-#ifndef DOXYGEN_RUNNING
-  using Solver_traits = typename internal::Solver_traits<SolverTraits_>::type;
-#else
-  /// Solver traits type
-  using Solver_traits = SolverTraits_;
-#endif
-  /// Triangle mesh type
-  using Triangle_mesh = TriangleMesh_;
-  /// Triangle mesh type
-  using TriangleMesh = TriangleMesh_;
-
   /// computes a map from `tmesh` to the unit sphere around the origin.
   ///
-  /// \tparam ConcurrencyTag enables sequential versus parallel algorithm. Possible values are `Sequential_tag`,
-  ///         `Parallel_tag`, and `Parallel_if_available_tag`. The result does not depend on it.
-  /// \tparam VertexSphereMap must be a model of `WritablePropertyMap` with
-  ///         `boost::graph_traits<Triangle_mesh>::%vertex_descriptor` as key type and `%Point_3` of a \cgal kernel as
-  ///         value type; its coordinates are of type `double` or `float`, or of an exact number type.
-  /// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
-  ///
-  /// \param tmesh a triangle mesh that is closed, connected and of genus 0
-  /// \param vertex_sphere_map the map to be written; it is left as it is unless `OK` or `ERROR_NO_1_TO_1_MAPPING` is
-  ///        returned
-  /// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
-  ///
-  /// \cgalNamedParamsBegin
-  ///   \cgalParamNBegin{vertex_point_map}
-  ///     \cgalParamDescription{a property map associating points to the vertices of `tmesh`}
-  ///     \cgalParamType{a class model of `ReadablePropertyMap` with
-  ///                    `boost::graph_traits<Triangle_mesh>::%vertex_descriptor` as key type and `%Point_3` as
-  ///                    value type}
-  ///     \cgalParamDefault{`boost::get(CGAL::vertex_point, tmesh)`}
-  ///     \cgalParamExtra{If this parameter is omitted, an internal property map for `CGAL::vertex_point_t`
-  ///                     must be available in `Triangle_mesh`.}
-  ///   \cgalParamNEnd
-  ///   \cgalParamNBegin{number_of_iterations}
-  ///     \cgalParamDescription{the most steps, each of which moves all vertices}
-  ///     \cgalParamType{unsigned int}
-  ///     \cgalParamDefault{`100`}
-  ///     \cgalParamExtra{A negative number is refused with `ERROR_WRONG_PARAMETER`.}
-  ///   \cgalParamNEnd
-  ///   \cgalParamNBegin{maximum_running_time}
-  ///     \cgalParamDescription{the time in seconds after which the map reached by then is checked and returned.
-  ///                           The map of `Stereographic_parameterizer_3` to start with is completed in any
-  ///                           case.}
-  ///     \cgalParamType{double}
-  ///     \cgalParamDefault{no limit, as with any value that is not positive}
-  ///   \cgalParamNEnd
-  ///   \cgalParamNBegin{visitor}
-  ///     \cgalParamDescription{a visitor that is told of the progress and may stop it}
-  ///     \cgalParamType{a model of `SphericalParameterizationVisitor`, or an `std::reference_wrapper` of one}
-  ///     \cgalParamDefault{`Default_visitor`}
-  ///   \cgalParamNEnd
-  /// \cgalNamedParamsEnd
+  /// The parameters are those of `CGAL::Spherical_parameterization::parameterize()`. The default of
+  /// `number_of_iterations` is 100. The map of `Stereographic_parameterizer_3` to start with is completed in any case.
+  /// `vertex_sphere_map` is left as it is unless `OK` or `ERROR_NO_1_TO_1_MAPPING` is returned.
   ///
   /// \return `OK`, `ERROR_NO_1_TO_1_MAPPING` if the map that has been written folds, or what is wrong with the mesh,
   ///         see `find_defect()`; `ERROR_WRONG_PARAMETER` if a negative `number_of_iterations` is given;
   ///         `ERROR_CANNOT_SOLVE_LINEAR_SYSTEM`; `ERROR_INSUFFICIENT_PRECISION` if the map cannot be held by the
   ///         coordinates of `vertex_sphere_map`
-  ///
-  /// \pre `num_halfedges(tmesh) < 2147483647`, that is, 2<sup>31</sup> - 1
-  template <class ConcurrencyTag = Parallel_if_available_tag, class VertexSphereMap,
+  template <class ConcurrencyTag = Parallel_if_available_tag, class TriangleMesh, class VertexSphereMap,
             typename CGAL_NP_TEMPLATE_PARAMETERS>
-  Error_code parameterize(const Triangle_mesh& tmesh, VertexSphereMap vertex_sphere_map,
+  Error_code parameterize(const TriangleMesh& tmesh, VertexSphereMap vertex_sphere_map,
                           const CGAL_NP_CLASS& np = parameters::default_values())
   {
     m_report = Parameterization_report();
-    std::size_t most_iterations = 100;
-    if(!internal::read_number_of_iterations(np, most_iterations))
+    std::size_t max_iterations = 100;
+    if(!internal::read_number_of_iterations(np, max_iterations))
       return ERROR_WRONG_PARAMETER;
     return internal::run_parameterization<ConcurrencyTag>(
-        tmesh, vertex_sphere_map, np, m_report, internal::Guarantee::NONE,
-        [&](const internal::Indexed_mesh& mesh, const auto&, std::vector<internal::Vector_3d>& positions, double&,
-            auto& control) {
-          return internal::map_harmonically<Solver_traits, ConcurrencyTag>(mesh, internal::Guarantee::NONE,
-                                                                           most_iterations, positions, control);
+        tmesh, vertex_sphere_map, np, m_report, internal::Guarantee::NONE, [&](auto& run) {
+          return internal::map_harmonically<Solver_traits>(run.mesh, false, max_iterations, run.positions, run.control,
+                                                           run.execution);
         });
   }
 
   /// returns what the last run did.
-  const Parameterization_report& report() const
-  {
-    return m_report;
-  }
+  const Parameterization_report& report() const { return m_report; }
 
 private:
+  using Solver_traits = typename internal::Solver_traits<SolverTraits>::type;
+
   Parameterization_report m_report;
 };
 

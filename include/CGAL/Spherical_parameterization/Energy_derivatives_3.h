@@ -27,8 +27,8 @@ namespace Spherical_parameterization {
 /// `DistortionEnergy_3` returns to the Newton method.
 ///
 /// \tparam FT the type of the numbers: `double`, or what stands for several of them; see `DistortionEnergy_3`
-template <class FT>
-struct Basic_energy_derivatives_3
+template <class FT = double>
+struct Energy_derivatives_3
 {
   FT value; ///< \f$ E \f$
   FT i;     ///< \f$ \partial E / \partial I \f$
@@ -37,11 +37,6 @@ struct Basic_energy_derivatives_3
   FT id;    ///< \f$ \partial^2 E / \partial I \partial d \f$
   FT dd;    ///< \f$ \partial^2 E / \partial d^2 \f$
 };
-
-/// \ingroup PkgSphericalParameterizationEnergies
-///
-/// The derivatives of the energy of one triangle.
-using Energy_derivatives_3 = Basic_energy_derivatives_3<double>;
 
 } // namespace Spherical_parameterization
 } // namespace CGAL

@@ -24,7 +24,8 @@ namespace Spherical_parameterization {
 ///
 /// List of the outcomes of a spherical parameterization. Every value but `OK` and `ERROR_WRONG_PARAMETER` describes a
 /// property of the data, not a programming error; all are reported in Release mode as well. Whenever a value other than
-/// `OK` and `ERROR_NO_1_TO_1_MAPPING` is returned, the output map holds what it held before.
+/// `OK` and `ERROR_NO_1_TO_1_MAPPING` is returned, the output map holds what it held before, unless it rounds what it is
+/// given and folds by that; see `parameterize()`.
 enum Error_code
 {
   OK = 0,                                 ///< The map is one-to-one, and this has been certified by exact predicates.
@@ -40,7 +41,8 @@ enum Error_code
   ERROR_NO_1_TO_1_MAPPING,                ///< The map that has been computed is not one-to-one.
   ERROR_INSUFFICIENT_PRECISION,           ///< No one-to-one map was found that the coordinates can hold.
   ERROR_CANNOT_SOLVE_LINEAR_SYSTEM,       ///< The solver of a method that needs one has failed.
-  ERROR_WRONG_PARAMETER                   ///< A parameter is out of its range.
+  ERROR_WRONG_PARAMETER,                  ///< A parameter is out of its range.
+  ERROR_TOO_LARGE_MESH                    ///< The mesh has 2<sup>31</sup> - 1 halfedges or more.
 };
 
 /// \ingroup PkgSphericalParameterizationEnums
@@ -89,6 +91,8 @@ inline const char* get_error_message(Error_code error_code)
            "Hierarchical_parameterizer_3.";
   case ERROR_WRONG_PARAMETER:
     return "A parameter is out of its range: see the documentation of the function or class for the values it accepts.";
+  case ERROR_TOO_LARGE_MESH:
+    return "The mesh has more than 700 million faces, which is what 32-bit indices can hold: simplify it first.";
   }
   return "Unknown error code: it was not returned by this package.";
 }

@@ -15,6 +15,9 @@
 
 #include <CGAL/license/Spherical_parameterization.h>
 
+#include <CGAL/Spherical_parameterization/Face_range_3.h>
+#include <CGAL/Spherical_parameterization/internal/simd/Vector_3.h>
+
 /// \file Fixed_radius_3.h
 
 namespace CGAL {
@@ -38,7 +41,7 @@ public:
   double radius() const { return m_radius; }
 
   /// returns whether the radius is positive and finite.
-  bool is_valid() const { return m_radius > 0. && m_radius - m_radius == 0.; }
+  bool is_valid() const { return internal::is_positive_and_finite(m_radius); }
 
   /// returns the radius, whatever the area of the surface.
   double initial_radius(double /* equal_area_radius */) const { return m_radius; }
@@ -46,9 +49,8 @@ public:
   /// returns the radius, whatever the arguments.
   ///
   /// \tparam Energy a model of `DistortionEnergy_3`; not used
-  /// \tparam FaceRange a model of `ConstRange` whose value type is `Face_invariants_3`; not used
-  template <class Energy, class FaceRange>
-  double operator()(const Energy& /* energy */, const FaceRange& /* faces */, double /* radius */)
+  template <class Energy>
+  double operator()(const Energy& /* energy */, const Face_range_3& /* faces */, double /* radius */)
   {
     return m_radius;
   }

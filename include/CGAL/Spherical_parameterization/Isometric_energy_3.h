@@ -17,11 +17,9 @@
 
 #include <CGAL/Spherical_parameterization/Energy_derivatives_3.h>
 #include <CGAL/Spherical_parameterization/Face_invariants_3.h>
-#include <CGAL/Spherical_parameterization/internal/Packed_double.h>
-#include <CGAL/Spherical_parameterization/internal/sum_over_faces.h>
+#include <CGAL/Spherical_parameterization/Face_range_3.h>
 
-#include <CGAL/tags.h>
-
+#include <array>
 #include <cmath>
 
 /// \file Isometric_energy_3.h
@@ -57,55 +55,15 @@ public:
   bool is_valid() const { return m_alpha > 0. && m_alpha <= 1.; }
 
   /// returns the energy of a triangle with the invariants `i` and `d`, both positive.
-  double operator()(double i, double d) const { return value_of(i, d); }
-
-  /// returns the energy of a triangle with the invariants `i` and `d`, both positive, and its derivatives in them.
-  Energy_derivatives_3 derivatives(double i, double d) const { return derivatives_of(i, d); }
-
-#ifndef DOXYGEN_RUNNING
-  using Is_lanewise = Tag_true;
-
-  template <int width>
-  internal::Packed_double<width> operator()(const internal::Packed_double<width>& i,
-                                            const internal::Packed_double<width>& d) const
-  {
-    return value_of(i, d);
-  }
-
-  template <int width>
-  Basic_energy_derivatives_3<internal::Packed_double<width>> derivatives(const internal::Packed_double<width>& i,
-                                                                         const internal::Packed_double<width>& d) const
-  {
-    return derivatives_of(i, d);
-  }
-#endif
-
-  /// returns the factor by which the radius has to be multiplied to minimise the sum of the energies of `faces`.
-  ///
-  /// It is \f$ ( \sum d^{-1} / \sum d )^{1/4} \f$ (eq. 11), or 1 if `alpha` is 1 and no radius is better than another.
-  /// The time is linear.
-  ///
-  /// \tparam FaceRange a model of `ConstRange` whose value type is `Face_invariants_3`
-  template <class FaceRange>
-  double optimal_scale(const FaceRange& faces) const
-  {
-    if(m_alpha == 1.)
-      return 1.;
-    const auto [sum, sum_of_inverses] = internal::sum_over_faces(faces, [](const Face_invariants_3& face) {
-      return internal::Two_sums{face.d, 1. / face.d};
-    });
-    return std::sqrt(std::sqrt(sum_of_inverses / sum));
-  }
-
-private:
   template <class FT>
-  FT value_of(const FT& i, const FT& d) const
+  FT operator()(const FT& i, const FT& d) const
   {
     return (m_alpha * i + (1. - m_alpha)) / d + (1. - m_alpha) * d;
   }
 
+  /// returns the energy of a triangle with the invariants `i` and `d`, both positive, and its derivatives in them.
   template <class FT>
-  Basic_energy_derivatives_3<FT> derivatives_of(const FT& i, const FT& d) const
+  Energy_derivatives_3<FT> derivatives(const FT& i, const FT& d) const
   {
     const double beta = 1. - m_alpha;
     const FT inverse_d = 1. / d;
@@ -118,6 +76,21 @@ private:
             2. * pole * inverse_d * inverse_d};
   }
 
+  /// returns the factor by which the radius has to be multiplied to minimise the sum of the energies of `faces`.
+  ///
+  /// It is \f$ ( \sum d^{-1} / \sum d )^{1/4} \f$ (eq. 11), or 1 if `alpha` is 1 and no radius is better than another.
+  /// The time is linear.
+  double optimal_scale(const Face_range_3& faces) const
+  {
+    if(m_alpha == 1.)
+      return 1.;
+    const auto [sum, sum_of_inverses] = faces.sums<2>([](const Face_invariants_3& face) {
+      return std::array<double, 2>{face.d, 1. / face.d};
+    });
+    return std::sqrt(std::sqrt(sum_of_inverses / sum));
+  }
+
+private:
   double m_alpha;
 };
 

@@ -16,10 +16,9 @@
 #include <CGAL/license/Spherical_parameterization.h>
 
 #include <CGAL/Spherical_parameterization/Energy_derivatives_3.h>
-#include <CGAL/Spherical_parameterization/Face_invariants_3.h>
+#include <CGAL/Spherical_parameterization/Face_range_3.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <type_traits>
 #include <utility>
@@ -39,9 +38,6 @@ namespace Spherical_parameterization {
 class Optimal_radius_3
 {
 public:
-  /// returns `true`: there is no parameter.
-  bool is_valid() const { return true; }
-
   /// returns the radius to start with, which is `equal_area_radius`: that of the sphere which has the area of the
   /// surface.
   double initial_radius(double equal_area_radius) const { return equal_area_radius; }
@@ -49,13 +45,12 @@ public:
   /// returns the radius that follows `radius`, in linear time.
   ///
   /// \tparam Energy a model of `DistortionEnergy_3`
-  /// \tparam FaceRange a model of `ConstRange` whose value type is `Face_invariants_3`
   ///
   /// \param energy the energy in use
   /// \param faces the faces, as they are on the sphere of radius `radius`
   /// \param radius the current radius, in the unit of length of the surface
-  template <class Energy, class FaceRange>
-  double operator()(const Energy& energy, const FaceRange& faces, double radius)
+  template <class Energy>
+  double operator()(const Energy& energy, const Face_range_3& faces, double radius)
   {
     if constexpr(Has_optimal_scale<Energy>::value)
       return radius * energy.optimal_scale(faces);
@@ -69,25 +64,26 @@ private:
   {};
 
   template <class Energy>
-  struct Has_optimal_scale<Energy, std::void_t<decltype(std::declval<const Energy&>().optimal_scale(
-                                       std::declval<const std::array<Face_invariants_3, 1>&>()))>> : std::true_type
+  struct Has_optimal_scale<
+      Energy, std::void_t<decltype(std::declval<const Energy&>().optimal_scale(std::declval<const Face_range_3&>()))>>
+    : std::true_type
   {};
 
   // minimises sum E(q^2 I, q^2 d) over t = log q
-  template <class Energy, class FaceRange>
-  static double newton_scale(const Energy& energy, const FaceRange& faces)
+  template <class Energy>
+  static double newton_scale(const Energy& energy, const Face_range_3& faces)
   {
-    constexpr int most_steps = 20;
+    constexpr int max_steps = 20;
     constexpr double longest_step = 0.5, tolerance = 1e-10;
     double t = 0.;
-    for(int k = 0; k < most_steps; ++k)
+    for(int k = 0; k < max_steps; ++k)
     {
       const double q2 = std::exp(2. * t);
       double first = 0., second = 0., size = 0.;
       for(const auto& face : faces)
       {
         const double i = q2 * face.i, d = q2 * face.d;
-        const Energy_derivatives_3 e = energy.derivatives(i, d);
+        const Energy_derivatives_3<> e = energy.derivatives(i, d);
         const double slope = 2. * (e.i * i + e.d * d); // dI/dt = 2 I and dd/dt = 2 d
         first += slope;
         size += 2. * (std::abs(e.i * i) + std::abs(e.d * d));

@@ -15,18 +15,23 @@
 
 #include <CGAL/license/Spherical_parameterization.h>
 
-#include <CGAL/Spherical_parameterization/Absolute_sharpness_3.h>
 #include <CGAL/Spherical_parameterization/Area_balancing_radius_3.h>
 #include <CGAL/Spherical_parameterization/Area_preserving_radius_3.h>
-#include <CGAL/Spherical_parameterization/Bijective_low_distortion_parameterizer_3.h>
-#include <CGAL/Spherical_parameterization/Flat_area_barrier_3.h>
-#include <CGAL/Spherical_parameterization/Gradient_update_3.h>
+#include <CGAL/Spherical_parameterization/Error_code.h>
 #include <CGAL/Spherical_parameterization/Harmonic_parameterizer_3.h>
 #include <CGAL/Spherical_parameterization/Isometric_energy_3.h>
+#include <CGAL/Spherical_parameterization/Parameterization_report.h>
+#include <CGAL/Spherical_parameterization/Sharpness.h>
 #include <CGAL/Spherical_parameterization/Two_phase_radius_3.h>
+#include <CGAL/Spherical_parameterization/internal/descent/Vertex_step.h>
+#include <CGAL/Spherical_parameterization/internal/policy_traits.h>
+#include <CGAL/Spherical_parameterization/internal/run_descent.h>
+#include <CGAL/Spherical_parameterization/internal/run_parameterization.h>
 
-#include <CGAL/Default.h>
+#include <CGAL/Named_function_parameters.h>
+#include <CGAL/tags.h>
 
+#include <cstddef>
 #include <type_traits>
 
 /// \file Published_low_distortion_parameterizer_3.h
@@ -42,81 +47,120 @@ namespace Spherical_parameterization {
 ///
 /// It starts from a harmonic map, makes 100 sweeps of eq. 6 with the isometric energy, in which faces count with their
 /// flat area, then sweeps of eq. 7 with \f$ s \f$ growing from 0.1 to 10, and 2000 sweeps in all at most. Each vertex
-/// makes one step of gradient descent (eq. 8) per sweep. The radius follows eq. 9 until the sum changes by at most 1e-5
-/// and the radius by at most 1e-3 in a sweep, both relative, and eq. 11 until they do so again.
+/// makes one step of gradient descent (eq. 8) per sweep: as long as the shortest edge at the vertex at first, shortened
+/// to 0.8 of its length until the energy falls and no face of the star is inverted, and given up below 1e-10 of that
+/// edge. The flat area is positive where a face turns over, so that nothing but this test prevents that, and faces may
+/// get stuck across a great circle. The radius follows eq. 9 until the sum changes by at most 1e-5 and the radius by at
+/// most 1e-3 in a sweep, both relative, and eq. 11 until they do so again.
 ///
 /// The guarantee is that of `Bijective_low_distortion_parameterizer_3`.
 ///
 /// \cgalModels{SphericalParameterizer_3}
 ///
-/// \tparam TriangleMesh_ must be a model of `FaceListGraph`.
-/// \tparam InitialParameterizer_ must be a model of `SphericalParameterizer_3`.<br> <b>%Default:</b>
-/// \code
-///   Harmonic_parameterizer_3<TriangleMesh_>
-/// \endcode
-/// \tparam Sharpness_ must be a model of `SharpnessPolicy_3`.<br> <b>%Default:</b>
-/// \code
-///   Absolute_sharpness_3
-/// \endcode
-/// \tparam Radius_ must be a model of `SphereRadiusPolicy_3`.<br> <b>%Default:</b>
-/// \code
-///   Two_phase_radius_3<>
-/// \endcode
-template <class TriangleMesh_, class InitialParameterizer_ = Default, class Sharpness_ = Default,
-          class Radius_ = Default>
+/// \tparam Radius must be a model of `SphereRadiusPolicy_3`.
+/// \tparam InitialParameterizer must be a model of `SphericalParameterizer_3`.
+template <class Radius = Two_phase_radius_3<>, class InitialParameterizer = Harmonic_parameterizer_3<>>
 class Published_low_distortion_parameterizer_3
-  : public Bijective_low_distortion_parameterizer_3<
-        TriangleMesh_, typename Default::Get<InitialParameterizer_, Harmonic_parameterizer_3<TriangleMesh_>>::type,
-        Isometric_energy_3, typename Default::Get<Sharpness_, Absolute_sharpness_3>::type,
-        typename Default::Get<Radius_, Two_phase_radius_3<>>::type, Gradient_update_3, Flat_area_barrier_3>
 {
-  using Base = Bijective_low_distortion_parameterizer_3<
-      TriangleMesh_, typename Default::Get<InitialParameterizer_, Harmonic_parameterizer_3<TriangleMesh_>>::type,
-      Isometric_energy_3, typename Default::Get<Sharpness_, Absolute_sharpness_3>::type,
-      typename Default::Get<Radius_, Two_phase_radius_3<>>::type, Gradient_update_3, Flat_area_barrier_3>;
-
 public:
-  /// Initial parameterizer type
-  using Initial_parameterizer = typename Base::Initial_parameterizer;
-  /// Sharpness type
-  using Sharpness = typename Base::Sharpness;
-  /// Radius policy type
-  using Radius = typename Base::Radius;
+  /// \name Settings
+  /// Each function returns a parameterizer with one setting changed, so that they can be chained.
+  /// @{
 
-  /// constructs the parameterizer with the settings of the paper, or with those given instead.
+  /// constructs the parameterizer with the settings of the paper. The default radius has the tolerance 0: eq. 9 lasts
+  /// until the energy has settled as well.
+  Published_low_distortion_parameterizer_3()
+    : m_radius(default_radius())
+  {}
+
+  /// sets the radius policy.
   ///
-  /// \param initial_parameterizer makes the map to start with
-  /// \param sharpness the sharpness policy, by default `Absolute_sharpness_3(0.1, 10., 100)`, or what a policy of
-  ///        another type is by default
-  /// \param radius the radius policy, by default `Two_phase_radius_3<>` with the tolerance 0, or what a policy of
-  ///        another type is by default
-  explicit Published_low_distortion_parameterizer_3(
-      const Initial_parameterizer& initial_parameterizer = Initial_parameterizer(),
-      const Sharpness& sharpness = default_sharpness(), const Radius& radius = default_radius())
-    : Base(initial_parameterizer, Isometric_energy_3(), sharpness, radius, Gradient_update_3())
+  /// \tparam OtherRadius must be a model of `SphereRadiusPolicy_3`.
+  template <class OtherRadius>
+  [[nodiscard]] Published_low_distortion_parameterizer_3<OtherRadius, InitialParameterizer> radius(
+      const OtherRadius& radius) const
   {
-    Base::set_number_of_iterations(2000);
-    Base::set_tolerances(1e-5, 1e-3);
-    Base::set_acceleration(false);
+    return {radius, m_initial_parameterizer, m_sharpness};
   }
+
+  /// sets the parameterizer that makes the map to start with.
+  ///
+  /// \tparam OtherParameterizer must be a model of `SphericalParameterizer_3`.
+  template <class OtherParameterizer>
+  [[nodiscard]] Published_low_distortion_parameterizer_3<Radius, OtherParameterizer> initial_parameterizer(
+      const OtherParameterizer& initial_parameterizer) const
+  {
+    return {m_radius, initial_parameterizer, m_sharpness};
+  }
+
+  /// sets how much the worst faces count, by default `Sharpness::schedule(0.1, 10., 100)`.
+  [[nodiscard]] Published_low_distortion_parameterizer_3 sharpness(const Sharpness& sharpness) const
+  {
+    return {m_radius, m_initial_parameterizer, sharpness};
+  }
+
+  /// returns whether all settings are in their ranges; if not, `parameterize()` returns `ERROR_WRONG_PARAMETER`.
+  bool is_valid() const
+  {
+    return internal::is_valid_policy(m_initial_parameterizer) && internal::is_valid_policy(m_radius) &&
+           m_sharpness.is_valid();
+  }
+
+  /// @}
+
+  /// \name Operations
+  /// @{
+
+  /// computes a one-to-one map from `tmesh` to a sphere around the origin.
+  ///
+  /// The parameters are those of `CGAL::Spherical_parameterization::parameterize()`. The default of
+  /// `number_of_iterations` is 2000.
+  ///
+  /// \return what `Bijective_low_distortion_parameterizer_3` returns
+  template <class ConcurrencyTag = Parallel_if_available_tag, class TriangleMesh, class VertexSphereMap,
+            typename CGAL_NP_TEMPLATE_PARAMETERS>
+  Error_code parameterize(const TriangleMesh& tmesh, VertexSphereMap vertex_sphere_map,
+                          const CGAL_NP_CLASS& np = parameters::default_values())
+  {
+    m_report = Parameterization_report();
+    std::size_t max_sweeps = 2000;
+    if(!is_valid() || !internal::read_number_of_iterations(np, max_sweeps))
+      return ERROR_WRONG_PARAMETER;
+    return internal::run_parameterization<ConcurrencyTag>(
+        tmesh, vertex_sphere_map, np, m_report, internal::Guarantee::ONE_TO_ONE, [&](auto& run) {
+          return internal::run_descent<internal::Gradient_step>(m_initial_parameterizer, Isometric_energy_3(), m_radius,
+                                                                m_sharpness, {1e-5, 1e-3, false}, max_sweeps, run);
+        });
+  }
+
+  /// returns what the last run did.
+  const Parameterization_report& report() const { return m_report; }
+
+  /// @}
 
 private:
-  static Sharpness default_sharpness()
-  {
-    if constexpr(std::is_same<Sharpness, Absolute_sharpness_3>::value)
-      return Absolute_sharpness_3(0.1, 10., 100);
-    else
-      return Sharpness();
-  }
+  template <class OtherRadius, class OtherParameterizer>
+  friend class Published_low_distortion_parameterizer_3;
+
+  Published_low_distortion_parameterizer_3(const Radius& radius, const InitialParameterizer& initial_parameterizer,
+                                           const Sharpness& sharpness)
+    : m_radius(radius)
+    , m_initial_parameterizer(initial_parameterizer)
+    , m_sharpness(sharpness)
+  {}
 
   static Radius default_radius()
   {
-    using Written_out = Two_phase_radius_3<Area_preserving_radius_3, Area_balancing_radius_3>;
-    if constexpr(std::is_same<Radius, Two_phase_radius_3<>>::value || std::is_same<Radius, Written_out>::value)
+    if constexpr(std::is_same<Radius, Two_phase_radius_3<>>::value)
       return Radius(Area_preserving_radius_3(), Area_balancing_radius_3(), 0.);
     else
       return Radius();
   }
+
+  Radius m_radius;
+  InitialParameterizer m_initial_parameterizer;
+  Sharpness m_sharpness = Sharpness::schedule(0.1, 10., 100);
+  Parameterization_report m_report;
 };
 
 } // namespace Spherical_parameterization

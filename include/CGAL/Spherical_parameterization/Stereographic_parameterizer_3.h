@@ -17,15 +17,13 @@
 
 #include <CGAL/Spherical_parameterization/Error_code.h>
 #include <CGAL/Spherical_parameterization/Parameterization_report.h>
-#include <CGAL/Spherical_parameterization/internal/Solver_traits.h>
-#include <CGAL/Spherical_parameterization/internal/Stereographic_embedding.h>
+#include <CGAL/Spherical_parameterization/internal/baselines/Laplacian_system.h>
+#include <CGAL/Spherical_parameterization/internal/baselines/Stereographic_embedding.h>
 #include <CGAL/Spherical_parameterization/internal/run_parameterization.h>
 
 #include <CGAL/Default.h>
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/tags.h>
-
-#include <vector>
 
 /// \file Stereographic_parameterizer_3.h
 
@@ -50,8 +48,7 @@ namespace Spherical_parameterization {
 ///
 /// \cgalModels{SphericalParameterizer_3}
 ///
-/// \tparam TriangleMesh_ must be a model of `FaceListGraph`.
-/// \tparam SolverTraits_ must be a model of `SparseLinearAlgebraWithFactorTraits_d`.<br> <b>%Default:</b> if
+/// \tparam SolverTraits must be a model of `SparseLinearAlgebraWithFactorTraits_d`.<br> <b>%Default:</b> if
 ///         \ref thirdpartyEigen "Eigen" 3.1 or greater is available and `CGAL_EIGEN3_ENABLED` is defined,
 /// \code
 ///   CGAL::Eigen_solver_traits<
@@ -60,92 +57,45 @@ namespace Spherical_parameterization {
 ///
 /// \sa `Harmonic_parameterizer_3`
 /// \sa `Hierarchical_parameterizer_3`
-template <class TriangleMesh_, class SolverTraits_ = Default>
+template <class SolverTraits = Default>
 class Stereographic_parameterizer_3
 {
 public:
-#ifndef DOXYGEN_RUNNING
-  using Solver_traits = typename internal::Solver_traits<SolverTraits_>::type;
-#else
-  /// Solver traits type
-  using Solver_traits = SolverTraits_;
-#endif
-  /// Triangle mesh type
-  using Triangle_mesh = TriangleMesh_;
-  /// Triangle mesh type
-  using TriangleMesh = TriangleMesh_;
-
   /// computes a one-to-one map from `tmesh` to the unit sphere around the origin.
   ///
-  /// \tparam ConcurrencyTag enables sequential versus parallel algorithm. Possible values are `Sequential_tag`,
-  ///         `Parallel_tag`, and `Parallel_if_available_tag`. The result does not depend on it.
-  /// \tparam VertexSphereMap must be a model of `WritablePropertyMap` with
-  ///         `boost::graph_traits<Triangle_mesh>::%vertex_descriptor` as key type and `%Point_3` of a \cgal kernel as
-  ///         value type; its coordinates are of type `double` or `float`, or of an exact number type.
-  /// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
-  ///
-  /// \param tmesh a triangle mesh that is closed, connected and of genus 0
-  /// \param vertex_sphere_map the map to be written; it is left as it is unless `OK` is returned
-  /// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
-  ///
-  /// \cgalNamedParamsBegin
-  ///   \cgalParamNBegin{vertex_point_map}
-  ///     \cgalParamDescription{a property map associating points to the vertices of `tmesh`}
-  ///     \cgalParamType{a class model of `ReadablePropertyMap` with
-  ///                    `boost::graph_traits<Triangle_mesh>::%vertex_descriptor` as key type and `%Point_3` as
-  ///                    value type}
-  ///     \cgalParamDefault{`boost::get(CGAL::vertex_point, tmesh)`}
-  ///     \cgalParamExtra{If this parameter is omitted, an internal property map for `CGAL::vertex_point_t`
-  ///                     must be available in `Triangle_mesh`.}
-  ///   \cgalParamNEnd
-  ///   \cgalParamNBegin{maximum_running_time}
-  ///     \cgalParamDescription{without effect: all is done in one step}
-  ///     \cgalParamType{double}
-  ///     \cgalParamDefault{no limit, as with any value that is not positive}
-  ///   \cgalParamNEnd
-  ///   \cgalParamNBegin{visitor}
-  ///     \cgalParamDescription{a visitor that is told when the map is begun and when it is there}
-  ///     \cgalParamType{a model of `SphericalParameterizationVisitor`, or an `std::reference_wrapper` of one}
-  ///     \cgalParamDefault{`Default_visitor`}
-  ///     \cgalParamExtra{It cannot stop the one step that is made.}
-  ///   \cgalParamNEnd
-  /// \cgalNamedParamsEnd
+  /// The parameters are those of `CGAL::Spherical_parameterization::parameterize()`. As all is done in one step, neither
+  /// the visitor nor `maximum_running_time` can stop it, and there is no `number_of_iterations`.
   ///
   /// \return `OK`, or what is wrong with the mesh, see `find_defect()`; `ERROR_CANNOT_SOLVE_LINEAR_SYSTEM`;
   ///         `ERROR_INSUFFICIENT_PRECISION`
-  ///
-  /// \pre `num_halfedges(tmesh) < 2147483647`, that is, 2<sup>31</sup> - 1
-  template <class ConcurrencyTag = Parallel_if_available_tag, class VertexSphereMap,
+  template <class ConcurrencyTag = Parallel_if_available_tag, class TriangleMesh, class VertexSphereMap,
             typename CGAL_NP_TEMPLATE_PARAMETERS>
-  Error_code parameterize(const Triangle_mesh& tmesh, VertexSphereMap vertex_sphere_map,
+  Error_code parameterize(const TriangleMesh& tmesh, VertexSphereMap vertex_sphere_map,
                           const CGAL_NP_CLASS& np = parameters::default_values())
   {
     m_report = Parameterization_report();
     return internal::run_parameterization<ConcurrencyTag>(
-        tmesh, vertex_sphere_map, np, m_report, internal::Guarantee::ONE_TO_ONE,
-        [&](const internal::Indexed_mesh& mesh, const auto&, std::vector<internal::Vector_3d>& positions, double&,
-            auto& control) {
-          control.visitor().on_initialization_begin(mesh.number_of_vertices());
-          internal::Stereographic_embedding<Solver_traits> embedding(mesh);
+        tmesh, vertex_sphere_map, np, m_report, internal::Guarantee::ONE_TO_ONE, [&](auto& run) {
+          run.control.on_initialization_begin(run.mesh.number_of_vertices());
+          internal::Stereographic_embedding<Solver_traits> embedding(run.mesh);
           if(!embedding.solve())
             return ERROR_CANNOT_SOLVE_LINEAR_SYSTEM;
-          const bool is_bijective = embedding.project_bijectively(positions);
-          m_report.seconds_for_embedding = control.lap();
+          const bool is_bijective = embedding.project_bijectively(run.positions);
+          m_report.seconds_for_embedding = run.control.lap();
           if(!is_bijective)
             return ERROR_INSUFFICIENT_PRECISION;
-          control.visitor().on_initialization_end();
+          run.control.on_initialization_end();
           m_report.stop_reason = CONVERGED;
           return OK;
         });
   }
 
   /// returns what the last run did.
-  const Parameterization_report& report() const
-  {
-    return m_report;
-  }
+  const Parameterization_report& report() const { return m_report; }
 
 private:
+  using Solver_traits = typename internal::Solver_traits<SolverTraits>::type;
+
   Parameterization_report m_report;
 };
 

@@ -17,11 +17,9 @@
 
 #include <CGAL/Spherical_parameterization/Energy_derivatives_3.h>
 #include <CGAL/Spherical_parameterization/Face_invariants_3.h>
-#include <CGAL/Spherical_parameterization/internal/Packed_double.h>
-#include <CGAL/Spherical_parameterization/internal/sum_over_faces.h>
+#include <CGAL/Spherical_parameterization/Face_range_3.h>
 
-#include <CGAL/tags.h>
-
+#include <array>
 #include <cmath>
 
 /// \file Symmetric_Dirichlet_energy_3.h
@@ -47,63 +45,34 @@ namespace Spherical_parameterization {
 class Symmetric_Dirichlet_energy_3
 {
 public:
-  /// returns `true`: there is no parameter.
-  bool is_valid() const { return true; }
-
   /// returns the energy of a triangle with the invariants `i` and `d`, both positive.
-  double operator()(double i, double d) const { return value_of(i, d); }
-
-  /// returns the energy of a triangle with the invariants `i` and `d`, both positive, and its derivatives in them.
-  Energy_derivatives_3 derivatives(double i, double d) const { return derivatives_of(i, d); }
-
-#ifndef DOXYGEN_RUNNING
-  using Is_lanewise = Tag_true;
-
-  template <int width>
-  internal::Packed_double<width> operator()(const internal::Packed_double<width>& i,
-                                            const internal::Packed_double<width>& d) const
-  {
-    return value_of(i, d);
-  }
-
-  template <int width>
-  Basic_energy_derivatives_3<internal::Packed_double<width>> derivatives(const internal::Packed_double<width>& i,
-                                                                         const internal::Packed_double<width>& d) const
-  {
-    return derivatives_of(i, d);
-  }
-#endif
-
-  /// returns the factor by which the radius has to be multiplied to minimise the sum of the energies of `faces`.
-  ///
-  /// Multiplying the radius by \f$ \rho \f$ turns \f$ (I, d) \f$ into \f$ (\rho^2 I, \rho^2 d) \f$, so the factor is
-  /// \f$ ( \sum I d^{-2} / \sum I )^{1/4} \f$. The time is linear.
-  ///
-  /// \tparam FaceRange a model of `ConstRange` whose value type is `Face_invariants_3`
-  template <class FaceRange>
-  double optimal_scale(const FaceRange& faces) const
-  {
-    const auto [sum_of_i, sum_of_i_over_d2] = internal::sum_over_faces(faces, [](const Face_invariants_3& face) {
-      return internal::Two_sums{face.i, face.i / (face.d * face.d)};
-    });
-    return std::sqrt(std::sqrt(sum_of_i_over_d2 / sum_of_i));
-  }
-
-private:
   template <class FT>
-  FT value_of(const FT& i, const FT& d) const
+  FT operator()(const FT& i, const FT& d) const
   {
     return 0.5 * i * (1. + 1. / (d * d));
   }
 
+  /// returns the energy of a triangle with the invariants `i` and `d`, both positive, and its derivatives in them.
   template <class FT>
-  Basic_energy_derivatives_3<FT> derivatives_of(const FT& i, const FT& d) const
+  Energy_derivatives_3<FT> derivatives(const FT& i, const FT& d) const
   {
     const FT inverse_d = 1. / d;
     const FT inverse_d2 = inverse_d * inverse_d;
     const FT inverse_d3 = inverse_d2 * inverse_d;
     return {0.5 * i * (1. + inverse_d2),     0.5 * (1. + inverse_d2), -i * inverse_d3, FT(0.), -inverse_d3,
             3. * i * inverse_d2 * inverse_d2};
+  }
+
+  /// returns the factor by which the radius has to be multiplied to minimise the sum of the energies of `faces`.
+  ///
+  /// Multiplying the radius by \f$ \rho \f$ turns \f$ (I, d) \f$ into \f$ (\rho^2 I, \rho^2 d) \f$, so the factor is
+  /// \f$ ( \sum I d^{-2} / \sum I )^{1/4} \f$. The time is linear.
+  double optimal_scale(const Face_range_3& faces) const
+  {
+    const auto [sum_of_i, sum_of_i_over_d2] = faces.sums<2>([](const Face_invariants_3& face) {
+      return std::array<double, 2>{face.i, face.i / (face.d * face.d)};
+    });
+    return std::sqrt(std::sqrt(sum_of_i_over_d2 / sum_of_i));
   }
 };
 

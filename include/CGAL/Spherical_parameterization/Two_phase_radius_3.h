@@ -17,10 +17,8 @@
 
 #include <CGAL/Spherical_parameterization/Area_balancing_radius_3.h>
 #include <CGAL/Spherical_parameterization/Area_preserving_radius_3.h>
-#include <CGAL/Spherical_parameterization/internal/is_valid_policy.h>
-#include <CGAL/Spherical_parameterization/internal/next_phase.h>
-
-#include <CGAL/Default.h>
+#include <CGAL/Spherical_parameterization/Face_range_3.h>
+#include <CGAL/Spherical_parameterization/internal/policy_traits.h>
 
 #include <cmath>
 
@@ -37,35 +35,19 @@ namespace Spherical_parameterization {
 ///
 /// \cgalModels{SphereRadiusPolicy_3}
 ///
-/// \tparam FirstRadius_ must be a model of `SphereRadiusPolicy_3`.<br> <b>%Default:</b>
-/// \code
-///   Area_preserving_radius_3
-/// \endcode
-/// \tparam SecondRadius_ must be a model of `SphereRadiusPolicy_3`.<br> <b>%Default:</b>
-/// \code
-///   Area_balancing_radius_3
-/// \endcode
-template <class FirstRadius_ = Default, class SecondRadius_ = Default>
+/// \tparam FirstRadius must be a model of `SphereRadiusPolicy_3`.
+/// \tparam SecondRadius must be a model of `SphereRadiusPolicy_3`.
+template <class FirstRadius = Area_preserving_radius_3, class SecondRadius = Area_balancing_radius_3>
 class Two_phase_radius_3
 {
 public:
-#ifndef DOXYGEN_RUNNING
-  using First_radius = typename Default::Get<FirstRadius_, Area_preserving_radius_3>::type;
-  using Second_radius = typename Default::Get<SecondRadius_, Area_balancing_radius_3>::type;
-#else
-  /// Policy of the first phase
-  using First_radius = FirstRadius_;
-  /// Policy of the second phase
-  using Second_radius = SecondRadius_;
-#endif
-
   /// constructs the policy from those of the two phases.
   ///
   /// \param first the policy of the first phase
   /// \param second the policy of the second phase
   /// \param tolerance the first phase ends with a relative change of the radius of at most this, which is at least 0;
   ///        with 0 it lasts until the energy has settled as well, as in the paper
-  explicit Two_phase_radius_3(const First_radius& first = First_radius(), const Second_radius& second = Second_radius(),
+  explicit Two_phase_radius_3(const FirstRadius& first = FirstRadius(), const SecondRadius& second = SecondRadius(),
                               double tolerance = 1e-3)
     : m_first(first)
     , m_second(second)
@@ -80,21 +62,17 @@ public:
 
   /// returns the radius to start with, that of the first phase, given the radius `equal_area_radius` of the sphere
   /// which has the area of the surface.
-  double initial_radius(double equal_area_radius) const
-  {
-    return m_first.initial_radius(equal_area_radius);
-  }
+  double initial_radius(double equal_area_radius) const { return m_first.initial_radius(equal_area_radius); }
 
   /// returns the radius that follows `radius`, in linear time.
   ///
   /// \tparam Energy a model of `DistortionEnergy_3`
-  /// \tparam FaceRange a model of `ConstRange` whose value type is `Face_invariants_3`
   ///
   /// \param energy the energy in use
   /// \param faces the faces, as they are on the sphere of radius `radius`
   /// \param radius the current radius, in the unit of length of the surface
-  template <class Energy, class FaceRange>
-  double operator()(const Energy& energy, const FaceRange& faces, double radius)
+  template <class Energy>
+  double operator()(const Energy& energy, const Face_range_3& faces, double radius)
   {
     if(m_is_settled)
       return m_second(energy, faces, radius);
@@ -115,8 +93,8 @@ public:
   }
 
 private:
-  First_radius m_first;
-  Second_radius m_second;
+  FirstRadius m_first;
+  SecondRadius m_second;
   double m_tolerance;
   bool m_is_settled = false;
 };

@@ -18,8 +18,8 @@
 #include <CGAL/Spherical_parameterization/Error_code.h>
 #include <CGAL/Spherical_parameterization/Mesh_defect.h>
 #include <CGAL/Spherical_parameterization/Parameterization_report.h>
-#include <CGAL/Spherical_parameterization/internal/Indexed_mesh.h>
-#include <CGAL/Spherical_parameterization/internal/Mesh_defect_locator.h>
+#include <CGAL/Spherical_parameterization/internal/mesh/Indexed_mesh.h>
+#include <CGAL/Spherical_parameterization/internal/mesh/Mesh_defect_locator.h>
 #include <CGAL/Spherical_parameterization/internal/read_mesh.h>
 
 #include <CGAL/Named_function_parameters.h>
@@ -63,8 +63,6 @@ namespace Spherical_parameterization {
 /// \cgalNamedParamsEnd
 ///
 /// \return the first defect that is found, or one with `OK` if there is none
-///
-/// \pre `num_halfedges(tmesh) < 2147483647`, that is, 2<sup>31</sup> - 1
 ///
 /// \sa `CGAL::Spherical_parameterization::parameterize()`
 template <class TriangleMesh, typename CGAL_NP_TEMPLATE_PARAMETERS>

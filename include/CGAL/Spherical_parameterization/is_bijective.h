@@ -14,14 +14,16 @@
 
 #include <CGAL/license/Spherical_parameterization.h>
 
-#include <CGAL/Spherical_parameterization/internal/Bijectivity_certificate.h>
-#include <CGAL/Spherical_parameterization/internal/Exact_predicates_kernel.h>
+#include <CGAL/Spherical_parameterization/internal/certificate/Bijectivity_certificate.h>
+#include <CGAL/Spherical_parameterization/internal/certificate/Orientation_about_origin_3.h>
+#include <CGAL/Spherical_parameterization/internal/run/parallel.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/Origin.h>
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/named_params_helper.h>
 #include <CGAL/boost/graph/properties.h>
+#include <CGAL/tags.h>
 
 #include <boost/graph/graph_traits.hpp>
 #include <boost/property_map/property_map.hpp>
@@ -53,8 +55,11 @@ namespace Spherical_parameterization {
 /// or a face that is not a triangle, and if a coordinate is infinite or not a number. Vertices without faces are
 /// ignored.
 ///
-/// The running time is linear in the number of faces, and so is the additional memory.
+/// The running time is linear in the number of faces, and so is the additional memory. The property map is read by the
+/// calling thread alone; coordinates of an exact number type are decided about by it as well.
 ///
+/// \tparam ConcurrencyTag enables sequential versus parallel algorithm. Possible values are `Sequential_tag`,
+///         `Parallel_tag`, and `Parallel_if_available_tag`. The result does not depend on it.
 /// \tparam TriangleMesh a model of `FaceListGraph`
 /// \tparam VertexSphereMap a model of `ReadablePropertyMap` with
 ///         `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and `%Point_3` of a \cgal kernel as
@@ -79,7 +84,8 @@ namespace Spherical_parameterization {
 /// \return `true` if and only if the map is a bijection
 ///
 /// \sa `CGAL::Spherical_parameterization::measure_distortion()`
-template <class TriangleMesh, class VertexSphereMap, typename CGAL_NP_TEMPLATE_PARAMETERS>
+template <class ConcurrencyTag = Parallel_if_available_tag, class TriangleMesh, class VertexSphereMap,
+          typename CGAL_NP_TEMPLATE_PARAMETERS>
 bool is_bijective(const TriangleMesh& tmesh, VertexSphereMap vertex_sphere_map,
                   const CGAL_NP_CLASS& np = parameters::default_values())
 {
@@ -88,9 +94,7 @@ bool is_bijective(const TriangleMesh& tmesh, VertexSphereMap vertex_sphere_map,
   using Point_3 = typename Exact_kernel::Point_3;
 
   if(!CGAL::is_closed(tmesh) || !CGAL::is_triangle_mesh(tmesh))
-  {
     return false;
-  }
 
   // By default not the indices that the mesh may have itself: if they were not valid, they would have to be written.
   const auto index_map = parameters::choose_parameter(parameters::get_parameter(np, internal_np::vertex_index),
@@ -106,9 +110,7 @@ bool is_bijective(const TriangleMesh& tmesh, VertexSphereMap vertex_sphere_map,
   for(const auto v : vertices(tmesh))
   {
     if(halfedge(v, tmesh) != boost::graph_traits<TriangleMesh>::null_halfedge())
-    {
       points[static_cast<std::size_t>(get(index_map, v))] = Selection::convert(get(vertex_sphere_map, v));
-    }
   }
 
   std::vector<std::array<std::size_t, 3>> triangles;
@@ -121,7 +123,8 @@ bool is_bijective(const TriangleMesh& tmesh, VertexSphereMap vertex_sphere_map,
                          static_cast<std::size_t>(get(index_map, target(next(h, tmesh), tmesh)))});
   }
 
-  return internal::certify_bijectivity<Exact_kernel>(points, triangles).is_bijective();
+  return internal::certify_bijectivity<Exact_kernel>(points, triangles, internal::execution_of<ConcurrencyTag>())
+      .is_bijective();
 }
 
 } // namespace Spherical_parameterization

@@ -21,10 +21,6 @@
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/tags.h>
 
-#ifndef CGAL_LINKED_WITH_TBB
-#include <type_traits>
-#endif
-
 /// \file parameterize.h
 
 namespace CGAL {
@@ -40,9 +36,10 @@ namespace Spherical_parameterization {
 ///
 /// <b>Guarantee.</b> If `OK` is returned, the map is a bijection. This has been certified by exact predicates on the
 /// points as they are in `vertex_sphere_map`: every face is positively oriented about the origin, and the faces cover
-/// the sphere once. The points are rounded and so not exactly on the sphere. If the map does not hold what was put into
-/// it, for example because it rounds numbers once more, the points that it holds are certified instead; a map that can
-/// only be written has to hold them as they are. The certificate is right for any compile flags: with those that change
+/// the sphere once. The points are rounded and so not exactly on the sphere. They are certified before they are written,
+/// and if the map can be read and holds other values, for example because it rounds numbers once more, these are
+/// certified as well: if they fold, `ERROR_INSUFFICIENT_PRECISION` is returned, and the map has been overwritten. A map
+/// that can only be written has to hold the points as they are. The certificate is right for any compile flags: with those that change
 /// floating-point arithmetic, such as `-ffast-math`, points with coordinates of type `double` or `float` are certified
 /// by integer arithmetic, and exact kernels do not compile.
 ///
@@ -59,8 +56,8 @@ namespace Spherical_parameterization {
 /// <b>Stopping early.</b> Once the first map is there, the run may be stopped at any time, and `OK` means the same.
 ///
 /// <b>Exceptions.</b> What the visitor, a property map or an allocation throws reaches the caller. `tmesh` is as it
-/// was, and so is `vertex_sphere_map`: it is written at the very end, and values that have been overwritten when
-/// `put()` or `get()` throws are put back if the map is readable as well.
+/// was, and so is `vertex_sphere_map`, which is written at the very end, unless its own `put()` or `get()` throws then:
+/// in that case it is partly written.
 ///
 /// The result does not depend on the number of threads. Placing the surface elsewhere in space or scaling it changes
 /// the result by rounding only. So does renumbering its vertices, unless the shape is so regular that the choice
@@ -80,8 +77,8 @@ namespace Spherical_parameterization {
 ///        area are allowed
 /// \param parameterizer the method
 /// \param vertex_sphere_map the map to be written; it is left as it is if an error is returned by a method that
-///        promises a bijection. If its category is convertible to `boost::readable_property_map_tag`, its values are
-///        read before they are overwritten, and again when all are there.
+///        promises a bijection, with the exception above. If its category is convertible to
+///        `boost::readable_property_map_tag`, its values are read when all have been written.
 /// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
 ///
 /// \cgalNamedParamsBegin
@@ -120,8 +117,6 @@ namespace Spherical_parameterization {
 /// \return `OK`, or what is wrong with the mesh or a parameter; `get_error_message()` puts it into words, and
 ///         `find_defect()` tells where the mesh is wrong
 ///
-/// \pre `num_halfedges(tmesh) < 2147483647`, that is, 2<sup>31</sup> - 1
-///
 /// \note Calls at the same time are safe, also for the same mesh, which is only read, as long as each has a map, a
 ///       parameterizer and a visitor of its own, and so are calls from within tasks of TBB. (The coordinates must be of
 ///       a type that several threads may read at once.)
@@ -134,10 +129,6 @@ template <class ConcurrencyTag = Parallel_if_available_tag, class TriangleMesh, 
 Error_code parameterize(const TriangleMesh& tmesh, Parameterizer&& parameterizer, VertexSphereMap vertex_sphere_map,
                         const CGAL_NP_CLASS& np = parameters::default_values())
 {
-#ifndef CGAL_LINKED_WITH_TBB
-  static_assert(!std::is_convertible<ConcurrencyTag, Parallel_tag>::value,
-                "Parallel_tag is enabled but TBB is unavailable.");
-#endif
   return parameterizer.template parameterize<ConcurrencyTag>(tmesh, vertex_sphere_map, np);
 }
 
@@ -146,53 +137,9 @@ Error_code parameterize(const TriangleMesh& tmesh, Parameterizer&& parameterizer
 /// computes a one-to-one map of low distortion from a triangle mesh to a sphere around the origin.
 ///
 /// The method is a `Bijective_low_distortion_parameterizer_3` with its defaults, whose energy, sharpness and radius are
-/// a good choice for most surfaces. Guarantee, exceptions and threads are as for the function above.
+/// a good choice for most surfaces. Parameters, guarantee, exceptions and threads are as for the function above.
 ///
-/// \tparam ConcurrencyTag enables sequential versus parallel algorithm. Possible values are `Sequential_tag`,
-///         `Parallel_tag`, and `Parallel_if_available_tag`.
-/// \tparam TriangleMesh a model of `FaceListGraph`
-/// \tparam VertexSphereMap a model of `WritablePropertyMap` with
-///         `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and `%Point_3` of a \cgal kernel as
-///         value type; its coordinates are of type `double` or `float`, or of an exact number type
-/// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
-///
-/// \param tmesh a triangle mesh that is closed, connected and of genus 0; isolated vertices are skipped, faces without
-///        area are allowed
-/// \param vertex_sphere_map the map to be written; it is left as it is unless `OK` is returned
-/// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
-///
-/// \cgalNamedParamsBegin
-///   \cgalParamNBegin{vertex_point_map}
-///     \cgalParamDescription{a property map associating points to the vertices of `tmesh`}
-///     \cgalParamType{a class model of `ReadablePropertyMap` with
-///                    `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and `%Point_3` as value type}
-///     \cgalParamDefault{`boost::get(CGAL::vertex_point, tmesh)`}
-///     \cgalParamExtra{If this parameter is omitted, an internal property map for `CGAL::vertex_point_t`
-///                     must be available in `TriangleMesh`.}
-///   \cgalParamNEnd
-///   \cgalParamNBegin{number_of_iterations}
-///     \cgalParamDescription{the most sweeps over the vertices of `tmesh` itself}
-///     \cgalParamType{unsigned int}
-///     \cgalParamDefault{`90`}
-///     \cgalParamExtra{A negative number is refused with `ERROR_WRONG_PARAMETER`.}
-///   \cgalParamNEnd
-///   \cgalParamNBegin{maximum_running_time}
-///     \cgalParamDescription{the time in seconds after which the map reached by then is certified and
-///                           returned. The first map is completed in any case, with the least effort.}
-///     \cgalParamType{double}
-///     \cgalParamDefault{no limit, as with any value that is not positive}
-///   \cgalParamNEnd
-///   \cgalParamNBegin{visitor}
-///     \cgalParamDescription{a visitor that is told of the progress and may stop it}
-///     \cgalParamType{a model of `SphericalParameterizationVisitor`, or an `std::reference_wrapper` of one}
-///     \cgalParamDefault{`Default_visitor`}
-///   \cgalParamNEnd
-/// \cgalNamedParamsEnd
-///
-/// \return `OK`, or what is wrong with the mesh or a parameter; `get_error_message()` puts it into words, and
-///         `find_defect()` tells where the mesh is wrong
-///
-/// \pre `num_halfedges(tmesh) < 2147483647`, that is, 2<sup>31</sup> - 1
+/// \return as the function above
 ///
 /// \sa `CGAL::Spherical_parameterization::Bijective_low_distortion_parameterizer_3`
 template <class ConcurrencyTag = Parallel_if_available_tag, class TriangleMesh, class VertexSphereMap,
@@ -200,8 +147,8 @@ template <class ConcurrencyTag = Parallel_if_available_tag, class TriangleMesh, 
 Error_code parameterize(const TriangleMesh& tmesh, VertexSphereMap vertex_sphere_map,
                         const CGAL_NP_CLASS& np = parameters::default_values())
 {
-  return Spherical_parameterization::parameterize<ConcurrencyTag>(
-      tmesh, Bijective_low_distortion_parameterizer_3<TriangleMesh>(), vertex_sphere_map, np);
+  return Spherical_parameterization::parameterize<ConcurrencyTag>(tmesh, Bijective_low_distortion_parameterizer_3<>(),
+                                                                  vertex_sphere_map, np);
 }
 
 } // namespace Spherical_parameterization

@@ -17,9 +17,8 @@
 
 #include <CGAL/Spherical_parameterization/Error_code.h>
 #include <CGAL/Spherical_parameterization/Parameterization_report.h>
-#include <CGAL/Spherical_parameterization/internal/Indexed_mesh.h>
+#include <CGAL/Spherical_parameterization/internal/mesh/Indexed_mesh.h>
 
-#include <CGAL/assertions.h>
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/iterator.h>
 #include <CGAL/boost/graph/properties.h>
@@ -47,9 +46,9 @@ Error_code read_mesh(const TriangleMesh& tmesh, const VertexPointMap& vpm, Index
 {
   using Index = std::uint32_t;
 
-  CGAL_precondition_msg(num_halfedges(tmesh) < (std::numeric_limits<Index>::max)() / 2,
-                        "The corners are counted in 32 bits, with some room between the stars.");
-
+  // Corners are counted in 32 bits, with padding between the stars; see Star_packets.
+  if(num_halfedges(tmesh) >= (std::numeric_limits<Index>::max)() / 2)
+    return ERROR_TOO_LARGE_MESH;
   for(const auto f : faces(tmesh))
     if(!is_triangle(halfedge(f, tmesh), tmesh))
       return ERROR_NON_TRIANGULAR_MESH;

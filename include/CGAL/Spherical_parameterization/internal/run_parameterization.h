@@ -18,19 +18,23 @@
 #include <CGAL/Spherical_parameterization/Default_visitor.h>
 #include <CGAL/Spherical_parameterization/Error_code.h>
 #include <CGAL/Spherical_parameterization/Parameterization_report.h>
-#include <CGAL/Spherical_parameterization/internal/Guarantee.h>
-#include <CGAL/Spherical_parameterization/internal/Indexed_mesh.h>
-#include <CGAL/Spherical_parameterization/internal/Run_control.h>
-#include <CGAL/Spherical_parameterization/internal/for_each_block.h>
+#include <CGAL/Spherical_parameterization/internal/certificate/is_safely_positive.h>
+#include <CGAL/Spherical_parameterization/internal/mesh/Indexed_mesh.h>
 #include <CGAL/Spherical_parameterization/internal/read_mesh.h>
+#include <CGAL/Spherical_parameterization/internal/run/Run_control.h>
+#include <CGAL/Spherical_parameterization/internal/run/parallel.h>
+#include <CGAL/Spherical_parameterization/internal/simd/Vector_3.h>
 #include <CGAL/Spherical_parameterization/internal/write_map.h>
 
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/named_params_helper.h>
+#include <CGAL/boost/graph/properties.h>
 
 #include <boost/graph/graph_traits.hpp>
 
 #include <cstddef>
+#include <functional>
 #include <type_traits>
 #include <vector>
 
@@ -38,10 +42,71 @@ namespace CGAL {
 namespace Spherical_parameterization {
 namespace internal {
 
+// Sets `number` to the named parameter `number_of_iterations` if it is given; returns false if that is negative.
+template <class NamedParameters>
+bool read_number_of_iterations(const NamedParameters& np, std::size_t& number)
+{
+  const auto given =
+      parameters::choose_parameter(parameters::get_parameter(np, internal_np::number_of_iterations), number);
+  if constexpr(std::is_signed<std::decay_t<decltype(given)>>::value)
+    if(given < 0)
+      return false;
+  number = static_cast<std::size_t>(given);
+  return true;
+}
+
+// The caller's visitor as the stages of a run see it.
+template <class Visitor>
+class Visitor_control : public Run_control
+{
+public:
+  Visitor_control(Visitor& visitor, double max_seconds, Parameterization_report& report)
+    : Run_control(max_seconds, report)
+    , m_visitor(visitor)
+  {}
+
+  void on_initialization_begin(std::size_t number_of_vertices) override
+  {
+    m_visitor.on_initialization_begin(number_of_vertices);
+  }
+  void on_level(std::size_t number_of_vertices) override { m_visitor.on_level(number_of_vertices); }
+  void on_initialization_end() override { m_visitor.on_initialization_end(); }
+  void after_iteration(std::size_t iteration, double energy, double radius) override
+  {
+    m_visitor.after_iteration(iteration, energy, radius);
+  }
+  void on_optimization_end() override { m_visitor.on_optimization_end(); }
+
+private:
+  bool visitor_goes_further(std::size_t iteration, double energy) override
+  {
+    return m_visitor.go_further(iteration, energy);
+  }
+
+  Visitor& m_visitor;
+};
+
+// A run from the caller's mesh to the caller's map: what the work of a method is given and what it fills in.
+template <class ConcurrencyTag_, class TriangleMesh, class VertexPointMap>
+struct Parameterization_run
+{
+  using Concurrency_tag = ConcurrencyTag_;
+  using vertex_descriptor = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
+
+  const TriangleMesh& tmesh;
+  VertexPointMap vertex_point_map;
+  Run_control& control;
+  Execution execution = execution_of<Concurrency_tag>();
+
+  Indexed_mesh mesh = {};
+  std::vector<vertex_descriptor> vertices_of_mesh = {};
+
+  std::vector<Vector_3d> positions = {}; // on the unit sphere
+  double radius = 1.;                    // in the caller's unit of length
+};
+
 // What every parameterizer does around its own work: reads the named parameters, checks and copies the mesh, certifies
-// and writes the map, by what the method guarantees. The report is to be a new one. The work itself is
-//   Error_code compute(mesh, vertices_of_mesh, positions, radius, control)
-// which sets the positions on the unit sphere and the radius in the caller's unit of length.
+// and writes the map, by what the method guarantees. The work itself is `Error_code compute(Parameterization_run&)`.
 template <class ConcurrencyTag, class TriangleMesh, class VertexSphereMap, class NamedParameters, class Compute>
 Error_code run_parameterization(const TriangleMesh& tmesh, VertexSphereMap vertex_sphere_map, const NamedParameters& np,
                                 Parameterization_report& report, Guarantee guarantee, const Compute& compute)
@@ -54,28 +119,72 @@ Error_code run_parameterization(const TriangleMesh& tmesh, VertexSphereMap verte
 
   Default_visitor default_visitor;
   Visitor visitor = choose_parameter(get_parameter_reference(np, internal_np::visitor), default_visitor);
-  const double most_seconds = choose_parameter(get_parameter(np, internal_np::maximum_running_time), 0.);
-  Run_control<std::remove_reference_t<Visitor>> control(visitor, most_seconds, report);
-
+  const double max_seconds = choose_parameter(get_parameter(np, internal_np::maximum_running_time), 0.);
+  Visitor_control<std::remove_reference_t<Visitor>> control(visitor, max_seconds, report);
   const auto vpm =
       choose_parameter(get_parameter(np, internal_np::vertex_point), get_const_property_map(vertex_point, tmesh));
-  // Threads that are not there as yet are made while the mesh is read.
-  for_each_block<ConcurrencyTag>(0, 2, 1, [](std::size_t, std::size_t) {});
+  Parameterization_run<ConcurrencyTag, TriangleMesh, std::decay_t<decltype(vpm)>> run{tmesh, vpm, control};
 
-  Indexed_mesh mesh;
-  std::vector<typename boost::graph_traits<TriangleMesh>::vertex_descriptor> vertices_of_mesh;
-  Error_code error = read_mesh(tmesh, vpm, mesh, vertices_of_mesh, report);
+  for_each_block(run.execution, 0, 2, 1, [](std::size_t, std::size_t) {}); // the thread pool starts meanwhile
+  Error_code error = read_mesh(tmesh, vpm, run.mesh, run.vertices_of_mesh, report);
   report.seconds_for_reading = control.lap();
   if(error != OK)
     return error;
-
-  std::vector<Vector_3d> positions;
-  double radius = 1.;
-  error = compute(mesh, vertices_of_mesh, positions, radius, control);
+  error = compute(run);
   if(error == OK)
-    error = write_map<ConcurrencyTag>(mesh, vertices_of_mesh, positions, radius, guarantee, vertex_sphere_map);
-  report.radius = radius;
+    error = write_map(run.mesh, run.vertices_of_mesh, run.positions, run.radius, guarantee, vertex_sphere_map,
+                      run.execution);
+  report.radius = run.radius;
   report.seconds_for_certificate = control.lap();
+  return error;
+}
+
+// What the initial parameterizer sees of the caller's visitor and of the time: it may be stopped, and its levels show.
+class Initial_map_visitor : public Default_visitor
+{
+public:
+  explicit Initial_map_visitor(Run_control& control)
+    : m_control(control)
+  {}
+
+  void on_level(std::size_t number_of_vertices) { m_control.on_level(number_of_vertices); }
+  bool go_further(std::size_t /* iteration */, double energy) { return m_control.go_further(0, energy); }
+
+private:
+  Run_control& m_control;
+};
+
+// Gets the map that a parameterizer makes as positions on the unit sphere. This is the general way, through the public
+// interface of any model of `SphericalParameterizer_3`; a parameterizer of the package that works on an Indexed_mesh
+// overloads the function and spares the mesh a second reading.
+template <class Parameterizer, class Run>
+Error_code compute_initial_map(Parameterizer& parameterizer, Run& run)
+{
+  using Point_3 = Exact_predicates_inexact_constructions_kernel::Point_3;
+
+  const auto map = get(CGAL::dynamic_vertex_property_t<Point_3>(), run.tmesh);
+  Initial_map_visitor visitor(run.control);
+  const Error_code error = parameterizer.template parameterize<typename Run::Concurrency_tag>(
+      run.tmesh, map, parameters::vertex_point_map(run.vertex_point_map).visitor(std::ref(visitor)));
+  if(error == ERROR_NO_1_TO_1_MAPPING)
+    return ERROR_INVALID_INITIAL_PARAMETERIZATION; // the caller's own map is untouched
+  if(error != OK)
+    return error;
+  // The sweeps compute with rounding, so a face that is positive by less than that would not be safe with them.
+  const bool is_safe = read_map(run.mesh, run.vertices_of_mesh, map, run.positions, run.execution) &&
+                       are_safely_positive(run.mesh.rings(), run.positions);
+  run.control.report().seconds_for_embedding = run.control.lap();
+  return is_safe ? OK : ERROR_INVALID_INITIAL_PARAMETERIZATION;
+}
+
+// Makes the map that a method starts from, and tells the visitor of it.
+template <class Parameterizer, class Run>
+Error_code make_initial_map(Parameterizer& parameterizer, Run& run)
+{
+  run.control.on_initialization_begin(run.mesh.number_of_vertices());
+  const Error_code error = compute_initial_map(parameterizer, run);
+  if(error == OK)
+    run.control.on_initialization_end();
   return error;
 }
 

@@ -16,18 +16,20 @@
 #include <CGAL/license/Spherical_parameterization.h>
 
 #include <CGAL/Spherical_parameterization/Error_code.h>
-#include <CGAL/Spherical_parameterization/internal/Bijectivity_certificate.h>
-#include <CGAL/Spherical_parameterization/internal/Exact_predicates_kernel.h>
-#include <CGAL/Spherical_parameterization/internal/Guarantee.h>
-#include <CGAL/Spherical_parameterization/internal/Indexed_mesh.h>
-#include <CGAL/Spherical_parameterization/internal/Vector_3d.h>
-#include <CGAL/Spherical_parameterization/internal/is_finite.h>
-#include <CGAL/Spherical_parameterization/internal/put_all.h>
+#include <CGAL/Spherical_parameterization/internal/certificate/Bijectivity_certificate.h>
+#include <CGAL/Spherical_parameterization/internal/certificate/Orientation_about_origin_3.h>
+#include <CGAL/Spherical_parameterization/internal/mesh/Indexed_mesh.h>
+#include <CGAL/Spherical_parameterization/internal/run/parallel.h>
+#include <CGAL/Spherical_parameterization/internal/simd/Vector_3.h>
 
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Kernel_traits.h>
+#include <CGAL/number_utils.h>
 
 #include <boost/property_map/property_map.hpp>
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <type_traits>
@@ -37,29 +39,87 @@ namespace CGAL {
 namespace Spherical_parameterization {
 namespace internal {
 
-// Scales the positions from the unit sphere to the sphere of radius `radius`, certifies the points exactly as the
-// caller will get them, and only then writes them: the second of the two places that touch the caller's data. A map
+// What a method promises of its maps: that they are one-to-one, or nothing, in which case a map that folds is written
+// and reported.
+enum class Guarantee
+{
+  ONE_TO_ONE,
+  NONE
+};
+
+// Whether points, images of the vertices of a mesh, make a bijection of it.
+template <class Point_3>
+bool are_bijective(const Indexed_mesh& mesh, const std::vector<Point_3>& images, Execution execution)
+{
+  using Selection = Exact_predicates_kernel<typename Kernel_traits<Point_3>::Kernel>;
+  using Exact_kernel = typename Selection::type;
+  std::vector<typename Exact_kernel::Point_3> exact_images;
+  exact_images.reserve(images.size());
+  for(const Point_3& p : images)
+    exact_images.push_back(Selection::convert(p));
+  return certify_bijectivity<Exact_kernel>(exact_images, mesh.triangles(), execution).is_bijective();
+}
+
+// Reads a map from the vertices of the caller's mesh and projects it to the unit sphere. Returns whether it is a
+// bijection there.
+template <class VertexDescriptor, class VertexSphereMap>
+bool read_map(const Indexed_mesh& mesh, const std::vector<VertexDescriptor>& vertices_of_mesh, VertexSphereMap map,
+              std::vector<Vector_3d>& positions, Execution execution)
+{
+  using Point_3 = Exact_predicates_inexact_constructions_kernel::Point_3;
+  positions.resize(mesh.number_of_vertices());
+  std::vector<Point_3> points;
+  points.reserve(positions.size());
+  for(std::size_t v = 0; v < positions.size(); ++v)
+  {
+    const auto& p = get(map, vertices_of_mesh[mesh.original(v)]);
+    const Vector_3d x = {CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z())};
+    const double size = (std::max)({std::abs(x[0]), std::abs(x[1]), std::abs(x[2])}); // squares could overflow
+    positions[v] = normalized({x[0] / size, x[1] / size, x[2] / size});
+    points.push_back(Point_3(positions[v][0], positions[v][1], positions[v][2]));
+  }
+  return are_bijective(mesh, points, execution);
+}
+
+// Whether the map holds the points that it was given, or others that are a bijection as well. (Lazy numbers that were
+// made from what is not finite must not be compared, so exact numbers are always certified anew.)
+template <class VertexDescriptor, class VertexSphereMap, class Point_3>
+bool is_bijective_as_written(const Indexed_mesh& mesh, const std::vector<VertexDescriptor>& vertices_of_mesh,
+                             VertexSphereMap map, const std::vector<Point_3>& points, Execution execution)
+{
+  constexpr bool are_comparable = std::is_floating_point<typename Kernel_traits<Point_3>::Kernel::FT>::value;
+  std::vector<Point_3> written;
+  written.reserve(points.size());
+  bool are_the_same = are_comparable;
+  for(std::size_t v = 0; v < points.size(); ++v)
+  {
+    written.push_back(get(map, vertices_of_mesh[mesh.original(v)]));
+    if constexpr(are_comparable)
+      are_the_same = are_the_same && written.back() == points[v];
+  }
+  return are_the_same || are_bijective(mesh, written, execution);
+}
+
+// Scales the positions from the unit sphere to the sphere of radius `radius`, certifies the points in the type that the
+// caller will get them in, and only then writes them: the second of the two places that touch the caller's data. A map
 // that is not one-to-one is written only if nothing else was promised.
 //
 // A property map may hold other values than those that it was given, for example numbers of single precision. So what
 // can be read is read again, and certified anew if it differs.
-template <class ConcurrencyTag, class VertexDescriptor, class VertexSphereMap>
+template <class VertexDescriptor, class VertexSphereMap>
 Error_code write_map(const Indexed_mesh& mesh, const std::vector<VertexDescriptor>& vertices_of_mesh,
-                     const std::vector<Vector_3d>& positions, double radius, Guarantee guarantee,
-                     VertexSphereMap vertex_sphere_map)
+                     const std::vector<Vector_3d>& positions, double radius, Guarantee guarantee, VertexSphereMap map,
+                     Execution execution)
 {
   using Point_3 = typename boost::property_traits<VertexSphereMap>::value_type;
   using Category = typename boost::property_traits<VertexSphereMap>::category;
-  using Selection = Exact_predicates_kernel_of_map<VertexSphereMap>;
-  using Exact_kernel = typename Selection::type;
   using FT = typename Kernel_traits<Point_3>::Kernel::FT;
 
-  if(!(radius > 0.) || !is_finite(radius))
+  if(!is_positive_and_finite(radius))
     return ERROR_INSUFFICIENT_PRECISION;
   if constexpr(std::is_floating_point<FT>::value)
     if(radius > static_cast<double>((std::numeric_limits<FT>::max)()))
       return ERROR_INSUFFICIENT_PRECISION;
-
   std::vector<Point_3> points;
   points.reserve(positions.size());
   for(const Vector_3d& u : positions)
@@ -69,45 +129,18 @@ Error_code write_map(const Indexed_mesh& mesh, const std::vector<VertexDescripto
     points.push_back(
         Point_3(static_cast<FT>(radius * u[0]), static_cast<FT>(radius * u[1]), static_cast<FT>(radius * u[2])));
   }
-  const auto certify = [&](const std::vector<Point_3>& images) {
-    std::vector<typename Exact_kernel::Point_3> exact_images;
-    exact_images.reserve(images.size());
-    for(const Point_3& p : images)
-      exact_images.push_back(Selection::convert(p));
-    return certify_bijectivity<Exact_kernel, ConcurrencyTag>(exact_images, mesh.triangles()).is_bijective();
-  };
-  bool is_bijective = certify(points);
+  bool is_bijective = are_bijective(mesh, points, execution);
   if(!is_bijective && guarantee == Guarantee::ONE_TO_ONE)
     return ERROR_INSUFFICIENT_PRECISION;
 
-  const auto vertex = [&](std::size_t v) { return vertices_of_mesh[mesh.original(v)]; };
-  const auto is_accepted_as_written = [&] {
-    if constexpr(std::is_convertible<Category, boost::readable_property_map_tag>::value)
-    {
-      // Lazy numbers that were made from what is not finite must not be compared.
-      constexpr bool are_comparable = std::is_floating_point<FT>::value;
-      std::vector<Point_3> written;
-      written.reserve(points.size());
-      bool is_the_same = are_comparable;
-      for(std::size_t v = 0; v < points.size(); ++v)
-      {
-        written.push_back(get(vertex_sphere_map, vertex(v)));
-        if constexpr(are_comparable)
-        {
-          const Point_3& p = written.back();
-          if(!is_finite({p.x(), p.y(), p.z()}))
-            return false;
-          is_the_same = is_the_same && p == points[v];
-        }
-      }
-      if(!is_the_same)
-        is_bijective = certify(written);
-    }
-    return is_bijective || guarantee != Guarantee::ONE_TO_ONE;
-  };
-  if(!put_all(vertex_sphere_map, vertex, points, is_accepted_as_written))
-    return ERROR_INSUFFICIENT_PRECISION;
-  return is_bijective ? OK : ERROR_NO_1_TO_1_MAPPING;
+  for(std::size_t v = 0; v < points.size(); ++v)
+    put(map, vertices_of_mesh[mesh.original(v)], points[v]);
+  if constexpr(std::is_convertible<Category, boost::readable_property_map_tag>::value)
+    if(is_bijective)
+      is_bijective = is_bijective_as_written(mesh, vertices_of_mesh, map, points, execution);
+  if(is_bijective)
+    return OK;
+  return guarantee == Guarantee::ONE_TO_ONE ? ERROR_INSUFFICIENT_PRECISION : ERROR_NO_1_TO_1_MAPPING;
 }
 
 } // namespace internal

@@ -1,0 +1,122 @@
+// Copyright (c) 2026  The Spherical_parameterization authors.
+// All rights reserved.
+//
+// This file is part of the Spherical_parameterization package for CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Spherical_parameterization authors
+//
+
+#ifndef CGAL_SPHERICAL_PARAMETERIZATION_FACE_RANGE_3_H
+#define CGAL_SPHERICAL_PARAMETERIZATION_FACE_RANGE_3_H
+
+#include <CGAL/license/Spherical_parameterization.h>
+
+#include <CGAL/Spherical_parameterization/Face_invariants_3.h>
+#include <CGAL/Spherical_parameterization/internal/run/parallel.h>
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+/// \file Face_range_3.h
+
+namespace CGAL {
+namespace Spherical_parameterization {
+
+/// \ingroup PkgSphericalParameterizationEnergies
+///
+/// The class `Face_range_3` is the range of the faces of a mesh as radius policies and energies see them: the invariants
+/// of each face on the sphere of the current radius. It refers to them, and is valid during the call that it is given to.
+///
+/// \cgalModels{ConstRange}
+class Face_range_3
+{
+public:
+  /// Value type
+  using value_type = Face_invariants_3;
+  /// Iterator type
+  using const_iterator = const Face_invariants_3*;
+  /// Iterator type
+  using iterator = const_iterator;
+  /// Size type
+  using size_type = std::size_t;
+
+  /// constructs the range of the faces in [`begin`, `end`).
+  Face_range_3(const_iterator begin, const_iterator end)
+    : m_begin(begin)
+    , m_end(end)
+  {}
+
+#ifndef DOXYGEN_RUNNING
+  Face_range_3(const_iterator begin, const_iterator end, internal::Execution execution)
+    : m_begin(begin)
+    , m_end(end)
+    , m_execution(execution)
+  {}
+#endif
+
+  /// returns the first face.
+  const_iterator begin() const
+  {
+    return m_begin;
+  }
+  /// returns the end of the range.
+  const_iterator end() const
+  {
+    return m_end;
+  }
+  /// returns the number of faces.
+  size_type size() const
+  {
+    return static_cast<size_type>(m_end - m_begin);
+  }
+  /// returns whether there is no face.
+  bool empty() const
+  {
+    return m_begin == m_end;
+  }
+
+  /// returns the sums of `n` numbers over all faces, added up with all threads of the run. The order of the additions
+  /// and so the result does not depend on the number of threads. The time is linear.
+  ///
+  /// \tparam n how many sums
+  /// \tparam Terms a function object that several threads may call at once
+  ///
+  /// \param terms `terms(face)` is an `std::array<double, n>`, what the face adds to each of the sums
+  template <std::size_t n, class Terms>
+  std::array<double, n> sums(const Terms& terms) const
+  {
+    constexpr std::size_t block_size = 1024;
+    std::vector<std::array<double, n>> parts((size() + block_size - 1) / block_size);
+    internal::for_each_block(m_execution, 0, size(), block_size, [&](std::size_t begin, std::size_t end) {
+      std::array<double, n> part = {};
+      for(const_iterator face = m_begin + begin; face != m_begin + end; ++face)
+        add(terms(*face), part);
+      parts[begin / block_size] = part;
+    });
+    std::array<double, n> result = {};
+    for(const std::array<double, n>& part : parts)
+      add(part, result);
+    return result;
+  }
+
+private:
+  template <std::size_t n>
+  static void add(const std::array<double, n>& terms, std::array<double, n>& sums)
+  {
+    for(std::size_t k = 0; k < n; ++k)
+      sums[k] += terms[k];
+  }
+
+  const_iterator m_begin, m_end;
+  internal::Execution m_execution = internal::Execution::SEQUENTIAL;
+};
+
+} // namespace Spherical_parameterization
+} // namespace CGAL
+
+#endif // CGAL_SPHERICAL_PARAMETERIZATION_FACE_RANGE_3_H

@@ -1,0 +1,339 @@
+// Copyright (c) 2026  The Spherical_parameterization authors.
+// All rights reserved.
+//
+// This file is part of the Spherical_parameterization package for CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Spherical_parameterization authors
+//
+
+#ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_BASELINES_STEREOGRAPHIC_EMBEDDING_H
+#define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_BASELINES_STEREOGRAPHIC_EMBEDDING_H
+
+#include <CGAL/license/Spherical_parameterization.h>
+
+#include <CGAL/Spherical_parameterization/internal/baselines/Laplacian_system.h>
+#include <CGAL/Spherical_parameterization/internal/certificate/is_safely_positive.h>
+#include <CGAL/Spherical_parameterization/internal/mesh/Indexed_mesh.h>
+#include <CGAL/Spherical_parameterization/internal/mesh/Vertex_rings.h>
+#include <CGAL/Spherical_parameterization/internal/mesh/mesh_measures.h>
+#include <CGAL/Spherical_parameterization/internal/simd/Vector_3.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Spherical_parameterization {
+namespace internal {
+
+// The number of edges from `source` to each vertex of a connected mesh.
+inline std::vector<std::uint32_t> edge_distances(const Vertex_rings& rings, std::uint32_t source)
+{
+  const std::size_t n = rings.number_of_vertices();
+  std::vector<std::uint32_t> distance(n, static_cast<std::uint32_t>(n)), queue = {source};
+  queue.reserve(n);
+  distance[source] = 0;
+  for(std::size_t k = 0; k < queue.size(); ++k)
+    for(const std::uint32_t w : rings.ring(queue[k]))
+      if(distance[w] == n)
+      {
+        distance[w] = distance[queue[k]] + 1;
+        queue.push_back(w);
+      }
+  return distance;
+}
+
+// A vertex in the middle of the surface: of all vertices, the one that is least far from the extremities. Those are
+// found one after the other, each as far as possible from those before.
+inline std::uint32_t central_vertex(const Vertex_rings& rings)
+{
+  constexpr int number_of_extremities = 8;
+  std::vector<std::uint32_t> nearest = edge_distances(rings, 0), farthest(rings.number_of_vertices(), 0);
+  for(int k = 0; k < number_of_extremities; ++k)
+  {
+    const auto extremity = std::max_element(nearest.begin(), nearest.end()) - nearest.begin();
+    const std::vector<std::uint32_t> distance = edge_distances(rings, static_cast<std::uint32_t>(extremity));
+    for(std::size_t v = 0; v < distance.size(); ++v)
+    {
+      nearest[v] = k == 0 ? distance[v] : (std::min)(nearest[v], distance[v]);
+      farthest[v] = (std::max)(farthest[v], distance[v]);
+    }
+  }
+  return static_cast<std::uint32_t>(std::min_element(farthest.begin(), farthest.end()) - farthest.begin());
+}
+
+// A conformal map of the unit sphere to itself that pushes all points towards one, along the circles through it and its
+// opposite. Together with the rotations, these generate all that preserve the orientation.
+class Moebius_transformation
+{
+public:
+  // Pushes towards c / |c|, the more so the closer |c| < 1 is to 1.
+  explicit Moebius_transformation(const Vector_3d& c)
+    : m_c(c)
+    , m_numerator(1. - squared_length(c))
+  {}
+
+  Vector_3d operator()(const Vector_3d& u) const
+  {
+    const Vector_3d s = u + m_c;
+    return normalized((m_numerator / squared_length(s)) * s + m_c);
+  }
+
+private:
+  Vector_3d m_c;
+  double m_numerator;
+};
+
+inline Vector_3d center_of_mass(const std::vector<Vector_3d>& points, const std::vector<double>& masses)
+{
+  Vector_3d sum = {0., 0., 0.};
+  double mass = 0.;
+  for(std::size_t v = 0; v < points.size(); ++v)
+  {
+    sum = sum + masses[v] * points[v];
+    mass += masses[v];
+  }
+  return (1. / mass) * sum;
+}
+
+// The solution x of sum m (1 - u u^T) x = b. The matrix is symmetric, and positive definite unless all points are on
+// one line.
+inline Vector_3d solve_tangential(const std::vector<Vector_3d>& points, const std::vector<double>& masses,
+                                  const Vector_3d& b)
+{
+  std::array<Vector_3d, 3> rows = {};
+  for(std::size_t v = 0; v < points.size(); ++v)
+    for(std::size_t i = 0; i < 3; ++i)
+      for(std::size_t j = 0; j < 3; ++j)
+        rows[i][j] += masses[v] * ((i == j ? 1. : 0.) - points[v][i] * points[v][j]);
+  // Cramer's rule
+  const Vector_3d c0 = cross(rows[1], rows[2]), c1 = cross(rows[2], rows[0]), c2 = cross(rows[0], rows[1]);
+  return (1. / dot(rows[0], c0)) * (b[0] * c0 + b[1] * c1 + b[2] * c2);
+}
+
+// Moves points of the unit sphere by Moebius transformations until their centre of mass is at the centre of the sphere.
+// There is one such transformation, up to rotations, if no point has half of the mass or more; the masses of vertices,
+// a third of the areas of their faces, are never as large.
+//
+// A transformation that `is_admissible(moved points)` refuses is replaced by weaker ones; if those are refused as well,
+// the points stay where they are. Returns the distance that remains.
+template <class IsAdmissible>
+double center_mass(std::vector<Vector_3d>& points, const std::vector<double>& masses, const IsAdmissible& is_admissible)
+{
+  constexpr double tolerance = 1e-12, max_push = 0.5;
+  constexpr int max_pushes = 100, max_halvings = 8;
+
+  double mass = 0.;
+  for(const double m : masses)
+    mass += m;
+  std::vector<Vector_3d> moved(points.size());
+  Vector_3d center = center_of_mass(points, masses);
+  for(int k = 0; k < max_pushes && length(center) > tolerance; ++k)
+  {
+    // Newton's method: a weak push by c moves a point u by 2 (c - (c u) u).
+    Vector_3d push = solve_tangential(points, masses, (-0.5 * mass) * center);
+    const double size = length(push);
+    if(!(size > 0.))
+      break;
+    if(size > max_push)
+      push = (max_push / size) * push;
+    bool is_moved = false;
+    for(int halving = 0; halving < max_halvings && !is_moved; ++halving, push = 0.5 * push)
+    {
+      const Moebius_transformation transformation(push);
+      for(std::size_t v = 0; v < points.size(); ++v)
+        moved[v] = transformation(points[v]);
+      const Vector_3d next_center = center_of_mass(moved, masses);
+      if(length(next_center) < length(center) && is_admissible(moved))
+      {
+        center = next_center;
+        points.swap(moved);
+        is_moved = true;
+      }
+    }
+    if(!is_moved)
+      break;
+  }
+  return length(center);
+}
+
+// Maps a mesh to the unit sphere through the plane: without one vertex in the middle of the surface, the pole, the mesh
+// is a disc and has a Tutte embedding, with the ring of the pole on a circle and every other vertex in the weighted
+// mean of its neighbours. The plane goes to the sphere by the inverse of the stereographic projection, the pole to the
+// north pole, and a Moebius transformation balances the two sides.
+//
+// As edges are straight in the plane and great circles on the sphere, large faces may be turned over on the way, as on
+// coarse meshes. Then the plane is projected to the southern hemisphere from the centre of the sphere instead, which
+// keeps straight what is straight, and the star of the pole covers the rest.
+template <class SolverTraits>
+class Stereographic_embedding
+{
+public:
+  explicit Stereographic_embedding(const Indexed_mesh& mesh)
+    : m_mesh(mesh)
+    , m_rings(mesh.rings())
+    , m_pole(central_vertex(mesh.rings()))
+    , m_areas(vertex_masses(mesh.rings(), mesh.points()))
+  {}
+
+  // Embeds the mesh in the plane. Returns false if the linear system could not be solved.
+  bool solve()
+  {
+    place_ring_of_pole();
+    if(m_rings.degree(m_pole) + 1 < m_rings.number_of_vertices() && !place_other_vertices())
+      return false;
+    scale_plane();
+    return true;
+  }
+
+  // Takes the plane to the sphere, whether or not faces are turned over.
+  void project(std::vector<Vector_3d>& positions) const
+  {
+    project_stereographically(positions);
+    center_mass(positions, m_areas, [](const std::vector<Vector_3d>&) { return true; });
+  }
+
+  // Takes the plane to the sphere; returns false if doubles cannot hold the map.
+  bool project_bijectively(std::vector<Vector_3d>& positions) const
+  {
+    const auto are_positive = [&](const std::vector<Vector_3d>& p) { return are_safely_positive(m_rings, p); };
+    project_stereographically(positions);
+    if(!are_positive(positions))
+      project_centrally(positions);
+    if(!are_positive(positions))
+      return false;
+    center_mass(positions, m_areas, are_positive);
+    return true;
+  }
+
+private:
+  // The angles between neighbours are in proportion to those at the pole, blended with equal ones: no angle is half a
+  // turn or more.
+  void place_ring_of_pole()
+  {
+    const double turn = 2. * 3.14159265358979323846;
+    const Vertex_rings::Ring ring = m_rings.ring(m_pole);
+    std::vector<double> angles(ring.size());
+    double sum = 0.;
+    for(std::size_t j = 0; j < ring.size(); ++j)
+    {
+      const Vector_3d p = m_mesh.points()[ring[j]] - m_mesh.points()[m_pole];
+      const Vector_3d q = m_mesh.points()[ring.around(j + 1)] - m_mesh.points()[m_pole];
+      sum += angles[j] = std::atan2(length(cross(p, q)), dot(p, q));
+    }
+    const double equal_share = 1. / static_cast<double>(ring.size());
+    double phi = 0.;
+    m_plane.assign(m_rings.number_of_vertices(), {0., 0., 0.});
+    m_is_fixed.assign(m_plane.size(), 0);
+    m_is_fixed[m_pole] = 1;
+    for(std::size_t j = 0; j < ring.size(); ++j)
+    {
+      m_plane[ring[j]] = {std::cos(phi), std::sin(phi), 0.};
+      m_is_fixed[ring[j]] = 1;
+      const double own_share = sum > 0. ? angles[j] / sum : equal_share;
+      phi += turn * (own_blend * (std::min)(own_share, 0.5) + (1. - own_blend) * equal_share);
+    }
+  }
+
+  // Solves the system twice: once to learn where most of the surface is, and once with that place as the origin, where
+  // numbers are finest.
+  bool place_other_vertices()
+  {
+    const std::vector<double> weights = cotangent_weights(m_rings, m_mesh.points(), min_positive_weight);
+    Laplacian_system<SolverTraits> system;
+    if(!system.factor(m_rings, weights, [&](std::uint32_t v) { return m_is_fixed[v] != 0; }))
+      return false;
+    for(int pass = 0; pass < 2; ++pass)
+    {
+      std::vector<Vector_3d> x(m_plane.size(), {0., 0., 0.});
+      for(const std::uint32_t w : m_rings.ring(m_pole))
+        for(std::size_t j = 0; j < m_rings.degree(w); ++j)
+        {
+          Vector_3d& right = x[m_rings.ring(w)[j]];
+          right = right + weights[m_rings.offset(w) + j] * m_plane[w];
+        }
+      if(!system.solve(x))
+        return false;
+      for(std::size_t v = 0; v < x.size(); ++v)
+        if(!m_is_fixed[v])
+          m_plane[v] = x[v];
+      if(pass == 0)
+      {
+        const Vector_3d center = center_of_mass(m_plane, m_areas);
+        for(const std::uint32_t w : m_rings.ring(m_pole))
+          m_plane[w] = m_plane[w] - center;
+      }
+    }
+    return true;
+  }
+
+  // Scales the plane such that half of the area of the surface is within the unit circle: on the sphere, it would be
+  // crowded around the south pole else, where the numbers are coarse for it.
+  void scale_plane()
+  {
+    std::vector<std::pair<double, double>> areas_by_distance;
+    double sum = 0.;
+    for(std::size_t v = 0; v < m_plane.size(); ++v)
+    {
+      areas_by_distance.emplace_back(length(m_plane[v]), m_areas[v]);
+      sum += m_areas[v];
+    }
+    std::sort(areas_by_distance.begin(), areas_by_distance.end());
+    double inside = 0.;
+    double scale = 1.;
+    for(const auto& [distance, area] : areas_by_distance)
+    {
+      inside += area;
+      if(inside > 0.5 * sum && distance > 0.)
+      {
+        scale = 1. / distance;
+        break;
+      }
+    }
+    for(Vector_3d& p : m_plane)
+      p = scale * p;
+  }
+
+  void project_stereographically(std::vector<Vector_3d>& positions) const
+  {
+    positions.resize(m_plane.size());
+    for(std::size_t v = 0; v < m_plane.size(); ++v)
+    {
+      const Vector_3d& p = m_plane[v];
+      positions[v] = normalized({2. * p[0], 2. * p[1], squared_length(p) - 1.});
+    }
+    positions[m_pole] = {0., 0., 1.};
+  }
+
+  void project_centrally(std::vector<Vector_3d>& positions) const
+  {
+    positions.resize(m_plane.size());
+    for(std::size_t v = 0; v < m_plane.size(); ++v)
+      positions[v] = normalized({m_plane[v][0], m_plane[v][1], -1.});
+    positions[m_pole] = {0., 0., 1.};
+  }
+
+  // how much of an angle follows the angle at the pole
+  static constexpr double own_blend = 0.6;
+
+  const Indexed_mesh& m_mesh;
+  const Vertex_rings& m_rings;
+  std::uint32_t m_pole;
+  std::vector<double> m_areas; // of the vertices
+  std::vector<char> m_is_fixed;
+  std::vector<Vector_3d> m_plane;
+};
+
+} // namespace internal
+} // namespace Spherical_parameterization
+} // namespace CGAL
+
+#endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_BASELINES_STEREOGRAPHIC_EMBEDDING_H

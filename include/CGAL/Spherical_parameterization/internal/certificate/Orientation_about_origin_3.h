@@ -1,0 +1,242 @@
+// Copyright (c) 2026  The Spherical_parameterization authors.
+// All rights reserved.
+//
+// This file is part of the Spherical_parameterization package for CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Spherical_parameterization authors
+//
+
+#ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_CERTIFICATE_ORIENTATION_ABOUT_ORIGIN_3_H
+#define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_CERTIFICATE_ORIENTATION_ABOUT_ORIGIN_3_H
+
+#include <CGAL/license/Spherical_parameterization.h>
+
+#include <CGAL/Spherical_parameterization/internal/simd/Vector_3.h>
+
+#include <CGAL/Algebraic_structure_traits.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Kernel_traits.h>
+#include <CGAL/Origin.h>
+#include <CGAL/enum.h>
+#include <CGAL/number_utils.h>
+
+#include <boost/multiprecision/cpp_int.hpp>
+#include <boost/property_map/property_map.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <limits>
+#include <type_traits>
+#include <utility>
+
+// Where the compiler may change the value of floating-point expressions, or assume that all numbers are finite, the
+// filter below proves nothing.
+#if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__) || defined(_M_FP_FAST) ||                                  \
+    (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__)
+#define CGAL_SPHERICAL_PARAMETERIZATION_NO_IEEE_ARITHMETIC
+#endif
+
+namespace CGAL {
+namespace Spherical_parameterization {
+namespace internal {
+
+// An integer of any size; those that a determinant of coordinates of similar size needs are kept without allocation.
+using Determinant_integer = boost::multiprecision::number<boost::multiprecision::cpp_int_backend<512>>;
+
+// A positive multiple of `p`, whose coordinates are finite, with integer coordinates. It is taken from the bits: no
+// floating-point operation is involved.
+inline std::array<Determinant_integer, 3> integer_multiple(const Vector_3d& p)
+{
+  std::array<std::int64_t, 3> mantissas;
+  std::array<int, 3> exponents;
+  constexpr int largest_exponent = 0x7FF;
+  int smallest = largest_exponent; // of the coordinates that are not 0
+  for(std::size_t i = 0; i < 3; ++i)
+  {
+    std::uint64_t bits;
+    std::memcpy(&bits, &p[i], sizeof(bits));
+    std::uint64_t mantissa = bits & 0xFFFFFFFFFFFFFu;
+    exponents[i] = static_cast<int>((bits >> 52) & 0x7FFu);
+    if(exponents[i] > 0)
+      mantissa |= std::uint64_t(1) << 52;
+    else
+      exponents[i] = 1; // subnormal
+    mantissas[i] = static_cast<std::int64_t>(mantissa);
+    if(bits >> 63)
+      mantissas[i] = -mantissas[i];
+    if(mantissas[i] != 0)
+      smallest = (std::min)(smallest, exponents[i]);
+  }
+  std::array<Determinant_integer, 3> result;
+  for(std::size_t i = 0; i < 3; ++i)
+    if(mantissas[i] != 0)
+    {
+      result[i] = mantissas[i];
+      result[i] <<= static_cast<unsigned int>(exponents[i] - smallest);
+    }
+  return result;
+}
+
+// The exact sign of det(a, b, c), whose coordinates are finite, by integer arithmetic: about a microsecond for points
+// whose coordinates are of similar size. It depends neither on the rounding mode nor on what a compiler was allowed to
+// do to floating-point arithmetic, nor on whether the processor flushes subnormal numbers to zero.
+inline Sign exact_determinant_sign(const Vector_3d& a, const Vector_3d& b, const Vector_3d& c)
+{
+  const std::array<Determinant_integer, 3> p = integer_multiple(a), q = integer_multiple(b), r = integer_multiple(c);
+  const Determinant_integer determinant =
+      p[0] * (q[1] * r[2] - q[2] * r[1]) + p[1] * (q[2] * r[0] - q[0] * r[2]) + p[2] * (q[0] * r[1] - q[1] * r[0]);
+  return determinant.sign() > 0 ? POSITIVE : determinant.sign() < 0 ? NEGATIVE : ZERO;
+}
+
+// The exact sign of det(a, b, c): POSITIVE if the triangle abc turns counterclockwise as seen from outside of a sphere
+// around the origin. A triangle with a coordinate that is not finite has no orientation: ZERO.
+//
+// Coordinates of type double are decided by a floating-point filter and, where it fails, by integer arithmetic: the
+// answer is right whatever the compiler was allowed to do. For any other `K`, a kernel with exact predicates, those are
+// asked.
+template <class K, class FT = typename K::FT>
+class Orientation_about_origin_3
+{
+#ifdef CGAL_SPHERICAL_PARAMETERIZATION_NO_IEEE_ARITHMETIC
+  static_assert(sizeof(K) == 0, "The interval arithmetic of an exact number type is wrong with -ffast-math or -Ofast: "
+                                "turn them off, or use points with coordinates of type double.");
+#endif
+  using Point_3 = typename K::Point_3;
+
+public:
+  Sign operator()(const Point_3& a, const Point_3& b, const Point_3& c) const
+  {
+    if(!is_finite(a) || !is_finite(b) || !is_finite(c))
+      return ZERO;
+    return m_orientation(m_origin, a, b, c);
+  }
+
+private:
+  // An exact number cannot be infinite, but a lazy one that was made from an infinite double or from NaN must not be
+  // evaluated. Its interval tells. A finite number beyond the range of doubles has one finite end.
+  static bool is_finite(const FT& x)
+  {
+    const std::pair<double, double> interval = CGAL::to_interval(x);
+    return interval.first < std::numeric_limits<double>::infinity() &&
+           interval.second > -std::numeric_limits<double>::infinity();
+  }
+
+  static bool is_finite(const Point_3& p)
+  {
+    return is_finite(p.x()) && is_finite(p.y()) && is_finite(p.z());
+  }
+
+  typename K::Orientation_3 m_orientation = K().orientation_3_object();
+  Point_3 m_origin{ORIGIN};
+};
+
+// The filter evaluates det(a, b - a, c - a), which is the same number, and whose rounding errors shrink with the
+// triangle: the small triangles of a fine mesh on a sphere, whose determinants fall below what a filter on det(a, b, c)
+// can tell from 0, pass as well; only needles do not.
+//
+// Why it is right. Let e = 2^-52, an upper bound of the relative error of an operation in any rounding mode, let d be
+// the exact determinant and p the exact sum of the absolute values of its six products. Ignoring underflow, each
+// product in the computed determinant D carries at most seven factors (1 + x) with |x| <= e: two differences, two
+// multiplications, the difference of the cross product and two additions; fewer if the compiler contracts a
+// multiplication and an addition. The same holds for the computed P of p, whose terms are all positive. Thus
+//   |D - d| <= ((1 + e)^7 - 1) p    and    p <= P / (1 - e)^7,    hence    |D - d| <= 7 (1 + 15 e) e P < 8 e P.
+// Underflow, even if the processor takes subnormal operands and results for 0, changes each operand and each result by
+// less than 2^-1022. Let m be 1 and the sum of the absolute values of a, b - a and c - a. What is multiplied is at most
+// m and m^2, so what underflow adds to D and P, in less than 2^7 places, is less than 2^-1014 m^2, which is below
+// 2^-1000 m^2 by far even with all rounding errors. Nothing overflows, in any rounding mode, as m is bounded; nor is
+// the bound met by coordinates that are not finite.
+template <class K>
+class Orientation_about_origin_3<K, double>
+{
+  using Point_3 = typename K::Point_3;
+
+public:
+  Sign operator()(const Point_3& a, const Point_3& b, const Point_3& c) const
+  {
+#ifndef CGAL_SPHERICAL_PARAMETERIZATION_NO_IEEE_ARITHMETIC
+    const Sign sign = filtered(a, b, c);
+    if(sign != ZERO)
+      return sign;
+#endif
+    const Vector_3d p = {a.x(), a.y(), a.z()}, q = {b.x(), b.y(), b.z()}, r = {c.x(), c.y(), c.z()};
+    return is_finite(p) && is_finite(q) && is_finite(r) ? exact_determinant_sign(p, q, r) : ZERO;
+  }
+
+private:
+#ifndef CGAL_SPHERICAL_PARAMETERIZATION_NO_IEEE_ARITHMETIC
+  // The sign, or ZERO if it is not certain.
+  static Sign filtered(const Point_3& a, const Point_3& b, const Point_3& c)
+  {
+#ifdef __clang__
+#pragma clang fp reassociate(off) // Clang defines no macro that tells of -fassociative-math alone.
+#endif
+    const double px = b.x() - a.x(), py = b.y() - a.y(), pz = b.z() - a.z();
+    const double qx = c.x() - a.x(), qy = c.y() - a.y(), qz = c.z() - a.z();
+    const double pyqz = py * qz, pzqy = pz * qy;
+    const double pzqx = pz * qx, pxqz = px * qz;
+    const double pxqy = px * qy, pyqx = py * qx;
+    const double ax = std::abs(a.x()), ay = std::abs(a.y()), az = std::abs(a.z());
+    const double determinant = a.x() * (pyqz - pzqy) + a.y() * (pzqx - pxqz) + a.z() * (pxqy - pyqx);
+    const double permanent = ax * (std::abs(pyqz) + std::abs(pzqy)) + ay * (std::abs(pzqx) + std::abs(pxqz)) +
+                             az * (std::abs(pxqy) + std::abs(pyqx));
+    const double m = (ax + ay + az) + (std::abs(px) + std::abs(py) + std::abs(pz)) +
+                     (std::abs(qx) + std::abs(qy) + std::abs(qz)) + 1.;
+    if(!(m < 0x1p300))
+      return ZERO;
+    const double error = 0x1p-49 * permanent + 0x1p-1000 * m * m;
+    return determinant > error ? POSITIVE : determinant < -error ? NEGATIVE : ZERO;
+  }
+#endif
+};
+
+// The kernel in which Orientation_about_origin_3 decides exactly about points of `Kernel`, and the conversion of a
+// point to it, which never rounds. Coordinates of type double or float become those of one kernel with double, whatever
+// their own kernel is; exact number types stay where they are.
+template <class Kernel, class FT = typename Kernel::FT>
+struct Exact_predicates_kernel
+{
+  static_assert(!std::is_arithmetic<FT>::value && Algebraic_structure_traits<FT>::Is_exact::value,
+                "Coordinates must be of type double or float, or of an exact number type.");
+
+  using type = Kernel;
+
+  static const typename Kernel::Point_3& convert(const typename Kernel::Point_3& p) { return p; }
+};
+
+template <class Kernel>
+struct Exact_predicates_kernel<Kernel, double>
+{
+  using type = Exact_predicates_inexact_constructions_kernel;
+
+  static type::Point_3 convert(const typename Kernel::Point_3& p) { return {p.x(), p.y(), p.z()}; }
+};
+
+template <class Kernel>
+struct Exact_predicates_kernel<Kernel, float>
+{
+  using type = Exact_predicates_inexact_constructions_kernel;
+
+  static type::Point_3 convert(const typename Kernel::Point_3& p)
+  {
+    return {static_cast<double>(p.x()), static_cast<double>(p.y()), static_cast<double>(p.z())};
+  }
+};
+
+// The same for the point type of a property map.
+template <class PropertyMap>
+using Exact_predicates_kernel_of_map =
+    Exact_predicates_kernel<typename Kernel_traits<typename boost::property_traits<PropertyMap>::value_type>::Kernel>;
+
+} // namespace internal
+} // namespace Spherical_parameterization
+} // namespace CGAL
+
+#endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_CERTIFICATE_ORIENTATION_ABOUT_ORIGIN_3_H

@@ -1,0 +1,67 @@
+// Copyright (c) 2026  The Spherical_parameterization authors.
+// All rights reserved.
+//
+// This file is part of the Spherical_parameterization package for CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Spherical_parameterization authors
+//
+
+#ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_POLICY_TRAITS_H
+#define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_POLICY_TRAITS_H
+
+#include <CGAL/license/Spherical_parameterization.h>
+
+#include <type_traits>
+#include <utility>
+
+namespace CGAL {
+namespace Spherical_parameterization {
+namespace internal {
+
+// The members that a model of a concept need not have, and what their absence means.
+
+template <class Policy, class = void>
+struct Has_is_valid : std::false_type
+{};
+
+template <class Policy>
+struct Has_is_valid<Policy, std::void_t<decltype(std::declval<const Policy&>().is_valid())>> : std::true_type
+{};
+
+// returns whether the parameters of a policy are in their ranges; a policy without parameters is valid
+template <class Policy>
+bool is_valid_policy(const Policy& policy)
+{
+  if constexpr(Has_is_valid<Policy>::value)
+    return policy.is_valid();
+  else
+    return true;
+}
+
+template <class Policy, class = void>
+struct Has_next_phase : std::false_type
+{};
+
+template <class Policy>
+struct Has_next_phase<Policy, std::void_t<decltype(std::declval<Policy&>().next_phase())>> : std::true_type
+{};
+
+// starts the next phase of a policy and returns whether there is one; most policies have a single phase
+template <class Policy>
+bool next_phase(Policy& policy)
+{
+  if constexpr(Has_next_phase<Policy>::value)
+    return policy.next_phase();
+  else
+    return false;
+}
+
+} // namespace internal
+} // namespace Spherical_parameterization
+} // namespace CGAL
+
+#endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_POLICY_TRAITS_H

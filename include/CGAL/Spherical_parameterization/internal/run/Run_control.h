@@ -1,0 +1,95 @@
+// Copyright (c) 2026  The Spherical_parameterization authors.
+// All rights reserved.
+//
+// This file is part of the Spherical_parameterization package for CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Spherical_parameterization authors
+//
+
+#ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_RUN_RUN_CONTROL_H
+#define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_RUN_RUN_CONTROL_H
+
+#include <CGAL/license/Spherical_parameterization.h>
+
+#include <CGAL/Spherical_parameterization/Parameterization_report.h>
+
+#include <chrono>
+#include <cstddef>
+
+namespace CGAL {
+namespace Spherical_parameterization {
+namespace internal {
+
+// What accompanies a run from stage to stage: the caller's visitor, behind an interface, the clock and the report.
+class Run_control
+{
+public:
+  // There is no limit if `max_seconds` is not positive.
+  Run_control(double max_seconds, Parameterization_report& report)
+    : m_max_seconds(max_seconds)
+    , m_report(report)
+  {}
+  virtual ~Run_control() = default;
+  Run_control(const Run_control&) = delete;
+  Run_control& operator=(const Run_control&) = delete;
+
+  // see SphericalParameterizationVisitor
+  virtual void on_initialization_begin(std::size_t number_of_vertices) = 0;
+  virtual void on_level(std::size_t number_of_vertices) = 0;
+  virtual void on_initialization_end() = 0;
+  virtual void after_iteration(std::size_t iteration, double energy, double radius) = 0;
+  virtual void on_optimization_end() = 0;
+
+  // Asks the visitor and the clock whether to go on. Once either has said no, it stays so.
+  bool go_further(std::size_t iteration, double energy)
+  {
+    if(m_stop_reason == NOT_RUN && !visitor_goes_further(iteration, energy))
+      m_stop_reason = STOPPED;
+    return check_clock();
+  }
+
+  // Asks the clock alone, which costs next to nothing.
+  bool check_clock()
+  {
+    if(m_stop_reason == NOT_RUN && m_max_seconds > 0. && seconds() > m_max_seconds)
+      m_stop_reason = TIME_LIMIT;
+    return m_stop_reason == NOT_RUN;
+  }
+
+  // STOPPED or TIME_LIMIT, or NOT_RUN if the run may go on
+  Stop_reason stop_reason() const { return m_stop_reason; }
+  bool is_stopped() const { return m_stop_reason != NOT_RUN; }
+
+  Parameterization_report& report() { return m_report; }
+
+  // returns the seconds since the last call, or since the beginning
+  double lap()
+  {
+    const double now = seconds(), lap = now - m_last_lap;
+    m_last_lap = now;
+    return lap;
+  }
+
+private:
+  using Clock = std::chrono::steady_clock; // monotonic, unlike the one of CGAL::Real_timer
+
+  virtual bool visitor_goes_further(std::size_t iteration, double energy) = 0;
+
+  double seconds() const { return std::chrono::duration<double>(Clock::now() - m_start).count(); }
+
+  double m_max_seconds;
+  Parameterization_report& m_report;
+  Clock::time_point m_start = Clock::now();
+  double m_last_lap = 0.;
+  Stop_reason m_stop_reason = NOT_RUN;
+};
+
+} // namespace internal
+} // namespace Spherical_parameterization
+} // namespace CGAL
+
+#endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_RUN_RUN_CONTROL_H
