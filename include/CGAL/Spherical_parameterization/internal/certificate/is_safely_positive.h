@@ -10,8 +10,8 @@
 // Author(s)     : The Spherical_parameterization authors
 //
 
-#ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_IS_SAFELY_POSITIVE_H
-#define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_IS_SAFELY_POSITIVE_H
+#ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_CERTIFICATE_IS_SAFELY_POSITIVE_H
+#define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_CERTIFICATE_IS_SAFELY_POSITIVE_H
 
 #include <CGAL/license/Spherical_parameterization.h>
 
@@ -59,4 +59,4 @@ inline bool are_safely_positive(const Vertex_rings& rings, const std::vector<Vec
 } // namespace Spherical_parameterization
 } // namespace CGAL
 
-#endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_IS_SAFELY_POSITIVE_H
+#endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_CERTIFICATE_IS_SAFELY_POSITIVE_H
