@@ -64,58 +64,10 @@ class Descent_loop
 {
 public:
   Descent_loop(const Indexed_mesh& mesh, const Energy& energy, const Step& step, const Sharpness& sharpness,
-               Radius_chooser& radius, const Descent_settings& settings, Run_control& control, Execution execution)
-    : m_mesh(mesh)
-    , m_descent(Guarded_energy<Energy>(energy), step, execution)
-    , m_sharpness_rule(sharpness)
-    , m_radius_chooser(radius)
-    , m_settings(settings)
-    , m_control(control)
-    , m_execution(execution)
-    , m_max_focus(mesh.number_of_vertices() / min_focus_sweeps)
-  {
-    m_descent.assign(mesh.rings(), Independent_sets(mesh.rings()), mesh.points(), std::vector<double>(), Rest_limits());
-  }
+               Radius_chooser& radius, const Descent_settings& settings, Run_control& control, Execution execution);
 
   // Lowers the energy of the positions on the unit sphere in at most `max_sweeps` sweeps, and returns the radius.
-  double run(std::vector<Vector_3d>& positions, std::size_t max_sweeps)
-  {
-    Parameterization_report& report = m_control.report();
-    start(positions);
-    report.stop_reason = ITERATION_LIMIT;
-    bool has_phases = true; // whether the radius policy may have further ones
-    for(std::size_t i = 0; i < max_sweeps; ++i)
-    {
-      const State last = m_state;
-      const bool was_final = i > 0 && m_sharpness_rule.is_final();
-
-      choose_radius(i == 0);
-      choose_sharpness(i);
-      sweep(positions, i);
-      measure(positions);
-
-      const double energy = m_state.summary.mean();
-      m_control.after_iteration(i + 1, energy, m_state.radius);
-      if(!m_control.go_further(i + 1, energy))
-        break;
-      if(was_final && has_converged(last))
-      {
-        has_phases = m_radius_chooser.next_phase();
-        if(!has_phases)
-        {
-          report.stop_reason = CONVERGED;
-          break;
-        }
-      }
-    }
-    if(m_control.is_stopped())
-      report.stop_reason = m_control.stop_reason();
-    while(has_phases) // a run that was ended early gets the last radius as well
-      has_phases = m_radius_chooser.next_phase();
-    choose_radius(true);
-    finish(positions);
-    return m_state.radius;
-  }
+  double run(std::vector<Vector_3d>& positions, std::size_t max_sweeps);
 
 private:
   // The vertices around faces above this share of the largest energy are swept some times more, as they settle slowest,
@@ -240,6 +192,65 @@ private:
   std::size_t m_next_focus = 0; // the first sweep that may have one
   State m_state;
 };
+
+// Defined out of the class and so not inline: `extern template class Descent_loop<...>` spares a program that maps in
+// several files the time to compile it in each.
+
+template <class Energy, class Step>
+Descent_loop<Energy, Step>::Descent_loop(const Indexed_mesh& mesh, const Energy& energy, const Step& step,
+                                         const Sharpness& sharpness, Radius_chooser& radius,
+                                         const Descent_settings& settings, Run_control& control, Execution execution)
+  : m_mesh(mesh)
+  , m_descent(Guarded_energy<Energy>(energy), step, execution)
+  , m_sharpness_rule(sharpness)
+  , m_radius_chooser(radius)
+  , m_settings(settings)
+  , m_control(control)
+  , m_execution(execution)
+  , m_max_focus(mesh.number_of_vertices() / min_focus_sweeps)
+{
+  m_descent.assign(mesh.rings(), Independent_sets(mesh.rings()), mesh.points(), std::vector<double>(), Rest_limits());
+}
+
+template <class Energy, class Step>
+double Descent_loop<Energy, Step>::run(std::vector<Vector_3d>& positions, std::size_t max_sweeps)
+{
+  Parameterization_report& report = m_control.report();
+  start(positions);
+  report.stop_reason = ITERATION_LIMIT;
+  bool has_phases = true; // whether the radius policy may have further ones
+  for(std::size_t i = 0; i < max_sweeps; ++i)
+  {
+    const State last = m_state;
+    const bool was_final = i > 0 && m_sharpness_rule.is_final();
+
+    choose_radius(i == 0);
+    choose_sharpness(i);
+    sweep(positions, i);
+    measure(positions);
+
+    const double energy = m_state.summary.mean();
+    m_control.after_iteration(i + 1, energy, m_state.radius);
+    if(!m_control.go_further(i + 1, energy))
+      break;
+    if(was_final && has_converged(last))
+    {
+      has_phases = m_radius_chooser.next_phase();
+      if(!has_phases)
+      {
+        report.stop_reason = CONVERGED;
+        break;
+      }
+    }
+  }
+  if(m_control.is_stopped())
+    report.stop_reason = m_control.stop_reason();
+  while(has_phases) // a run that was ended early gets the last radius as well
+    has_phases = m_radius_chooser.next_phase();
+  choose_radius(true);
+  finish(positions);
+  return m_state.radius;
+}
 
 } // namespace internal
 } // namespace Spherical_parameterization
