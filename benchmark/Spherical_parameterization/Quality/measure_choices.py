@@ -1,22 +1,26 @@
 #!/usr/bin/env python3
 """Measures what the choices cost that the user manual describes, and writes its tables anew.
 
-Takes about five minutes; leave the machine alone meanwhile. Each table of the manual between `<!-- begin NAME -->` and `<!-- end NAME -->` is made from the text below, in which
-`@MESH OPTIONS FIGURE@` stands for a figure of a run of the program. Other figures in the text of that section are by hand.
+Takes about five minutes; leave the machine alone meanwhile. Each table of the manual between `<!-- begin NAME -->` and
+`<!-- end NAME -->` is made from the text below, in which `@MESH OPTIONS FIGURE@` stands for a figure of a run of the
+program. Other figures in the text of that section are by hand.
 """
 
 from __future__ import annotations
 
-import argparse
-import json
 import re
 import statistics
-import subprocess
 import sys
 import tempfile
 from pathlib import Path
 
-PACKAGE = Path(__file__).resolve().parents[3]
+sys.dont_write_bytecode = True  # leaves the sources as they are
+sys.path.append(str(Path(__file__).resolve().parents[1] / "python"))
+
+from measuring.drivers import MANUAL, Driver
+from measuring.meshes import find_mesh_files
+from measuring.reports import fill_in
+from measuring.runs import Program
 
 MESHES = {
     "fandisk": "fandisk_6475",
@@ -48,8 +52,8 @@ TABLES = {
 | Need | Choice | Guarantee | Time | D_iso maximum / average, hand |
 | :--- | :----- | :-------- | ---: | ----------------------------: |
 | low worst distortion and low average: **the default** | `Bijective_low_distortion_parameterizer_3` | one-to-one | 1 | @hand default D_iso@ |
-| the lowest worst distortion | the same with `Relative_sharpness_3` of 50 | one-to-one | @hand worst time@ | @hand worst D_iso@ |
-| the lowest average distortion | the same with `Relative_sharpness_3` of 0 and `Optimal_radius_3` | one-to-one | @hand average time@ | @hand average D_iso@ |
+| the lowest worst distortion | the same with `Sharpness::lowest_worst()` | one-to-one | @hand worst time@ | @hand worst D_iso@ |
+| the lowest average distortion | the same with `Sharpness::lowest_average()` and `Optimal_radius_3` | one-to-one | @hand average time@ | @hand average D_iso@ |
 | angles, certified | the same with `Conformal_energy_3` and `Fixed_radius_3` | one-to-one | @hand conformal time@ | D_angle @hand conformal D_angle@ |
 | angles, quickly, on shapes without long limbs | `Conformal_parameterizer_3` | may fold, and says so | @hand only_conformal time@ | D_angle @hand only_conformal D_angle@ |
 | angles nearly, and one-to-one | `Harmonic_parameterizer_3` | one-to-one or an error code | @hand only_harmonic time@ | D_angle @hand only_harmonic D_angle@ |
@@ -118,96 +122,67 @@ TIMED_RUNS = 5  # of which only one is made where it takes long
 LONG = 5.0  # seconds
 
 
-class Runs:
-    """Runs the program, each mesh with each set of options once, and again where times are asked for."""
+class Figures:
+    """What the places in the tables stand for; times are those of one thread."""
 
-    def __init__(self, program: Path, folder: Path):
-        self._program = program
-        self._folder = folder
-        self._reports: dict[tuple[str, str], dict | None] = {}
-        self._seconds: dict[tuple[str, str], float] = {}
+    def __init__(self, program: Program, alone: Program, folder: Path):
+        self._program, self._alone = program, alone
+        self._files = {file.name: file for file in find_mesh_files([folder])}
 
-    def report(self, mesh: str, options: str) -> dict | None:
-        """The report of a run, or None if it has found no map."""
-        if (mesh, options) not in self._reports:
-            self._reports[mesh, options] = self._run(mesh, OPTIONS[options])
-        return self._reports[mesh, options]
+    def text(self, mesh: str, options: str, figure: str) -> str:
+        if figure == "time":
+            ratio = self._seconds(mesh, options) / self._seconds(mesh, "default")
+            return f"{ratio:.1f}" if ratio < 10 else f"{ratio:.0f}"
+        run = self._program.run(self._file(mesh), OPTIONS[options])
+        if not run.has_map:
+            return "refused"
+        if figure == "sweeps":
+            return f"{run.sweeps:,}"
+        if figure == "radius":
+            return f"{run.report['radius']:.4f}"
+        if not run.report["one_to_one"]:
+            return f"folds ({run.map.number_folded:,} faces)"
+        # Maps to the unit sphere are compared at the radius of eq. 11.
+        distortion = run.distortion if "balanced" in run.report else run.own_distortion
+        values = getattr(distortion, {"D_iso": "isometric", "D_area": "area", "D_angle": "angle"}[figure])
+        return f"{_number(values.maximum)}&nbsp;/&nbsp;{_number(values.average)}"
 
-    def seconds(self, mesh: str, options: str) -> float:
-        """With one thread, without reading, measuring and writing; the median of some runs."""
-        if (mesh, options) not in self._seconds:
-            times = []
-            for _ in range(TIMED_RUNS):
-                told = self._run(mesh, [*OPTIONS[options], "--threads", "1"])["seconds"]
-                times.append(sum(told[stage] for stage in ("copy", "hierarchy", "initial_map", "sweeps", "certificate")))
-                if times[0] > LONG:
-                    break
-            self._seconds[mesh, options] = statistics.median(times)
-        return self._seconds[mesh, options]
+    def _seconds(self, mesh: str, options: str) -> float:
+        times: list[float] = []
+        while len(times) < TIMED_RUNS and (not times or times[0] < LONG):
+            run = self._alone.run(self._file(mesh), OPTIONS[options], repetition=len(times))
+            times.append(run.mapping_seconds)
+        return statistics.median(times)
 
-    def _run(self, mesh: str, arguments: list[str]) -> dict | None:
-        path = next((p for p in sorted(self._folder.iterdir()) if p.stem == MESHES[mesh]), None)
-        if path is None:
-            sys.exit(f"There is no mesh {MESHES[mesh]} in {self._folder}.")
-        with tempfile.NamedTemporaryFile(suffix=".json") as file:
-            command = [self._program, path, "--quiet", "--json", file.name, *arguments]
-            status = subprocess.run(command, stderr=subprocess.DEVNULL, check=False).returncode
-            return None if status == 1 else json.loads(Path(file.name).read_text(encoding="utf-8"))
+    def _file(self, mesh: str):
+        if MESHES[mesh] not in self._files:
+            sys.exit(f"There is no mesh {MESHES[mesh]} in the folder.")
+        return self._files[MESHES[mesh]]
 
 
-def number_text(value: float | None) -> str:
-    if value is None:
+def _number(value: float) -> str:
+    if value == float("inf"):
         return "infinite"
-    if value >= 100:
-        return f"{value:,.0f}"
-    return f"{value:.1f}" if value >= 10 else f"{value:.3f}"
-
-
-def pair_text(statistics_of_figure: dict) -> str:
-    return "&nbsp;/&nbsp;".join(number_text(statistics_of_figure[key]) for key in ("maximum", "average"))
-
-
-def figure_text(runs: Runs, mesh: str, options: str, figure: str) -> str:
-    if figure == "time":
-        ratio = runs.seconds(mesh, options) / runs.seconds(mesh, "default")
-        return f"{ratio:.1f}" if ratio < 10 else f"{ratio:.0f}"
-    report = runs.report(mesh, options)
-    if report is None:
-        return "refused"
-    if figure == "sweeps":
-        return f"{report['sweeps']['average'] + report['sweeps']['sharp']:,}"
-    if figure == "radius":
-        return f"{report['radius']:.4f}"
-    if not report["one_to_one"]:
-        return f"folds ({report['distortion']['inverted_faces']:,} faces)"
-    # Maps to the unit sphere are compared at the radius of eq. 11.
-    return pair_text(report.get("balanced", report["distortion"]).get(figure) or report["distortion"][figure])
-
-
-def fill_in(text: str, tables: dict[str, str]) -> str:
-    for name, table in tables.items():
-        pattern = rf"(<!-- begin {name} -->\n).*?(<!-- end {name} -->)"
-        text, count = re.subn(pattern, lambda m, table=table: m.group(1) + table + m.group(2), text, flags=re.DOTALL)
-        if count != 1:
-            sys.exit(f"The manual has {count} places for the table {name}.")
-    return text
+    return f"{value:,.0f}" if value >= 100 else f"{value:.1f}" if value >= 10 else f"{value:.3f}"
 
 
 def main() -> None:
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--program", type=Path, required=True, help="the command line program")
-    parser.add_argument("--meshes", type=Path, required=True, help="a folder with " + ", ".join(MESHES.values()))
-    parser.add_argument("--manual", type=Path, help="the chapter to be filled in",
-                        default=PACKAGE / "doc/Spherical_parameterization/Spherical_parameterization.txt")
-    arguments = parser.parse_args()
-
-    runs = Runs(arguments.program, arguments.meshes)
-    tables = {
-        name: re.sub(r"@(\w+) (\S+) (\w+)@", lambda m: figure_text(runs, *m.groups()), table.lstrip("\n"))
-        for name, table in TABLES.items()
-    }
-    text = arguments.manual.read_text(encoding="utf-8")
-    arguments.manual.write_text(fill_in(text, tables), encoding="utf-8")
+    driver = Driver(__doc__, tuple(TABLES), folders=("meshes",))
+    driver.add_program()
+    driver.add_meshes()
+    driver.add_threads()
+    page = MANUAL / "Spherical_parameterization.txt"
+    driver.add_argument("--manual", type=Path, default=page, help="the chapter to be filled in")
+    driver.add_argument("--output", type=Path, help="where to write it (in its place)")
+    options = driver.parse()
+    text = options.manual.read_text(encoding="utf-8")
+    with tempfile.TemporaryDirectory() as folder:
+        program = Program(options.program, options.threads, Path(folder) / "runs")
+        figures = Figures(program, Program(options.program, 1, Path(folder) / "alone"), options.meshes)
+        for name in options.only:
+            table = re.sub(r"@(\w+) (\S+) (\w+)@", lambda m: figures.text(*m.groups()), TABLES[name].lstrip("\n"))
+            text = fill_in(text, name, table)
+    (options.output or options.manual).write_text(text, encoding="utf-8")
 
 
 if __name__ == "__main__":

@@ -1,5 +1,1 @@
-"""The parts of reproduce_paper.py.
-
-From the bottom up: models finds the meshes; pictures draws them; session ties these and the package `measuring`
-together; table1, optimization, robustness, large_and_conformal and checks are the experiments.
-"""
+"""What reproduce_paper.py is made of: the paper's models and values, the experiments, and what they have in common."""

@@ -5,10 +5,10 @@ from __future__ import annotations
 import io
 from pathlib import Path
 
+import matplotlib.pyplot as plt
 import numpy as np
-from measuring.plots import plt
+from measuring.pictures import Scale
 from PIL import Image
-from rendering.colors import Scale
 
 # Pixels. The manual shows figures at half their size, so that they are sharp on screens of twice the density.
 TEXT = 30
@@ -31,6 +31,10 @@ class Sheet:
         """A length in pixels of the file."""
         return round(length * self._scale)
 
+    def length(self, pixels: float) -> float:
+        """The width of a line, or the size of a marker, for matplotlib."""
+        return pixels * self._scale
+
     def place(self, picture: np.ndarray, x: float, y: float) -> None:
         """Puts the top left corner of a picture, whose pixels stay as they are, at a place."""
         bottom = self.pixels(self._height) - self.pixels(y) - picture.shape[0]
@@ -38,17 +42,8 @@ class Sheet:
 
     def text(self, x: float, y: float, text: str, align: str = "center", family: str = "sans-serif") -> None:
         """Writes text whose middle is at y."""
-        self._figure.text(
-            x / self._width,
-            1.0 - y / self._height,
-            text,
-            fontsize=TEXT * self._scale,
-            family=family,
-            color=TEXT_COLOR,
-            ha=align,
-            va="center",
-            linespacing=1.3,
-        )
+        style = {"fontsize": TEXT * self._scale, "family": family, "color": TEXT_COLOR, "linespacing": 1.3}
+        self._figure.text(x / self._width, 1.0 - y / self._height, text, ha=align, va="center", **style)
 
     def axes(self, x: float, y: float, width: float, height: float):
         """A diagram of matplotlib; its labels are outside of this box."""
@@ -65,15 +60,9 @@ class Sheet:
     def color_bar(self, x: float, y: float, width: float, scale: Scale, label: str) -> None:
         """A horizontal bar; the label is on its left."""
         axes = self.axes(x, y, width, 26)
-        bar = self._figure.colorbar(scale.mappable, cax=axes, orientation="horizontal", extend="max", extendfrac=0.04)
-        bar.set_ticks(scale.ticks, labels=[f"{tick:g}" for tick in scale.ticks])
-        bar.minorticks_off()
+        bar = scale.add_bar(self._figure, cax=axes, orientation="horizontal", extendfrac=0.04)
         bar.outline.set_linewidth(0.0)
         self.text(x - 18, y + 13, label, align="right")
-
-    def length(self, pixels: float) -> float:
-        """The width of a line, or the size of a marker, for matplotlib."""
-        return pixels * self._scale
 
     def save(self, path: Path) -> None:
         """JPEG for pictures, PNG with a palette for diagrams, by the ending. Same figure, same bytes."""
