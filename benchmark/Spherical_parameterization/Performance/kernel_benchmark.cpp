@@ -7,135 +7,524 @@
 //
 // Author(s)     : The Spherical_parameterization authors
 
-// Measures the kernels of the default method one by one, with Google Benchmark.
+// Measures the kernels of the default method one by one, the whole of it, and what the machine does at best, with Google
+// Benchmark.
 
-#include "Kernel_situation.h"
+#include "machine_rates.h"
 
-#include <CGAL/tags.h>
+#include <CGAL/spherical_parameterization.h>
+
+#include <CGAL/Spherical_parameterization/internal/certificate/Bijectivity_certificate.h>
+#include <CGAL/Spherical_parameterization/internal/descent/Block_coordinate_descent.h>
+#include <CGAL/Spherical_parameterization/internal/descent/Independent_sets.h>
+#include <CGAL/Spherical_parameterization/internal/descent/Sharpness_rule.h>
+#include <CGAL/Spherical_parameterization/internal/descent/Vertex_step.h>
+#include <CGAL/Spherical_parameterization/internal/hierarchy/Hierarchical_embedding.h>
+#include <CGAL/Spherical_parameterization/internal/hierarchy/Mesh_hierarchy.h>
+#include <CGAL/Spherical_parameterization/internal/hierarchy/Vertex_removal.h>
+#include <CGAL/Spherical_parameterization/internal/mesh/Indexed_mesh.h>
+#include <CGAL/Spherical_parameterization/internal/read_mesh.h>
+#include <CGAL/Spherical_parameterization/internal/run/parallel.h>
+#include <CGAL/Spherical_parameterization/internal/run_parameterization.h>
+#include <CGAL/Spherical_parameterization/internal/simd/Vector_3.h>
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Surface_mesh.h>
 
 #include <benchmark/benchmark.h>
 
 #ifdef CGAL_LINKED_WITH_TBB
 #include <tbb/global_control.h>
 #endif
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
 #include <exception>
+#include <fstream>
 #include <iostream>
+#include <limits>
+#include <optional>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
-using benchmarks::Kernel_situation;
-using benchmarks::Work;
-
 namespace {
 
-// Runs a kernel as often as Google Benchmark wants; `restore()` is called before each time and not measured.
-template <class Kernel, class Restore>
-void run(benchmark::State& state, const Kernel& kernel, const Restore& restore)
+namespace SP = CGAL::Spherical_parameterization;
+namespace internal = SP::internal;
+
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
+using Energy = SP::Symmetric_Dirichlet_energy_3;
+using internal::Execution;
+using internal::Vector_3d;
+
+struct Options
 {
-  std::size_t items = 0;
+  std::string mesh_file, map_file;
+  std::size_t number_of_threads = 2; // of the kernels that use several
+} options;
+
+Mesh read_off(const std::string& file)
+{
+  Mesh mesh;
+  std::ifstream in(file);
+  if(!(in >> mesh))
+    throw std::runtime_error(file + ": cannot be read");
+  return mesh;
+}
+
+void check(SP::Error_code error)
+{
+  if(error != SP::OK)
+    throw std::runtime_error(options.mesh_file + ": " + SP::get_error_message(error));
+}
+
+// A run without a visitor and a limit.
+struct Unlimited_run
+{
+  SP::Parameterization_report report;
+  SP::Default_visitor visitor;
+  internal::Visitor_control<SP::Default_visitor> control = {visitor, 0., report};
+};
+
+template <class Step>
+using Descent = internal::Block_coordinate_descent<Energy, Step>;
+
+template <class Step>
+void assign(Descent<Step>& descent, const internal::Indexed_mesh& mesh)
+{
+  descent.assign(mesh.rings(), internal::Independent_sets(mesh.rings()), mesh.points(), {}, internal::Rest_limits());
+}
+
+// A mesh and a map of it that is still some sweeps from its end, as most sweeps of a run find it: every call of a kernel
+// does the same work.
+class Situation
+{
+public:
+  // Reads the mesh, and the map if there is a file for it; if there is a name but no file, the map is made and written.
+  Situation()
+    : tmesh(read_off(options.mesh_file))
+  {
+    SP::Parameterization_report report;
+    std::vector<Mesh::Vertex_index> vertices;
+    check(internal::read_mesh(tmesh, tmesh.points(), mesh, vertices, report));
+    const Mesh sphere = std::ifstream(options.map_file) ? read_off(options.map_file) : make_map();
+    if(sphere.number_of_vertices() != tmesh.number_of_vertices())
+      throw std::runtime_error(options.map_file + ": the map is not that of the mesh");
+    for(std::size_t v = 0; v < mesh.number_of_vertices(); ++v)
+    {
+      const Kernel::Point_3& p = sphere.point(vertices[mesh.original(v)]);
+      positions.push_back(internal::normalized(Vector_3d{p.x(), p.y(), p.z()}));
+      images.emplace_back(positions[v][0], positions[v][1], positions[v][2]);
+    }
+    triangles = mesh.triangles();
+    if(!internal::certify_bijectivity<Kernel>(images, triangles, Execution::SEQUENTIAL).is_bijective())
+      throw std::runtime_error(options.map_file + ": the map is not one-to-one");
+
+    Descent<internal::Newton_step>& sequential = descent(Execution::SEQUENTIAL);
+    for(int k = 0; k < 10; ++k) // the best radius for the map
+    {
+      sequential.measure(positions, radius, 0.);
+      radius = SP::Optimal_radius_3()(Energy(), sequential.faces(), radius);
+    }
+    const internal::Energy_summary summary = sequential.measure(positions, radius, 0.);
+    max_energy = summary.maximum_energy();
+    sharpness = internal::Sharpness_rule(SP::Sharpness()).next(0, summary.average(), max_energy);
+  }
+  Situation(const Situation&) = delete;
+  Situation& operator=(const Situation&) = delete;
+
+  // Made when it is needed first.
+  Descent<internal::Newton_step>& descent(Execution execution)
+  {
+    std::optional<Descent<internal::Newton_step>>& result = m_descents[execution == Execution::PARALLEL];
+    if(!result)
+      assign(result.emplace(internal::Guarded_energy<Energy>(Energy()), internal::Newton_step(), execution), mesh);
+    return *result;
+  }
+
+  std::size_t number_of_vertices() const { return mesh.number_of_vertices(); }
+
+  Mesh tmesh;
+  internal::Indexed_mesh mesh;
+  std::vector<Vector_3d> positions; // on the unit sphere
+  std::vector<Kernel::Point_3> images;
+  std::vector<std::array<std::uint32_t, 3>> triangles;
+  double radius = 1., sharpness = 0., max_energy = 0.;
+
+private:
+  static constexpr unsigned int sweeps_of_map = 10;
+
+  Mesh make_map() const
+  {
+    Mesh sphere = tmesh;
+    check(SP::parameterize(tmesh, sphere.points(), CGAL::parameters::number_of_iterations(sweeps_of_map)));
+    if(!options.map_file.empty())
+    {
+      std::ofstream out(options.map_file);
+      out.precision(std::numeric_limits<double>::max_digits10);
+      if(!(out << sphere))
+        throw std::runtime_error(options.map_file + ": cannot be written");
+    }
+    return sphere;
+  }
+
+  std::array<std::optional<Descent<internal::Newton_step>>, 2> m_descents;
+};
+
+Situation& situation()
+{
+  static Situation result;
+  return result;
+}
+
+// The kernels. Each returns how many vertices or faces it has worked on; what it computes must not be optimized away.
+
+std::size_t read(Situation& s, Execution, benchmark::State&)
+{
+  SP::Parameterization_report report;
+  internal::Indexed_mesh mesh;
+  std::vector<Mesh::Vertex_index> vertices;
+  benchmark::DoNotOptimize(internal::read_mesh(s.tmesh, s.tmesh.points(), mesh, vertices, report));
+  return s.number_of_vertices();
+}
+
+std::size_t color(Situation& s, Execution, benchmark::State&)
+{
+  benchmark::DoNotOptimize(internal::Independent_sets(s.mesh.rings()).number_of_sets());
+  return s.number_of_vertices();
+}
+
+std::size_t set_descent_up(Situation& s, Execution execution, benchmark::State&)
+{
+  Descent<internal::Newton_step> descent(internal::Guarded_energy<Energy>(Energy()), internal::Newton_step(),
+                                         execution);
+  assign(descent, s.mesh);
+  benchmark::DoNotOptimize(descent.faces().begin());
+  return s.number_of_vertices();
+}
+
+std::size_t sweep(Situation& s, Execution execution, benchmark::State& state)
+{
+  state.PauseTiming();
+  std::vector<Vector_3d> positions = s.positions;
+  Descent<internal::Newton_step>& descent = s.descent(execution);
+  state.ResumeTiming();
+  descent.sweep(positions, s.radius, s.sharpness);
+  benchmark::DoNotOptimize(positions.data());
+  return s.number_of_vertices();
+}
+
+std::size_t measure(Situation& s, Execution execution, benchmark::State&)
+{
+  benchmark::DoNotOptimize(s.descent(execution).measure(s.positions, s.radius, s.sharpness).mean());
+  return s.triangles.size();
+}
+
+std::size_t find_focus(Situation& s, Execution, benchmark::State&)
+{
+  constexpr double share_of_largest = 0.6; // this and the bound on their number as by default
+  const std::size_t max = s.number_of_vertices() / 5;
+  Descent<internal::Newton_step>& descent = s.descent(Execution::SEQUENTIAL);
+  descent.reserve_focus(max);
+  benchmark::DoNotOptimize(descent.focus_on_faces_above(share_of_largest * s.max_energy, max));
+  return s.number_of_vertices();
+}
+
+std::size_t cost_removals(Situation& s, Execution, benchmark::State&)
+{
+  for(std::size_t v = 0; v < s.number_of_vertices(); ++v)
+    benchmark::DoNotOptimize(
+        internal::Vertex_removal::best(s.mesh.rings(), s.mesh.points(), static_cast<std::uint32_t>(v), false).rank());
+  return s.number_of_vertices();
+}
+
+std::size_t coarsen(Situation& s, Execution execution, benchmark::State&)
+{
+  Unlimited_run run;
+  benchmark::DoNotOptimize(
+      internal::Mesh_hierarchy::build(s.mesh.rings(), s.mesh.points(), run.control, execution).number_of_levels());
+  return s.number_of_vertices();
+}
+
+std::size_t embed(Situation& s, Execution execution, benchmark::State& state)
+{
+  constexpr std::size_t sweeps_per_level = 20; // as by default
+
+  state.PauseTiming();
+  Unlimited_run run;
+  internal::Mesh_hierarchy hierarchy =
+      internal::Mesh_hierarchy::build(s.mesh.rings(), s.mesh.points(), run.control, execution);
+  state.ResumeTiming();
+  std::vector<Vector_3d> positions;
+  internal::Hierarchical_embedding<Energy>(hierarchy, s.mesh.points(), internal::Guarded_energy<Energy>(Energy()),
+                                           SP::Sharpness(), sweeps_per_level, internal::Rest_limits(), run.control,
+                                           execution)
+      .run(positions, false);
+  benchmark::DoNotOptimize(positions.data());
+  return s.number_of_vertices();
+}
+
+std::size_t certify(Situation& s, Execution execution, benchmark::State&)
+{
+  benchmark::DoNotOptimize(internal::certify_bijectivity<Kernel>(s.images, s.triangles, execution).degree);
+  return s.triangles.size();
+}
+
+// The physical memory that this process has at most, beyond what it has when this object is made. The code of a program,
+// which is read when it is first needed and is there once for all processes, does not count. Only Linux tells.
+class Peak_memory
+{
+public:
+  Peak_memory()
+  {
+#ifdef __GLIBC__
+    malloc_trim(0); // what the allocator keeps of released memory would be used again without a trace
+#endif
+    std::ofstream("/proc/self/clear_refs") << 5; // the peak starts anew
+    m_first = read_bytes("VmRSS:") - read_bytes("RssFile:");
+  }
+
+  double bytes() const
+  {
+    return read_bytes("VmHWM:") - read_bytes("RssFile:") - m_first;
+  }
+
+private:
+  static double read_bytes(const std::string& field)
+  {
+    std::ifstream status("/proc/self/status");
+    double kilobytes;
+    for(std::string word; status >> word;)
+      if(word == field && status >> kilobytes)
+        return 1024. * kilobytes;
+    return std::numeric_limits<double>::quiet_NaN();
+  }
+
+  double m_first;
+};
+
+template <class ConcurrencyTag>
+void parameterize(benchmark::State& state)
+{
+  Mesh mesh = read_off(options.mesh_file);
+  auto sphere = mesh.add_property_map<Mesh::Vertex_index, Kernel::Point_3>("v:sphere").first;
+  const double n = static_cast<double>(mesh.number_of_vertices());
   for(auto _ : state)
   {
-    state.PauseTiming();
-    restore();
-    state.ResumeTiming();
-    Work work = kernel();
-    benchmark::DoNotOptimize(work.result);
-    items += work.items;
+    const Peak_memory memory;
+    check(SP::parameterize<ConcurrencyTag>(mesh, sphere));
+    state.counters["bytes_per_vertex"] = memory.bytes() / n;
   }
+  state.SetItemsProcessed(static_cast<std::int64_t>(state.iterations()) * static_cast<std::int64_t>(n));
+}
+
+// Moves vertices one by one as the default step does, and counts how often it evaluates the energies of their stars.
+class Counting_step
+{
+public:
+  struct Counts
+  {
+    double with_derivatives = 0., without = 0.;
+  };
+
+  template <class FT>
+  using Image_area = internal::Newton_step::Image_area<FT>;
+  static constexpr bool is_lanewise = false;
+
+  explicit Counting_step(Counts& counts)
+    : m_counts(&counts)
+  {}
+
+  template <class StarEnergy>
+  bool operator()(const StarEnergy& energy, std::array<double, 2>& step) const
+  {
+    return internal::Newton_step()(Counted<StarEnergy>{energy, *m_counts}, step);
+  }
+
+private:
+  template <class StarEnergy>
+  struct Counted
+  {
+    const StarEnergy& energy;
+    Counts& counts;
+
+    double derivatives(std::array<double, 2>& gradient, std::array<double, 3>& hessian) const
+    {
+      ++counts.with_derivatives;
+      return energy.derivatives(gradient, hessian);
+    }
+    double operator()(double x, double y) const
+    {
+      ++counts.without;
+      return energy(x, y);
+    }
+    double shortest_edge() const { return energy.shortest_edge(); }
+  };
+
+  Counts* m_counts;
+};
+
+// The bytes that a sweep has to read or write at least: each array once, the positions twice. That the positions of the
+// neighbours are read again and again is left to the caches.
+double bytes_of_sweep()
+{
+  const internal::Vertex_rings& rings = situation().mesh.rings();
+  const std::size_t per_corner = sizeof(std::uint32_t) + sizeof(internal::Rest_triangle); // neighbour and rest shape
+  const std::size_t per_vertex = 2 * sizeof(std::uint32_t) + 2 * sizeof(Vector_3d);       // its place and its number
+  return static_cast<double>(rings.number_of_corners() * per_corner + rings.number_of_vertices() * per_vertex);
+}
+
+// What a sweep has to do at least, by vertex: the bytes and operations on doubles that its formulas ask for, of which
+// nothing is done twice and none is a factor 0, 1 or -1.
+void add_work_of_sweep(benchmark::State& state)
+{
+  struct Operations
+  {
+    double sums_and_products, divisions, square_roots, exponentials;
+  };
+  // Counted in the formulas for the symmetric Dirichlet energy, the determinant and a positive sharpness.
+  // the tangent frame, and the length of the shortest edge; from the frame to space (18), and to length 1 (10)
+  constexpr Operations star = {37, 1, 1, 0};
+  // The offset of the neighbour in the frame (18) and its squared length (5); the part of I that does not move (10),
+  // the gradient of the determinant (13), I and d (7), and the energy (4).
+  constexpr Operations corner = {57, 1, 0, 0};
+  // The derivatives of I and d (14), those of the energy in them (7, 1 / d^2 being known), the chain rule (28), the
+  // exponential and its derivatives (16), and the sums (6).
+  constexpr Operations corner_of_derivatives = {71, 0, 0, 1};
+  // the inverse of the modulus of the Hessian (15), the step (14), its slope and its squared length (7)
+  constexpr Operations newton_step = {36, 3, 1, 0};
+  // The offset from the new place (3), the determinant (14), the squared length (5), I and d (7), the energy (4),
+  // whether the face is safely positive (2), and its share of the objective (3).
+  constexpr Operations corner_of_value = {38, 1, 0, 1};
+  // the height above the tangent plane
+  constexpr Operations value = {6, 1, 1, 0};
+
+  static const Counting_step::Counts counts = [] {
+    Situation& s = situation();
+    Counting_step::Counts result;
+    Descent<Counting_step> descent(internal::Guarded_energy<Energy>(Energy()), Counting_step(result),
+                                   Execution::SEQUENTIAL);
+    assign(descent, s.mesh);
+    std::vector<Vector_3d> positions = s.positions;
+    descent.sweep(positions, s.radius, s.sharpness);
+    return result;
+  }();
+  const double n = static_cast<double>(situation().number_of_vertices());
+  const double degree = static_cast<double>(situation().mesh.rings().number_of_corners()) / n;
+  const double derivatives = counts.with_derivatives / n, values = counts.without / n;
+  const auto add = [&](const char* name, double Operations::*kind) {
+    state.counters[name] = star.*kind + degree * corner.*kind + degree * derivatives * corner_of_derivatives.*kind +
+                           derivatives * newton_step.*kind + degree * values * corner_of_value.*kind +
+                           values * value.*kind;
+  };
+  add("sums_and_products", &Operations::sums_and_products);
+  add("divisions", &Operations::divisions);
+  add("square_roots", &Operations::square_roots);
+  add("exponentials", &Operations::exponentials);
+  state.counters["derivatives"] = derivatives;
+  state.counters["values"] = values;
+  state.counters["bytes"] = bytes_of_sweep() / n;
+}
+
+// Runs a kernel as often as Google Benchmark wants.
+template <class Function>
+void run(benchmark::State& state, const Function& kernel, Execution execution)
+{
+  Situation& s = situation();
+  std::size_t items = 0;
+  for(auto _ : state)
+    items += kernel(s, execution, state);
   state.SetItemsProcessed(static_cast<std::int64_t>(items));
 }
 
-template <class Kernel>
-void run(benchmark::State& state, const Kernel& kernel)
+// Registers a benchmark that uses one thread. The time of the processor is what counts: others may be using it as well.
+template <class Function>
+benchmark::internal::Benchmark* add(const std::string& name, const Function& run)
 {
-  std::size_t items = 0;
-  for(auto _ : state)
-  {
-    Work work = kernel();
-    benchmark::DoNotOptimize(work.result);
-    items += work.items;
-  }
-  state.SetItemsProcessed(static_cast<std::int64_t>(items));
+  return benchmark::RegisterBenchmark(name.c_str(), run)->Unit(benchmark::kMicrosecond);
 }
 
-// Registers a kernel that uses one thread. The time of the processor is what counts: others may be using it as well.
-template <class... Functions>
-void add(const std::string& name, const Functions&... functions)
+// Registers one that uses several.
+template <class Function>
+benchmark::internal::Benchmark* add_parallel(const std::string& name, const Function& run)
 {
-  benchmark::RegisterBenchmark(name.c_str(), [=](benchmark::State& state) {
-    run(state, functions...);
-  })->Unit(benchmark::kMicrosecond);
-}
-
+  const std::size_t n = options.number_of_threads;
+  return add(name + '_' + std::to_string(n) + "_threads",
+             [=](benchmark::State& state) {
 #ifdef CGAL_LINKED_WITH_TBB
-// Registers a kernel that uses several threads.
-template <class... Functions>
-void add_parallel(const std::string& name, const Functions&... functions)
-{
-  constexpr std::size_t number_of_threads = 2;
-  benchmark::RegisterBenchmark((name + '_' + std::to_string(number_of_threads) + "_threads").c_str(),
-                               [=](benchmark::State& state) {
-                                 const tbb::global_control control(tbb::global_control::max_allowed_parallelism,
-                                                                   number_of_threads);
-                                 run(state, functions...);
-                               })
-      ->Unit(benchmark::kMicrosecond)
+               const tbb::global_control control(tbb::global_control::max_allowed_parallelism, n);
+#endif
+               run(state);
+             })
       ->MeasureProcessCPUTime()
       ->UseRealTime();
 }
-#endif
 
-void add_kernels(Kernel_situation& situation)
+void add_benchmarks()
 {
-  using Sequential_tag = CGAL::Sequential_tag;
+  using Kernel_function = std::size_t (*)(Situation&, Execution, benchmark::State&);
+  constexpr bool has_threads = std::is_convertible<CGAL::Parallel_if_available_tag, CGAL::Parallel_tag>::value;
+  struct
+  {
+    const char* name;
+    Kernel_function function;
+    bool is_parallel;
+  } const kernels[] = {{"measurement", measure, true},
+                       {"focus", find_focus, false},
+                       {"descent_setup", set_descent_up, true},
+                       {"coloring", color, false},
+                       {"removal_cost", cost_removals, false},
+                       {"coarsening", coarsen, true},
+                       {"embedding", embed, true},
+                       {"reading", read, false},
+                       {"certificate", certify, true}};
 
-  const auto restore_positions = [&] { situation.restore_positions(); };
-  const auto restore_hierarchy = [&] { situation.restore_hierarchy(); };
-  add("star_load", [&] { return situation.load_stars(); });
-  add("star_value", [&] { return situation.evaluate_stars(); });
-  add("star_derivatives", [&] { return situation.differentiate_stars(); });
-  add("star_update", [&] { return situation.update_stars(); });
-  add(
-      "sweep", [&] { return situation.sweep<Sequential_tag>(); }, restore_positions);
-  add("measurement", [&] { return situation.measure<Sequential_tag>(); });
-  add("focus", [&] { return situation.find_focus(); });
-  add("descent_setup", [&] { return situation.prepare_descent<Sequential_tag>(); });
-  add("coloring", [&] { return situation.color(); });
-  add("removal_cost", [&] { return situation.cost_removals(); });
-  add("coarsening", [&] { return situation.coarsen<Sequential_tag>(); });
-  add("insertion", [&] { return situation.insert(); });
-  add(
-      "embedding", [&] { return situation.embed<Sequential_tag>(); }, restore_hierarchy);
-  add("reading", [&] { return situation.read(); });
-  add("certificate", [&] { return situation.certify<Sequential_tag>(); });
-#ifdef CGAL_LINKED_WITH_TBB
-  using Parallel_tag = CGAL::Parallel_tag;
-
-  add_parallel(
-      "sweep", [&] { return situation.sweep<Parallel_tag>(); }, restore_positions);
-  add_parallel("measurement", [&] { return situation.measure<Parallel_tag>(); });
-  add_parallel("descent_setup", [&] { return situation.prepare_descent<Parallel_tag>(); });
-  add_parallel("coarsening", [&] { return situation.coarsen<Parallel_tag>(); });
-  add_parallel(
-      "embedding", [&] { return situation.embed<Parallel_tag>(); }, restore_hierarchy);
-  add_parallel("certificate", [&] { return situation.certify<Parallel_tag>(); });
-#endif
+  add("sweep", [](benchmark::State& state) {
+    run(state, sweep, Execution::SEQUENTIAL);
+    add_work_of_sweep(state);
+  });
+  for(const auto& kernel : kernels)
+    add(kernel.name, [=](benchmark::State& state) { run(state, kernel.function, Execution::SEQUENTIAL); });
+  add("parameterization", parameterize<CGAL::Sequential_tag>)->Iterations(1);
+  machine_rates::add(1, bytes_of_sweep);
+  if(!has_threads || options.number_of_threads < 2)
+    return;
+  add_parallel("sweep", [](benchmark::State& state) { run(state, sweep, Execution::PARALLEL); });
+  for(const auto& kernel : kernels)
+    if(kernel.is_parallel)
+      add_parallel(kernel.name, [=](benchmark::State& state) { run(state, kernel.function, Execution::PARALLEL); });
+  add_parallel("parameterization", parameterize<CGAL::Parallel_if_available_tag>)->Iterations(1);
+  machine_rates::add(options.number_of_threads, bytes_of_sweep);
 }
 
 void print_usage(const char* program)
 {
   std::cout
       << "Usage: " << program
-      << " [OPTIONS] [--map=FILE] [MESH]\n"
-         "Measures the kernels of the default method on a mesh, by default CGAL's armadillo, and a map of it that\n"
-         "is some sweeps from its end: every call does the same work. If there is a FILE, the map is read from it;\n"
-         "if not, it is written, so that another build can be measured by the same work. Items are stars, vertices\n"
-         "or faces. What compares two builds is compare_builds.py.\n\n";
+      << " [OPTIONS] [--map=FILE] [--threads=N] [MESH]\n"
+         "Measures the kernels of the default method on a mesh in the format OFF, by default CGAL's armadillo, and a\n"
+         "map of it that is some sweeps from its end: every call does the same work. If there is a FILE, the map is\n"
+         "read from it; if not, it is written, so that another build can be measured by the same work. Items are\n"
+         "vertices or faces. The counters of a sweep are what it has to do at least for a vertex; machine_* is what\n"
+         "the machine does at best. Kernels that can use several threads are measured with one and with N, 2 by\n"
+         "default. What compares two builds is compare_builds.py.\n\n";
+}
+
+// Takes the value of an option --NAME=VALUE.
+bool read_option(const std::string& argument, const std::string& name, std::string& value)
+{
+  if(argument.compare(0, name.size(), name) != 0)
+    return false;
+  value = argument.substr(name.size());
+  return true;
 }
 
 } // namespace
@@ -143,41 +532,30 @@ void print_usage(const char* program)
 int main(int argc, char* argv[])
 {
   if(std::find(argv, argv + argc, std::string("--help")) != argv + argc)
-  {
     print_usage(argv[0]);
-  }
   benchmark::Initialize(&argc, argv); // takes its options away; --help ends here
-  const std::string map_option = "--map=";
-  std::string mesh_file, map_file;
+  std::string threads = "2";
   for(const std::string& argument : std::vector<std::string>(argv + 1, argv + argc))
-  {
-    if(argument.compare(0, map_option.size(), map_option) == 0)
-    {
-      map_file = argument.substr(map_option.size());
-    }
-    else if(argument[0] != '-' && mesh_file.empty())
-    {
-      mesh_file = argument;
-    }
+    if(read_option(argument, "--map=", options.map_file) || read_option(argument, "--threads=", threads))
+      continue;
+    else if(argument[0] != '-' && options.mesh_file.empty())
+      options.mesh_file = argument;
     else
     {
       print_usage(argv[0]);
       return EXIT_FAILURE;
     }
-  }
-  if(mesh_file.empty())
-  {
-    mesh_file = CGAL::data_file_path("meshes/armadillo.off");
-  }
+  if(options.mesh_file.empty())
+    options.mesh_file = CGAL::data_file_path("meshes/armadillo.off");
   try
   {
-    Kernel_situation situation(mesh_file, map_file);
-    add_kernels(situation);
+    options.number_of_threads = std::stoul(threads);
+    add_benchmarks();
     benchmark::RunSpecifiedBenchmarks();
   }
   catch(const std::exception& error)
   {
-    std::cerr << mesh_file << ": " << error.what() << '\n';
+    std::cerr << error.what() << '\n';
     return EXIT_FAILURE;
   }
   return EXIT_SUCCESS;

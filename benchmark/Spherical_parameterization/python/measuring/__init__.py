@@ -5,12 +5,11 @@ programs; pictures draws surfaces and spheres; reports writes what a reader sees
 share. Needs the Debian packages python3-numpy and python3-matplotlib, and no display.
 """
 
+import os
 import sys
+from importlib.util import find_spec
 
-try:
-    import matplotlib
-    import numpy  # noqa: F401 (only to see whether it is there)
-except ImportError as error:
-    sys.exit(f"{error}. Install python3-numpy and python3-matplotlib, and use that Python (/usr/bin/python3).")
+if not find_spec("numpy") or not find_spec("matplotlib"):
+    sys.exit("Install python3-numpy and python3-matplotlib, and run this with that Python (/usr/bin/python3).")
 
-matplotlib.use("Agg")
+os.environ["MPLBACKEND"] = "Agg"

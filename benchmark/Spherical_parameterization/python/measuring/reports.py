@@ -9,9 +9,7 @@ from dataclasses import dataclass
 from itertools import cycle
 from pathlib import Path
 
-import matplotlib.pyplot as plt
 import numpy as np
-from matplotlib.ticker import NullLocator
 
 from .maps import Statistics
 
@@ -104,6 +102,9 @@ class Diagram:
 
 def draw(path: Path, diagrams: list[Diagram]) -> None:
     """Draws diagrams side by side into one PNG file."""
+    import matplotlib.pyplot as plt  # which takes longer to load than most drivers take, and most draw nothing
+    from matplotlib.ticker import NullLocator
+
     figure, all_axes = plt.subplots(1, len(diagrams), figsize=(5.4 * len(diagrams), 4.0), squeeze=False)
     for axes, diagram in zip(all_axes[0], diagrams):
         for curve, marker in zip(diagram.curves, cycle(MARKERS)):
