@@ -34,14 +34,14 @@ namespace Spherical_parameterization {
 
 /// \ingroup PkgSphericalParameterizationMethods
 ///
-/// The class `Harmonic_parameterizer_3` maps a surface to the unit sphere with the least discrete harmonic energy
+/// The class `Harmonic_parameterizer_3` maps a surface to the unit sphere with the minimum discrete harmonic energy
 /// \f$ \frac{1}{2} \sum w_{ij} | u_i - u_j |^2 \f$, where the weights of the edges are half the sums of the two
 /// opposite cotangents, raised to a small positive value where they are below.
 ///
 /// It is the map that \cgalCite{cgal:whfl-bspld-16} starts from. Angles are nearly kept, and areas differ by many
 /// orders of magnitude where a surface has limbs.
 ///
-/// The energy alone would be least if all vertices were mapped to one point. So Moebius transformations keep the centre
+/// The energy alone would be minimal if all vertices were mapped to one point. So Moebius transformations keep the centre
 /// of the area of the surface at the centre of the sphere.
 ///
 /// The iteration starts from the map of `Stereographic_parameterizer_3`, and each step solves a sparse system, whose

@@ -116,7 +116,7 @@ public:
   ///
   /// The parameters are those of `CGAL::Spherical_parameterization::parameterize()`. There is no
   /// `number_of_iterations`; after `maximum_running_time`, or if the visitor asks for it, the remaining levels get one
-  /// sweep each, the least effort, before the map is certified and returned.
+  /// sweep each, the minimum, before the map is certified and returned.
   ///
   /// \return `OK`, or what is wrong with the mesh, see `find_defect()`; `ERROR_WRONG_PARAMETER` if `is_valid()` is
   ///         `false`; `ERROR_INSUFFICIENT_PRECISION`

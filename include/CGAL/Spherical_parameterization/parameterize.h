@@ -91,7 +91,7 @@ namespace Spherical_parameterization {
 ///                     must be available in `TriangleMesh`.}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{number_of_iterations}
-///     \cgalParamDescription{the most sweeps over the vertices of `tmesh` itself, or the most steps of a method that
+///     \cgalParamDescription{the maximum number of sweeps over the vertices of `tmesh` itself, or of steps of a method that
 ///                           moves all vertices at once}
 ///     \cgalParamType{unsigned int}
 ///     \cgalParamDefault{`90`; `2000` for `Published_low_distortion_parameterizer_3`, `500` for
@@ -101,7 +101,7 @@ namespace Spherical_parameterization {
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{maximum_running_time}
 ///     \cgalParamDescription{the time in seconds after which the map reached by then is certified and returned. The
-///                           first map is completed in any case, with the least effort.}
+///                           first map is completed in any case, with minimum effort.}
 ///     \cgalParamType{double}
 ///     \cgalParamDefault{no limit, as with any value that is not positive}
 ///   \cgalParamNEnd

@@ -79,13 +79,13 @@ private:
   Execution m_execution;
 };
 
-// Lowers the harmonic energy of a map to the unit sphere. Where it is least, the Laplacian at every vertex is normal to
+// Lowers the harmonic energy of a map to the unit sphere. Where it is minimal, the Laplacian at every vertex is normal to
 // the sphere: L u = 2 share(u) u, see Dirichlet_energy. This is solved as a fixed point: with the right-hand side from
 // the last map, a linear system with the one matrix L gives the next map, up to the projection to the sphere. Each step
 // leaves about a third of the error of the lowest frequency. As the right-hand side nearly vanishes where limbs are
 // shrunk to a small place, limbs are solved as well as in the plane at once.
 //
-// The energy alone would be least for a map to one point. So after each step a Moebius transformation, which changes a
+// The energy alone would be minimal for a map to one point. So after each step a Moebius transformation, which changes a
 // conformal map to another one, brings the centre of the area of the surface back to the centre of the sphere.
 template <class SolverTraits>
 class Harmonic_map

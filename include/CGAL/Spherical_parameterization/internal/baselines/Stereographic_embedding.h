@@ -51,8 +51,8 @@ inline std::vector<std::uint32_t> edge_distances(const Vertex_rings& rings, std:
   return distance;
 }
 
-// A vertex in the middle of the surface: of all vertices, the one that is least far from the extremities. Those are
-// found one after the other, each as far as possible from those before.
+// A vertex in the middle of the surface: of all vertices, the one with the minimum distance from the extremities. Those
+// are found one after the other, each as far as possible from those before.
 inline std::uint32_t central_vertex(const Vertex_rings& rings)
 {
   constexpr int number_of_extremities = 8;

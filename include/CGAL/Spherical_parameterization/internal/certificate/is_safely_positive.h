@@ -28,7 +28,7 @@ namespace internal {
 
 // Whether a face on the unit sphere whose determinant was computed from offsets stays positive when its corners are
 // rounded to doubles, in normalising them there and in scaling them to the final radius later. Both move a corner by
-// less than 6 * 2^-53 altogether, and so the determinant by less than that times the opposite edge. For three corners
+// less than 6 * 2^-53 in sum, and so the determinant by less than that times the opposite edge. For three corners
 // this is less than 18 * 2^-53 * sqrt(2 * sum_of_squared_edges), as no edge is longer than the two others together; the
 // bound leaves a factor of 5. `sum_of_squared_edges` is that of two edges of the face.
 template <class FT>

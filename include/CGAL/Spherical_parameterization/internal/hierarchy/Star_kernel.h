@@ -149,7 +149,7 @@ private:
     }
   }
 
-  // How far the faces from the gnomonic point to the edges of the hole are from equilateral, altogether; infinite if
+  // How far the faces from the gnomonic point to the edges of the hole are from equilateral, in sum; infinite if
   // one of them is not safely positive.
   double roughness(const Point& c) const
   {

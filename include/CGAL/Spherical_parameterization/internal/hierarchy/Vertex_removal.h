@@ -35,7 +35,7 @@ namespace internal {
 // The best way to remove one vertex from a mesh: by collapsing it into one of its neighbours, its target. The cost adds
 // up how far the target lies from the planes of the faces at the vertex (the quadric error of these faces) and a small
 // share of the length of the edge, so that flat parts are thinned out evenly; thin new faces and targets of high degree
-// make it dearer.
+// raise it.
 class Vertex_removal
 {
 public:

@@ -119,9 +119,9 @@ private:
   }
 
   // a hint at how often the same occurs elsewhere
-  std::string altogether(const char* what) const
+  std::string in_total(const char* what) const
   {
-    return m_defect.count > 1 ? " (" + std::to_string(m_defect.count) + " such " + what + " altogether)" : "";
+    return m_defect.count > 1 ? " (" + std::to_string(m_defect.count) + " such " + what + " in total)" : "";
   }
 
   bool is_used(vertex_descriptor v) const { return halfedge(v, m_mesh) != Traits::null_halfedge(); }
@@ -148,7 +148,7 @@ private:
       if(!is_triangle(halfedge(f, m_mesh), m_mesh) && m_defect.count++ == 0)
         m_defect.face = f;
     say(name(m_defect.face) + " is not a triangle but has " + std::to_string(degree(m_defect.face, m_mesh)) +
-            " corners" + altogether("faces"),
+            " corners" + in_total("faces"),
         "Triangulate the mesh first, for example with CGAL::Polygon_mesh_processing::triangulate_faces().");
   }
 
@@ -172,7 +172,7 @@ private:
     m_defect.count += n_halfedges_without_face / 2;
     say("the mesh has a border: " + name_of_edge() + " belongs to " +
             (m_defect.face == Traits::null_face() ? "no face" : "one face only, " + name(m_defect.face)) +
-            altogether("edges"),
+            in_total("edges"),
         "Close the holes first, for example with CGAL::Polygon_mesh_processing::triangulate_hole(). If the faces "
         "do not share their vertices, join them with CGAL::Polygon_mesh_processing::stitch_borders().");
   }
@@ -188,7 +188,7 @@ private:
            m_defect.count++ == 0)
           m_defect.vertex = v;
       }
-    say(name(m_defect.vertex) + " has a coordinate that is infinite or not a number" + altogether("vertices"),
+    say(name(m_defect.vertex) + " has a coordinate that is infinite or not a number" + in_total("vertices"),
         "Repair the file, or the program that wrote it.");
   }
 
@@ -240,7 +240,7 @@ private:
     }
     if(m_defect.count > 0)
     {
-      say(name_of_edge() + " occurs more than once" + altogether("edges"),
+      say(name_of_edge() + " occurs more than once" + in_total("edges"),
           "Split one of the edges, for example with CGAL::Euler::split_edge(), and triangulate its faces again; or "
           "remove two faces that lie back to back.");
       return;
@@ -248,7 +248,7 @@ private:
     m_defect.vertex = first_pinch;
     m_defect.count = n_pinches;
     say("the surface touches itself in " + name(m_defect.vertex) + ": a fan of " + std::to_string(fan_size) +
-            " faces and others meet in nothing but this vertex" + altogether("vertices"),
+            " faces and others meet in nothing but this vertex" + in_total("vertices"),
         "Duplicate the vertex, for example with CGAL::Polygon_mesh_processing::duplicate_non_manifold_vertices(); "
         "if the mesh falls into several parts, map each of them on its own.");
   }

@@ -62,7 +62,7 @@ public:
     const Planar_triangle p(from[longest], from[shortest]);
     const Planar_triangle q(to[longest], to[shortest]);
 
-    m_is_degenerate = !(p.height > least_height * p.base);
+    m_is_degenerate = !(p.height > min_height * p.base);
     if(m_is_degenerate || !(q.height > 0.))
     {
       return;
@@ -91,7 +91,7 @@ public:
 
 private:
   static constexpr double infinity = std::numeric_limits<double>::infinity();
-  static constexpr double least_height = 1e-12; // in units of the longest edge
+  static constexpr double min_height = 1e-12; // in units of the longest edge
 
   // A triangle in the plane whose first edge is (base, 0) and whose apex is (foot, height), seen from the corner
   // between `first`, the edge on the axis, and `second`.
