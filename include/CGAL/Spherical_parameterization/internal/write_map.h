@@ -81,23 +81,27 @@ bool read_map(const Indexed_mesh& mesh, const std::vector<VertexDescriptor>& ver
   return are_bijective(mesh, points, execution);
 }
 
-// Whether the map holds the points that it was given, or others that are a bijection as well. (Lazy numbers that were
-// made from what is not finite must not be compared, so exact numbers are always certified anew.)
+// Whether the map holds the points that it was given, or others that are a bijection as well. Only in the latter case
+// is memory needed. (Lazy numbers that were made from what is not finite must not be compared, so exact numbers are
+// always certified anew.)
 template <class VertexDescriptor, class VertexSphereMap, class Point_3>
 bool is_bijective_as_written(const Indexed_mesh& mesh, const std::vector<VertexDescriptor>& vertices_of_mesh,
                              VertexSphereMap map, const std::vector<Point_3>& points, Execution execution)
 {
-  constexpr bool are_comparable = std::is_floating_point<typename Kernel_traits<Point_3>::Kernel::FT>::value;
-  std::vector<Point_3> written;
-  written.reserve(points.size());
-  bool are_the_same = are_comparable;
-  for(std::size_t v = 0; v < points.size(); ++v)
+  const auto written = [&](std::size_t v) -> Point_3 { return get(map, vertices_of_mesh[mesh.original(v)]); };
+  if constexpr(std::is_floating_point<typename Kernel_traits<Point_3>::Kernel::FT>::value)
   {
-    written.push_back(get(map, vertices_of_mesh[mesh.original(v)]));
-    if constexpr(are_comparable)
-      are_the_same = are_the_same && written.back() == points[v];
+    std::size_t v = 0;
+    while(v < points.size() && written(v) == points[v])
+      ++v;
+    if(v == points.size())
+      return true;
   }
-  return are_the_same || are_bijective(mesh, written, execution);
+  std::vector<Point_3> images;
+  images.reserve(points.size());
+  for(std::size_t v = 0; v < points.size(); ++v)
+    images.push_back(written(v));
+  return are_bijective(mesh, images, execution);
 }
 
 // Scales the positions from the unit sphere to the sphere of radius `radius`, certifies the points in the type that the

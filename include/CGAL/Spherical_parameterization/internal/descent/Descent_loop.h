@@ -65,6 +65,7 @@ class Descent_loop
 public:
   Descent_loop(const Indexed_mesh& mesh, const Energy& energy, const Step& step, const Sharpness& sharpness,
                Radius_chooser& radius, const Descent_settings& settings, Run_control& control, Execution execution);
+  ~Descent_loop();
 
   // Lowers the energy of the positions on the unit sphere in at most `max_sweeps` sweeps, and returns the radius.
   double run(std::vector<Vector_3d>& positions, std::size_t max_sweeps);
@@ -211,6 +212,9 @@ Descent_loop<Energy, Step>::Descent_loop(const Indexed_mesh& mesh, const Energy&
 {
   m_descent.assign(mesh.rings(), Independent_sets(mesh.rings()), mesh.points(), std::vector<double>(), Rest_limits());
 }
+
+template <class Energy, class Step>
+Descent_loop<Energy, Step>::~Descent_loop() = default;
 
 template <class Energy, class Step>
 double Descent_loop<Energy, Step>::run(std::vector<Vector_3d>& positions, std::size_t max_sweeps)
