@@ -1,17 +1,6 @@
-// Copyright (c) 2026  The Spherical_parameterization authors.
-// All rights reserved.
-//
-// This file is part of the Spherical_parameterization package for CGAL (www.cgal.org).
-//
-// SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Author(s)     : The Spherical_parameterization authors
-//
-
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_EXAMPLES_COLORED_MESH_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_EXAMPLES_COLORED_MESH_H
 
-#include "Color_map.h"
 #include "Polygon_soup.h"
 
 #include <algorithm>
@@ -27,22 +16,20 @@ namespace Program {
 class Colored_mesh
 {
 public:
-  using Triangle = std::array<std::size_t, 3>;
-
-  /// gives each vertex the average of its faces. The colours range from `least` to a value that is exceeded by one vertex in
+  /// gives each vertex the average of its faces. The colours range from `min` to a value that is exceeded by one vertex in
   /// a hundred, because a single bad face would hide all others.
   ///
-  /// \param distortions one for each face, at least `least`; those that are infinite are left out
-  Colored_mesh(std::size_t number_of_vertices, const std::vector<Triangle>& triangles,
-               const std::vector<double>& distortions, double least)
-    : m_triangles(triangles)
+  /// \param distortions one for each face, at least `min`; those that are infinite are left out
+  Colored_mesh(std::size_t number_of_vertices, const std::vector<Polygon>& faces,
+               const std::vector<double>& distortions, double min)
+    : m_faces(faces)
     , m_values(number_of_vertices, 0.)
-    , m_least(least)
+    , m_range{min, min_range * min}
   {
     std::vector<int> counts(number_of_vertices, 0);
-    for(std::size_t f = 0; f < triangles.size(); ++f)
+    for(std::size_t f = 0; f < faces.size(); ++f)
       if(std::isfinite(distortions[f]))
-        for(const std::size_t v : triangles[f])
+        for(const std::size_t v : faces[f])
         {
           m_values[v] += distortions[f];
           ++counts[v];
@@ -54,19 +41,15 @@ public:
         m_values[v] /= counts[v];
         known.push_back(m_values[v]);
       }
-    m_largest = smallest_range * least;
     if(known.empty())
       return;
     const std::size_t rank = static_cast<std::size_t>(quantile * static_cast<double>(known.size() - 1));
     std::nth_element(known.begin(), known.begin() + static_cast<std::ptrdiff_t>(rank), known.end());
-    m_largest = (std::max)(m_largest, known[rank]);
+    m_range[1] = (std::max)(m_range[1], known[rank]);
   }
 
-  /// returns the distortion with the darkest colour.
-  double least() const { return m_least; }
-
-  /// returns the distortion with the lightest colour, which larger ones have as well.
-  double largest() const { return m_largest; }
+  /// returns the distortion with the darkest colour, and that with the lightest, which larger ones have as well.
+  const std::array<double, 2>& range() const { return m_range; }
 
   /// writes a PLY file with the vertices at `points`. The distortion is there as a number, too, as MeshLab's "quality".
   void write(std::ostream& out, const std::vector<Point_3>& points) const
@@ -76,28 +59,61 @@ public:
     out << "ply\nformat ascii 1.0\nelement vertex " << points.size()
         << "\nproperty double x\nproperty double y\nproperty double z"
            "\nproperty uchar red\nproperty uchar green\nproperty uchar blue\nproperty float quality\nelement face "
-        << m_triangles.size() << "\nproperty list uchar int vertex_indices\nend_header\n";
+        << m_faces.size() << "\nproperty list uchar int vertex_indices\nend_header\n";
     for(std::size_t v = 0; v < points.size(); ++v)
     {
       const std::array<int, 3> color =
-          m_values[v] > 0. ? color_of((m_values[v] - m_least) / (m_largest - m_least)) : grey;
+          m_values[v] > 0. ? color_of((m_values[v] - m_range[0]) / (m_range[1] - m_range[0])) : grey;
       out.precision(digits_of_points);
       out << points[v].x() << ' ' << points[v].y() << ' ' << points[v].z() << ' ';
       out.precision(digits_of_values);
       out << color[0] << ' ' << color[1] << ' ' << color[2] << ' ' << m_values[v] << '\n';
     }
-    for(const Triangle& t : m_triangles)
+    for(const Polygon& t : m_faces)
       out << "3 " << t[0] << ' ' << t[1] << ' ' << t[2] << '\n';
   }
 
 private:
   static constexpr double quantile = 0.99;
-  static constexpr double smallest_range = 1.01;
+  static constexpr double min_range = 1.01;
   static constexpr std::array<int, 3> grey = {128, 128, 128}; // of vertices without a distortion
 
-  const std::vector<Triangle>& m_triangles;
+  // Returns a colour for `t` in [0, 1], from dark violet to light yellow, as red, green and blue in [0, 255].
+  //
+  // Equal steps of `t` look alike: the lightness grows evenly in Oklab, Ottosson's perceptually uniform space, while the
+  // hue turns through blue and green, so that the order is visible on a grey print and with colour blindness.
+  static std::array<int, 3> color_of(double t)
+  {
+    constexpr double first_lightness = 0.3, last_lightness = 0.93;
+    constexpr double first_hue = 5.2, last_hue = 1.85;       // in radians
+    constexpr double first_chroma = 0.1, last_chroma = 0.16; // all that sRGB holds along this way
+
+    t = (std::min)((std::max)(t, 0.), 1.);
+    const double lightness = first_lightness + t * (last_lightness - first_lightness);
+    const double hue = first_hue + t * (last_hue - first_hue);
+    const double chroma = first_chroma + t * t * t * t * (last_chroma - first_chroma);
+    const double a = chroma * std::cos(hue), b = chroma * std::sin(hue);
+
+    // Oklab to linear sRGB
+    const double l = std::pow(lightness + 0.3963377774 * a + 0.2158037573 * b, 3);
+    const double m = std::pow(lightness - 0.1055613458 * a - 0.0638541728 * b, 3);
+    const double s = std::pow(lightness - 0.0894841775 * a - 1.2914855480 * b, 3);
+    const std::array<double, 3> linear = {4.0767416621 * l - 3.3077115913 * m + 0.2309699292 * s,
+                                          -1.2684380046 * l + 2.6097574011 * m - 0.3413193965 * s,
+                                          -0.0041960863 * l - 0.7034186147 * m + 1.7076147010 * s};
+    std::array<int, 3> rgb{};
+    for(std::size_t i = 0; i < 3; ++i)
+    {
+      const double x = (std::min)((std::max)(linear[i], 0.), 1.);
+      const double gamma = x <= 0.0031308 ? 12.92 * x : 1.055 * std::pow(x, 1. / 2.4) - 0.055;
+      rgb[i] = static_cast<int>(std::lround(255. * gamma));
+    }
+    return rgb;
+  }
+
+  const std::vector<Polygon>& m_faces;
   std::vector<double> m_values; // 0 where there is none
-  double m_least, m_largest;
+  std::array<double, 2> m_range;
 };
 
 } // namespace Program

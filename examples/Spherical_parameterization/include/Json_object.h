@@ -1,13 +1,3 @@
-// Copyright (c) 2026  The Spherical_parameterization authors.
-// All rights reserved.
-//
-// This file is part of the Spherical_parameterization package for CGAL (www.cgal.org).
-//
-// SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Author(s)     : The Spherical_parameterization authors
-//
-
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_EXAMPLES_JSON_OBJECT_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_EXAMPLES_JSON_OBJECT_H
 
@@ -16,44 +6,21 @@
 #include <cstddef>
 #include <cstdio>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 namespace Program {
 
-/// A JSON object that is put together member by member.
+/// A JSON object that is put together member by member. (Boost.PropertyTree, which reads it, would write all numbers as
+/// texts.)
 class Json_object
 {
 public:
-  Json_object& add(const char* name, const std::string& value) { return add_text(name, quote(value)); }
-  Json_object& add(const char* name, const char* value) { return add_text(name, quote(value)); }
-  Json_object& add(const char* name, bool value) { return add_text(name, value ? "true" : "false"); }
-  Json_object& add(const char* name, std::size_t value) { return add_text(name, std::to_string(value)); }
-  Json_object& add(const char* name, const Json_object& value) { return add_text(name, value.text()); }
-
-  /// adds a number with 17 digits, or null if it is infinite or not a number, which JSON has no words for.
-  Json_object& add(const char* name, double value) { return add_text(name, number(value)); }
-
-  Json_object& add(const char* name, const std::vector<std::string>& values)
+  template <class Value>
+  Json_object& add(const char* name, const Value& value)
   {
-    std::string list;
-    for(const std::string& value : values)
-      list += (list.empty() ? "" : ", ") + quote(value);
-    return add_text(name, "[" + list + "]");
-  }
-
-  /// adds an array of rows, each an array of numbers.
-  template <std::size_t n>
-  Json_object& add(const char* name, const std::vector<std::array<double, n>>& rows)
-  {
-    std::string list;
-    for(const std::array<double, n>& row : rows)
-    {
-      std::string numbers;
-      for(const double value : row)
-        numbers += (numbers.empty() ? "" : ", ") + number(value);
-      list += (list.empty() ? "\n  [" : ",\n  [") + numbers + "]";
-    }
-    return add_text(name, "[" + list + (list.empty() ? "]" : "\n]"));
+    m_members += (m_members.empty() ? "\n" : ",\n") + quote(name) + ": " + text_of(value);
+    return *this;
   }
 
   std::string text() const
@@ -66,18 +33,47 @@ public:
   }
 
 private:
-  Json_object& add_text(const char* name, const std::string& value)
-  {
-    m_members += (m_members.empty() ? "\n" : ",\n") + quote(name) + ": " + value;
-    return *this;
-  }
+  static std::string text_of(const std::string& value) { return quote(value); }
+  static std::string text_of(const char* value) { return quote(value); }
+  static std::string text_of(bool value) { return value ? "true" : "false"; }
+  static std::string text_of(const Json_object& value) { return value.text(); }
 
-  static std::string number(double value)
+  // 17 digits, or null for what JSON has no words for
+  static std::string text_of(double value)
   {
-    constexpr int most_characters = 32;
-    char digits[most_characters];
+    constexpr int max_size = 32;
+    char digits[max_size];
     std::snprintf(digits, sizeof digits, "%.17g", value);
     return std::isfinite(value) ? digits : "null";
+  }
+
+  template <class Count>
+  static std::enable_if_t<std::is_unsigned<Count>::value, std::string> text_of(Count value)
+  {
+    return std::to_string(value);
+  }
+
+  template <std::size_t n>
+  static std::string text_of(const std::array<double, n>& values)
+  {
+    return list_of(values, ", ", "");
+  }
+
+  static std::string text_of(const std::vector<std::string>& values) { return list_of(values, ", ", ""); }
+
+  // a row on each line
+  static std::string text_of(const std::vector<std::array<double, 3>>& rows)
+  {
+    return rows.empty() ? "[]" : list_of(rows, ",\n  ", "\n");
+  }
+
+  template <class Range>
+  static std::string list_of(const Range& values, const std::string& separator, const std::string& end)
+  {
+    std::string list;
+    for(const auto& value : values)
+      list += (list.empty() ? end + (end.empty() ? "" : "  ") : separator) + text_of(value);
+    return "[" + list + end + "]";
   }
 
   static std::string quote(const std::string& text)

@@ -1,38 +1,52 @@
-// Copyright (c) 2026  The Spherical_parameterization authors.
-// All rights reserved.
-//
-// This file is part of the Spherical_parameterization package for CGAL (www.cgal.org).
-//
-// SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Author(s)     : The Spherical_parameterization authors
-//
-
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_EXAMPLES_MESH_RUN_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_EXAMPLES_MESH_RUN_H
 
 #include "Colored_mesh.h"
-#include "File_names.h"
-#include "File_stamp.h"
 #include "Input_mesh.h"
-#include "Method_runner.h"
 #include "Output_files.h"
 #include "Program_options.h"
 #include "Run_report.h"
-#include "Stopwatch.h"
-#include "balanced_radius.h"
-#include "file_format.h"
+#include "mesh_files.h"
 #include "read_soup.h"
-#include "write_soup.h"
+#include "run_method.h"
 
+#include <CGAL/IO/GOCAD.h>
+#include <CGAL/IO/OBJ.h>
+#include <CGAL/IO/OFF.h>
+#include <CGAL/IO/PLY.h>
+#include <CGAL/IO/io.h>
 #include <CGAL/Spherical_parameterization/measure_distortion.h>
 
+#include <algorithm>
+#include <chrono>
+#include <cmath>
 #include <optional>
 #include <ostream>
 #include <string>
 #include <vector>
 
 namespace Program {
+
+/// Seconds by the monotonic clock.
+class Stopwatch
+{
+public:
+  /// returns the seconds since the stopwatch was made, or since the last `lap()`.
+  double seconds() const { return std::chrono::duration<double>(Clock::now() - m_start).count(); }
+
+  /// returns the same, and starts anew.
+  double lap()
+  {
+    const double passed = seconds();
+    m_start = Clock::now();
+    return passed;
+  }
+
+private:
+  using Clock = std::chrono::steady_clock;
+
+  Clock::time_point m_start = Clock::now();
+};
 
 /// All that is done with one mesh: it is read, mapped to a sphere and measured, and what is wanted is written.
 class Mesh_run
@@ -69,7 +83,7 @@ public:
 
     // A vertex without a face stays at the origin.
     m_sphere = mesh().add_property_map<Vertex_index, Point_3>("v:sphere", Point_3(0, 0, 0)).first;
-    m_report.result = Method_runner(*m_input, m_sphere, m_options).run();
+    m_report.result = run_method(m_options, *m_input, m_sphere);
   }
 
   /// measures the map, and writes all files. They appear once all of them are complete.
@@ -80,13 +94,14 @@ public:
   void write()
   {
     m_stopwatch.lap();
-    measure();
+    m_distortions = mesh().add_property_map<Mesh::Face_index, SP::Face_distortion>("f:distortion").first;
+    m_report.distortion = SP::measure_distortion(mesh(), m_sphere, m_distortions);
+    if(m_options.is_unit_sphere)
+      m_report.balanced = measure_balanced(m_report.distortion.radius);
     m_report.seconds_for_measuring = m_stopwatch.lap();
     if(m_files.sphere)
     {
-      m_files.sphere->write([&](std::ostream& out) {
-        write_soup(out, file_format(m_names.sphere), points_of(m_sphere), m_input->triangles());
-      });
+      m_files.sphere->write([&](std::ostream& out) { write_sphere(out); });
       m_report.sphere_bytes = m_files.sphere->size();
     }
     if(m_files.colored_surface)
@@ -109,25 +124,67 @@ private:
     return std::vector<Point_3>(map.begin(), map.end());
   }
 
-  void measure()
-  {
-    m_distortions = mesh().add_property_map<Mesh::Face_index, SP::Face_distortion>("f:distortion").first;
-    m_report.distortion = SP::measure_distortion(mesh(), m_sphere, m_distortions);
-    if(m_options.is_unit_sphere)
-      m_report.balanced = measure_balanced(m_report.distortion.radius);
-  }
-
-  // measures the map, and each face, with the radius of eq. 11; does nothing if no number holds that radius
+  // Measures the map, and each face, with the radius that balances the areas (eq. 11), at which maps are usually compared;
+  // does nothing if no number holds that radius. Faces where distortions are infinite are left out.
   std::optional<SP::Distortion_summary> measure_balanced(double radius)
   {
-    const double balanced = balanced_radius(mesh(), m_sphere, radius, m_distortions);
-    if(balanced == 0.)
+    // Scaling by a power of two is exact, and keeps all products away from infinity and 0.
+    const auto exponent_of = [&](const auto& points) {
+      double max = 0.;
+      for(const Vertex_index v : mesh().vertices())
+        if(!mesh().is_isolated(v))
+          for(int k = 0; k < 3; ++k)
+            max = (std::max)(max, std::abs(points[v][k]));
+      return max > 0. ? std::ilogb(max) : 0;
+    };
+    const auto area = [&](const auto& points, Mesh::Face_index f, int exponent) {
+      const auto point = [&](Mesh::Halfedge_index h) {
+        const Point_3& p = points[mesh().target(h)];
+        return Point_3(std::scalbn(p.x(), -exponent), std::scalbn(p.y(), -exponent), std::scalbn(p.z(), -exponent));
+      };
+      const Mesh::Halfedge_index h = mesh().halfedge(f);
+      return std::sqrt(CGAL::squared_area(point(h), point(mesh().next(h)), point(mesh().prev(h))));
+    };
+    const int exponent = exponent_of(mesh().points()), exponent_of_sphere = exponent_of(m_sphere);
+    double sum = 0., sum_of_inverses = 0.;
+    for(const Mesh::Face_index f : mesh().faces())
+      if(std::isfinite(m_distortions[f].isometric))
+      {
+        const double d = area(m_sphere, f, exponent_of_sphere) / area(mesh().points(), f, exponent);
+        sum += d;
+        sum_of_inverses += 1. / d;
+      }
+    const double balanced =
+        std::scalbn(std::scalbn(radius, -exponent_of_sphere) * std::pow(sum_of_inverses / sum, 0.25), exponent);
+    if(!(balanced > 0. && std::isfinite(balanced)))
       return std::nullopt;
+
     const Sphere_map scaled = mesh().add_property_map<Vertex_index, Point_3>("v:balanced", Point_3(0, 0, 0)).first;
     for(const Vertex_index v : mesh().vertices())
       scaled[v] = Point_3(balanced * (m_sphere[v].x() / radius), balanced * (m_sphere[v].y() / radius),
                           balanced * (m_sphere[v].z() / radius));
     return SP::measure_distortion(mesh(), scaled, m_distortions);
+  }
+
+  // A stream tells whether the last byte has been written. Coordinates do not change if they are read again.
+  void write_sphere(std::ostream& out) const
+  {
+    constexpr int digits = 17;
+    const auto np = CGAL::parameters::stream_precision(digits);
+    const std::string format = file_format(m_names.sphere);
+    const std::vector<Point_3> points = points_of(m_sphere);
+    out.precision(digits);
+    if(format == ".off")
+      CGAL::IO::write_OFF(out, points, m_input->triangles(), np);
+    else if(format == ".obj")
+      CGAL::IO::write_OBJ(out, points, m_input->triangles(), np);
+    else if(format == ".ts")
+      CGAL::IO::write_GOCAD(out, points, m_input->triangles(), np);
+    else
+    {
+      CGAL::IO::set_binary_mode(out);
+      CGAL::IO::write_PLY(out, points, m_input->triangles(), np);
+    }
   }
 
   void write_colors()
@@ -137,7 +194,7 @@ private:
     for(const SP::Face_distortion& distortion : m_distortions)
       values.push_back(is_conformal ? distortion.angle : distortion.isometric);
     const Colored_mesh colored(mesh().number_of_vertices(), m_input->triangles(), values, is_conformal ? 2. : 1.);
-    m_report.color_range = {colored.least(), colored.largest()};
+    m_report.color_range = colored.range();
     m_files.colored_surface->write([&](std::ostream& out) { colored.write(out, points_of(mesh().points())); });
     m_files.colored_sphere->write([&](std::ostream& out) { colored.write(out, points_of(m_sphere)); });
   }

@@ -1,36 +1,37 @@
-// Copyright (c) 2026  The Spherical_parameterization authors.
-// All rights reserved.
-//
-// This file is part of the Spherical_parameterization package for CGAL (www.cgal.org).
-//
-// SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Author(s)     : The Spherical_parameterization authors
-//
-
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_EXAMPLES_PROGRAM_OPTIONS_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_EXAMPLES_PROGRAM_OPTIONS_H
 
-#include "Any_radius.h"
-#include "Any_sharpness.h"
-#include "Any_update.h"
-#include "Command_line.h"
-#include "File_names.h"
-#include "choices.h"
-#include "file_format.h"
+#include "Polygon_soup.h"
+#include "mesh_files.h"
 
-#include <algorithm>
+#include <CGAL/Spherical_parameterization/Area_balancing_radius_3.h>
+#include <CGAL/Spherical_parameterization/Area_preserving_radius_3.h>
+#include <CGAL/Spherical_parameterization/Fixed_radius_3.h>
+#include <CGAL/Spherical_parameterization/Optimal_radius_3.h>
+#include <CGAL/Spherical_parameterization/Sharpness.h>
+#include <CGAL/Spherical_parameterization/Two_phase_radius_3.h>
+
+#include <boost/program_options.hpp>
+
+#include <cmath>
 #include <cstddef>
+#include <cstdlib>
 #include <filesystem>
 #include <limits>
-#include <optional>
 #include <sstream>
 #include <string>
+#include <variant>
 #include <vector>
 
 namespace Program {
 
-/// What the command line asks for.
+namespace SP = CGAL::Spherical_parameterization;
+
+using Radius_choice =
+    std::variant<SP::Two_phase_radius_3<>, SP::Two_phase_radius_3<SP::Area_preserving_radius_3, SP::Optimal_radius_3>,
+                 SP::Optimal_radius_3, SP::Area_balancing_radius_3, SP::Area_preserving_radius_3, SP::Fixed_radius_3>;
+
+/// What the command line asks for. Words that the options take are kept as they are.
 class Program_options
 {
 public:
@@ -38,10 +39,10 @@ public:
   ///
   /// \throws Program_error if an option is unknown, out of its range, of no use, or contradicts another one
   Program_options(int argc, const char* const* argv)
-    : m_line(argc, argv)
   {
-    wants_help = m_line.has("help");
-    wants_version = m_line.has("version");
+    parse(argc, argv);
+    wants_help = has("help");
+    wants_version = has("version");
     if(wants_help || wants_version)
       return;
     read_inputs();
@@ -54,346 +55,211 @@ public:
       read_sharpness();
     if(knows("radius"))
       read_radius();
-    if(knows("update"))
-      read_update();
-    if(knows("barrier"))
-      read_barrier();
     read_limits();
     read_outputs();
   }
 
   /// returns the explanation of all options.
-  const std::string& help() const { return m_line.help(); }
+  std::string help() const
+  {
+    std::ostringstream text;
+    text << "Usage: spherical_parameterization INPUT [-o SPHERE] [options]\n"
+            "       spherical_parameterization INPUT ... --output-folder FOLDER [options]\n\n"
+            "Maps a closed triangle mesh of genus 0 to a sphere, one-to-one and with low distortion. INPUT is a file "
+            "of\n"
+            "one of the formats "
+         << list_of(input_formats)
+         << ". The result is certified by exact arithmetic.\n"
+            "Without -o nothing but the report is printed. Ctrl-C ends the sweeps; the map reached is written.\n\n"
+            "With --output-folder, a mesh that fails does not stop the others. Small meshes are mapped one on each "
+            "core,\n"
+            "large ones one after the other on all. After Ctrl-C nothing that is incomplete is left; --resume goes "
+            "on.\n\n"
+         << describe_options()
+         << "\nExit status: 0, a certified one-to-one map was found and all files were written; 1, an error, of which "
+            "a\n"
+            "message tells, and no map was written; 2, the map folds, which --method conformal and arap do not "
+            "exclude;\n"
+            "all files were written nevertheless. With --output-folder: 0, all meshes have a certified map; 1, some "
+            "have\n"
+            "none; 2, all have one, but some fold.\n";
+    return text.str();
+  }
 
   /// returns whether the method only cares for angles.
   bool is_conformal() const
   {
-    return energy == Energy_choice::CONFORMAL || method == Method_choice::CONFORMAL ||
-           method == Method_choice::HARMONIC || method == Method_choice::STEREOGRAPHIC;
+    return energy == "conformal" || is_among(method, {"conformal", "harmonic", "stereographic"});
   }
 
   /// returns whether there may be many meshes: the names of their files are made from those of the inputs.
   bool is_batch() const { return !output_folder.empty(); }
 
-  /// returns whether the progress of a run is shown, where there is a terminal.
-  bool shows_progress() const { return !is_quiet && !is_batch(); }
-
   bool wants_help = false, wants_version = false, is_quiet = false;
-  std::vector<std::string> inputs; ///< meshes, and folders if there may be many
-  File_names file_names;           ///< of the one mesh, if there is only one
-  std::string output_folder;       ///< of the many, empty otherwise
-  std::string format;              ///< of all maps, empty if each has that of its input
-  bool is_resumed = false;         ///< whether meshes that are done are left out
-  Method_choice method = Method_choice::BLD;
-  bool is_published = false; ///< BLD with the settings of the paper
-  Start_choice start = Start_choice::HIERARCHICAL;
-  std::string start_file; ///< empty if the start is not precomputed
-  Energy_choice energy = Energy_choice::SYMMETRIC_DIRICHLET;
-  Any_sharpness sharpness;
-  Any_radius radius;
-  Any_update update;
-  Barrier_choice barrier = Barrier_choice::DETERMINANT;
+  Words inputs;              ///< meshes, and folders if there may be many
+  File_names file_names;     ///< of the one mesh, if there is only one
+  std::string output_folder; ///< of the many, empty otherwise
+  std::string format;        ///< of all maps, empty if each has that of its input
+  bool is_resumed = false;   ///< whether meshes that are done are left out
+  std::string method = "bld";
+  bool is_published = false;          ///< "bld" with the settings of the paper
+  std::string start = "hierarchical"; ///< empty if the map to start from is in a file
+  std::string start_file;
+  std::string energy = "symmetric-dirichlet";
+  SP::Sharpness sharpness;
+  Radius_choice radius;
   bool is_unit_sphere = false; ///< whether the radius is 1 because nothing else has chosen one
   std::string description;     ///< the method with all of its settings in words
-  unsigned int most_iterations = 90;
-  double most_seconds = 0.;      ///< 0 if there is no limit
-  unsigned int most_threads = 0; ///< 0 if there is no limit
+  unsigned int max_iterations = 90;
+  double max_seconds = 0.;      ///< 0 if there is no limit
+  unsigned int max_threads = 0; ///< 0 if there is no limit
 
 private:
+  inline static const Words methods = {"bld", "hierarchical", "harmonic", "conformal", "arap", "stereographic"};
+  inline static const Words starts = {"hierarchical", "stereographic", "harmonic", "conformal"};
+  inline static const Words energies = {"symmetric-dirichlet", "isometric", "conformal"};
+
   // Which methods an option goes with; options that are not listed go with all.
   struct Scope
   {
-    const char* option;
-    std::vector<Method_choice> methods;
+    std::string option;
+    Words methods;
     bool goes_with_paper;
   };
 
-  static const std::vector<Scope>& scopes()
-  {
-    using M = Method_choice;
-    static const std::vector<Scope> list = {
-        {"initial", {M::BLD, M::ARAP}, true},
-        {"energy", {M::BLD, M::HIERARCHICAL}, false},
-        {"prefer", {M::BLD, M::HIERARCHICAL}, false},
-        {"sharpness", {M::BLD, M::HIERARCHICAL}, false},
-        {"s-first", {M::BLD}, true},
-        {"s-last", {M::BLD}, true},
-        {"average-sweeps", {M::BLD}, true},
-        {"radius", {M::BLD}, true},
-        {"update", {M::BLD, M::HIERARCHICAL}, false},
-        {"barrier", {M::BLD}, false},
-        {"iterations", {M::BLD, M::HARMONIC, M::CONFORMAL, M::ARAP}, true},
-        {"time-limit", {M::BLD, M::HIERARCHICAL, M::HARMONIC, M::CONFORMAL, M::ARAP}, true},
-    };
-    return list;
-  }
+  inline static const std::vector<Scope> scopes = {
+      {"initial", {"bld", "arap"}, true},
+      {"energy", {"bld", "hierarchical"}, false},
+      {"prefer", {"bld", "hierarchical"}, false},
+      {"sharpness", {"bld", "hierarchical"}, false},
+      {"s-first", {"bld"}, true},
+      {"s-last", {"bld"}, true},
+      {"average-sweeps", {"bld"}, true},
+      {"radius", {"bld"}, true},
+      {"iterations", {"bld", "harmonic", "conformal", "arap"}, true},
+      {"time-limit", {"bld", "hierarchical", "harmonic", "conformal", "arap"}, true},
+  };
 
-  static bool goes_with(const Scope& scope, Method_choice method)
+  void parse(int argc, const char* const* argv)
   {
-    return std::find(scope.methods.begin(), scope.methods.end(), method) != scope.methods.end();
-  }
-
-  // returns whether the method has a setting of the name of `option`
-  bool knows(const std::string& option) const
-  {
-    return std::any_of(scopes().begin(), scopes().end(),
-                       [&](const Scope& scope) { return scope.option == option && goes_with(scope, method); });
-  }
-
-  template <class Filter>
-  static std::vector<std::string> options_where(const Filter& is_wanted)
-  {
-    std::vector<std::string> names;
-    for(const Scope& scope : scopes())
-      if(is_wanted(scope))
-        names.push_back("--" + std::string(scope.option));
-    return names;
-  }
-
-  void read_inputs()
-  {
-    inputs = m_line.inputs();
-    if(inputs.empty())
-      Command_line::fail("there is no INPUT");
-    if(m_line.has("output-folder"))
-      return;
-    if(inputs.size() > 1)
-      Command_line::fail("there is more than one INPUT; a name with blanks has to be quoted, and many meshes need "
-                         "--output-folder");
-    file_names.input = inputs.front();
-  }
-
-  void read_method()
-  {
-    method = m_line.choice("method", methods, Method_choice::BLD);
-    is_published = m_line.has("paper");
-    if(is_published && m_line.has("method"))
-      Command_line::fail("--paper is a method of its own: leave out --method");
-    for(const Scope& scope : scopes())
-      if(m_line.has(scope.option))
-        check_scope(scope);
-    is_unit_sphere = method != Method_choice::BLD && method != Method_choice::ARAP;
-    description = std::string(name_of(methods, method)) + (is_published ? " as published" : "");
-  }
-
-  // refuses an option that would be ignored
-  void check_scope(const Scope& scope) const
-  {
-    const std::string option = "--" + std::string(scope.option);
-    if(is_published && !scope.goes_with_paper)
-      Command_line::fail(option + " is among the settings of --paper, which can be combined with " +
-                         list_of(options_where([](const Scope& s) { return s.goes_with_paper; }), " and ") + " only");
-    if(goes_with(scope, method))
-      return;
-    std::vector<std::string> names;
-    for(const Method_choice other : scope.methods)
-      names.push_back(name_of(methods, other));
-    const std::vector<std::string> known = options_where([&](const Scope& s) { return goes_with(s, method); });
-    Command_line::fail(option + " goes with --method " + list_of(names) + "; " + name_of(methods, method) +
-                       (known.empty() ? " has no settings" : " knows " + list_of(known, " and ") + " only"));
-  }
-
-  void refuse_both(const std::string& option, const std::string& other) const
-  {
-    if(m_line.has(option) && m_line.has(other))
-      Command_line::fail("--" + option + " and --" + other + " contradict each other: give one of them");
-  }
-
-  void read_initial()
-  {
-    const std::string value = m_line.text("initial");
-    if(!m_line.has("initial") || is_among(value, starts))
+    namespace po = boost::program_options;
+    po::options_description all = describe_options();
+    all.add_options()("input", po::value<Words>());
+    po::positional_options_description positions;
+    positions.add("input", -1);
+    const int style = po::command_line_style::unix_style & ~po::command_line_style::allow_guessing;
+    try
     {
-      start = m_line.choice("initial", starts, is_published ? Start_choice::HARMONIC : Start_choice::HIERARCHICAL);
-      description += std::string(", ") + name_of(starts, start) + " start";
-      return;
+      po::store(po::command_line_parser(argc, argv).options(all).positional(positions).style(style).run(), m_values);
     }
-    if(!std::filesystem::exists(value))
-      m_line.refuse("initial", list_of(starts) + ", or the name of a file with a map");
-    start = Start_choice::PRECOMPUTED;
-    start_file = value;
-    description += ", start from " + start_file;
-  }
-
-  void read_energy()
-  {
-    const bool is_usually_isometric = is_published || method == Method_choice::HIERARCHICAL;
-    energy = m_line.choice("energy", energies,
-                           is_usually_isometric ? Energy_choice::ISOMETRIC : Energy_choice::SYMMETRIC_DIRICHLET);
-    description += std::string(", ") + name_of(energies, energy) + " energy";
-  }
-
-  void read_sharpness()
-  {
-    refuse_both("prefer", "sharpness");
-    for(const char* schedule : {"s-first", "s-last", "average-sweeps"})
-      for(const char* dial : {"prefer", "sharpness"})
-        refuse_both(schedule, dial);
-
-    if(is_published || m_line.has("s-first") || m_line.has("s-last"))
-      read_schedule();
-    else if(m_line.has("average-sweeps"))
-      Command_line::fail("--average-sweeps goes with --s-first, --s-last or --paper");
-    else
-      read_dial();
-  }
-
-  void read_schedule()
-  {
-    using CGAL::Spherical_parameterization::Absolute_sharpness_3;
-    const Absolute_sharpness_3 usual;
-    const double least = (std::numeric_limits<double>::min)();
-    const char* range = "a number greater than 0, at most 1e6";
-    const double first = m_line.number("s-first", least, largest_sharpness, range, usual.first());
-    const double last = m_line.number("s-last", least, largest_sharpness, range, usual.last());
-    if(first > last)
-      Command_line::fail("--s-first must not be greater than --s-last, but they are " + short_text(first) + " and " +
-                         short_text(last) + "; valid are 0 < s-first <= s-last <= 1e6, by default " +
-                         short_text(usual.first()) + " and " + short_text(usual.last()));
-    description += ", s " + (first < last ? "from " + short_text(first) + " to " : "= ") + short_text(last);
-    if(is_published || m_line.has("average-sweeps"))
+    catch(const po::error& error)
     {
-      constexpr unsigned int of_paper = 100;
-      const unsigned int n = m_line.whole_number("average-sweeps", 0, of_paper);
-      sharpness = Any_sharpness(Absolute_sharpness_3(first, last, n));
-      description += " after " + std::to_string(n) + " sweeps of the plain sum";
-      return;
-    }
-    sharpness = Any_sharpness(Absolute_sharpness_3(first, last));
-    if(first < last)
-      description += " after sweeps of the plain sum while they help";
-  }
-
-  void read_dial()
-  {
-    using CGAL::Spherical_parameterization::Relative_sharpness_3;
-    const Relative_sharpness_3 usual(method == Method_choice::HIERARCHICAL ? 0. : Relative_sharpness_3().beta());
-    const double beta = m_line.number("sharpness", 0., largest_sharpness, "a number from 0 to 1e6",
-                                      m_line.choice("prefer", preferences, usual.beta()));
-    sharpness = Any_sharpness(Relative_sharpness_3(beta));
-    description += ", sharpness " + short_text(beta);
-  }
-
-  void read_radius()
-  {
-    const std::string value = m_line.text("radius"), fixed = "fixed=";
-    double r = 0.;
-    if(!m_line.has("radius"))
-    {
-      set_usual_radius();
-      return;
-    }
-    if(value == "two-phase")
-      radius = two_phase_radius();
-    else if(value == "optimal")
-      radius = Any_radius(Any_radius::Optimal_radius_3());
-    else if(value == "area")
-      radius = Any_radius(Any_radius::Area_preserving_radius_3());
-    else if(value == "balanced")
-      radius = Any_radius(Any_radius::Area_balancing_radius_3());
-    else if(value.compare(0, fixed.size(), fixed) == 0 && Command_line::read_number(value.substr(fixed.size()), r) &&
-            r >= (std::numeric_limits<double>::min)() && r <= (std::numeric_limits<double>::max)())
-      radius = Any_radius(Any_radius::Fixed_radius_3(r));
-    else
-      m_line.refuse("radius", "two-phase, optimal, area, balanced or fixed=R with a number R greater than 0");
-    description += ", radius " + value;
-  }
-
-  void set_usual_radius()
-  {
-    if(energy == Energy_choice::CONFORMAL)
-    {
-      radius = Any_radius(Any_radius::Fixed_radius_3(1.));
-      is_unit_sphere = true;
-      description += ", radius fixed=1";
-    }
-    else if(m_line.text("prefer") == "average")
-    {
-      radius = Any_radius(Any_radius::Two_phase_optimal_radius_3());
-      description += ", radius two-phase, of the lowest energy in the end";
-    }
-    else
-    {
-      radius = two_phase_radius();
-      description += ", radius two-phase";
+      fail(error.what());
     }
   }
 
-  // In the paper the second phase waits for the energy as well.
-  Any_radius two_phase_radius() const
+  static boost::program_options::options_description describe_options()
   {
-    using Radius = Any_radius::Two_phase_radius_3;
-    return Any_radius(is_published ? Radius(Radius::First_radius(), Radius::Second_radius(), 0.) : Radius());
+    namespace po = boost::program_options;
+    constexpr unsigned int line_length = 100;
+    po::options_description options("Options", line_length);
+    const auto word = [](const char* name) { return po::value<std::string>()->value_name(name); };
+    // clang-format off
+    options.add_options()
+      ("output,o", word("SPHERE"), "write the sphere: the faces of INPUT, with the images of its vertices in the same "
+                                   "order (0 0 0 for a vertex without a face) and 17 digits; .off, .obj, .ply or .ts")
+      ("output-folder", word("FOLDER"), "map many meshes: each INPUT is a mesh, or a folder, which stands for the mesh "
+                                        "files in it; write each sphere and its report to FOLDER, as NAME.off, say, "
+                                        "and NAME.json")
+      ("format", word("EXTENSION"), "the format of all spheres there: off, obj, ply or ts; if not given, that of the "
+                                    "INPUT, and off for .stl")
+      ("resume", "leave out the meshes whose sphere and report are there, made by the same version of the program from "
+                 "the same file with the same options")
+      ("method", word("METHOD"), "bld: lowest distortion, the default; or one of the methods that it can start from or "
+                                 "is compared with, alone: hierarchical, harmonic or stereographic, which are "
+                                 "one-to-one; conformal or arap, which may fold")
+      ("paper", "the published method with all of its settings: harmonic start, isometric energy with the flat areas "
+                "of images, gradient steps, 100 sweeps of the energy's sum, then s from 0.1 to 10, two-phase radius, "
+                "at most 2000 sweeps. --initial, --s-first, --s-last, --average-sweeps, --radius and --iterations may "
+                "change it")
+      ("initial", word("START"), "what bld and arap start from: hierarchical, the default; stereographic; harmonic; "
+                                 "conformal, which must not fold; or FILE: a map written before for the same mesh")
+      ("energy", word("ENERGY"), "symmetric-dirichlet: lengths and areas, the default; isometric: the paper's, default "
+                                 "of --method hierarchical; conformal: angles only")
+      ("prefer", word("WHAT"), "the lowest average distortion, the lowest worst, or a balance of both, the default: "
+                               "average, balance or worst, which is sharpness 0, 13.5 or 50; average also takes the "
+                               "radius of the lowest energy in the end, since the average is lowest there; --method "
+                               "hierarchical prefers average, if nothing is given")
+      ("sharpness", word("B"), "anything between: 0 or more")
+      ("s-first", word("S"), "the paper's schedule instead of a sharpness: exp(s E) with s from here, 0.1 ...")
+      ("s-last", word("S"), "... to here, 10; the same as --s-first for a fixed s, as in AMIPS")
+      ("average-sweeps", word("N"), "exactly so many sweeps of the plain sum of E before them, as in the paper; 0 for "
+                                    "none. If not given, as many as help, or none for a fixed s")
+      ("radius", word("RADIUS"), "two-phase: equal area at first, then balanced areas, the default; optimal: of the "
+                                 "lowest energy; area: equal area; balanced: balanced areas; fixed=R: R, the default "
+                                 "of --energy conformal, with R = 1")
+      ("iterations", word("N"), "most sweeps over the mesh, if not given 90, 2000 with --paper; or most global steps, if "
+                                "not given 100, 500 with --method arap; 0 leaves the initial map")
+      ("time-limit", word("SECONDS"), "sweep no longer than this on each mesh; the map reached is written")
+      ("threads", word("N"), "use no more threads; the result is always the same")
+      ("json", word("FILE"), "write the report and the distortions as JSON")
+      ("colored", word("PREFIX"), "write PREFIX_surface.ply and PREFIX_sphere.ply, with the distortion as colour")
+      ("quiet", "print nothing but errors")
+      ("help,h", "print this")
+      ("version", "print the version");
+    // clang-format on
+    return options;
   }
 
-  void read_update()
+  bool has(const std::string& option) const { return m_values.count(option) > 0; }
+
+  // returns the value of an option, which is empty if it was not given
+  std::string text(const std::string& option) const
   {
-    const Update_choice value =
-        m_line.choice("update", updates, is_published ? Update_choice::GRADIENT : Update_choice::NEWTON);
-    if(value == Update_choice::GRADIENT)
-      update = Any_update(CGAL::Spherical_parameterization::Gradient_update_3());
-    description += std::string(", ") + name_of(updates, value) + " update";
+    return has(option) ? m_values[option].as<std::string>() : std::string();
   }
 
-  void read_barrier()
+  [[noreturn]] static void fail(const std::string& what)
   {
-    barrier = m_line.choice("barrier", barriers, is_published ? Barrier_choice::FLAT : Barrier_choice::DETERMINANT);
-    description += std::string(", ") + name_of(barriers, barrier) + " barrier";
+    throw Program_error(what + "\nAll options are explained by: spherical_parameterization --help");
   }
 
-  void read_limits()
+  // refuses the value of an option; `valid` says which would be accepted
+  [[noreturn]] void refuse(const std::string& option, const std::string& valid) const
   {
-    constexpr unsigned int usual_sweeps = 90, usual_sweeps_of_paper = 2000, usual_steps = 100,
-                           usual_steps_of_arap = 500;
-    const unsigned int usual = method == Method_choice::BLD
-                                   ? (is_published ? usual_sweeps_of_paper : usual_sweeps)
-                                   : (method == Method_choice::ARAP ? usual_steps_of_arap : usual_steps);
-    most_iterations = m_line.whole_number("iterations", 0, usual);
-    if(knows("iterations"))
-      description +=
-          ", at most " + std::to_string(most_iterations) + (method == Method_choice::BLD ? " sweeps" : " global steps");
-    most_seconds = m_line.number("time-limit", (std::numeric_limits<double>::min)(),
-                                 (std::numeric_limits<double>::max)(), "a number greater than 0", 0.);
-    if(most_seconds > 0.)
-      description += ", at most " + short_text(most_seconds) + " seconds";
-    most_threads = m_line.whole_number("threads", 1, 0);
+    fail("--" + option + " has to be " + valid + ", not '" + text(option) + "'");
   }
 
-  void read_outputs()
+  std::string read_word(const std::string& option, const Words& words, const std::string& usual) const
   {
-    is_quiet = m_line.has("quiet");
-    for(const char* option : {"output", "json", "colored", "output-folder"})
-      if(m_line.has(option) && m_line.text(option).empty())
-        Command_line::fail("--" + std::string(option) + " needs a name");
-    if(m_line.has("output-folder"))
-    {
-      read_output_folder();
-      return;
-    }
-    for(const char* option : {"format", "resume"})
-      if(m_line.has(option))
-        Command_line::fail("--" + std::string(option) + " goes with --output-folder");
-    file_names.sphere = m_line.text("output");
-    file_names.json = m_line.text("json");
-    file_names.colored = m_line.text("colored");
-    if(m_line.has("output") && !is_among(file_format(file_names.sphere), output_formats))
-      m_line.refuse("output", "a name that ends with one of " + list_of(output_formats));
+    if(has(option) && !is_among(text(option), words))
+      refuse(option, list_of(words, " or "));
+    return has(option) ? text(option) : usual;
   }
 
-  void read_output_folder()
+  static bool is_number(const std::string& text, double& x)
   {
-    for(const char* option : {"output", "json", "colored"})
-      if(m_line.has(option))
-        Command_line::fail("--" + std::string(option) + " is for one mesh; with --output-folder, the sphere of each " +
-                           "and its report are written there");
-    output_folder = m_line.text("output-folder");
-    is_resumed = m_line.has("resume");
-    if(!m_line.has("format"))
-      return;
-    const std::string extension = m_line.text("format");
-    format = file_format("sphere." + extension.substr(extension.find_first_not_of('.') == 1 ? 1 : 0));
-    if(!is_among(format, output_formats))
-      m_line.refuse("format", "one of " + list_of(output_formats));
+    char* end = nullptr;
+    x = std::strtod(text.c_str(), &end);
+    return !text.empty() && *end == '\0';
+  }
+
+  // reads a number in [min, max], which is `range` in words
+  double read_number(const std::string& option, double min, double max, const std::string& range, double usual) const
+  {
+    double x = usual;
+    if(has(option) && (!is_number(text(option), x) || !(x >= min && x <= max)))
+      refuse(option, range);
+    return x;
+  }
+
+  unsigned int read_count(const std::string& option, unsigned int min, unsigned int usual) const
+  {
+    const std::string range = "a whole number from " + std::to_string(min) + " to 1e9";
+    const double x = read_number(option, min, 1e9, range, usual);
+    if(x != std::floor(x))
+      refuse(option, range);
+    return static_cast<unsigned int>(x);
   }
 
   // as many digits as it takes to read the same number again
@@ -407,14 +273,211 @@ private:
       out.precision(digits);
       out << x;
       text = out.str();
-      Command_line::read_number(text, again);
+      is_number(text, again);
     }
     return text;
   }
 
-  static constexpr double largest_sharpness = 1e6; // of both policies
+  void describe(const std::string& setting) { description += ", " + setting; }
 
-  Command_line m_line;
+  // returns whether the method has a setting of the name of `option`
+  bool knows(const std::string& option) const
+  {
+    for(const Scope& scope : scopes)
+      if(scope.option == option)
+        return is_among(method, scope.methods);
+    return true;
+  }
+
+  void read_inputs()
+  {
+    if(!has("input"))
+      fail("there is no INPUT");
+    inputs = m_values["input"].as<Words>();
+    if(has("output-folder"))
+      return;
+    if(inputs.size() > 1)
+      fail("there is more than one INPUT; a name with blanks has to be quoted, and many meshes need --output-folder");
+    file_names.input = inputs.front();
+  }
+
+  void read_method()
+  {
+    method = read_word("method", methods, method);
+    is_published = has("paper");
+    if(is_published && has("method"))
+      fail("--paper is a method of its own: leave out --method");
+    for(const Scope& scope : scopes)
+      if(has(scope.option))
+        check_scope(scope);
+    is_unit_sphere = method != "bld" && method != "arap";
+    description = method + (is_published ? " as published" : "");
+  }
+
+  // refuses an option that would be ignored
+  void check_scope(const Scope& scope) const
+  {
+    Words known, known_to_paper;
+    for(const Scope& other : scopes)
+    {
+      if(is_among(method, other.methods))
+        known.push_back("--" + other.option);
+      if(other.goes_with_paper)
+        known_to_paper.push_back("--" + other.option);
+    }
+    if(is_published && !scope.goes_with_paper)
+      fail("--" + scope.option + " is among the settings of --paper, which can be combined with " +
+           list_of(known_to_paper, " and ") + " only");
+    if(!is_among(method, scope.methods))
+      fail("--" + scope.option + " goes with --method " + list_of(scope.methods, " or ") + "; " + method +
+           (known.empty() ? " has no settings" : " knows " + list_of(known, " and ") + " only"));
+  }
+
+  void refuse_both(const std::string& option, const std::string& other) const
+  {
+    if(has(option) && has(other))
+      fail("--" + option + " and --" + other + " contradict each other: give one of them");
+  }
+
+  void read_initial()
+  {
+    const std::string value = has("initial") ? text("initial") : (is_published ? "harmonic" : "hierarchical");
+    start = is_among(value, starts) ? value : "";
+    if(start.empty())
+    {
+      if(!std::filesystem::exists(value))
+        refuse("initial", list_of(starts, " or ") + ", or the name of a file with a map");
+      start_file = value;
+    }
+    describe(start.empty() ? "start from " + start_file : start + " start");
+  }
+
+  void read_energy()
+  {
+    const bool is_usually_isometric = is_published || method == "hierarchical";
+    energy = read_word("energy", energies, is_usually_isometric ? "isometric" : "symmetric-dirichlet");
+    describe(energy + " energy");
+  }
+
+  void read_sharpness()
+  {
+    refuse_both("prefer", "sharpness");
+    for(const char* schedule : {"s-first", "s-last", "average-sweeps"})
+      for(const char* dial : {"prefer", "sharpness"})
+        refuse_both(schedule, dial);
+    if(is_published || has("s-first") || has("s-last"))
+    {
+      read_schedule();
+      return;
+    }
+    if(has("average-sweeps"))
+      fail("--average-sweeps goes with --s-first, --s-last or --paper");
+    const std::string usual = method == "hierarchical" ? "average" : "balance",
+                      preference = read_word("prefer", {"average", "balance", "worst"}, usual);
+    const double beta = read_number("sharpness", 0., max_sharpness, "a number from 0 to 1e6",
+                                    preference == "average" ? 0. : (preference == "balance" ? 13.5 : 50.));
+    sharpness = SP::Sharpness::relative(beta);
+    describe("sharpness " + short_text(beta));
+  }
+
+  void read_schedule()
+  {
+    constexpr double usual_first = 0.1, usual_last = 10.;
+    constexpr unsigned int usual_sweeps = 100;
+    const double min = (std::numeric_limits<double>::min)();
+    const char* range = "a number greater than 0, at most 1e6";
+    const double first = read_number("s-first", min, max_sharpness, range, usual_first);
+    const double last = read_number("s-last", min, max_sharpness, range, usual_last);
+    if(first > last)
+      fail("--s-first must not be greater than --s-last, but they are " + short_text(first) + " and " +
+           short_text(last) + "; valid are 0 < s-first <= s-last <= 1e6, by default " + short_text(usual_first) +
+           " and " + short_text(usual_last));
+    describe("s " + (first < last ? "from " + short_text(first) + " to " : "= ") + short_text(last));
+    if(is_published || has("average-sweeps"))
+    {
+      const unsigned int n = read_count("average-sweeps", 0, usual_sweeps);
+      sharpness = SP::Sharpness::schedule(first, last, n);
+      description += " after " + std::to_string(n) + " sweeps of the plain sum";
+      return;
+    }
+    sharpness = SP::Sharpness::schedule(first, last);
+    if(first < last)
+      description += " after sweeps of the plain sum while they help";
+  }
+
+  void read_radius()
+  {
+    const std::string fixed = "fixed=";
+    std::string value = has("radius") ? text("radius") : (energy == "conformal" ? "fixed=1" : "two-phase");
+    is_unit_sphere = !has("radius") && energy == "conformal";
+    double r = 0.;
+    if(!has("radius") && !is_unit_sphere && text("prefer") == "average")
+    {
+      radius = SP::Two_phase_radius_3<SP::Area_preserving_radius_3, SP::Optimal_radius_3>();
+      value += ", of the lowest energy in the end";
+    }
+    else if(value == "two-phase") // in the paper the second phase waits for the energy as well
+      radius = is_published ? SP::Two_phase_radius_3<>({}, {}, 0.) : SP::Two_phase_radius_3<>();
+    else if(value == "optimal")
+      radius = SP::Optimal_radius_3();
+    else if(value == "area")
+      radius = SP::Area_preserving_radius_3();
+    else if(value == "balanced")
+      radius = SP::Area_balancing_radius_3();
+    else if(value.compare(0, fixed.size(), fixed) == 0 && is_number(value.substr(fixed.size()), r) &&
+            r >= (std::numeric_limits<double>::min)() && r <= (std::numeric_limits<double>::max)())
+      radius = SP::Fixed_radius_3(r);
+    else
+      refuse("radius", "two-phase, optimal, area, balanced or fixed=R with a number R greater than 0");
+    describe("radius " + value);
+  }
+
+  void read_limits()
+  {
+    const bool is_bld = method == "bld";
+    max_iterations = read_count("iterations", 0, is_published ? 2000 : (is_bld ? 90 : (method == "arap" ? 500 : 100)));
+    if(knows("iterations"))
+      describe("at most " + std::to_string(max_iterations) + (is_bld ? " sweeps" : " global steps"));
+    max_seconds = read_number("time-limit", (std::numeric_limits<double>::min)(), (std::numeric_limits<double>::max)(),
+                              "a number greater than 0", 0.);
+    if(max_seconds > 0.)
+      describe("at most " + short_text(max_seconds) + " seconds");
+    max_threads = read_count("threads", 1, 0);
+  }
+
+  void read_outputs()
+  {
+    is_quiet = has("quiet");
+    const bool is_for_many = has("output-folder");
+    for(const char* option : {"output", "json", "colored", "output-folder"})
+      if(has(option) && text(option).empty())
+        fail("--" + std::string(option) + " needs a name");
+    for(const char* option : {"format", "resume"})
+      if(has(option) && !is_for_many)
+        fail("--" + std::string(option) + " goes with --output-folder");
+    for(const char* option : {"output", "json", "colored"})
+      if(has(option) && is_for_many)
+        fail("--" + std::string(option) + " is for one mesh; with --output-folder, the sphere of each and its report " +
+             "are written there");
+    file_names.sphere = text("output");
+    file_names.json = text("json");
+    file_names.colored = text("colored");
+    output_folder = text("output-folder");
+    is_resumed = has("resume");
+    if(has("output") && !is_among(file_format(file_names.sphere), output_formats))
+      refuse("output", "a name that ends with one of " + list_of(output_formats));
+    if(has("format"))
+    {
+      const std::string extension = text("format");
+      format = file_format("sphere." + extension.substr(extension.find_first_not_of('.') == 1 ? 1 : 0));
+      if(!is_among(format, output_formats))
+        refuse("format", "one of " + list_of(output_formats));
+    }
+  }
+
+  static constexpr double max_sharpness = 1e6;
+
+  boost::program_options::variables_map m_values;
 };
 
 } // namespace Program

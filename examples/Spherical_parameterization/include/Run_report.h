@@ -1,26 +1,14 @@
-// Copyright (c) 2026  The Spherical_parameterization authors.
-// All rights reserved.
-//
-// This file is part of the Spherical_parameterization package for CGAL (www.cgal.org).
-//
-// SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Author(s)     : The Spherical_parameterization authors
-//
-
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_EXAMPLES_RUN_REPORT_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_EXAMPLES_RUN_REPORT_H
 
-#include "File_stamp.h"
 #include "Json_object.h"
 #include "Program_options.h"
-#include "Run_result.h"
-#include "program_version.h"
-#include "choices.h"
+#include "mesh_files.h"
+#include "run_method.h"
 
-#include <CGAL/Spherical_parameterization/Distortion_statistics.h>
 #include <CGAL/Spherical_parameterization/Distortion_summary.h>
 #include <CGAL/Spherical_parameterization/Parameterization_report.h>
+#include <CGAL/version_macros.h>
 
 #include <array>
 #include <cstddef>
@@ -30,9 +18,19 @@
 #include <ostream>
 #include <sstream>
 #include <string>
-#include <vector>
 
 namespace Program {
+
+/// returns the name of the program, its version, and that of CGAL.
+inline std::string program_version()
+{
+#ifdef SPHERICAL_PARAMETERIZATION_VERSION
+  constexpr const char* version = SPHERICAL_PARAMETERIZATION_VERSION;
+#else
+  constexpr const char* version = "of CGAL"; // within which the package has no version of its own
+#endif
+  return std::string("spherical_parameterization ") + version + ", built with CGAL " + CGAL_VERSION_STR;
+}
 
 /// All that is told of a run: as a text for people, as JSON for programs.
 class Run_report
@@ -51,13 +49,13 @@ public:
   static constexpr const char* stop_reason_interrupted = "interrupted";
 
   Run_result result;
-  CGAL::Spherical_parameterization::Distortion_summary distortion;
+  SP::Distortion_summary distortion;
   /// with the radius of eq. 11, if the map is to the unit sphere, whatever the size of the surface
-  std::optional<CGAL::Spherical_parameterization::Distortion_summary> balanced;
+  std::optional<SP::Distortion_summary> balanced;
   double seconds_for_input = 0.; ///< reading and checking the file
   double seconds_for_measuring = 0.;
   double seconds_for_output = 0.;  ///< writing all files but that with this report
-  std::vector<std::string> files;  ///< that were written
+  Words files;                     ///< that were written
   File_stamp input_stamp;          ///< of the file, before it was read
   File_stamp start_stamp;          ///< of the file with the map to start from; empty if there is none
   std::uintmax_t sphere_bytes = 0; ///< 0 if it was not written, or to no ordinary file
@@ -67,7 +65,7 @@ public:
   const std::string& input() const { return m_input; }
 
   /// returns whether a visitor has ended the method.
-  bool is_interrupted() const { return result.report.stop_reason == CGAL::Spherical_parameterization::STOPPED; }
+  bool is_interrupted() const { return result.report.stop_reason == SP::STOPPED; }
 
   double seconds() const
   {
@@ -76,7 +74,7 @@ public:
 
   void print(std::ostream& out) const
   {
-    const Report& run = result.report;
+    const SP::Parameterization_report& run = result.report;
     out << "Mesh      " << m_input << ": " << run.number_of_vertices << " vertices, " << run.number_of_faces
         << " faces";
     if(run.number_of_isolated_vertices > 0)
@@ -84,11 +82,11 @@ public:
     if(run.number_of_flat_faces > 0)
       out << "; " << run.number_of_flat_faces << " faces have no area";
     out << "\nMethod    " << m_options.description << '\n';
-    if(m_options.method == Method_choice::HIERARCHICAL)
+    if(m_options.method == "hierarchical")
       out << "Sweeps    " << run.number_of_level_iterations << " over " << run.number_of_levels << " levels\n";
-    else if(m_options.method != Method_choice::STEREOGRAPHIC)
-      out << (m_options.method == Method_choice::BLD ? "Sweeps    " : "Steps     ") << run.number_of_iterations()
-          << " (" << stop_reason() << ")\n";
+    else if(m_options.method != "stereographic")
+      out << (m_options.method == "bld" ? "Sweeps    " : "Steps     ") << run.number_of_iterations() << " ("
+          << stop_reason() << ")\n";
     out << "Radius    " << fixed_text(run.radius, 10, false) << "\nSeconds   " << fixed_text(seconds(), 2) << " = "
         << fixed_text(seconds_for_input, 2) << " input + " << fixed_text(run.seconds_for_reading, 2) << " copy + "
         << fixed_text(run.seconds_for_hierarchy, 2) << " hierarchy + " << fixed_text(run.seconds_for_embedding, 2)
@@ -116,62 +114,31 @@ public:
     out << std::flush;
   }
 
-  /// prints what matters most in one line, without its end.
-  void print_short(std::ostream& out) const
+  /// returns what matters most in one line, without its end.
+  std::string short_text() const
   {
-    const auto& isometric = (balanced ? *balanced : distortion).isometric;
     constexpr int digits = 4;
-    out << result.report.number_of_vertices << " vertices, D_iso " << fixed_text(isometric.maximum, digits, false)
-        << " / " << fixed_text(isometric.average, digits, false) << ", " << fixed_text(seconds(), 2) << " s";
-    if(!result.is_one_to_one)
-      out << ", folds: " << fault();
+    const SP::Distortion_statistics& isometric = (balanced ? *balanced : distortion).isometric;
+    return std::to_string(result.report.number_of_vertices) + " vertices, D_iso " +
+           fixed_text(isometric.maximum, digits, false) + " / " + fixed_text(isometric.average, digits, false) + ", " +
+           fixed_text(seconds(), 2) + " s" + (result.is_one_to_one ? "" : ", folds: " + fault());
   }
 
   /// returns what is wrong with a map that is not one-to-one, and what helps.
   std::string explain_fault() const
   {
-    return m_input + ": the map is not one-to-one: " + fault() + "\n--method " + name_of(methods, m_options.method) +
+    return m_input + ": the map is not one-to-one: " + fault() + "\n--method " + m_options.method +
            " does not exclude that; --method bld does.";
-  }
-
-  /// returns what is wrong with a map that is not one-to-one.
-  std::string fault() const
-  {
-    const std::size_t n = distortion.number_of_inverted_faces;
-    if(n == 0)
-      return "the faces cover the sphere more than once.";
-    return n == 1 ? "1 face is inverted." : std::to_string(n) + " faces are inverted.";
   }
 
   std::string json() const
   {
-    const Report& run = result.report;
-    Json_object sweeps;
-    sweeps.add("levels", run.number_of_level_iterations)
-        .add("average", run.number_of_average_iterations)
-        .add("sharp", run.number_of_sharp_iterations);
-    Json_object energy;
-    energy.add("initial_average", run.initial_energy)
-        .add("average", run.average_energy)
-        .add("maximum", run.largest_energy);
-    Json_object stages;
-    stages.add("input", seconds_for_input)
-        .add("copy", run.seconds_for_reading)
-        .add("hierarchy", run.seconds_for_hierarchy)
-        .add("initial_map", run.seconds_for_embedding)
-        .add("sweeps", run.seconds_for_optimization)
-        .add("certificate", run.seconds_for_certificate)
-        .add("measuring", seconds_for_measuring)
-        .add("output", seconds_for_output)
-        .add("total", seconds());
-    Json_object measures;
-    measures.add("D_iso", statistics(distortion.isometric))
-        .add("D_area", statistics(distortion.area))
-        .add("D_angle", statistics(distortion.angle))
-        .add("inverted_faces", distortion.number_of_inverted_faces)
-        .add("degenerate_faces", distortion.number_of_degenerate_faces);
+    const SP::Parameterization_report& run = result.report;
     const auto stamp_of = [](const File_stamp& stamp) {
-      return Json_object().add("bytes", std::size_t(stamp.bytes)).add("changed", stamp.changed);
+      return Json_object().add("bytes", stamp.bytes).add("changed", stamp.changed);
+    };
+    const auto statistics = [](const SP::Distortion_statistics& of) {
+      return Json_object().add("maximum", of.maximum).add("average", of.average).add("deviation", of.deviation);
     };
     Json_object all;
     all.add("program", program_version())
@@ -186,12 +153,23 @@ public:
         .add("stop_reason", stop_reason())
         .add("levels", run.number_of_levels)
         .add("attempts", run.number_of_attempts)
-        .add("sweeps", sweeps)
+        .add("sweeps", Json_object()
+                           .add("levels", run.number_of_level_iterations)
+                           .add("average", run.number_of_average_iterations)
+                           .add("sharp", run.number_of_sharp_iterations))
         .add("sharpness", run.sharpness)
         .add("radius", run.radius)
-        .add("energy", energy)
+        .add("energy", Json_object()
+                           .add("initial_average", run.initial_energy)
+                           .add("average", run.average_energy)
+                           .add("maximum", run.largest_energy))
         .add("history", result.history)
-        .add("distortion", measures);
+        .add("distortion", Json_object()
+                               .add("D_iso", statistics(distortion.isometric))
+                               .add("D_area", statistics(distortion.area))
+                               .add("D_angle", statistics(distortion.angle))
+                               .add("inverted_faces", distortion.number_of_inverted_faces)
+                               .add("degenerate_faces", distortion.number_of_degenerate_faces));
     if(!start_stamp.is_empty())
       all.add("start_stamp", stamp_of(start_stamp));
     if(balanced)
@@ -199,23 +177,37 @@ public:
                               .add("radius", balanced->radius)
                               .add("D_iso", statistics(balanced->isometric))
                               .add("D_area", statistics(balanced->area)));
-    all.add("seconds", stages);
+    all.add("seconds", Json_object()
+                           .add("input", seconds_for_input)
+                           .add("copy", run.seconds_for_reading)
+                           .add("hierarchy", run.seconds_for_hierarchy)
+                           .add("initial_map", run.seconds_for_embedding)
+                           .add("sweeps", run.seconds_for_optimization)
+                           .add("certificate", run.seconds_for_certificate)
+                           .add("measuring", seconds_for_measuring)
+                           .add("output", seconds_for_output)
+                           .add("total", seconds()));
     if(color_range)
       all.add(
           "colors",
           Json_object().add("measure", color_name()).add("least", (*color_range)[0]).add("largest", (*color_range)[1]));
     if(sphere_bytes > 0)
-      all.add("sphere_bytes", std::size_t(sphere_bytes));
+      all.add("sphere_bytes", sphere_bytes);
     return all.add("files", files).text() + '\n';
   }
 
 private:
-  using Report = CGAL::Spherical_parameterization::Parameterization_report;
+  std::string fault() const
+  {
+    const std::size_t n = distortion.number_of_inverted_faces;
+    if(n == 0)
+      return "the faces cover the sphere more than once.";
+    return n == 1 ? "1 face is inverted." : std::to_string(n) + " faces are inverted.";
+  }
 
   std::string stop_reason() const
   {
-    using CGAL::Spherical_parameterization::get_stop_message;
-    return is_interrupted() ? stop_reason_interrupted : get_stop_message(result.report.stop_reason);
+    return is_interrupted() ? stop_reason_interrupted : SP::get_stop_message(result.report.stop_reason);
   }
 
   const char* color_name() const
@@ -232,8 +224,7 @@ private:
     return text.str();
   }
 
-  static void print_line(std::ostream& out, const char* name,
-                         const CGAL::Spherical_parameterization::Distortion_statistics& statistics)
+  static void print_line(std::ostream& out, const char* name, const SP::Distortion_statistics& statistics)
   {
     constexpr double too_long = 1e6;
     constexpr int width = 12, digits = 4;
@@ -241,14 +232,6 @@ private:
     for(const double x : {statistics.maximum, statistics.average, statistics.deviation})
       out << std::setw(width) << fixed_text(x, digits, x < too_long);
     out << '\n';
-  }
-
-  static Json_object statistics(const CGAL::Spherical_parameterization::Distortion_statistics& statistics)
-  {
-    return Json_object()
-        .add("maximum", statistics.maximum)
-        .add("average", statistics.average)
-        .add("deviation", statistics.deviation);
   }
 
   const Program_options& m_options;

@@ -1,26 +1,18 @@
-// Copyright (c) 2026  The Spherical_parameterization authors.
-// All rights reserved.
-//
-// This file is part of the Spherical_parameterization package for CGAL (www.cgal.org).
-//
-// SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Author(s)     : The Spherical_parameterization authors
-//
-
-#ifndef CGAL_SPHERICAL_PARAMETERIZATION_EXAMPLES_PROGRESS_LINE_H
-#define CGAL_SPHERICAL_PARAMETERIZATION_EXAMPLES_PROGRESS_LINE_H
+#ifndef CGAL_SPHERICAL_PARAMETERIZATION_EXAMPLES_PROGRESS_VISITOR_H
+#define CGAL_SPHERICAL_PARAMETERIZATION_EXAMPLES_PROGRESS_VISITOR_H
 
 #include "Interrupt_guard.h"
 
 #include <CGAL/Spherical_parameterization/Default_visitor.h>
 
+#include <array>
 #include <chrono>
 #include <cstddef>
 #include <iomanip>
 #include <iostream>
 #include <sstream>
 #include <string>
+#include <vector>
 
 #ifdef _WIN32
 #include <io.h>
@@ -30,19 +22,20 @@
 
 namespace Program {
 
-/// A visitor that shows the progress in one line of the terminal and stops after a Ctrl-C.
-class Progress_line : public CGAL::Spherical_parameterization::Default_visitor
+/// A visitor that keeps what each sweep over the mesh, or each global step, has reached, shows it in one line of the
+/// terminal, and stops after a signal.
+class Progress_visitor : public CGAL::Spherical_parameterization::Default_visitor
 {
 public:
   /// constructs the visitor, which shows something if that is wanted and the standard error stream is a terminal.
-  explicit Progress_line(bool is_wanted)
-    : m_is_shown(is_wanted && is_terminal())
+  explicit Progress_visitor(bool is_shown)
+    : m_is_shown(is_shown && is_terminal())
   {}
 
-  ~Progress_line() { erase(); }
+  ~Progress_visitor() { erase(); }
 
-  Progress_line(const Progress_line&) = delete;
-  Progress_line& operator=(const Progress_line&) = delete;
+  Progress_visitor(const Progress_visitor&) = delete;
+  Progress_visitor& operator=(const Progress_visitor&) = delete;
 
   void on_initialization_begin(std::size_t number_of_vertices) { m_number_of_vertices = number_of_vertices; }
 
@@ -53,6 +46,7 @@ public:
 
   void after_iteration(std::size_t iteration, double energy, double radius)
   {
+    m_history.push_back({static_cast<double>(iteration), energy, radius});
     show("Sweep ", iteration, ": energy ", std::setprecision(6), energy, ", radius ", radius);
   }
 
@@ -60,10 +54,11 @@ public:
 
   void on_optimization_end() { erase(); }
 
+  /// returns iteration, energy and radius of each sweep or step.
+  const std::vector<std::array<double, 3>>& history() const { return m_history; }
+
 private:
   using Clock = std::chrono::steady_clock;
-
-  static constexpr std::chrono::milliseconds pause{50}; // a terminal may be slow
 
   static bool is_terminal()
   {
@@ -77,6 +72,7 @@ private:
   template <class... Text>
   void show(const Text&... text)
   {
+    constexpr std::chrono::milliseconds pause{50}; // a terminal may be slow
     const Clock::time_point now = Clock::now();
     if(!m_is_shown || now < m_next)
       return;
@@ -101,8 +97,9 @@ private:
   std::size_t m_number_of_vertices = 0;
   std::size_t m_length = 0;
   Clock::time_point m_next;
+  std::vector<std::array<double, 3>> m_history;
 };
 
 } // namespace Program
 
-#endif // CGAL_SPHERICAL_PARAMETERIZATION_EXAMPLES_PROGRESS_LINE_H
+#endif // CGAL_SPHERICAL_PARAMETERIZATION_EXAMPLES_PROGRESS_VISITOR_H

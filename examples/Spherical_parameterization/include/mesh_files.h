@@ -1,0 +1,79 @@
+#ifndef CGAL_SPHERICAL_PARAMETERIZATION_EXAMPLES_MESH_FILES_H
+#define CGAL_SPHERICAL_PARAMETERIZATION_EXAMPLES_MESH_FILES_H
+
+#include <algorithm>
+#include <cctype>
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <system_error>
+#include <vector>
+
+namespace Program {
+
+using Words = std::vector<std::string>;
+
+/// The formats that are read, by the end of the name.
+inline const Words input_formats = {".off", ".obj", ".ply", ".stl", ".ts"};
+
+/// The formats that are written. An STL file is not among them: it repeats the vertices and forgets their order.
+inline const Words output_formats = {".off", ".obj", ".ply", ".ts"};
+
+/// returns the end of a file's name in lower case, with the dot.
+inline std::string file_format(const std::string& path)
+{
+  std::string extension = std::filesystem::path(path).extension().string();
+  for(char& c : extension)
+    c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return extension;
+}
+
+inline bool is_among(const std::string& word, const Words& words)
+{
+  return std::find(words.begin(), words.end(), word) != words.end();
+}
+
+/// returns "a, b, c", with another word before the last one if wanted.
+inline std::string list_of(const Words& words, const std::string& last_separator = ", ")
+{
+  std::string list;
+  for(std::size_t i = 0; i < words.size(); ++i)
+    list += (i == 0 ? "" : (i + 1 < words.size() ? ", " : last_separator)) + words[i];
+  return list;
+}
+
+/// The names of all files of a mesh.
+struct File_names
+{
+  std::string input;
+  std::string sphere, json; ///< empty if not wanted
+  std::string colored;      ///< what the names of the coloured meshes begin with, empty if they are not wanted
+};
+
+/// The size of a file and when it was last changed: what tells, as for many build tools, whether it is as it was.
+struct File_stamp
+{
+  File_stamp() = default;
+
+  /// takes the stamp of a file; it is empty if there is no such file, or nothing is known of it.
+  explicit File_stamp(const std::string& name)
+  {
+    std::error_code size_error, time_error;
+    const std::uintmax_t size = std::filesystem::file_size(name, size_error);
+    const std::filesystem::file_time_type time = std::filesystem::last_write_time(name, time_error);
+    if(size_error || time_error)
+      return;
+    bytes = size;
+    changed = std::to_string(time.time_since_epoch().count());
+  }
+
+  bool is_empty() const { return changed.empty(); }
+
+  std::uintmax_t bytes = 0;
+  std::string changed; ///< in ticks of the clock of the file system, of which nothing but equality is meant
+};
+
+} // namespace Program
+
+#endif // CGAL_SPHERICAL_PARAMETERIZATION_EXAMPLES_MESH_FILES_H

@@ -1,0 +1,262 @@
+#ifndef CGAL_SPHERICAL_PARAMETERIZATION_EXAMPLES_READERS_READ_PLY_H
+#define CGAL_SPHERICAL_PARAMETERIZATION_EXAMPLES_READERS_READ_PLY_H
+
+#include "../Polygon_soup.h"
+#include "Scanner.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace Program {
+
+/// Reads the vertices and faces of the format PLY, text or binary; everything else is skipped.
+class Ply_reader
+{
+public:
+  explicit Ply_reader(Scanner& in)
+    : m_in(in)
+  {}
+
+  Polygon_soup operator()()
+  {
+    read_header();
+    for(const Element& element : m_elements)
+      if(element.is_vertex())
+        m_number_of_vertices += element.count;
+    for(const Element& element : m_elements)
+      read_element(element);
+    return std::move(m_soup);
+  }
+
+private:
+  // A type of numbers, all of which a double can hold.
+  struct Type
+  {
+    const char* name;
+    const char* name_with_size;
+    std::size_t size;
+    bool is_integer;
+    bool (*read)(Scanner& in, bool is_big_endian, double& x);
+  };
+
+  template <class Number>
+  static bool read_as(Scanner& in, bool is_big_endian, double& x)
+  {
+    Number number{};
+    const bool is_read = in.read_bytes(number, is_big_endian);
+    x = static_cast<double>(number);
+    return is_read;
+  }
+
+  static const Type& type_of(std::string_view name, const Scanner& in)
+  {
+    static constexpr std::array<Type, 8> types = {{{"char", "int8", 1, true, &read_as<std::int8_t>},
+                                                   {"uchar", "uint8", 1, true, &read_as<std::uint8_t>},
+                                                   {"short", "int16", 2, true, &read_as<std::int16_t>},
+                                                   {"ushort", "uint16", 2, true, &read_as<std::uint16_t>},
+                                                   {"int", "int32", 4, true, &read_as<std::int32_t>},
+                                                   {"uint", "uint32", 4, true, &read_as<std::uint32_t>},
+                                                   {"float", "float32", 4, false, &read_as<float>},
+                                                   {"double", "float64", 8, false, &read_as<double>}}};
+    for(const Type& type : types)
+      if(name == type.name || name == type.name_with_size)
+        return type;
+    in.fail("the type of a property is unknown: ", Scanner::quoted(name));
+  }
+
+  // What the mesh needs of a property; other numbers and lists are skipped.
+  enum class Role
+  {
+    NONE,
+    X,
+    Y,
+    Z,
+    CORNERS
+  };
+
+  struct Property
+  {
+    std::string name;
+    Role role;
+    const Type* type;
+    const Type* size_type; // of a list, null if it is none
+  };
+
+  struct Element
+  {
+    std::string name, label; // as it is, and as it is printed
+    std::size_t count;
+    std::vector<Property> properties;
+
+    bool is_vertex() const { return name == "vertex" || name == "vertices"; }
+    bool is_face() const { return name == "face" || name == "faces"; }
+
+    // returns the place of the property with this role, or the number of properties
+    std::size_t find(Role role) const
+    {
+      std::size_t k = 0;
+      while(k < properties.size() && properties[k].role != role)
+        ++k;
+      return k;
+    }
+    bool has(Role role) const { return find(role) < properties.size(); }
+
+    Role role_of(std::string_view property, bool is_list) const
+    {
+      if(is_face() && is_list && (property == "vertex_indices" || property == "vertex_index"))
+        return Role::CORNERS;
+      if(!is_vertex() || is_list)
+        return Role::NONE;
+      return property == "x" ? Role::X : property == "y" ? Role::Y : property == "z" ? Role::Z : Role::NONE;
+    }
+  };
+
+  void read_header()
+  {
+    if(!m_in.next_line())
+      throw Program_error("the file is empty");
+    std::string_view statement = m_in.read_word();
+    if(statement != "ply")
+      m_in.fail("a PLY file begins with ply, not with ", Scanner::quoted(statement));
+    std::string format;
+    while(statement != "end_header")
+    {
+      if(!m_in.next_line())
+        throw Program_error("the file ends within its header: it is truncated");
+      statement = m_in.read_word();
+      if(statement == "format")
+      {
+        format = m_in.read_word();
+        if(format != "ascii" && format != "binary_little_endian" && format != "binary_big_endian")
+          m_in.fail("the format is ascii, binary_little_endian or binary_big_endian, not ", Scanner::quoted(format));
+      }
+      else if(statement == "element")
+      {
+        const std::string name(m_in.read_word()), label = Scanner::quoted(name);
+        m_elements.push_back({name, label, m_in.read_count(label + " elements"), {}});
+      }
+      else if(statement == "property")
+        read_property();
+      else if(statement != "end_header" && statement != "comment" && statement != "obj_info")
+        m_in.fail("no line in the header of a PLY file begins with ", Scanner::quoted(statement));
+    }
+    if(format.empty())
+      m_in.fail("the header has no line that begins with format");
+    m_is_text = format == "ascii";
+    m_is_big_endian = format == "binary_big_endian";
+  }
+
+  void read_property()
+  {
+    if(m_elements.empty())
+      m_in.fail("a property without element");
+    Element& element = m_elements.back();
+    const bool is_list = m_in.word() == "list";
+    const Type* size_type = nullptr;
+    if(is_list)
+    {
+      m_in.read_word();
+      size_type = &type_of(m_in.read_word(), m_in);
+      if(!size_type->is_integer)
+        m_in.fail("the size of a list has to be a whole number");
+    }
+    const Type& type = type_of(m_in.read_word(), m_in);
+    const std::string name(m_in.read_word());
+    const Role role = element.role_of(name, is_list);
+    if(role == Role::CORNERS && !type.is_integer)
+      m_in.fail("the corners of a face have to be whole numbers");
+    if(role != Role::NONE && element.has(role))
+      m_in.fail("the same property once more");
+    element.properties.push_back({name, role, &type, size_type});
+  }
+
+  void read_element(const Element& element)
+  {
+    const std::size_t n = element.properties.size();
+    if(element.is_vertex() && !(element.has(Role::X) && element.has(Role::Y) && element.has(Role::Z)))
+      throw Program_error("the vertices have no properties x, y and z that are numbers");
+    if(element.is_face() && !element.has(Role::CORNERS))
+      throw Program_error("the faces have no property vertex_indices that is a list");
+    if(n == 0)
+      return; // which takes no bytes, however many there are
+    std::size_t min_size = 0;
+    for(const Property& p : element.properties) // in a text, a digit and a blank for each number
+      min_size += m_is_text ? 2 : (p.size_type ? p.size_type : p.type)->size;
+    m_in.check_count(element.count, element.label + " elements", min_size);
+    if(element.is_vertex())
+      m_soup.points.reserve(m_soup.points.size() + element.count);
+    if(element.is_face())
+      m_soup.polygons.reserve(m_soup.polygons.size() + element.count);
+
+    const std::size_t x = element.find(Role::X), y = element.find(Role::Y), z = element.find(Role::Z);
+    std::vector<double> row(n); // the numbers of a vertex, a face or another element
+    for(m_item = 0; m_item < element.count; ++m_item)
+    {
+      if(m_is_text && !m_in.next_line())
+        fail_at_end(element);
+      if(element.is_face())
+        m_soup.polygons.emplace_back();
+      for(std::size_t k = 0; k < n; ++k)
+      {
+        const Property& p = element.properties[k];
+        row[k] = read_number(element, p.size_type ? *p.size_type : *p.type);
+        if(p.size_type)
+          read_list(element, *p.type, row[k], p.role == Role::CORNERS);
+      }
+      if(element.is_vertex())
+        m_soup.points.emplace_back(row[x], row[y], row[z]);
+    }
+  }
+
+  void read_list(const Element& element, const Type& type, double size, bool is_polygon)
+  {
+    if(!(size >= 0.))
+      throw Program_error(name_of_item(element) + " has a list of negative length");
+    for(double i = 0.; i < size; ++i) // ends with the file at the latest
+    {
+      const double x = read_number(element, type);
+      if(!is_polygon)
+        continue;
+      if(!(x >= 0. && x < static_cast<double>(m_number_of_vertices)))
+        throw Program_error(name_of_item(element) + " has a corner that does not exist: there are " +
+                            std::to_string(m_number_of_vertices) + " vertices, counted from 0");
+      m_soup.polygons.back().push_back(static_cast<std::size_t>(x));
+    }
+  }
+
+  double read_number(const Element& element, const Type& type)
+  {
+    if(m_is_text && type.is_integer)
+      return static_cast<double>(m_in.read_integer("a number of ", element.label, " ", m_item));
+    if(m_is_text)
+      return m_in.read_number("a number of ", element.label, " ", m_item);
+    double x = 0.;
+    if(!type.read(m_in, m_is_big_endian, x))
+      fail_at_end(element);
+    return x;
+  }
+
+  [[noreturn]] void fail_at_end(const Element& element) const
+  {
+    throw Program_error("the file ends in " + name_of_item(element) + " of " + std::to_string(element.count) +
+                        ": it is truncated, or the number is wrong");
+  }
+
+  std::string name_of_item(const Element& element) const { return element.label + " " + std::to_string(m_item); }
+
+  Scanner& m_in;
+  bool m_is_text = true, m_is_big_endian = false;
+  std::vector<Element> m_elements;
+  std::size_t m_number_of_vertices = 0;
+  std::size_t m_item = 0; // the number of the element that is read
+  Polygon_soup m_soup;
+};
+
+} // namespace Program
+
+#endif // CGAL_SPHERICAL_PARAMETERIZATION_EXAMPLES_READERS_READ_PLY_H
