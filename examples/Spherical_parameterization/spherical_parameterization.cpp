@@ -2,11 +2,10 @@
 // does so with many. Its options are explained by --help; the parts of the program are in the folder include.
 
 #include "include/Batch.h"
+#include "include/Batch_scheduler.h"
 #include "include/Mesh_run.h"
 #include "include/Program_options.h"
 #include "include/Run_report.h"
-#include "include/Thread_limit.h"
-#include "include/program_version.h"
 
 #include <cstdlib>
 #include <exception>
@@ -40,7 +39,7 @@ int main(int argc, char** argv)
       std::cout << (options.wants_help ? options.help() : program_version() + '\n');
       return EXIT_SUCCESS;
     }
-    const Thread_limit threads(options.most_threads);
+    const Thread_limit threads(options.max_threads);
     return options.is_batch() ? Batch(options).run() : map_to_sphere(options);
   }
   catch(const std::exception& error)

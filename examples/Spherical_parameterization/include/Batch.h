@@ -1,37 +1,33 @@
-// Copyright (c) 2026  The Spherical_parameterization authors.
-// All rights reserved.
-//
-// This file is part of the Spherical_parameterization package for CGAL (www.cgal.org).
-//
-// SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Author(s)     : The Spherical_parameterization authors
-//
-
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_EXAMPLES_BATCH_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_EXAMPLES_BATCH_H
 
-#include "Batch_log.h"
-#include "Batch_plan.h"
 #include "Batch_scheduler.h"
 #include "Earlier_report.h"
-#include "File_names.h"
 #include "Interrupt_guard.h"
 #include "Mesh_run.h"
 #include "Program_options.h"
+#include "Run_report.h"
+#include "find_batch.h"
+#include "mesh_files.h"
 
+#include <algorithm>
 #include <csignal>
 #include <cstddef>
 #include <cstdint>
+#include <cstdlib>
 #include <exception>
 #include <filesystem>
+#include <iomanip>
+#include <iostream>
+#include <mutex>
 #include <new>
+#include <string>
 #include <system_error>
 #include <vector>
 
 namespace Program {
 
-/// Many meshes, each of which is mapped as if it were the only one.
+/// Many meshes, each of which is mapped as if it were the only one. A line tells of each as it ends, and a summary of all.
 class Batch
 {
 public:
@@ -42,8 +38,7 @@ public:
   /// \throws Program_error if anything stands against a start
   explicit Batch(const Program_options& options)
     : m_options(options)
-    , m_log(options.is_quiet)
-    , m_meshes(Batch_plan(options).meshes())
+    , m_meshes(find_batch(options))
   {}
 
   /// maps all meshes that are not done; what fails with one of them does not stop the others. Returns the exit status.
@@ -51,7 +46,6 @@ public:
   {
     if(m_options.is_resumed)
       leave_out_what_is_done();
-    m_log.begin(m_meshes.size());
     std::vector<std::uintmax_t> sizes;
     for(const File_names& names : m_meshes)
     {
@@ -63,23 +57,28 @@ public:
       const Interrupt_guard guard({SIGINT, SIGTERM});
       Batch_scheduler::for_each_mesh(sizes, [&](std::size_t i) { run(m_meshes[i]); });
     }
-    m_log.print_summary();
-    return m_log.exit_status();
+    print_summary();
+    if(m_mapped < m_meshes.size())
+      return EXIT_FAILURE;
+    return m_folded > 0 ? Run_report::exit_status_folded : EXIT_SUCCESS;
   }
 
 private:
   void leave_out_what_is_done()
   {
-    std::vector<File_names> meshes;
-    for(const File_names& names : m_meshes)
-    {
+    const auto is_done = [this](const File_names& names) {
       const Earlier_report report(names);
-      if(report.tells_the_same_run(m_options))
-        m_log.leave_out(names.input, report.is_one_to_one());
-      else
-        meshes.push_back(names);
-    }
-    m_meshes.swap(meshes);
+      if(!report.tells_the_same_run(m_options))
+        return false;
+      ++m_left_out;
+      if(!report.is_one_to_one())
+      {
+        ++m_folded;
+        print_error(names.input + ": the map of an earlier run is not one-to-one");
+      }
+      return true;
+    };
+    m_meshes.erase(std::remove_if(m_meshes.begin(), m_meshes.end(), is_done), m_meshes.end());
   }
 
   // A mesh that is interrupted leaves nothing: whatever is in the output folder has all the sweeps that the options ask
@@ -96,21 +95,77 @@ private:
       if(run.report().is_interrupted())
         return;
       run.write();
-      m_log.add_map(run.report());
+      tell_map(run.report());
     }
     catch(const std::bad_alloc&)
     {
-      m_log.add_failure(names.input, "the memory does not suffice");
+      tell_failure(names.input, "the memory does not suffice");
     }
     catch(const std::exception& error)
     {
-      m_log.add_failure(names.input, error.what());
+      tell_failure(names.input, error.what());
     }
   }
 
+  // Several threads tell of their meshes; the lock keeps lines whole.
+  void tell_map(const Run_report& report)
+  {
+    const std::lock_guard<std::mutex> lock(m_mutex);
+    ++m_mapped;
+    print_line(report.input(), report.short_text());
+    if(report.result.is_one_to_one)
+      return;
+    ++m_folded;
+    print_error(report.explain_fault());
+  }
+
+  void tell_failure(const std::string& input, const std::string& message)
+  {
+    const bool names_input = message.compare(0, input.size(), input) == 0;
+    const std::string text = names_input ? message : input + ": " + message;
+    const std::size_t begin = (std::min)(input.size() + 2, text.size());
+    const std::lock_guard<std::mutex> lock(m_mutex);
+    ++m_failed;
+    print_line(input, "failed: " + text.substr(begin, text.find('\n', begin) - begin));
+    print_error(text);
+  }
+
+  void print_line(const std::string& input, const std::string& text)
+  {
+    if(!m_options.is_quiet)
+      std::cout << '[' << m_mapped + m_failed << '/' << m_meshes.size() << "] " << input << ": " << text << std::endl;
+  }
+
+  static void print_error(const std::string& message)
+  {
+    std::cerr << "spherical_parameterization: " + message + "\n" << std::flush;
+  }
+
+  void print_summary() const
+  {
+    const std::size_t n_missed = m_meshes.size() - m_mapped - m_failed;
+    if(n_missed > 0)
+      print_error("interrupted: " + std::to_string(n_missed) + " of " + std::to_string(m_meshes.size()) +
+                  " meshes have not been mapped; --resume goes on with them");
+    if(m_options.is_quiet)
+      return;
+    constexpr double minute = 60.;
+    const double seconds = m_stopwatch.seconds();
+    std::cout << "Mapped " << m_mapped << ", left out " << m_left_out << ", folded " << m_folded << ", failed "
+              << m_failed;
+    if(n_missed > 0)
+      std::cout << ", interrupted " << n_missed;
+    std::cout << std::fixed << std::setprecision(1) << "; " << seconds << " seconds";
+    if(m_mapped > 0 && seconds > 0.)
+      std::cout << ", " << minute * static_cast<double>(m_mapped) / seconds << " meshes per minute";
+    std::cout << std::endl;
+  }
+
   const Program_options& m_options;
-  Batch_log m_log;
   std::vector<File_names> m_meshes;
+  Stopwatch m_stopwatch;
+  std::mutex m_mutex;
+  std::size_t m_left_out = 0, m_mapped = 0, m_folded = 0, m_failed = 0;
 };
 
 } // namespace Program

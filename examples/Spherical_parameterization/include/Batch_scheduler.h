@@ -1,32 +1,49 @@
-// Copyright (c) 2026  The Spherical_parameterization authors.
-// All rights reserved.
-//
-// This file is part of the Spherical_parameterization package for CGAL (www.cgal.org).
-//
-// SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Author(s)     : The Spherical_parameterization authors
-//
-
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_EXAMPLES_BATCH_SCHEDULER_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_EXAMPLES_BATCH_SCHEDULER_H
 
-#include "Thread_limit.h"
-
 #ifdef CGAL_LINKED_WITH_TBB
+#include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
 #include <tbb/partitioner.h>
 #include <tbb/task_arena.h>
+
+#include <atomic>
+#include <optional>
 #endif
 
 #include <algorithm>
-#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <numeric>
 #include <vector>
 
 namespace Program {
+
+/// As long as an object of this class lives, no more threads than given are used.
+class Thread_limit
+{
+public:
+#ifdef CGAL_LINKED_WITH_TBB
+  /// sets the limit; 0 stands for none.
+  explicit Thread_limit(unsigned int max_threads)
+  {
+    if(max_threads > 0)
+      m_control.emplace(tbb::global_control::max_allowed_parallelism, max_threads);
+  }
+
+  /// returns how many threads a loop may have now: one for each core that the program may use, or the limit.
+  static std::size_t number_of_threads()
+  {
+    return (std::min)(tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism),
+                      static_cast<std::size_t>(tbb::this_task_arena::max_concurrency()));
+  }
+
+private:
+  std::optional<tbb::global_control> m_control;
+#else
+  explicit Thread_limit(unsigned int) {} // there is one thread only
+#endif
+};
 
 /// Spreads the meshes of a batch over the cores.
 ///
@@ -50,13 +67,7 @@ public:
     std::stable_sort(order.begin(), order.end(), [&](std::size_t i, std::size_t j) { return sizes[i] > sizes[j]; });
     const auto first_small = std::find_if(order.begin(), order.end(), [&](std::size_t i) { return sizes[i] < large; });
     std::for_each(order.begin(), first_small, run);
-    run_on_each_core(std::vector<std::size_t>(first_small, order.end()), run);
-  }
-
-private:
-  template <class Run>
-  static void run_on_each_core(const std::vector<std::size_t>& order, const Run& run)
-  {
+    order.erase(order.begin(), first_small);
 #ifdef CGAL_LINKED_WITH_TBB
     const std::size_t n = order.size(), n_runners = (std::min)(n, Thread_limit::number_of_threads());
     std::atomic<std::size_t> next(0);

@@ -31,10 +31,6 @@ struct Chosen_radius
 {
   Radius_choice policy;
 
-  bool is_valid() const
-  {
-    return std::visit([](const auto& p) { return p.is_valid(); }, policy);
-  }
   double initial_radius(double equal_area_radius) const
   {
     return std::visit([&](const auto& p) { return p.initial_radius(equal_area_radius); }, policy);
@@ -65,7 +61,7 @@ private:
 /// The parameterizer without settings that was chosen at run time: a method of its own, or the start of another one.
 struct Chosen_parameterizer
 {
-  std::variant<SP::Stereographic_parameterizer_3, SP::Harmonic_parameterizer_3<>, SP::Conformal_parameterizer_3<>,
+  std::variant<SP::Stereographic_parameterizer_3<>, SP::Harmonic_parameterizer_3<>, SP::Conformal_parameterizer_3<>,
                SP::Precomputed_parameterizer_3<Sphere_map>>
       parameterizer;
 
@@ -141,7 +137,7 @@ inline Run_result run_method(const Program_options& options, Input_mesh& input, 
 
   const auto choose = [&](const std::string& name) -> Chosen_parameterizer {
     if(name == "stereographic")
-      return {SP::Stereographic_parameterizer_3()};
+      return {SP::Stereographic_parameterizer_3<>()};
     if(name == "harmonic")
       return {SP::Harmonic_parameterizer_3<>()};
     if(name == "conformal")
