@@ -9,6 +9,12 @@ The energy must not be negative, has to be smooth for positive arguments, grow b
 faces from being inverted), and be convex along lines in the plane, at least near its minimum. It is called by several threads at
 once.
 
+Both operations are written either for `double` or as templates over the number type, as here. The map is the same to the last bit
+either way. Vertices are moved several at once, in the lanes of vector registers, and templates are then called with a number per
+lane, functions of `double` for one lane after the other. A template has to compile for any type `FT` that can be constructed from a
+`double` and has a sign and the four operations of arithmetic with itself and with `double`; that excludes branches and the functions
+of `<cmath>`.
+
 \cgalRefines{CopyConstructible}
 
 \cgalHasModelsBegin
@@ -23,35 +29,21 @@ once.
 class DistortionEnergy_3
 {
 public:
-  /// \name Optional Type
-  /// @{
-
-  /// An alias of `CGAL::Tag_true` in an energy both of whose operations are templates. A model need not have it.
-  ///
-  /// \code
-  /// template <class FT>
-  /// FT operator()(const FT& i, const FT& d) const;
-  /// template <class FT>
-  /// CGAL::Spherical_parameterization::Basic_energy_derivatives_3<FT> derivatives(const FT& i, const FT& d) const;
-  /// \endcode
-  ///
-  /// `FT` is any type that can be constructed from a `double` and has a sign and the four operations of arithmetic with itself and
-  /// with `double`. Then, with `CGAL::Spherical_parameterization::Newton_update_3`, which moves several vertices at once, the
-  /// energy is evaluated for several faces in one call. Without it, it is called for one face after the other, which gives the same
-  /// map in somewhat more time.
-  typedef unspecified_type Is_lanewise;
-
-  /// @}
-
   /// \name Operations
   /// @{
 
   /// returns the energy of a face whose map has the invariants `i` and `d`, both positive.
-  double operator()(double i, double d) const;
+  ///
+  /// \tparam FT the number type, see above
+  template <class FT>
+  FT operator()(const FT& i, const FT& d) const;
 
   /// returns the energy of a face whose map has the invariants `i` and `d`, both positive, with its first and second derivatives in
   /// them.
-  CGAL::Spherical_parameterization::Energy_derivatives_3 derivatives(double i, double d) const;
+  ///
+  /// \tparam FT the number type, see above
+  template <class FT>
+  CGAL::Spherical_parameterization::Energy_derivatives_3<FT> derivatives(const FT& i, const FT& d) const;
 
   /// @}
 
@@ -63,13 +55,8 @@ public:
   bool is_valid() const;
 
   /// returns the factor by which the radius has to be multiplied to minimise the sum of the energies of `faces`, for energies that
-  /// have a closed form of it.
-  ///
-  /// It is called by `CGAL::Spherical_parameterization::Optimal_radius_3`, which otherwise finds the factor by Newton's method.
-  ///
-  /// \tparam FaceRange a model of `ConstRange` whose value type is `CGAL::Spherical_parameterization::Face_invariants_3`
-  template <class FaceRange>
-  double optimal_scale(const FaceRange& faces) const;
+  /// have a closed form of it. Without it, `CGAL::Spherical_parameterization::Optimal_radius_3` finds the factor by Newton's method.
+  double optimal_scale(const CGAL::Spherical_parameterization::Face_range_3& faces) const;
 
   /// @}
 };

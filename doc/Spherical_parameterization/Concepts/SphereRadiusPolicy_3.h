@@ -5,14 +5,15 @@
 The concept `SphereRadiusPolicy_3` describes how the radius of the sphere is chosen.
 
 The policy is called before each sweep over the mesh, and once more after the last one. The first and the last time the radius
-becomes what it returns, otherwise it goes half the way (in the sense of the geometric mean), or all the way if the acceleration is
-off; a value that is not positive and finite is ignored. On the coarse levels of a hierarchy, `CGAL::Spherical_parameterization::Optimal_radius_3` is in use. A policy may
-keep a state: each run works on a copy of the one that the parameterizer was given.
+becomes what it returns, otherwise it goes half the way, in the sense of the geometric mean (all the way in
+`CGAL::Spherical_parameterization::Published_low_distortion_parameterizer_3`); a value that is not positive and finite is ignored. On
+the coarse levels of a hierarchy, `CGAL::Spherical_parameterization::Optimal_radius_3` is in use. A policy may have mutable state:
+each run works on a copy of the one that the parameterizer was given.
 
 \cgalRefines{CopyConstructible}
 
 \cgalHasModelsBegin
-\cgalHasModels{CGAL::Spherical_parameterization::Two_phase_radius_3<FirstRadius_, SecondRadius_>}
+\cgalHasModels{CGAL::Spherical_parameterization::Two_phase_radius_3<FirstRadius, SecondRadius>}
 \cgalHasModels{CGAL::Spherical_parameterization::Area_preserving_radius_3}
 \cgalHasModels{CGAL::Spherical_parameterization::Area_balancing_radius_3}
 \cgalHasModels{CGAL::Spherical_parameterization::Optimal_radius_3}
@@ -35,13 +36,12 @@ public:
   /// returns the radius that follows `radius`.
   ///
   /// \tparam Energy a model of `DistortionEnergy_3`
-  /// \tparam FaceRange a model of `ConstRange` whose value type is `CGAL::Spherical_parameterization::Face_invariants_3`
   ///
   /// \param energy the energy in use
   /// \param faces the faces, as they are on the sphere of radius `radius`
   /// \param radius the current radius in the unit of length of the surface
-  template <class Energy, class FaceRange>
-  double operator()(const Energy& energy, const FaceRange& faces, double radius);
+  template <class Energy>
+  double operator()(const Energy& energy, const CGAL::Spherical_parameterization::Face_range_3& faces, double radius);
 
   /// @}
 

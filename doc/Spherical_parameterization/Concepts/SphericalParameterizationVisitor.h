@@ -4,8 +4,8 @@
 
 The concept `SphericalParameterizationVisitor` describes what is told of the progress of a parameterization and may stop it.
 
-All functions are called from the thread that called `CGAL::Spherical_parameterization::parameterize()`. An exception
-that is thrown by one of them leaves the output map as it was. Each parameterizer calls what applies to it, and `on_level()` only
+All functions are called from the thread that called `CGAL::Spherical_parameterization::parameterize()`. An exception of one of
+them leaves the output map as it was. Each parameterizer calls what applies to it, and `on_level()` only
 if it starts from the levels of `CGAL::Spherical_parameterization::Hierarchical_parameterizer_3`:
 
 | Parameterizer | `on_initialization_begin()` <br> `on_initialization_end()` | `on_level()` | `after_iteration()` | `go_further()` | `on_optimization_end()` |
@@ -56,13 +56,14 @@ public:
   /// \param radius the radius of the sphere in the unit of length of the mesh
   void after_iteration(std::size_t iteration, double energy, double radius);
 
-  /// called after `after_iteration()`, and now and then while the initial map is made, as on the levels of the hierarchy.
+  /// called after `after_iteration()`, and while the initial map is made: on the levels of a hierarchy, every fifth sweep. The clock
+  /// of `maximum_running_time` is asked more often, at every sweep over a level and at every level when the hierarchy is built.
   ///
   /// \param iteration the number of the sweep or step, from 1; 0 while the initial map is made
   /// \param energy as for `after_iteration()`; on the levels, the average energy of the level
   ///
   /// \return `false` to stop as soon as possible: the map that has been reached is certified and returned. On the
-  ///         levels, the rest of the hierarchy is mapped in the least time first.
+  ///         levels, the rest of the hierarchy is mapped first, with the minimum of one sweep a level.
   bool go_further(std::size_t iteration, double energy);
 
   /// called after the last sweep or step, before the map is certified and written.

@@ -10,14 +10,14 @@ called with the named parameters `vertex_point_map` and `visitor`, and what it h
 \cgalRefines{CopyConstructible}
 
 \cgalHasModelsBegin
-\cgalHasModels{CGAL::Spherical_parameterization::Bijective_low_distortion_parameterizer_3<TriangleMesh_, InitialParameterizer_, Energy_, Sharpness_, Radius_, VertexUpdate_, Barrier_>}
-\cgalHasModels{CGAL::Spherical_parameterization::Published_low_distortion_parameterizer_3<TriangleMesh_, InitialParameterizer_, Sharpness_, Radius_>}
-\cgalHasModels{CGAL::Spherical_parameterization::Hierarchical_parameterizer_3<TriangleMesh_, Energy_, Sharpness_, VertexUpdate_>}
-\cgalHasModels{CGAL::Spherical_parameterization::Stereographic_parameterizer_3<TriangleMesh_, SolverTraits_>}
-\cgalHasModels{CGAL::Spherical_parameterization::Harmonic_parameterizer_3<TriangleMesh_, SolverTraits_>}
-\cgalHasModels{CGAL::Spherical_parameterization::Conformal_parameterizer_3<TriangleMesh_, SolverTraits_>}
-\cgalHasModels{CGAL::Spherical_parameterization::ARAP_parameterizer_3<TriangleMesh_, InitialParameterizer_, SolverTraits_>}
-\cgalHasModels{CGAL::Spherical_parameterization::Precomputed_parameterizer_3<TriangleMesh_, VertexSphereMap_>}
+\cgalHasModels{CGAL::Spherical_parameterization::Bijective_low_distortion_parameterizer_3<Energy, Radius, InitialParameterizer>}
+\cgalHasModels{CGAL::Spherical_parameterization::Published_low_distortion_parameterizer_3<Radius, InitialParameterizer>}
+\cgalHasModels{CGAL::Spherical_parameterization::Hierarchical_parameterizer_3<Energy>}
+\cgalHasModels{CGAL::Spherical_parameterization::Stereographic_parameterizer_3<SolverTraits>}
+\cgalHasModels{CGAL::Spherical_parameterization::Harmonic_parameterizer_3<SolverTraits>}
+\cgalHasModels{CGAL::Spherical_parameterization::Conformal_parameterizer_3<SolverTraits>}
+\cgalHasModels{CGAL::Spherical_parameterization::ARAP_parameterizer_3<InitialParameterizer, SolverTraits>}
+\cgalHasModels{CGAL::Spherical_parameterization::Precomputed_parameterizer_3<VertexSphereMap>}
 \cgalHasModelsEnd
 
 \sa `CGAL::Spherical_parameterization::parameterize()`
@@ -28,8 +28,8 @@ public:
   /// \name Operations
   /// @{
 
-  /// computes the map. The object may change, for example to tell later what it did, so that calls at the same time need objects of
-  /// their own.
+  /// computes the map. The object may change, for example to report later what it did, so simultaneous calls need objects of their
+  /// own.
   ///
   /// \tparam ConcurrencyTag one of `CGAL::Sequential_tag`, `CGAL::Parallel_tag`, and `CGAL::Parallel_if_available_tag`
   /// \tparam TriangleMesh a model of `FaceListGraph`
@@ -42,8 +42,8 @@ public:
   /// \param vertex_sphere_map the map to be written
   /// \param np named parameters; what is not of use is to be ignored
   ///
-  /// \return `OK` only if the map that was written is one-to-one, and `ERROR_NO_1_TO_1_MAPPING` if it is not; with all
-  ///         other values the map is as it was
+  /// \return `OK` only if the map that was written is one-to-one, and `ERROR_NO_1_TO_1_MAPPING` if it is not; with all other values
+  ///         the map is as it was, unless it holds other values than it was given, and folds by that
   template <class ConcurrencyTag, class TriangleMesh, class VertexSphereMap, class NamedParameters>
   CGAL::Spherical_parameterization::Error_code parameterize(const TriangleMesh& tmesh,
                                                             VertexSphereMap vertex_sphere_map,
