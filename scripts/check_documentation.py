@@ -8,10 +8,10 @@ what is missing. Prints what is wrong, and fails if anything is.
 - Every public header has a documented symbol in a group, and the convenience header includes it.
 - Every public class, member, function, type and enumerator has a description; that of a class or function is a full sentence,
   and that of a function starts with a verb in the lower case, as in "returns".
-- Every parameter of a function is described, or at least named in its description; so is what it returns.
-- Every template parameter is described.
-- The named parameters that a function reads, as the sources of the package tell, are those in its table, each with a description,
-  a type and a default.
+- Every parameter of a function is described, or at least named in its description; so are its template parameters, and what it
+  returns. Functions of the same name, such as the overloads and what the models of a concept have, may share their descriptions.
+- The named parameters that the functions of a name read, as the sources of the package tell, are those in their tables, each with a
+  description, a type and a default.
 - Every concept names its models, and every model its concepts.
 - The classified list of the package has every class, concept, function and enumeration, with a link.
 - A name of the package in the text is a link, but in the description of the thing itself. In the user manual, this holds for
@@ -30,10 +30,10 @@ NAMESPACE = "CGAL::Spherical_parameterization::"
 VERB = re.compile(r"(\w*s|called)\b")
 CLASS_KINDS = ("class", "struct")
 TAG = re.compile(r"internal_np::([a-z]\w*?)(?:_t)?\b")
+FOLDER = "CGAL/Spherical_parameterization/"
+PACKAGE_INCLUDE = re.compile(rf"#include <{FOLDER}([\w/]+\.h)>")
 # CGAL's tag of a named parameter, where its name is another one
 NAMES_OF_TAGS = {"vertex_point": "vertex_point_map", "vertex_index": "vertex_index_map"}
-# What only a concept of this name is asked for: its models are internal.
-CONCEPTS_WITHOUT_MODELS = {"VertexEnergy_3"}
 
 complaints = []
 
@@ -66,9 +66,10 @@ def description_of(element):
 class Entry:
     """A class, a concept, or a member of one or of the namespace."""
 
-    def __init__(self, element, name):
+    def __init__(self, element, name, section=""):
         self.element = element
         self.name = name
+        self.section = section  # what is said of all members that it stands among
         self.kind = element.get("kind")
         self.file = element.find("location").get("file")
         self.brief = text_of(element.find("briefdescription"))
@@ -103,9 +104,11 @@ def read_entries(folder):
             kind, name = compound.get("kind"), text_of(compound.find("compoundname"))
             if kind in CLASS_KINDS and compound.get("prot") == "public":
                 entries.append(Entry(compound, name))
-                for member in compound.iter("memberdef"):
-                    if member.get("prot") == "public":
-                        entries.append(Entry(member, f"{name}::{text_of(member.find('name'))}"))
+                for section in compound.findall("sectiondef"):
+                    for member in section.findall("memberdef"):
+                        if member.get("prot") == "public":
+                            entries.append(Entry(member, f"{name}::{text_of(member.find('name'))}",
+                                                 text_of(section.find("description"))))
             elif kind == "namespace" and name + "::" == NAMESPACE:
                 for member in compound.iter("memberdef"):
                     entries.append(Entry(member, NAMESPACE + text_of(member.find("name"))))
@@ -136,99 +139,80 @@ def check_description(entry):
         complain(entry.name, f"the brief description does not start with a verb: '{entry.brief[:40]} ...'")
 
 
-def check_parameters(entry):
-    described = entry.parameters("param")
-    named = [text_of(code) for tag in ("briefdescription", "detaileddescription")
-             for code in entry.element.find(tag).iter("computeroutput")]
+def described_parameters(entries):
+    """For each name of a function, the parameters and template parameters that one of the functions of the name describes."""
+    result = collections.defaultdict(set)
+    for entry in entries:
+        result[last_name(entry)].update(entry.parameters("param"), entry.parameters("templateparam"))
+    return result
+
+
+def last_name(entry):
+    return entry.name.rsplit("::", 1)[-1]
+
+
+def check_parameters(entry, described):
+    named = {text_of(code) for tag in ("briefdescription", "detaileddescription")
+             for code in entry.element.find(tag).iter("computeroutput")}
+    # What is called like the function itself is what the function is about.
+    known = described[last_name(entry)] | named | {last_name(entry)}
     for parameter in entry.element.findall("param"):
         name = text_of(parameter.find("declname"))
-        if name and name not in described and name not in named:
+        if name and name not in known:
             complain(entry.name, f"the parameter {name} is not described")
-    if entry.kind == "function" and text_of(entry.element.find("type")) not in ("", "void"):
-        has_return = entry.element.find("detaileddescription//simplesect[@kind='return']") is not None
-        if not has_return and not re.search(r"^returns\b|\band returns\b", entry.brief):
-            complain(entry.name, "what it returns is not described")
-
-
-def check_template_parameters(entry):
-    described = entry.parameters("templateparam")
     for parameter in entry.element.findall("templateparamlist/param"):
         name = text_of(parameter.find("declname")) or text_of(parameter.find("type")).split()[-1]
-        if name not in described:
+        if name not in known:
             complain(entry.name, f"the template parameter {name} is not described")
-    for name in described:
+    for name in entry.parameters("templateparam"):
         if name not in text_of(entry.element.find("templateparamlist")):
             complain(entry.name, f"there is no template parameter {name}")
+
+
+def check_result(entries):
+    """That what is returned is described, for one of the functions of a name or for all members of a section."""
+    described = {last_name(e) for e in entries if re.search(r"^returns\b|\band returns\b", e.brief) or
+                 re.search(r"\breturns\b", e.section) or
+                 e.element.find("detaileddescription//simplesect[@kind='return']") is not None}
+    for entry in entries:
+        if text_of(entry.element.find("type")) not in ("", "void") and last_name(entry) not in described:
+            complain(entry.name, "what it returns is not described")
 
 
 def without_comments(source):
     return re.sub(r"//[^\n]*|/\*.*?\*/", "", source, flags=re.DOTALL)
 
 
-def readers_of_named_parameters():
-    """For each header of the package, the named parameters that it or a header that it makes use of reads.
-
-    An internal header is named after the one function or class in it."""
-    sources = {file.stem: without_comments(file.read_text()) for file in (HEADERS / "internal").glob("*.h")}
-    read = {name: set(re.findall(TAG, source)) for name, source in sources.items()}
-    words = {name: set(re.findall(r"\w+", source)) & set(sources) for name, source in sources.items()}
-    # Only what gets the parameters passed on counts.
-    takers = {name for name, source in sources.items() if re.search(r"\bnp\b", source)}
-    changed = True
-    while changed:
-        changed = False
-        for name in takers:
-            for other in words[name] & takers:
-                if not read[other] <= read[name]:
-                    read[name] |= read[other]
-                    changed = True
-    return {name: read[name] for name in takers}
-
-
-def bodies(entry, sources):
-    """The text of the function, and of those in the same file that it calls."""
-    location = entry.element.find("location")
-    lines = sources[entry.file]
-    return "\n".join(lines[int(location.get("bodystart")) - 1:int(location.get("bodyend"))])
+def tags_read_by(header, visited):
+    """The tags of named parameters that are read in a header of the package, or in one that it includes."""
+    if header in visited:
+        return set()
+    visited.add(header)
+    source = without_comments((HEADERS / header).read_text())
+    return set(re.findall(TAG, source)).union(
+        *(tags_read_by(other, visited) for other in re.findall(PACKAGE_INCLUDE, source)))
 
 
 def check_named_parameters(entries):
-    readers = readers_of_named_parameters()
-    sources = {}
-    for file in list(HEADERS.glob("*.h")):
-        sources[f"CGAL/Spherical_parameterization/{file.name}"] = file.read_text().splitlines()
-
-    def names(tags):
-        return {NAMES_OF_TAGS.get(tag, tag) for tag in tags}
-
-    functions = [e for e in entries if e.kind == "function" and e.file in sources and
-                 "NamedParameters" in text_of(e.element.find("templateparamlist"))]
-    read = {}
-    for entry in functions:
-        body = without_comments(bodies(entry, sources))
-        whole = without_comments("\n".join(sources[entry.file]))
-        tags = set(re.findall(TAG, body))
-        for word in set(re.findall(r"\w+", body)) & set(readers):
-            tags |= readers[word]
-        # a function in the namespace internal of the same header
-        if re.search(rf"internal::{re.escape(entry.name.split('::')[-1])}\(", body):
-            tags |= set(re.findall(TAG, whole))
-        read[id(entry)] = names(tags)
-    # Functions that pass everything on to any parameterizer
-    everything = set().union(*(read[id(e)] for e in functions if e.name.endswith("parameterizer_3::parameterize")))
-    for entry in functions:
-        expected = read[id(entry)] or everything
-        table = entry.named_parameters()
-        for name in sorted(expected - set(table)):
-            complain(entry.name, f"reads the named parameter {name}, which is not in its table")
-        for name in sorted(set(table) - expected):
-            complain(entry.name, f"does not read the named parameter {name} in its table")
-        for name, lines in table.items():
+    functions = collections.defaultdict(list)
+    for entry in entries:
+        if entry.file.startswith(FOLDER) and "NamedParameters" in text_of(entry.element.find("templateparamlist")):
+            functions[last_name(entry)].append(entry)
+    for name, namesakes in functions.items():
+        visited = set()
+        tags = set().union(*(tags_read_by(entry.file[len(FOLDER):], visited) for entry in namesakes))
+        expected = {NAMES_OF_TAGS.get(tag, tag) for tag in tags}
+        table = {parameter: lines for entry in namesakes for parameter, lines in entry.named_parameters().items()}
+        for parameter in sorted(expected - set(table)):
+            complain(name, f"reads the named parameter {parameter}, which is in no table")
+        for parameter in sorted(set(table) - expected):
+            complain(name, f"does not read the named parameter {parameter} in its table")
+        for parameter, lines in table.items():
             for title in ("Type:", "Default:"):
                 if not any(line.startswith(title) for line in lines):
-                    complain(entry.name, f"the named parameter {name} has no {title[:-1].lower()}")
+                    complain(name, f"the named parameter {parameter} has no {title[:-1].lower()}")
             if not lines or re.match(r"(Type|Default|Extra):", lines[0]):
-                complain(entry.name, f"the named parameter {name} has no description")
+                complain(name, f"the named parameter {parameter} has no description")
 
 
 def bare(name):
@@ -241,11 +225,11 @@ def check_concepts(concepts, classes):
     is_model_of = collections.defaultdict(set)
     for entry in classes:
         for item in entry.terms("Is model of"):
-            if text_of(item) not in has_models:
-                complain(entry.name, f"is said to be a model of {text_of(item)}, which is no concept of the package")
+            if text_of(item) not in has_models and item.find(".//ref") is None:
+                complain(entry.name, f"is said to be a model of {text_of(item)}, which is no concept that is known")
             is_model_of[text_of(item)].add(bare(entry.name))
     for concept, models in has_models.items():
-        if not models and concept not in CONCEPTS_WITHOUT_MODELS:
+        if not models:
             complain(concept, "names no model")
         for model in sorted(models - is_model_of[concept]):
             complain(concept, f"names {model} as a model, which does not say so")
@@ -281,13 +265,14 @@ def check_links(places, names):
 
 
 def check_headers(entries, groups):
-    included = set(re.findall(r"#include <CGAL/Spherical_parameterization/(\w+\.h)>", CONVENIENCE_HEADER.read_text()))
-    pending = list(included)
-    while pending:
-        source = (HEADERS / pending.pop()).read_text()
-        for name in set(re.findall(r"#include <CGAL/Spherical_parameterization/(\w+\.h)>", source)) - included:
-            included.add(name)
-            pending.append(name)
+    included = set()
+
+    def follow(source):
+        for header in set(re.findall(PACKAGE_INCLUDE, source)) - included:
+            included.add(header)
+            follow((HEADERS / header).read_text())
+
+    follow(CONVENIENCE_HEADER.read_text())
     described = {pathlib.Path(e.file).name for e in entries if groups.get(e.name)}
     for header in sorted(file.name for file in HEADERS.glob("*.h")):
         if header not in described:
@@ -305,13 +290,15 @@ def main():
     if not concepts or not classes:
         sys.exit(f"{sys.argv[1]}: no classes or no concepts of the package in there")
 
+    described = described_parameters(entries)
     for entry in entries:
         check_description(entry)
-        check_parameters(entry)
-        check_template_parameters(entry)
+        check_parameters(entry, described)
         if entry.name.count("::") - entry.name.startswith(NAMESPACE) * 2 == 0 and not groups.get(entry.name):
             complain(entry.name, "in no group")
-    check_named_parameters(entries)
+    functions = [e for e in entries if e.kind == "function"]
+    check_result(functions)
+    check_named_parameters(functions)
     check_concepts(concepts, classes)
     top_level = {bare(e.name) for e in entries if "::" not in bare(e.name)}
     check_classified_list(top_level, pages)

@@ -30,9 +30,9 @@ class Sharpness_rule;
 
 /// \ingroup PkgSphericalParameterizationMethods
 ///
-/// The class `Sharpness` says how much the worst faces count: how the \f$ s \f$ of the objective
-/// \f$ \sum \exp( s E ) \f$, eq. 7 of \cgalCite{cgal:whfl-bspld-16}, is chosen before each sweep. \f$ s = 0 \f$ stands for
-/// the plain sum \f$ \sum E \f$ of eq. 6.
+/// The class `Sharpness` says how much the worst faces count. It chooses the \f$ s \f$ of the objective
+/// \f$ \sum \exp( s E ) \f$, eq. 7 of \cgalCite{cgal:whfl-bspld-16}, before each sweep. \f$ s = 0 \f$ stands for the
+/// plain sum \f$ \sum E \f$ of eq. 6.
 ///
 /// There are two rules.
 ///
