@@ -81,7 +81,8 @@ class Judge(unittest.TestCase):
     def test_what_is_none(self):
         mesh = octahedron()
         self.assertIn("4 of 8 faces are folded", self.objection(mesh, octahedron((0.6, 0.0, -0.8))))
-        self.assertIn("4 of 8 faces are folded", self.objection(mesh, octahedron((0.6, 0.8, 0.0))))  # no area: on the equator
+        on_equator = octahedron((0.6, 0.8, 0.0))
+        self.assertIn("4 of 8 faces are folded", self.objection(mesh, on_equator))
         self.assertIn("on no sphere", self.objection(mesh, octahedron((0.0, 0.0, 1.001))))
         self.assertIn("cover the sphere 2 times", self.objection(double_cover(), double_cover()))
         opened = octahedron(faces=FACES[:-1])
@@ -125,7 +126,8 @@ class Meshes(WithFolder):
     def test_files_that_are_none(self):
         path = self.write("mesh.off", octahedron())
         text = path.read_text()
-        for wrong in ("", "nothing", text[:-9], text.replace("3 0 2 4", "4 0 2 4 1"), text.replace("3 0 2 4", "3 0 2 7")):
+        faces = [text.replace("3 0 2 4", other) for other in ("4 0 2 4 1", "3 0 2 7")]
+        for wrong in ("", "nothing", text[:-9], *faces):
             path.write_text(wrong)
             self.assertRaises(MeshError, read_mesh, path)
 
@@ -170,8 +172,8 @@ class Programs(WithFolder):
         self.assertLess(run_command(["/bin/true"]).peak_bytes, 3e7)  # and not the memory of this process
 
     def test_robustness(self):
-        for name, mesh in (("hard_a", octahedron()), ("folded", octahedron((0.6, 0.0, -0.8))), ("invalid_b", octahedron())):
-            self.write(f"{name}.off", mesh)
+        for name, top in (("hard_a", 1.0), ("folded", -0.8), ("invalid_b", 1.0)):
+            self.write(f"{name}.off", octahedron((0.6 * (top < 0.0), 0.0, top)))
         command = "case {input} in *invalid*) exit 1;; esac; cp {input} {output}"
         answer = run_driver("Robustness/robustness_benchmark.py", "--program", command, "--list", self.folder)
         self.assertEqual(answer.returncode, 1, answer.stderr)
@@ -184,7 +186,8 @@ class Programs(WithFolder):
         package = self.folder / "package"
         package.write_text('#!/bin/sh\ncp "$1" "$3"\n')
         package.chmod(stat.S_IRWXU)
-        programs = ["--program", f"tilted=cp '{tilted}' {{output}} # {{input}}", "--program", "bad=exit 1 # {input} {output}"]
+        programs = [f"tilted=cp '{tilted}' {{output}} # {{input}}", "bad=exit 1 # {input} {output}"]
+        programs = [word for program in programs for word in ("--program", program)]
         arguments = ["--package", package, *programs, "--repeat", 2, mesh]
         answer = run_driver("Performance/comparison_benchmark.py", *arguments)
         self.assertEqual(answer.returncode, 0, answer.stderr)
@@ -260,7 +263,8 @@ class Pictures(WithFolder):
         # As many portions as a large mesh has, each of which has to leave what is nearer in the others.
         with unittest.mock.patch("measuring.pictures.MAX_AT_ONCE", 100):
             fragments = find_fragments(points, faces, size)
-        places = np.stack([*(x.ravel() + 0.5 for x in np.meshgrid(np.arange(size), np.arange(size))), np.ones(size * size)])
+        x, y = (values.ravel() + 0.5 for values in np.meshgrid(np.arange(size), np.arange(size)))
+        places = np.stack([x, y, np.ones(size * size)])
         depths = np.full((number, size * size), -np.inf)
         for f in range(number):
             weights = np.linalg.solve(np.vstack([points[faces[f]][:, :2].T, np.ones(3)]), places)
@@ -301,7 +305,8 @@ class Pictures(WithFolder):
             self.assertTrue(0.05 < np.mean(is_white) < 0.95, f"{file} is empty, or has no background")
             rim = np.concatenate([is_white[0], is_white[-1], is_white[:, 0], is_white[:, -1]])
             self.assertTrue(rim.all(), f"something of {file} is cut off")
-        answer = run_driver("Figures/draw_figures.py", *arguments, "--output", self.folder / "second", "--only", "texture")
+        arguments += ["--output", self.folder / "second", "--only", "texture"]
+        answer = run_driver("Figures/draw_figures.py", *arguments)
         self.assertEqual(answer.returncode, 0, answer.stderr)
         first, second = (self.folder / name / "texture.jpg" for name in ("first", "second"))
         self.assertEqual(first.read_bytes(), second.read_bytes())

@@ -1,4 +1,4 @@
-"""The figures: what is carried over from the sphere to the surface, where the distortion is, and what options change."""
+"""The figures: what is carried over from the sphere to the surface, where the distortion is, what options change."""
 
 from __future__ import annotations
 

@@ -1,19 +1,19 @@
 #!/usr/bin/env python3
 """Compares two builds of kernel_benchmark, kernel by kernel, on a machine that others may be using as well.
 
-A build is a program kernel_benchmark, a folder with the sources of the package, or a git revision of them, which is checked
-out and built in a temporary folder (Release).
+A build is a program kernel_benchmark, a folder with the sources of the package, or a git revision of them, which is
+checked out and built in a temporary folder (Release).
 
-The two run in turn, in random order within each round, on the same map of the same mesh, and each time as a new process from
-a new copy of the program: a copy lies elsewhere in the memory, which alone can change the time of a kernel by 5 %. What is
-compared are the two times of a round, so that no drift of the machine is taken for a change.
+The two run in turn, in random order within each round, on the same map of the same mesh, and each time as a new process
+from a new copy of the program: a copy lies elsewhere in the memory, which alone can change the time of a kernel by 5 %.
+What is compared are the two times of a round, so that no drift of the machine is taken for a change.
 
-If the builds are alike, either has the same chance to be the faster one of a round, and the signed-rank test of Wilcoxon
-holds, whatever the noise is like. The intervals that are printed belong to it: with a probability of 95 %, the ratios of the
-times, NEW over OLD, lie in them, those of all kernels at once.
+If the builds are alike, either has the same chance to be the faster one of a round, and the signed-rank test of
+Wilcoxon holds, whatever the noise is like. The intervals that are printed belong to it: with a probability of 95 %, the
+ratios of the times, NEW over OLD, lie in them, those of all kernels at once.
 
-The verdict of a kernel: slower or faster, if the interval does not hold 1; same, if it does and no change of 5 % is in it;
-unclear else, and more rounds are needed.
+The verdict of a kernel: slower or faster, if the interval does not hold 1; same, if it does and no change of 5 % is in
+it; unclear else, and more rounds are needed.
 """
 
 import contextlib
@@ -85,7 +85,8 @@ class Measurement:
 
     def names(self, program):
         """The kernels of a program that are asked for, without what it tells of the machine."""
-        text = run([program, "--benchmark_list_tests=true", f"--benchmark_filter={self.options.kernels}", *self.arguments])
+        settings = ["--benchmark_list_tests=true", f"--benchmark_filter={self.options.kernels}"]
+        text = run([program, *settings, *self.arguments])
         return [line for line in text.splitlines() if line and not line.startswith("machine_")]
 
     def times(self, program, kernels):
@@ -105,8 +106,9 @@ class Measurement:
 
 
 def number_of_outer_averages(count, level):
-    """How many of the averages of two of `count` values, themselves included, lie outside of the interval on each side, so
-    that it misses the centre of their symmetric distribution with a probability of at most `level`; 0 if it cannot."""
+    """How many of the averages of two of `count` values, themselves included, lie outside of the interval on each side,
+    so that it misses the centre of their symmetric distribution with a probability of at most `level`; 0 if it cannot.
+    """
     chances = np.ones(1)  # that the ranks of the positive values have the sum 0, 1, 2, ...
     for rank in range(1, count + 1):
         chances = 0.5 * (np.append(chances, np.zeros(rank)) + np.append(np.zeros(rank), chances))

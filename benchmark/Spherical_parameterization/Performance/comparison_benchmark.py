@@ -32,8 +32,8 @@ from measuring.drivers import PROGRAM, PROJECT, Driver, find_program
 from measuring.meshes import MeshFile, find_mesh_files
 from measuring.reports import geometric_mean, number, table
 
-# The images may be as far from the sphere, relatively, as makes no difference to the distortions that are printed: other
-# programs may write few digits.
+# The images may be as far from the sphere, relatively, as makes no difference to the distortions that are printed:
+# other programs may write few digits.
 MAX_DEVIATION = 1e-4
 
 NAMES = {"mesh": "mesh", "program": "program", "judgement": "judgement"}
@@ -50,7 +50,8 @@ def main() -> None:
     driver.add_argument("--program", action="append", default=[], metavar="NAME=COMMAND", help=text)
     text = "the package's own program, with options for its maps if need be"
     driver.add_argument("--package", default=find_program(PROJECT / "build", PROGRAM), metavar="COMMAND", help=text)
-    driver.add_argument("--repeat", type=int, default=3, help="runs of each program on each mesh; times are medians (3)")
+    text = "runs of each program on each mesh; times are medians (3)"
+    driver.add_argument("--repeat", type=int, default=3, help=text)
     driver.add_argument("--csv", action="store_true", help="print comma-separated values instead of Markdown")
     driver.add_argument("inputs", type=Path, nargs="+", metavar="FILE_OR_FOLDER")
     options = driver.parse()

@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
 """Measures how fast the package is, on a folder of meshes: the page of the manual on performance, in one run.
 
-Writes report.md, runs.csv and plots; and, when all sections have been measured, manual/, a copy of the page with the new
-tables and figures, to be copied over doc/Spherical_parameterization. Its last two sections, on other programs and on
-kernels, are by hand. Runs are made one after the other, but for those that say "at once": leave the machine alone
-meanwhile. Forty meshes of up to two million vertices take some twenty minutes with --repeat 9, of which paper mode takes
-a fifth; --short takes seconds.
+Writes report.md, runs.csv and plots; and, when all sections have been measured, manual/, a copy of the page with the
+new tables and figures, to be copied over doc/Spherical_parameterization. Its last two sections, on other programs and
+on kernels, are by hand. Runs are made one after the other, but for those that say "at once": leave the machine alone
+meanwhile. Forty meshes of up to two million vertices take some twenty minutes with --repeat 9, of which paper mode
+takes a fifth; --short takes seconds.
 """
 
 from __future__ import annotations
@@ -117,9 +117,9 @@ def head(session: Session, options: argparse.Namespace, version: str, passed: fl
         f"Machine: {describe_machine()}.",
         f"Programs: {session.timings.program(session.threads).version};"
         f" {describe_build(options.build, PROGRAM)}.",
-        f"Threads: {session.threads}, where nothing else is said. One run after the other, but for those at once; medians"
-        f" of {session.repetitions} runs, of at most 3 for what takes long: paper mode, meshes of {LARGE:,} vertices and"
-        " more, the floor, and time against distortion.",
+        f"Threads: {session.threads}, where nothing else is said. One run after the other, but for those at once;"
+        f" medians of {session.repetitions} runs, of at most 3 for what takes long: paper mode, meshes of {LARGE:,}"
+        " vertices and more, and time against distortion.",
         f"When, and how: {version}, `{command} --threads {session.threads}`.",
     ]
     session.parts["environment"] = ["\n".join(f"- {fact}" for fact in where)]

@@ -141,8 +141,8 @@ def comparison(session: Session) -> None:
         session.tell("comparison", "None of the meshes of paper mode could be compared; `--paper-meshes` names others.")
         return
     ratios = [paper[TOTAL] / default[TOTAL] for _, default, paper in pairs]
-    text = f"The default is {span(ratios)} times as fast as the paper's algorithm, {factor(geometric_mean(ratios))} times"
-    text += " in the geometric mean"
+    text = f"The default is {span(ratios)} times as fast as the paper's algorithm, {factor(geometric_mean(ratios))}"
+    text += " times in the geometric mean"
     for name, key in (("maximum", "D_iso max"), ("average", "D_iso avg")):
         worse = [
             f"{file.name} ({number(default[key])} against {number(paper[key])})"
@@ -173,11 +173,12 @@ def comparison(session: Session) -> None:
 def absolute(session: Session) -> None:
     session.report.begin_section(
         "Seconds",
-        f"Medians of {session.repetitions} runs, each in a process of its own, with {session.threads} threads. The total"
-        " is from the mesh in memory to the certified map, without parsing the file.",
+        f"Medians of {session.repetitions} runs, each in a process of its own, with {session.threads} threads. The"
+        " total is from the mesh in memory to the certified map, without parsing the file.",
     )
     results = session.results(session.threads)
-    columns = MESH | STAGE_COLUMNS | {TOTAL: "Total, s", "parsing": "Parsing", "sweeps": "Sweeps", "d": "D_iso max / avg"}
+    columns = MESH | STAGE_COLUMNS | {TOTAL: "Total, s", "parsing": "Parsing", "sweeps": "Sweeps"}
+    columns |= {"d": "D_iso max / avg"}
     rows = [
         _head(file)
         | {stage: f"{values[stage]:.3f}" for stage in (*STAGES, TOTAL, "parsing")}
@@ -236,12 +237,12 @@ def _verdict_of_growth(results: list[Result], series_of: dict[int, list[Result]]
     text = (
         f"With {_words(threads)}, all meshes from {results[0][0].number_of_vertices:,} to"
         f" {results[-1][0].number_of_vertices:,} vertices take {number(_microseconds(low), 1)} ({low[0].name}) to"
-        f" {number(_microseconds(high), 1)} ({high[0].name}) microseconds a vertex, a factor of {factor(spread(results))}."
-        f" One shape, subdivided from {first.number_of_vertices:,} to {last.number_of_vertices:,} vertices, takes"
-        f" {number(min(totals), 1)} to {number(max(totals), 1)}, and {number(values[TOTAL], 1)} seconds in the end"
+        f" {number(_microseconds(high), 1)} ({high[0].name}) microseconds a vertex, a factor of"
+        f" {factor(spread(results))}. One shape, subdivided from {first.number_of_vertices:,} to"
+        f" {last.number_of_vertices:,} vertices, takes {number(min(totals), 1)} to {number(max(totals), 1)}, and {number(values[TOTAL], 1)} seconds in the end"
     )
     if threads > 1:
-        text += f"; the factor is {factor(spread(series_of[threads]))}, and {factor(spread(series_of[1]))} with 1 thread"
+        text += f"; the factor is {factor(spread(series_of[threads]))}, with 1 thread {factor(spread(series_of[1]))}"
     families: dict[str, list[Result]] = {}
     for result in results:
         families.setdefault(result[0].name.rsplit("_", 1)[0], []).append(result)
@@ -286,9 +287,9 @@ def limits(session: Session) -> None:
         texts.append(
             f"With {_words(threads)}, a sweep takes"
             f" {span([values['sweep'] / values['for_operations'] for _, values in results])} times the time for its"
-            f" operations and {span([values['sweep'] / values['for_bytes'] for _, values in results])} times that for its"
-            f" bytes; it takes {small['sweep']:.0f} nanoseconds a vertex on {first.name} and {large['sweep']:.0f} on"
-            f" {last.name}, while the bytes alone would take {small['for_bytes']:.1f} and {large['for_bytes']:.1f}."
+            f" operations and {span([values['sweep'] / values['for_bytes'] for _, values in results])} times that for"
+            f" its bytes; it takes {small['sweep']:.0f} nanoseconds a vertex on {first.name} and {large['sweep']:.0f}"
+            f" on {last.name}, while the bytes alone would take {small['for_bytes']:.1f} and {large['for_bytes']:.1f}."
         )
         rows += [
             _head(file)
@@ -360,14 +361,15 @@ def threads(session: Session) -> None:
         most = list(ceilings.values())
         text += (
             f"Below {LARGE:,} vertices, {n} processes with one thread each that map the same mesh at the same time get"
-            f" {span(most)} times as much done as one, {factor(geometric_mean(most))} times in the geometric mean (column"
-            " `At once`). They share the caches and the memory but never wait for each other; the threads of one map get"
-            f" {100.0 * geometric_mean(shares):.0f} % of that on the same meshes. "
+            f" {span(most)} times as much done as one, {factor(geometric_mean(most))} times in the geometric mean"
+            " (column `At once`). They share the caches and the memory but never wait for each other; the threads of"
+            f" one map get {100.0 * geometric_mean(shares):.0f} % of that on the same meshes. "
         )
     different = [file.name for file in both if alone[file]["fingerprint"] != together[file]["fingerprint"]]
     text += f"The maps of {listed(different)} differ." if different else f"All {len(both)} maps have the same bits."
     session.tell("threads", text)
-    columns = MESH | STAGE_COLUMNS | {TOTAL: "Mesh to map", "at_once": "At once", "alone": "1 thread, s", "all": f"{n}, s"}
+    columns = MESH | STAGE_COLUMNS | {TOTAL: "Mesh to map", "at_once": "At once"}
+    columns |= {"alone": "1 thread, s", "all": f"{n}, s"}
     rows = [
         _head(file)
         | {stage: factor(gain(file, stage)) for stage in (*STAGES, TOTAL)}
@@ -407,8 +409,8 @@ def memory(session: Session) -> None:
         return
     (low, _), (high, name) = min(peaks), max(peaks)
     largest = f"{rows[-1]['mesh']}, {rows[-1].get(session.threads, '–')}"
-    text = f"At its peak, the default needs {low:.0f} to {high:.0f} bytes a vertex ({name}) beside the caller's mesh; on the"
-    session.tell("memory", f"{text} largest mesh, {largest}.")
+    text = f"At its peak, the default needs {low:.0f} to {high:.0f} bytes a vertex ({name}) beside the caller's mesh"
+    session.tell("memory", f"{text}; on the largest mesh, {largest}.")
     columns = {n: f"Bytes a vertex, {_words(n)}" for n in reversed(session.thread_counts)}
     session.tell("memory", table(MESH | columns | {"megabytes": "MB in all"}, rows))
 
@@ -476,9 +478,9 @@ def trade(session: Session) -> None:
     by_mesh = [of_mesh for of_mesh in by_mesh if all(of_mesh.values())]
     session.report.begin_section(
         "Time against distortion",
-        f"Each of {len(by_mesh)} meshes is mapped with at most so many sweeps over the finest mesh; the hierarchy and the"
-        " sweeps over its levels are the same for all. Times are in units of the default's, distortions in units of the"
-        " lowest that any setting reached on the same mesh; their means are geometric, those of the sweeps arithmetic.",
+        f"Each of {len(by_mesh)} meshes is mapped with at most so many sweeps over the finest mesh; the hierarchy and"
+        " the sweeps over its levels are the same for all. Times are in units of the default's, distortions in units of"
+        " the lowest that any setting reached on the same mesh; their means are geometric, those of the sweeps arithmetic.",
     )
     if not by_mesh:
         session.tell("trade", "There is no mesh of a suitable size.")
@@ -499,8 +501,8 @@ def trade(session: Session) -> None:
     default = next(point for point in points if point.name == "default")
     text = (
         f"On the {len(by_mesh)} meshes of up to {MAX_VERTICES_OF_TRADE:,} vertices, the limits lead from"
-        f" {points[0].time:.2f} to {points[-1].time:.2f} times the default's time, and to {points[-1].sweeps:.0f} sweeps"
-        " on average until they have converged or are ended."
+        f" {points[0].time:.2f} to {points[-1].time:.2f} times the default's time, and to {points[-1].sweeps:.0f}"
+        " sweeps on average until they have converged or are ended."
     )
     rows, texts = [], []
     for time in TIMES:

@@ -68,7 +68,8 @@ class Timings:
         for job, rows in self.rows.items():
             found = fingerprints.setdefault((job.mesh.name, *job.arguments), set())
             found.update(row["fingerprint"] for row in rows)
-        return [f"{' '.join(key)}: the map differs between runs" for key, of_key in fingerprints.items() if len(of_key) > 1]
+        different = [" ".join(key) for key, found in fingerprints.items() if len(found) > 1]
+        return [f"{key}: the map differs between runs" for key in different]
 
     def program(self, threads: int) -> Program:
         if threads not in self._programs:
@@ -93,7 +94,8 @@ class Timings:
 
 def _figures(run: Run) -> dict:
     told, distortion = run.report["seconds"], run.report["distortion"]["D_iso"]
-    figures = {name: told[stage] for name, stage in STAGES.items()} | {TOTAL: run.mapping_seconds, "parsing": told["input"]}
+    figures = {name: told[stage] for name, stage in STAGES.items()}
+    figures |= {TOTAL: run.mapping_seconds, "parsing": told["input"]}
     figures |= {"D_iso max": distortion["maximum"], "D_iso avg": distortion["average"], "sweeps": float(run.sweeps)}
     return figures | {"fingerprint": checksum(run.sphere), "stop": run.stop_reason}
 

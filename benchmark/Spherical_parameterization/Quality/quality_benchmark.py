@@ -54,7 +54,8 @@ def main() -> None:
                     continue
                 energy, preference = settings.split("/")
                 arguments = ["--energy", energy, "--prefer", preference]
-                run = program.run(file, arguments + (["--iterations", options.iterations] if options.iterations else []))
+                arguments += ["--iterations", options.iterations] if options.iterations else []
+                run = program.run(file, arguments)
                 rows.append(shown(run, settings))
                 objection = run.map.objection() if run.has_map else run.message
                 failures += [f"{mesh}, {settings}: {objection}"] if objection else []

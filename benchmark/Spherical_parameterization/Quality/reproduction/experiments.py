@@ -12,7 +12,7 @@ from measuring.runs import CERTIFIED, FAILED, Run
 
 from .experiment import ABOVE, ANGLE, BLD, CONVERGED, DEFAULT, FOLDED, FULL_SWEEPS, ISOMETRIC, MESH, METHOD, PACKAGE
 from .experiment import SECONDS, SHORT_SWEEPS, SIZE, SWEEPS, Experiment, Session
-from .models import AS_FOUND, MODELS, SAME_COUNT, TABLE_1
+from .models import MODELS, SAME_COUNT, TABLE_1
 from .paper_values import COUNTS
 from .paper_values import TABLE_1 as PAPER_ROWS
 
@@ -22,7 +22,7 @@ WITHOUT_PROMISE = {method: ["--method", method] for method in ("conformal", "ara
 EQUAL = 0.005  # what differs by less, relatively, counts as equal
 
 STARTS = ("stereographic", "harmonic", "hierarchical", "conformal")
-START_MODELS = tuple("fandisk skull maxplanck santa buddha bunny hand cow spot blub brain horse armadillo bimba".split())
+START_MODELS = (*TABLE_1, "spot", "blub", "brain", "horse", "armadillo", "bimba")
 MAX_OF_AVERAGE, MAX_OF_MAXIMUM = 0.03, 0.10  # by which results of different starts may differ
 
 MIN_VERTICES_OF_LARGE = 200_000
@@ -51,7 +51,7 @@ def table_1(session: Session) -> None:
     columns |= {"cpu_seconds": "CPU seconds"} | SWEEPS | {"own": "D_iso max / avg / dev at the map's own radius"}
     of_models = {name: session.library.copies(name) for name in TABLE_1}
     if not any(of_models.values()):
-        others = session.library.stand_ins(len(TABLE_1), [])
+        others = session.library.stand_ins(len(TABLE_1))
         session.library.notes.append("Table 1: none of the paper's models is among the meshes; others stand for them.")
         of_models = {file.name: {"": file} for file in others}
     for model, copies in of_models.items():
@@ -102,7 +102,7 @@ def verdict(session: Session) -> str:
     if neither:
         parts.append(f"The default has no map of {listed(neither)}.")
     limited = sum("limit" in paper.stop_reason for _, _, paper in pairs)
-    parts.append(f"Paper mode ended at its limit of sweeps, and not by its stopping rule, on {limited} of {len(pairs)}.")
+    parts.append(f"Paper mode ended at its limit of sweeps, not by its stopping rule, on {limited} of {len(pairs)}.")
     return " ".join(parts)
 
 
@@ -242,8 +242,8 @@ def _tell_spread(experiment: Experiment, by_mesh: dict[str, dict[str, Run]], opt
         is_same = spread["average"] <= MAX_OF_AVERAGE and spread["maximum"] <= MAX_OF_MAXIMUM
         text = f"{name} ({percent(spread['average'])} in the average, {percent(spread['maximum'])} in the maximum)"
         (same if is_same else different).append(text)
-    text = f"With {optimizer}, the starts lead to the same result on {len(same)} of {len(by_mesh)} meshes: {listed(same)}."
-    text += f" Exceptions: {listed(different)}. " if different else " There is no exception. "
+    text = f"With {optimizer}, the starts lead to the same result on {len(same)} of {len(by_mesh)} meshes. "
+    text += f"Exceptions: {listed(different)}. " if different else "There is no exception. "
     experiment.tell(text + (f"Too few starts to tell: {listed(undecided)}." if undecided else ""))
 
 
@@ -252,7 +252,8 @@ def figure_4(session: Session) -> None:
     variants = [(file, kind) for kind, file in copies.items()]
     if len(copies) < 2:
         for first in session.library.some(("bimba",), "Figure 4"):
-            split = session.library.derive(f"{first.name}_split", "split into four", meshes.refine_everywhere(first.mesh))
+            refined = meshes.refine_everywhere(first.mesh)
+            split = session.library.derive(f"{first.name}_split", "split into four", refined)
             session.library.notes.append(f"Figure 4: {split.name} is made by this driver, each face split into four.")
             variants = [(first, "unchanged"), (split, split.origin)]
     text = "The paper: the distortion of Bimba as found and of the remeshed one differ little."
@@ -291,13 +292,16 @@ def _compare_tessellations(
                 figures[method].append((what, run.row["isometric_maximum"], by_area))
     for method, (first, *others) in ((method, values) for method, values in figures.items() if values):
         changes = [
-            f"{what}: {100 * (maximum / first[1] - 1):+.1f} % in the maximum, {100 * (average / first[2] - 1):+.1f} % in"
-            " the average by area"
+            f"{what}: {100 * (maximum / first[1] - 1):+.1f} % in the maximum, {100 * (average / first[2] - 1):+.1f} %"
+            " in the average by area"
             for what, maximum, average in others
         ]
         experiment.tell(f"{method}, against the first mesh: {'; '.join(changes)}.")
-    experiment.draw(f"Figure {figure}: in brackets D_iso max, D_iso avg and folded faces.", list(two), 3.0, has_edges=has_edges)
-    experiment.tell("The averages of eq. 12 are over faces, so they lean to where the faces are small; that by area does not.")
+    caption = f"Figure {figure}: in brackets D_iso max, D_iso avg and folded faces."
+    experiment.draw(caption, list(two), 3.0, has_edges=has_edges)
+    experiment.tell(
+        "The averages of eq. 12 are over faces, so they lean to where the faces are small; that by area does not."
+    )
     columns = MESH | {"what": "Tessellation"} | SIZE | METHOD | ISOMETRIC | {"weighted": "D_iso avg by area"}
     experiment.finish(columns | FOLDED | SWEEPS | SECONDS)
 
@@ -349,7 +353,7 @@ def figure_7(session: Session) -> None:
             run = experiment.run(file, options, method=mode)
             history = [(sweep, energy) for sweep, energy, _ in run.report.get("history", [])[:100]]
             curves.append(Curve(mode, *map(list, zip(*history))) if history else Curve(mode, [], []))
-            records += [{"mesh": file.name, "mode": mode, "sweep": sweep, "energy": energy} for sweep, energy in history]
+            records += [{"mesh": file.name, "mode": mode, "sweep": i, "energy": energy} for i, energy in history]
             energies = {0: run.report.get("energy", {}).get("initial_average")} | dict(history)
             experiment.rows[-1] |= {f"at{i}": number(energies.get(i)) for i in (0, *shown_at)}
         diagrams.append(Diagram(file.name, "sweep", "energy of a face, log scale", curves, "y", has_markers=False))
@@ -395,7 +399,7 @@ def figure_10(session: Session) -> None:
     files = [file for file in map(session.large.best, ("vaselion", "buste")) if file is not None]
     files = [file for file in files if file.number_of_vertices >= MIN_VERTICES_OF_LARGE]
     if session.is_short:
-        files = session.library.stand_ins(1, [])
+        files = session.library.stand_ins(1)
     elif len(files) < 2:
         note = "vaselion_369650 and buste_522114 are not both there; --large names their folder."
         session.library.notes.append(f"Figure 10: {note}")
@@ -425,8 +429,8 @@ def figure_11(session: Session) -> None:
         if all(run.has_map for run in runs.values()):
             a, b = (run.row for run in runs.values())
             experiment.tell(
-                f"{file.name}: BLD's maximum is {number(b['angle_maximum'] / a['angle_maximum'])} times Conformal's, its"
-                f" average {number(b['angle_average'] / a['angle_average'], 4)} times; folded faces"
+                f"{file.name}: BLD's maximum is {number(b['angle_maximum'] / a['angle_maximum'])} times Conformal's,"
+                f" its average {number(b['angle_average'] / a['angle_average'], 4)} times; folded faces"
                 f" {a['folded_faces']:,} with Conformal, {b['folded_faces']:,} with BLD."
             )
     caption = "Figure 11: in brackets D_angle max, D_angle avg, faces above the maximum of BLD, folded faces."
@@ -460,7 +464,7 @@ def yardstick(session: Session) -> None:
             excess = maxima[BLD] / maxima["default, converged"] - 1.0
             distance = f"within {percent(CLOSE)}" if excess <= CLOSE else f"{percent(excess)} more"
             text = f"{file.name}: paper mode's maximum is {number(maxima[BLD])}, {distance}"
-            text += f" of the converged default's" if excess <= CLOSE else " than the converged default's"
+            text += " of the converged default's" if excess <= CLOSE else " than the converged default's"
             text += f"; with as many sweeps as it takes {number(maxima[longer])}." if longer in maxima else "."
             experiment.tell(text)
     experiment.finish(MESH | METHOD | ISOMETRIC | FOLDED | {"across": "Across"} | SWEEPS | SECONDS)
@@ -479,7 +483,7 @@ def certificates(session: Session) -> None:
     every = BIJECTIVE | WITHOUT_PROMISE
     counts = dict.fromkeys(every, 0)
     rows = []
-    files = session.library.stand_ins(2, []) if session.is_short else session.library.files
+    files = session.library.stand_ins(2) if session.is_short else session.library.files
     for file in files:
         row = {"mesh": file.name}
         for name, options in every.items():

@@ -73,25 +73,24 @@ class Library:
         """The copy of a model that is taken where one is enough."""
         return next(iter(self.copies(name).values()), None)
 
-    def stand_ins(self, number: int, without: list[MeshFile]) -> list[MeshFile]:
+    def stand_ins(self, number: int) -> list[MeshFile]:
         """Meshes for models that are missing: any closed one of genus 0, large ones first."""
         chosen: list[MeshFile] = []
         for file in reversed(self.files):
             if len(chosen) == number or file.number_of_vertices < MIN_VERTICES:
                 break
-            if file not in without and not file.objection():
+            if not file.objection():
                 chosen.append(file)
         return chosen
 
     def some(self, names: tuple[str, ...], figure: str) -> list[MeshFile]:
-        """The meshes of some models, each once, filled up with others, of which a note tells, so that there are as many."""
+        """The meshes of some models; if there is none, another mesh. A note tells what is missing."""
         files = [file for file in map(self.best, names) if file is not None]
-        missing = [name for name in names if self.best(name) is None]
-        others = self.stand_ins(len(missing), files)
+        missing = [MODELS[name].title for name in names if self.best(name) is None]
+        others = [] if files else self.stand_ins(1)
         if missing:
-            titles = ", ".join(MODELS[name].title for name in missing)
-            instead = ", ".join(file.name for file in others) or "nothing"
-            self.notes.append(f"{figure}: not among the meshes: {titles}; in their place: {instead}.")
+            instead = f"; in their place: {', '.join(file.name for file in others) or 'nothing'}" if not files else ""
+            self.notes.append(f"{figure}: not among the meshes: {', '.join(missing)}{instead}.")
         return files + others
 
     def derive(self, name: str, origin: str, mesh: Mesh) -> MeshFile:

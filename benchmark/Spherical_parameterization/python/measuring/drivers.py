@@ -37,7 +37,8 @@ class Driver(argparse.ArgumentParser):
         self.add_argument("--meshes", type=Path, default=find_shared_meshes(), help=text)
 
     def add_threads(self) -> None:
-        self.add_argument("--threads", type=int, default=len(os.sched_getaffinity(0)), help="of the program (all cores)")
+        n_cores = len(os.sched_getaffinity(0))
+        self.add_argument("--threads", type=int, default=n_cores, help="of the program (all cores)")
 
     def add_limits(self) -> None:
         text = "for each run; 0: any (600)"

@@ -204,7 +204,7 @@ def _split_edges(mesh: Mesh, is_chosen: np.ndarray) -> Mesh:
         3: [(a, ab, ca), (ab, b, bc), (ca, bc, c), (ab, bc, ca)],
     }
     count = marks.sum(axis=1)
-    pieces = [np.stack(corners, axis=1)[count == number] for number, of_number in parts.items() for corners in of_number]
+    pieces = [np.stack(part, axis=1)[count == number] for number, of_number in parts.items() for part in of_number]
     return Mesh(vertices, np.concatenate(pieces))
 
 

@@ -147,7 +147,8 @@ class Program:
             try:
                 run.row  # measures the map
             except MeshError as error:
-                run.sphere, run.message = None, f"exit status {run.exit_status}, but the map cannot be measured: {error}"
+                run.sphere = None
+                run.message = f"exit status {run.exit_status}, but the map cannot be measured: {error}"
             self._runs[key] = run
             self._log(run)
         if used_for not in run.used_for:
