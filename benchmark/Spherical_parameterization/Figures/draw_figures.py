@@ -42,7 +42,6 @@ def main() -> None:
     driver.add_argument("--mesh", type=Path, help="draw this mesh in the place of all others")
     driver.add_argument("--output", type=Path, default=MANUAL / "fig", help="the folder to write to (the manual's)")
     driver.add_argument("--scale", type=float, default=1.0, help="draw smaller, or larger, figures (1)")
-    driver.add_argument("--short", action="store_true", help="one quarter of the size: a test of this driver")
     driver.add_argument("--runs", type=Path, help="keep the maps in this folder, and use those that are there")
     options = driver.parse()
     if not options.scale > 0.0:
@@ -50,8 +49,7 @@ def main() -> None:
     with tempfile.TemporaryDirectory() as scratch:
         runs = options.runs or Path(scratch)
         program = Program(options.program, options.threads, runs, options.runs is not None, RUN_LIMIT)
-        scale = options.scale * (0.25 if options.short else 1.0)
-        session = figures.Session(program, options.meshes, options.mesh, scale)
+        session = figures.Session(program, options.meshes, options.mesh, options.scale)
         names = dict.fromkeys(name for key in options.only for name in FIGURES[key][1])
         missing = [figures.MODELS[name].file for name in names if session.file_of(name) is None]
         if missing:

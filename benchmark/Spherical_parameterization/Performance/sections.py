@@ -239,7 +239,8 @@ def _verdict_of_growth(results: list[Result], series_of: dict[int, list[Result]]
         f" {results[-1][0].number_of_vertices:,} vertices take {number(_microseconds(low), 1)} ({low[0].name}) to"
         f" {number(_microseconds(high), 1)} ({high[0].name}) microseconds a vertex, a factor of"
         f" {factor(spread(results))}. One shape, subdivided from {first.number_of_vertices:,} to"
-        f" {last.number_of_vertices:,} vertices, takes {number(min(totals), 1)} to {number(max(totals), 1)}, and {number(values[TOTAL], 1)} seconds in the end"
+        f" {last.number_of_vertices:,} vertices, takes {number(min(totals), 1)} to {number(max(totals), 1)}, and"
+        f" {number(values[TOTAL], 1)} seconds in the end"
     )
     if threads > 1:
         text += f"; the factor is {factor(spread(series_of[threads]))}, with 1 thread {factor(spread(series_of[1]))}"
@@ -358,10 +359,10 @@ def threads(session: Session) -> None:
     )
     if ceilings:
         shares = [gain(file) / ceiling for file, ceiling in ceilings.items()]
-        most = list(ceilings.values())
+        at_best = list(ceilings.values())
         text += (
             f"Below {LARGE:,} vertices, {n} processes with one thread each that map the same mesh at the same time get"
-            f" {span(most)} times as much done as one, {factor(geometric_mean(most))} times in the geometric mean"
+            f" {span(at_best)} times as much done as one, {factor(geometric_mean(at_best))} times in the geometric mean"
             " (column `At once`). They share the caches and the memory but never wait for each other; the threads of"
             f" one map get {100.0 * geometric_mean(shares):.0f} % of that on the same meshes. "
         )
@@ -480,7 +481,8 @@ def trade(session: Session) -> None:
         "Time against distortion",
         f"Each of {len(by_mesh)} meshes is mapped with at most so many sweeps over the finest mesh; the hierarchy and"
         " the sweeps over its levels are the same for all. Times are in units of the default's, distortions in units of"
-        " the lowest that any setting reached on the same mesh; their means are geometric, those of the sweeps arithmetic.",
+        " the lowest that any setting reached on the same mesh; their means are geometric, those of the sweeps"
+        " arithmetic.",
     )
     if not by_mesh:
         session.tell("trade", "There is no mesh of a suitable size.")
