@@ -15,7 +15,8 @@ what is missing. Prints what is wrong, and fails if anything is.
 - Every concept names its models, and every model its concepts.
 - The classified list of the package has every class, concept, function and enumeration, with a link.
 - A name of the package in the text is a link, but in the description of the thing itself. In the user manual, this holds for
-  full names."""
+  full names.
+- Which room of internal/ includes files of which others is what CONTRIBUTING.md says."""
 
 import collections
 import pathlib
@@ -25,6 +26,7 @@ import xml.etree.ElementTree
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 HEADERS = ROOT / "include/CGAL/Spherical_parameterization"
+CONTRIBUTING = ROOT / "CONTRIBUTING.md"
 CONVENIENCE_HEADER = ROOT / "include/CGAL/spherical_parameterization.h"
 NAMESPACE = "CGAL::Spherical_parameterization::"
 VERB = re.compile(r"(\w*s|called)\b")
@@ -281,6 +283,22 @@ def check_headers(entries, groups):
             complain(header, f"not included by {CONVENIENCE_HEADER.name}")
 
 
+def check_rooms():
+    def room_of(header):
+        return header.split("/")[1] + "/" if header.count("/") == 2 else "internal/"
+
+    included = {}
+    for header in sorted(str(file.relative_to(HEADERS)) for file in HEADERS.glob("internal/**/*.h")):
+        others = {room_of(other) for other in re.findall(PACKAGE_INCLUDE, (HEADERS / header).read_text())
+                  if other.startswith("internal/")}
+        included.setdefault(room_of(header), set()).update(others - {room_of(header)})
+    rows = re.findall(r"^\| `(\w+/)`(?: itself)? \| (`.*|no other room) \|$", CONTRIBUTING.read_text(), re.MULTILINE)
+    described = {room: set(re.findall(r"`(\w+/)`", others)) for room, others in rows}
+    for room in sorted(set(included) | set(described)):
+        if included.get(room) != described.get(room):
+            complain(CONTRIBUTING.name, f"{room} includes files of {included.get(room)}, not of {described.get(room)}")
+
+
 def main():
     if len(sys.argv) != 2:
         sys.exit(__doc__)
@@ -307,6 +325,7 @@ def main():
                 [(e.name, e.element.find("briefdescription")) for e in concepts + classes] + pages,
                 {bare(e.name) for e in concepts + classes})
     check_headers(entries, groups)
+    check_rooms()
 
     for complaint in complaints:
         print(complaint, file=sys.stderr)
