@@ -63,26 +63,24 @@ public:
   std::string help() const
   {
     std::ostringstream text;
-    text << "Usage: spherical_parameterization INPUT [-o SPHERE] [options]\n"
-            "       spherical_parameterization INPUT ... --output-folder FOLDER [options]\n\n"
-            "Maps a closed triangle mesh of genus 0 to a sphere, one-to-one and with low distortion. INPUT is a file "
-            "of\n"
-            "one of the formats "
-         << list_of(input_formats)
-         << ". The result is certified by exact arithmetic.\n"
-            "Without -o nothing but the report is printed. Ctrl-C ends the sweeps; the map reached is written.\n\n"
-            "With --output-folder, a mesh that fails does not stop the others. Small meshes are mapped one on each "
-            "core,\n"
-            "large ones one after the other on all. After Ctrl-C nothing that is incomplete is left; --resume goes "
-            "on.\n\n"
-         << describe_options()
-         << "\nExit status: 0, a certified one-to-one map was found and all files were written; 1, an error, of which "
-            "a\n"
-            "message tells, and no map was written; 2, the map folds, which --method conformal and arap do not "
-            "exclude;\n"
-            "all files were written nevertheless. With --output-folder: 0, all meshes have a certified map; 1, some "
-            "have\n"
-            "none; 2, all have one, but some fold.\n";
+    text << R"(Usage: spherical_parameterization INPUT [-o SPHERE] [options]
+       spherical_parameterization INPUT ... --output-folder FOLDER [options]
+
+Maps a closed triangle mesh of genus 0 to a sphere, one-to-one and with low distortion. INPUT is a file of
+one of the formats )"
+         << list_of(input_formats) << R"(. The result is certified by exact arithmetic.
+Without -o nothing but the report is printed. Ctrl-C ends the sweeps; the map reached is written.
+
+With --output-folder, a mesh that fails does not stop the others. Small meshes are mapped one on each core,
+large ones one after the other on all. After Ctrl-C nothing that is incomplete is left; --resume goes on.
+
+)" << describe_options()
+         << R"(
+Exit status: 0, a certified one-to-one map was found and all files were written; 1, an error, of which a
+message tells, and no map was written; 2, the map folds, which --method conformal and arap do not exclude;
+all files were written nevertheless. With --output-folder: 0, all meshes have a certified map; 1, some have
+none; 2, all have one, but some fold.
+)";
     return text.str();
   }
 

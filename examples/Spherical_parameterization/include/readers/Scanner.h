@@ -50,6 +50,8 @@ public:
     return false;
   }
 
+  std::size_t line_number() const { return m_line_number; }
+
   bool is_at_end_of_line()
   {
     while(is_blank(*m_cursor))

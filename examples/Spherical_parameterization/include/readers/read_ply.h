@@ -69,20 +69,10 @@ private:
     in.fail("the type of a property is unknown: ", Scanner::quoted(name));
   }
 
-  // What the mesh needs of a property; other numbers and lists are skipped.
-  enum class Role
-  {
-    NONE,
-    X,
-    Y,
-    Z,
-    CORNERS
-  };
-
   struct Property
   {
     std::string name;
-    Role role;
+    char role; // to the mesh: one of the coordinates x, y, z, the corners c, or none, a blank
     const Type* type;
     const Type* size_type; // of a list, null if it is none
   };
@@ -96,24 +86,22 @@ private:
     bool is_vertex() const { return name == "vertex" || name == "vertices"; }
     bool is_face() const { return name == "face" || name == "faces"; }
 
+    char role_of(const std::string& property, bool is_list) const
+    {
+      if(is_list)
+        return is_face() && (property == "vertex_indices" || property == "vertex_index") ? 'c' : ' ';
+      return is_vertex() && (property == "x" || property == "y" || property == "z") ? property[0] : ' ';
+    }
+
     // returns the place of the property with this role, or the number of properties
-    std::size_t find(Role role) const
+    std::size_t find(char role) const
     {
       std::size_t k = 0;
       while(k < properties.size() && properties[k].role != role)
         ++k;
       return k;
     }
-    bool has(Role role) const { return find(role) < properties.size(); }
-
-    Role role_of(std::string_view property, bool is_list) const
-    {
-      if(is_face() && is_list && (property == "vertex_indices" || property == "vertex_index"))
-        return Role::CORNERS;
-      if(!is_vertex() || is_list)
-        return Role::NONE;
-      return property == "x" ? Role::X : property == "y" ? Role::Y : property == "z" ? Role::Z : Role::NONE;
-    }
+    bool has(char role) const { return find(role) < properties.size(); }
   };
 
   void read_header()
@@ -167,10 +155,10 @@ private:
     }
     const Type& type = type_of(m_in.read_word(), m_in);
     const std::string name(m_in.read_word());
-    const Role role = element.role_of(name, is_list);
-    if(role == Role::CORNERS && !type.is_integer)
+    const char role = element.role_of(name, is_list);
+    if(role == 'c' && !type.is_integer)
       m_in.fail("the corners of a face have to be whole numbers");
-    if(role != Role::NONE && element.has(role))
+    if(role != ' ' && element.has(role))
       m_in.fail("the same property once more");
     element.properties.push_back({name, role, &type, size_type});
   }
@@ -178,9 +166,9 @@ private:
   void read_element(const Element& element)
   {
     const std::size_t n = element.properties.size();
-    if(element.is_vertex() && !(element.has(Role::X) && element.has(Role::Y) && element.has(Role::Z)))
+    if(element.is_vertex() && !(element.has('x') && element.has('y') && element.has('z')))
       throw Program_error("the vertices have no properties x, y and z that are numbers");
-    if(element.is_face() && !element.has(Role::CORNERS))
+    if(element.is_face() && !element.has('c'))
       throw Program_error("the faces have no property vertex_indices that is a list");
     if(n == 0)
       return; // which takes no bytes, however many there are
@@ -193,7 +181,7 @@ private:
     if(element.is_face())
       m_soup.polygons.reserve(m_soup.polygons.size() + element.count);
 
-    const std::size_t x = element.find(Role::X), y = element.find(Role::Y), z = element.find(Role::Z);
+    const std::size_t x = element.find('x'), y = element.find('y'), z = element.find('z');
     std::vector<double> row(n); // the numbers of a vertex, a face or another element
     for(m_item = 0; m_item < element.count; ++m_item)
     {
@@ -206,7 +194,7 @@ private:
         const Property& p = element.properties[k];
         row[k] = read_number(element, p.size_type ? *p.size_type : *p.type);
         if(p.size_type)
-          read_list(element, *p.type, row[k], p.role == Role::CORNERS);
+          read_list(element, *p.type, row[k], p.role == 'c');
       }
       if(element.is_vertex())
         m_soup.points.emplace_back(row[x], row[y], row[z]);

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <map>
+#include <sstream>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -86,7 +87,7 @@ inline Polygon_soup read_obj(Scanner& in)
                                       "shadow_obj trace_obj ctech stech cstype deg bmat step curv curv2 surf parm trim "
                                       "hole scrv sp end con call csh bsp bzp cdc cdp res ";
   Polygon_soup soup;
-  std::size_t n_needed = 0, needing_face = 0; // a face may come before its vertices
+  std::size_t n_needed = 0, needing_line = 0; // a face may come before its vertices
   while(in.next_line())
   {
     const std::string_view statement = in.read_word();
@@ -108,7 +109,7 @@ inline Polygon_soup read_obj(Scanner& in)
         if(face.back() >= n_needed)
         {
           n_needed = face.back() + 1;
-          needing_face = f;
+          needing_line = in.line_number();
         }
       }
       soup.polygons.push_back(face);
@@ -117,9 +118,8 @@ inline Polygon_soup read_obj(Scanner& in)
       in.fail("no line of an OBJ file begins with ", Scanner::quoted(statement));
   }
   if(n_needed > soup.points.size())
-    throw Program_error("face " + std::to_string(needing_face) + " has the corner " + std::to_string(n_needed) +
-                        ", but the file has " + std::to_string(soup.points.size()) +
-                        " vertices (faces are counted from 0, corners from 1)");
+    throw Program_error("line " + std::to_string(needing_line) + ": a face has the corner " + std::to_string(n_needed) +
+                        ", but the file has " + std::to_string(soup.points.size()) + " vertices, counted from 1");
   return soup;
 }
 
