@@ -13,10 +13,6 @@ using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Point_3 = Kernel::Point_3;
 using Mesh = CGAL::Surface_mesh<Point_3>;
 
-// In this order: mesh, initial parameterizer, energy, sharpness, radius. What is not named has its default.
-using Parameterizer = SP::Bijective_low_distortion_parameterizer_3<Mesh, CGAL::Default, CGAL::Default,
-                                                                   SP::Relative_sharpness_3, SP::Optimal_radius_3>;
-
 int main(int argc, char** argv)
 {
   const std::string filename = (argc > 1) ? argv[1] : CGAL::data_file_path("meshes/hand.off");
@@ -32,7 +28,9 @@ int main(int argc, char** argv)
   auto sphere = mesh.add_property_map<Mesh::Vertex_index, Point_3>("v:sphere").first;
   for(const double beta : {0., 3., 13.5, 50.})
   {
-    Parameterizer parameterizer{Parameterizer::Energy(), SP::Relative_sharpness_3(beta)};
+    auto parameterizer = SP::Bijective_low_distortion_parameterizer_3()
+                             .sharpness(SP::Sharpness::relative(beta))
+                             .radius(SP::Optimal_radius_3());
     const SP::Error_code error =
         SP::parameterize(mesh, parameterizer, sphere, CGAL::parameters::number_of_iterations(300));
     if(error != SP::OK)

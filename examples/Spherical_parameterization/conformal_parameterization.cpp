@@ -13,10 +13,6 @@ using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Point_3 = Kernel::Point_3;
 using Mesh = CGAL::Surface_mesh<Point_3>;
 
-// The initial parameterizer and the sharpness are left at their defaults.
-using Parameterizer = SP::Bijective_low_distortion_parameterizer_3<Mesh, CGAL::Default, SP::Conformal_energy_3,
-                                                                   CGAL::Default, SP::Fixed_radius_3>;
-
 int main(int argc, char** argv)
 {
   const std::string filename = (argc > 1) ? argv[1] : CGAL::data_file_path("meshes/homer.off");
@@ -29,7 +25,8 @@ int main(int argc, char** argv)
   }
 
   auto sphere = mesh.add_property_map<Mesh::Vertex_index, Point_3>("v:sphere").first;
-  Parameterizer conformal;
+  auto conformal =
+      SP::Bijective_low_distortion_parameterizer_3().energy(SP::Conformal_energy_3()).radius(SP::Fixed_radius_3());
   const SP::Error_code error = SP::parameterize(mesh, conformal, sphere);
   if(error != SP::OK)
   {
@@ -38,8 +35,6 @@ int main(int argc, char** argv)
   }
 
   const SP::Distortion_summary distortion = SP::measure_distortion(mesh, sphere);
-  std::cout << conformal.report().number_of_iterations() << " sweeps, "
-            << SP::get_stop_message(conformal.report().stop_reason) << std::endl;
   std::cout << "angle distortion (2 is conformal) " << distortion.angle.average << " on average and "
             << distortion.angle.maximum << " at most" << std::endl;
   return EXIT_SUCCESS;

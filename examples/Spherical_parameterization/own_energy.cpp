@@ -14,17 +14,25 @@ using Point_3 = Kernel::Point_3;
 using Mesh = CGAL::Surface_mesh<Point_3>;
 
 // An energy that only minds the area, but for a small share of the angles: E = d + 1/d + w I/d.
-// I and d are the sum of the squares and the product of the two singular values of the map of a face.
+// I and d are the sum of the squares and the product of the two singular values of the map of a face. The functions
+// are templates that need no more than arithmetic, so that several vertices are moved at once.
 struct Area_energy
 {
   double w = 0.05;
 
-  double operator()(double i, double d) const { return d + (1. + w * i) / d; }
+  bool is_valid() const { return w > 0.; }
 
-  SP::Energy_derivatives_3 derivatives(double i, double d) const
+  template <class FT>
+  FT operator()(const FT& i, const FT& d) const
   {
-    const double pole = (1. + w * i) / d;
-    return {d + pole, w / d, 1. - pole / d, 0., -w / (d * d), 2. * pole / (d * d)};
+    return d + (1. + w * i) / d;
+  }
+
+  template <class FT>
+  SP::Energy_derivatives_3<FT> derivatives(const FT& i, const FT& d) const
+  {
+    const FT pole = (1. + w * i) / d;
+    return {d + pole, w / d, 1. - pole / d, FT(0.), -w / (d * d), 2. * pole / (d * d)};
   }
 };
 
@@ -40,8 +48,8 @@ int main(int argc, char** argv)
   }
 
   auto sphere = mesh.add_property_map<Mesh::Vertex_index, Point_3>("v:sphere").first;
-  SP::Bijective_low_distortion_parameterizer_3<Mesh, CGAL::Default, Area_energy> parameterizer(Area_energy{0.05});
-  const SP::Error_code error = SP::parameterize(mesh, parameterizer, sphere);
+  const SP::Error_code error =
+      SP::parameterize(mesh, SP::Bijective_low_distortion_parameterizer_3().energy(Area_energy{0.05}), sphere);
   std::cout << SP::get_error_message(error) << std::endl;
   if(error != SP::OK)
     return EXIT_FAILURE;

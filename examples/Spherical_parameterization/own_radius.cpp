@@ -23,20 +23,17 @@ struct Median_radius
 {
   double initial_radius(double equal_area_radius) const { return equal_area_radius; }
 
-  template <class Energy, class FaceRange>
-  double operator()(const Energy& /* energy */, const FaceRange& faces, double radius)
+  template <class Energy>
+  double operator()(const Energy& /* energy */, const SP::Face_range_3& faces, double radius)
   {
     std::vector<double> scales;
-    for(const auto& face : faces)
+    for(const SP::Face_invariants_3& face : faces)
       scales.push_back(face.flat_d);
     const auto middle = scales.begin() + static_cast<std::ptrdiff_t>(scales.size() / 2);
     std::nth_element(scales.begin(), middle, scales.end());
     return radius / std::sqrt(*middle);
   }
 };
-
-using Parameterizer =
-    SP::Bijective_low_distortion_parameterizer_3<Mesh, CGAL::Default, CGAL::Default, CGAL::Default, Median_radius>;
 
 int main(int argc, char** argv)
 {
@@ -50,7 +47,7 @@ int main(int argc, char** argv)
   }
 
   auto sphere = mesh.add_property_map<Mesh::Vertex_index, Point_3>("v:sphere").first;
-  Parameterizer parameterizer;
+  auto parameterizer = SP::Bijective_low_distortion_parameterizer_3().radius(Median_radius());
   const SP::Error_code error = SP::parameterize(mesh, parameterizer, sphere);
   std::cout << SP::get_error_message(error) << std::endl;
   if(error != SP::OK)

@@ -11,11 +11,14 @@
 
 namespace SP = CGAL::Spherical_parameterization;
 
-using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-using Point_3 = Kernel::Point_3;
-using Mesh = CGAL::Surface_mesh<Point_3>;
+using Mesh = CGAL::Surface_mesh<CGAL::Exact_predicates_inexact_constructions_kernel::Point_3>;
+using Point_3 = Mesh::Point;
 using Sphere_map = Mesh::Property_map<Mesh::Vertex_index, Point_3>;
-using Start = SP::Precomputed_parameterizer_3<Mesh, Sphere_map>;
+
+auto going_on_from(const Sphere_map& map)
+{
+  return SP::Bijective_low_distortion_parameterizer_3().initial_parameterizer(SP::Precomputed_parameterizer_3(map));
+}
 
 int main(int argc, char** argv)
 {
@@ -23,23 +26,14 @@ int main(int argc, char** argv)
 
   Mesh mesh;
   if(!CGAL::IO::read_polygon_mesh(filename, mesh))
-  {
-    std::cerr << "Invalid input file: " << filename << std::endl;
     return EXIT_FAILURE;
-  }
 
   // A first map, stopped early, and a second one that goes on from there.
   Sphere_map first = mesh.add_property_map<Mesh::Vertex_index, Point_3>("v:first").first;
   Sphere_map second = mesh.add_property_map<Mesh::Vertex_index, Point_3>("v:second").first;
-  SP::Bijective_low_distortion_parameterizer_3<Mesh, Start> going_on{Start(first)};
-  SP::Error_code error = SP::parameterize(mesh, first, CGAL::parameters::number_of_iterations(5));
-  if(error == SP::OK)
-    error = SP::parameterize(mesh, going_on, second);
-  if(error != SP::OK)
-  {
-    std::cerr << SP::get_error_message(error) << std::endl;
+  if(SP::parameterize(mesh, first, CGAL::parameters::number_of_iterations(5)) != SP::OK ||
+     SP::parameterize(mesh, going_on_from(first), second) != SP::OK)
     return EXIT_FAILURE;
-  }
   std::cout << "isometric distortion at most " << SP::measure_distortion(mesh, first).isometric.maximum << ", then "
             << SP::measure_distortion(mesh, second).isometric.maximum << std::endl;
 
@@ -54,13 +48,8 @@ int main(int argc, char** argv)
   // A map of it that starts from that of the first pose stays near to it, so that vertices correspond
   // through the sphere.
   Sphere_map bent = pose.add_property_map<Mesh::Vertex_index, Point_3>("v:bent").first;
-  SP::Bijective_low_distortion_parameterizer_3<Mesh, Start> transfer{Start(second)};
-  error = SP::parameterize(pose, transfer, bent);
-  if(error != SP::OK)
-  {
-    std::cerr << SP::get_error_message(error) << std::endl;
+  if(SP::parameterize(pose, going_on_from(second), bent) != SP::OK)
     return EXIT_FAILURE;
-  }
   double largest_angle = 0.;
   for(const Mesh::Vertex_index v : mesh.vertices())
     largest_angle =

@@ -13,9 +13,7 @@
 namespace PMP = CGAL::Polygon_mesh_processing;
 namespace SP = CGAL::Spherical_parameterization;
 
-using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-using Point_3 = Kernel::Point_3;
-using Mesh = CGAL::Surface_mesh<Point_3>;
+using Mesh = CGAL::Surface_mesh<CGAL::Exact_predicates_inexact_constructions_kernel::Point_3>;
 
 // Cures one defect in the simplest way, and returns whether there is one.
 bool repair(Mesh& mesh, const SP::Mesh_defect<Mesh>& defect)
@@ -27,8 +25,8 @@ bool repair(Mesh& mesh, const SP::Mesh_defect<Mesh>& defect)
   case SP::ERROR_SEVERAL_COMPONENTS:
     PMP::keep_largest_connected_components(mesh, 1);
     return true;
-  case SP::ERROR_NON_CLOSED_MESH: {
-    // A hole becomes a face with many corners, which is triangulated next.
+  case SP::ERROR_NON_CLOSED_MESH: // a hole becomes a face with many corners, which is triangulated next
+  {
     const Mesh::Halfedge_index h = halfedge(defect.vertex, defect.other_vertex, mesh).first;
     CGAL::Euler::fill_hole(is_border(h, mesh) ? h : opposite(h, mesh), mesh);
     return true;
@@ -44,10 +42,7 @@ int main(int argc, char** argv)
 
   Mesh mesh;
   if(!CGAL::IO::read_polygon_mesh(filename, mesh))
-  {
-    std::cerr << "Invalid input file: " << filename << std::endl;
     return EXIT_FAILURE;
-  }
 
   for(SP::Mesh_defect<Mesh> defect = SP::find_defect(mesh); defect.error != SP::OK; defect = SP::find_defect(mesh))
   {
@@ -57,8 +52,6 @@ int main(int argc, char** argv)
     mesh.collect_garbage();
   }
 
-  auto sphere = mesh.add_property_map<Mesh::Vertex_index, Point_3>("v:sphere").first;
-  const SP::Error_code error = SP::parameterize(mesh, sphere);
-  std::cout << SP::get_error_message(error) << std::endl;
-  return error == SP::OK ? EXIT_SUCCESS : EXIT_FAILURE;
+  auto sphere = mesh.add_property_map<Mesh::Vertex_index, Mesh::Point>("v:sphere").first;
+  return SP::parameterize(mesh, sphere) == SP::OK ? EXIT_SUCCESS : EXIT_FAILURE;
 }
