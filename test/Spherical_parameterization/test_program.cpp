@@ -245,7 +245,7 @@ TEST_F(Program, compares_maps_to_the_unit_sphere_at_their_balanced_radius)
   {
     ASSERT_EQ(run(std::string("small.off --json result.json --colored result --method ") + method).status, 0);
     EXPECT_EQ(json().get<std::string>("colors.measure"), measure);
-    EXPECT_LT(json().get<double>("colors.largest"), 2.2);
+    EXPECT_LT(json().get<double>("colors.maximum"), 2.2);
   }
   // a radius that was chosen is meant
   for(const char* arguments : {"--energy conformal --radius fixed=3", "--method arap"})

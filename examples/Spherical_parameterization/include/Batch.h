@@ -150,7 +150,7 @@ private:
     if(m_options.is_quiet)
       return;
     constexpr double minute = 60.;
-    const double seconds = m_stopwatch.seconds();
+    const double seconds = seconds_now() - m_start;
     std::cout << "Mapped " << m_mapped << ", left out " << m_left_out << ", folded " << m_folded << ", failed "
               << m_failed;
     if(n_missed > 0)
@@ -163,7 +163,7 @@ private:
 
   const Program_options& m_options;
   std::vector<File_names> m_meshes;
-  Stopwatch m_stopwatch;
+  double m_start = seconds_now();
   std::mutex m_mutex;
   std::size_t m_left_out = 0, m_mapped = 0, m_folded = 0, m_failed = 0;
 };

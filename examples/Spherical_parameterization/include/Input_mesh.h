@@ -104,7 +104,7 @@ public:
         throw Program_error(
             path + ": is no one-to-one map: face " + std::to_string(std::size_t(f)) +
             " is not positively oriented as seen from the origin (" + std::to_string(n_inverted) +
-            " such faces altogether).\nTake another start, such as --initial harmonic. (Faces are counted "
+            " such faces in total).\nTake another start, such as --initial harmonic. (Faces are counted "
             "from 0.)");
     return map;
   }

@@ -27,26 +27,11 @@
 
 namespace Program {
 
-/// Seconds by the monotonic clock.
-class Stopwatch
+/// returns the seconds of the monotonic clock.
+inline double seconds_now()
 {
-public:
-  /// returns the seconds since the stopwatch was made, or since the last `lap()`.
-  double seconds() const { return std::chrono::duration<double>(Clock::now() - m_start).count(); }
-
-  /// returns the same, and starts anew.
-  double lap()
-  {
-    const double passed = seconds();
-    m_start = Clock::now();
-    return passed;
-  }
-
-private:
-  using Clock = std::chrono::steady_clock;
-
-  Clock::time_point m_start = Clock::now();
-};
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
 
 /// All that is done with one mesh: it is read, mapped to a sphere and measured, and what is wanted is written.
 class Mesh_run
@@ -74,12 +59,12 @@ public:
   /// \throws Program_error if there is no map
   void map()
   {
-    m_stopwatch.lap();
+    const double start = seconds_now();
     m_report.input_stamp = File_stamp(m_names.input);
     if(!m_options.start_file.empty())
       m_report.start_stamp = File_stamp(m_options.start_file);
     m_input.emplace(m_names.input, read_soup(m_names.input));
-    m_report.seconds_for_input = m_stopwatch.lap();
+    m_report.seconds_for_input = seconds_now() - start;
 
     // A vertex without a face stays at the origin.
     m_sphere = mesh().add_property_map<Vertex_index, Point_3>("v:sphere", Point_3(0, 0, 0)).first;
@@ -93,12 +78,12 @@ public:
   /// \throws Program_error if a file cannot be written
   void write()
   {
-    m_stopwatch.lap();
+    const double start = seconds_now();
     m_distortions = mesh().add_property_map<Mesh::Face_index, SP::Face_distortion>("f:distortion").first;
     m_report.distortion = SP::measure_distortion(mesh(), m_sphere, m_distortions);
     if(m_options.is_unit_sphere)
       m_report.balanced = measure_balanced(m_report.distortion.radius);
-    m_report.seconds_for_measuring = m_stopwatch.lap();
+    m_report.seconds_for_measuring = seconds_now() - start;
     if(m_files.sphere)
     {
       m_files.sphere->write([&](std::ostream& out) { write_sphere(out); });
@@ -106,7 +91,7 @@ public:
     }
     if(m_files.colored_surface)
       write_colors();
-    m_report.seconds_for_output = m_stopwatch.lap();
+    m_report.seconds_for_output = seconds_now() - start - m_report.seconds_for_measuring;
     m_report.files = m_files.names();
     if(m_files.json)
       m_files.json->write([&](std::ostream& out) { out << m_report.json(); });
@@ -203,7 +188,6 @@ private:
   File_names m_names;
   Output_files m_files;
   Run_report m_report;
-  Stopwatch m_stopwatch;
   std::optional<Input_mesh> m_input;
   Sphere_map m_sphere;
   Distortion_map m_distortions;

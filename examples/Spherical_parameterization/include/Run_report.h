@@ -188,9 +188,10 @@ public:
                            .add("output", seconds_for_output)
                            .add("total", seconds()));
     if(color_range)
-      all.add(
-          "colors",
-          Json_object().add("measure", color_name()).add("least", (*color_range)[0]).add("largest", (*color_range)[1]));
+      all.add("colors", Json_object()
+                            .add("measure", color_name())
+                            .add("minimum", (*color_range)[0])
+                            .add("maximum", (*color_range)[1]));
     if(sphere_bytes > 0)
       all.add("sphere_bytes", sphere_bytes);
     return all.add("files", files).text() + '\n';
