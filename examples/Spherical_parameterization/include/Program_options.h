@@ -14,7 +14,6 @@
 #include <boost/program_options.hpp>
 
 #include <cmath>
-#include <cstddef>
 #include <cstdlib>
 #include <filesystem>
 #include <limits>

@@ -11,6 +11,7 @@
 #include <array>
 #include <csignal>
 #include <functional>
+#include <initializer_list>
 #include <optional>
 #include <string>
 #include <variant>
