@@ -55,9 +55,7 @@ inline Coordinates normalized(const Coordinates& p)
 inline Triangle_list scaled(Triangle_list list, double x, double y, double z)
 {
   for(Coordinates& p : list.points)
-  {
     p = {x * p[0], y * p[1], z * p[2]};
-  }
   return list;
 }
 
@@ -85,9 +83,7 @@ inline Triangle_list icosphere(unsigned int subdivisions)
       {Coordinates{-1, t, 0}, Coordinates{1, t, 0}, Coordinates{-1, -t, 0}, Coordinates{1, -t, 0},
        Coordinates{0, -1, t}, Coordinates{0, 1, t}, Coordinates{0, -1, -t}, Coordinates{0, 1, -t},
        Coordinates{t, 0, -1}, Coordinates{t, 0, 1}, Coordinates{-t, 0, -1}, Coordinates{-t, 0, 1}})
-  {
     list.points.push_back(normalized(p));
-  }
   list.triangles = {{0, 11, 5},  {0, 5, 1},  {0, 1, 7},  {0, 7, 10}, {0, 10, 11}, {1, 5, 9}, {5, 11, 4},
                     {11, 10, 2}, {10, 7, 6}, {7, 1, 8},  {3, 9, 4},  {3, 4, 2},   {3, 2, 6}, {3, 6, 8},
                     {3, 8, 9},   {4, 9, 5},  {2, 4, 11}, {6, 2, 10}, {8, 6, 7},   {9, 8, 1}};
@@ -201,16 +197,10 @@ inline Triangle_list with_tentacle(std::size_t n_rings, double length)
     profile.emplace_back(std::sin(angle), -std::cos(angle));
   }
   for(std::size_t k = 0; k < n_rings; ++k)
-  {
     profile.emplace_back(0.1, 1. + length * static_cast<double>(k) / static_cast<double>(n_rings));
-  }
   for(std::size_t k = 0; k < profile.size(); ++k)
-  {
     for(std::size_t j = 0; j < d; ++j)
-    {
       at(profile[k].first, profile[k].second, j, k % 2 == 1);
-    }
-  }
   const std::size_t n = list.points.size();
   list.points.push_back({0., 0., -1.});
   list.points.push_back({0., 0., 1. + length});
@@ -258,9 +248,7 @@ inline Triangle_list renumbered(const Triangle_list& list, const std::vector<std
   Triangle_list result;
   result.points.resize(list.points.size());
   for(std::size_t v = 0; v < number.size(); ++v)
-  {
     result.points[number[v]] = list.points[v];
-  }
   for(const std::size_t f : random_permutation(list.triangles.size(), seed))
   {
     const Triangle& t = list.triangles[f];
@@ -296,9 +284,7 @@ inline Triangle_list disjoint_union(Triangle_list first, const Triangle_list& se
   const std::size_t n = first.points.size();
   first.points.insert(first.points.end(), second.points.begin(), second.points.end());
   for(const Triangle& t : second.triangles)
-  {
     first.triangles.push_back({t[0] + n, t[1] + n, t[2] + n});
-  }
   return first;
 }
 
@@ -319,14 +305,12 @@ Mesh make_mesh(const Triangle_list& list)
     vertex.push_back(add_vertex(mesh));
     put(point_map, vertex.back(), Point(FT(p[0]), FT(p[1]), FT(p[2])));
   }
+  std::vector<std::array<Vertex, 3>> faces;
   for(const Triangle& t : list.triangles)
-  {
-    const std::array<Vertex, 3> corners = {vertex[t[0]], vertex[t[1]], vertex[t[2]]};
-    if(CGAL::Euler::add_face(corners, mesh) == boost::graph_traits<Mesh>::null_face())
-    {
-      throw std::logic_error("The triangles are no manifold mesh.");
-    }
-  }
+    faces.push_back({vertex[t[0]], vertex[t[1]], vertex[t[2]]});
+  CGAL::Euler::add_faces(faces, mesh); // one by one takes a time that is quadratic in the degrees
+  if(num_faces(mesh) != faces.size())
+    throw std::logic_error("The triangles are no manifold mesh.");
   return mesh;
 }
 

@@ -1,0 +1,486 @@
+// The surface as flat arrays: rings, numbering, scaling and refusals of Indexed_mesh, the rest shapes of faces, areas and
+// weights.
+
+#include <CGAL/Spherical_parameterization/internal/mesh/Rest_triangle.h>
+#include <CGAL/Spherical_parameterization/internal/mesh/mesh_measures.h>
+
+#include "indexed_meshes.h"
+#include "random_meshes.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <limits>
+#include <vector>
+
+using namespace test;
+
+namespace {
+
+namespace SP = CGAL::Spherical_parameterization;
+
+using SP::internal::cotangent_weights;
+using SP::internal::least_positive_weight;
+using SP::internal::Rest_limits;
+using SP::internal::Rest_triangle;
+using SP::internal::Vector_3d;
+using SP::internal::vertex_masses;
+
+constexpr double any_weight = std::numeric_limits<double>::lowest();
+
+// ---------------------------------------------------------------------------------------------------------------------
+// Indexed_mesh
+
+SP::Error_code assign(Indexed_mesh& mesh, const Triangle_list& list)
+{
+  return mesh.assign(list.points, index_triangles(list));
+}
+
+TEST(Indexed_mesh, keeps_the_triangles_and_their_orientation)
+{
+  for(const Triangle_list& list : spheres())
+  {
+    const Indexed_mesh mesh = indexed_mesh(list);
+    ASSERT_EQ(mesh.number_of_vertices(), list.points.size());
+    expect_simplicial_sphere(mesh.rings());
+    std::vector<Index_triangle> triangles = mesh.triangles();
+    for(Index_triangle& t : triangles)
+    {
+      EXPECT_EQ(t, rotated(t)); // smallest vertex first
+      t = {mesh.original(t[0]), mesh.original(t[1]), mesh.original(t[2])};
+    }
+    EXPECT_EQ(sorted(triangles), sorted(index_triangles(list)));
+  }
+}
+
+TEST(Indexed_mesh, numbers_the_vertices_by_shape_not_by_order)
+{
+  const Triangle_list list = bumpy_sphere(3);
+  const Indexed_mesh mesh = indexed_mesh(list);
+  for(std::uint32_t seed = 1; seed < 6; ++seed)
+  {
+    const std::vector<std::size_t> number = random_permutation(list.points.size(), seed);
+    const Indexed_mesh other = indexed_mesh(renumbered(list, number, seed));
+    EXPECT_TRUE(have_same_bits(mesh.points(), other.points()));
+    EXPECT_TRUE(have_same_rings(mesh.rings(), other.rings()));
+    for(std::size_t v = 0; v < mesh.number_of_vertices(); ++v)
+      ASSERT_EQ(other.original(v), number[mesh.original(v)]);
+  }
+}
+
+TEST(Indexed_mesh, numbers_neighbors_close_to_each_other)
+{
+  // breadth first: a vertex is met from an earlier one, and the rings of earlier vertices come first
+  const Indexed_mesh mesh = indexed_mesh(bumpy_sphere(3));
+  std::uint32_t last_parent = 0;
+  for(std::uint32_t v = 1; v < mesh.number_of_vertices(); ++v)
+  {
+    const Vertex_rings::Ring ring = mesh.rings().ring(v);
+    const std::uint32_t parent = *std::min_element(ring.begin(), ring.end());
+    EXPECT_LT(parent, v);
+    EXPECT_GE(parent, last_parent);
+    last_parent = parent;
+  }
+}
+
+TEST(Indexed_mesh, has_the_area_of_the_unit_sphere)
+{
+  for(const double size : {1., 1e-3, 1e7, 1e-200, 1e200, 1e-300, 3e307})
+  {
+    const Triangle_list list = scaled(octahedron(), size, size, size);
+    const Indexed_mesh mesh = indexed_mesh(list);
+    double sum = 0.;
+    for(const Index_triangle& t : mesh.triangles())
+      sum += area(mesh.points()[t[0]], mesh.points()[t[1]], mesh.points()[t[2]]);
+    EXPECT_NEAR(sum, 4. * pi, 1e-13);
+    // eight triangles of sides sqrt(2): area 4 sqrt(3) = 4 pi r^2
+    const double radius = std::sqrt(std::sqrt(3.) / pi) * size;
+    EXPECT_NEAR(mesh.equal_area_radius() / radius, 1., 1e-14);
+    EXPECT_NEAR(mesh.scaled_radius(radius), 1., 1e-14);
+    EXPECT_NEAR(mesh.scaled_radius(0.125 * radius), 0.125, 1e-15);
+  }
+}
+
+TEST(Indexed_mesh, is_the_same_at_any_scale_and_place)
+{
+  const Triangle_list list = bumpy_sphere(3);
+  const Indexed_mesh mesh = indexed_mesh(list);
+  for(const int exponent : {-900, -40, -1, 1, 30, 900})
+  {
+    const double s = std::ldexp(1., exponent);
+    const Indexed_mesh other = indexed_mesh(scaled(list, s, s, s));
+    EXPECT_TRUE(have_same_bits(mesh.points(), other.points()));
+    EXPECT_TRUE(have_same_rings(mesh.rings(), other.rings()));
+    EXPECT_EQ(other.equal_area_radius(), s * mesh.equal_area_radius());
+  }
+  Triangle_list moved = list;
+  for(Coordinates& p : moved.points)
+    p = {p[0] + 1000., p[1] - 0.3, p[2] + 7.};
+  const Indexed_mesh other = indexed_mesh(moved);
+  EXPECT_TRUE(have_same_rings(mesh.rings(), other.rings()));
+  for(std::size_t v = 0; v < mesh.number_of_vertices(); ++v)
+    EXPECT_LT(distance(mesh.points()[v], other.points()[v]), 1e-12);
+}
+
+TEST(Indexed_mesh, leaves_out_vertices_without_a_triangle)
+{
+  Triangle_list list = bumpy_sphere(1);
+  const Indexed_mesh mesh = indexed_mesh(list);
+  const std::size_t n = list.points.size();
+  list.points.insert(list.points.begin(), {0., 0., 0.});
+  list.points.push_back({1., 0., 0.});
+  for(Triangle& t : list.triangles)
+    t = {t[0] + 1, t[1] + 1, t[2] + 1};
+  const Indexed_mesh other = indexed_mesh(list);
+  ASSERT_EQ(other.number_of_vertices(), n);
+  EXPECT_TRUE(have_same_bits(mesh.points(), other.points()));
+  for(std::size_t v = 0; v < n; ++v)
+    EXPECT_EQ(other.original(v), mesh.original(v) + 1);
+}
+
+TEST(Indexed_mesh, counts_flat_faces)
+{
+  EXPECT_EQ(indexed_mesh(icosphere(2)).number_of_flat_faces(), 0u);
+  // A vertex in the middle of an edge of an octahedron: one face of the edge is split, and one without area joins the
+  // other.
+  Triangle_list list = octahedron();
+  list.points.push_back({0.5, 0.5, 0.});
+  list.triangles[0] = {0, 6, 4};
+  list.triangles.push_back({6, 2, 4});
+  list.triangles.push_back({0, 2, 6});
+  EXPECT_EQ(indexed_mesh(list).number_of_flat_faces(), 1u);
+  // a surface without area
+  const Triangle_list segment = scaled(icosphere(1), 1., 0., 0.);
+  const Indexed_mesh mesh = indexed_mesh(segment);
+  EXPECT_EQ(mesh.number_of_flat_faces(), segment.triangles.size());
+  for(const Vector_3d& p : mesh.points())
+    EXPECT_TRUE(std::isfinite(p[0] + p[1] + p[2]));
+  const Triangle_list point = scaled(icosphere(1), 0., 0., 0.);
+  EXPECT_EQ(indexed_mesh(point).number_of_flat_faces(), point.triangles.size());
+}
+
+TEST(Indexed_mesh, refuses_what_is_no_sphere)
+{
+  Indexed_mesh mesh;
+  const Triangle_list sphere = icosphere(1);
+  EXPECT_EQ(assign(mesh, disjoint_union(sphere, sphere)), SP::ERROR_SEVERAL_COMPONENTS);
+  // V - E + F = 2 does not prove a sphere
+  const Triangle_list torus = torus(7, 5);
+  EXPECT_EQ(assign(mesh, disjoint_union(sphere, torus)), SP::ERROR_SEVERAL_COMPONENTS);
+  EXPECT_EQ(assign(mesh, torus), SP::ERROR_NO_TOPOLOGICAL_SPHERE);
+
+  Triangle_list open = sphere;
+  open.triangles.pop_back();
+  EXPECT_EQ(assign(mesh, open), SP::ERROR_NO_SIMPLICIAL_COMPLEX);
+  Triangle_list touching = disjoint_union(sphere, sphere); // two spheres with a vertex in common
+  for(Triangle& t : touching.triangles)
+    for(std::size_t& v : t)
+      v = v == sphere.points.size() ? 0 : v;
+  EXPECT_EQ(assign(mesh, touching), SP::ERROR_NO_SIMPLICIAL_COMPLEX);
+
+  EXPECT_EQ(mesh.assign({{0., 0., 0.}, {1., 0., 0.}, {0., 1., 0.}}, {{0, 1, 2}, {0, 2, 1}}),
+            SP::ERROR_TOO_FEW_VERTICES);
+  for(const double x : {std::numeric_limits<double>::infinity(), std::nan("")})
+  {
+    Triangle_list list = sphere;
+    list.points[7][2] = x;
+    EXPECT_EQ(assign(mesh, list), SP::ERROR_NON_FINITE_COORDINATE);
+  }
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// Rest_triangle
+
+using Long_vector = std::array<long double, 3>;
+
+Long_vector difference(const Vector_3d& a, const Vector_3d& b)
+{
+  return {static_cast<long double>(a[0]) - b[0], static_cast<long double>(a[1]) - b[1],
+          static_cast<long double>(a[2]) - b[2]};
+}
+
+long double dot(const Long_vector& a, const Long_vector& b)
+{
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+// A triangle in the plane as (base, foot of the height on the base, height), all in units of length.
+struct Flat_triangle
+{
+  long double base, foot, height;
+
+  static Flat_triangle of(const std::array<Vector_3d, 3>& p)
+  {
+    const Long_vector e = difference(p[1], p[0]), f = difference(p[2], p[0]);
+    const long double base = std::sqrt(dot(e, e)), foot = dot(e, f) / base;
+    const Long_vector h = {f[0] - foot / base * e[0], f[1] - foot / base * e[1], f[2] - foot / base * e[2]};
+    return {base, foot, std::sqrt(dot(h, h))};
+  }
+};
+
+// The sum of the squares of the singular values, and their product, of the linear map between two triangles: those of
+// its matrix in orthonormal coordinates of both planes.
+struct Reference
+{
+  long double i, d;
+
+  static Reference of(const Flat_triangle& from, const Flat_triangle& to)
+  {
+    const long double xx = to.base / from.base;
+    const long double yy = to.height / from.height;
+    const long double xy = (to.foot - from.foot * xx) / from.height;
+    // the singular values by a rotation, not from the trace and the determinant
+    const long double angle = 0.5L * std::atan2(2.L * xx * xy, xx * xx - xy * xy - yy * yy);
+    const long double c = std::cos(angle), s = std::sin(angle);
+    const long double s1 = std::hypot(c * xx + s * xy, s * yy), s2 = std::hypot(-s * xx + c * xy, c * yy);
+    return {s1 * s1 + s2 * s2, s1 * s2};
+  }
+};
+
+void expect_invariants(const Rest_triangle& rest, const std::array<Vector_3d, 3>& image, const Reference& reference,
+                       double tolerance)
+{
+  const Long_vector e0 = difference(image[2], image[1]), e1 = difference(image[0], image[2]),
+                    e2 = difference(image[1], image[0]);
+  const Long_vector n = {e1[1] * e2[2] - e1[2] * e2[1], e1[2] * e2[0] - e1[0] * e2[2], e1[0] * e2[1] - e1[1] * e2[0]};
+  const long double i = rest.opposite_0 * dot(e0, e0) + rest.opposite_1 * dot(e1, e1) + rest.opposite_2 * dot(e2, e2);
+  const long double d = std::sqrt(dot(n, n)) * rest.inverse_area;
+  EXPECT_NEAR(static_cast<double>(i / reference.i), 1., tolerance);
+  EXPECT_NEAR(static_cast<double>(d / reference.d), 1., tolerance);
+}
+
+TEST(Rest_triangle, gives_the_singular_values_of_the_linear_map)
+{
+  Random random(1);
+  for(int k = 0; k < 1000; ++k)
+  {
+    std::array<Vector_3d, 3> p, u;
+    for(std::size_t j = 0; j < 3; ++j)
+    {
+      p[j] = random.in_cube();
+      u[j] = random.in_cube();
+    }
+    if(k % 3 == 0) // thin, but not lifted
+    {
+      const double t = random.between(0., 1.);
+      for(std::size_t i = 0; i < 3; ++i)
+        p[2][i] = p[0][i] + t * (p[1][i] - p[0][i]) + 1e-3 * p[2][i];
+    }
+    if(Rest_triangle::is_too_flat(p[0], p[1], p[2]))
+      continue;
+    Rest_triangle rest = Rest_triangle::from_points(p[0], p[1], p[2]);
+    const Reference reference = Reference::of(Flat_triangle::of(p), Flat_triangle::of(u));
+    expect_invariants(rest, u, reference, 1e-8);
+
+    // a larger triangle of the same shape
+    const double factor = random.between(0.1, 10.);
+    rest.scale_area(factor);
+    expect_invariants(rest, u, {reference.i / factor, reference.d / factor}, 1e-8);
+  }
+}
+
+TEST(Rest_triangle, of_an_isometry_gives_two_and_one)
+{
+  Random random(2);
+  for(int k = 0; k < 100; ++k)
+  {
+    const std::array<Vector_3d, 3> p = {random.in_cube(), random.in_cube(), random.in_cube()};
+    if(!Rest_triangle::is_too_flat(p[0], p[1], p[2]))
+      expect_invariants(Rest_triangle::from_points(p[0], p[1], p[2]), p, {2.L, 1.L}, 1e-8);
+  }
+}
+
+// A face with a height below the least one counts as the triangle with this height: same longest edge, same foot.
+TEST(Rest_triangle, lifts_a_flat_face_to_the_least_height)
+{
+  Random random(3);
+  for(int k = 0; k < 300; ++k)
+  {
+    const double size = std::pow(10., -static_cast<double>(k % 9)), foot = random.between(0., 1.);
+    const double heights[] = {0., 1e-12, 1e-6, 0.99 * Rest_limits().height};
+    const std::array<Vector_3d, 3> flat = {Vector_3d{0., 0., 0.}, Vector_3d{size, 0., 0.},
+                                           Vector_3d{foot * size, heights[k % 4] * size, 0.}};
+    const std::array<Vector_3d, 3> lifted = {flat[0], flat[1], Vector_3d{foot * size, Rest_limits().height * size, 0.}};
+    for(std::size_t j = 0; j < 3; ++j) // whichever corner comes first
+    {
+      const Vector_3d &a = flat[j], &b = flat[(j + 1) % 3], &c = flat[(j + 2) % 3];
+      EXPECT_TRUE(Rest_triangle::is_too_flat(a, b, c));
+      const std::array<Vector_3d, 3> same = {lifted[j], lifted[(j + 1) % 3], lifted[(j + 2) % 3]};
+      expect_invariants(Rest_triangle::from_points(a, b, c), same, {2.L, 1.L}, 1e-6);
+    }
+  }
+}
+
+TEST(Rest_triangle, does_not_jump_at_the_least_height)
+{
+  for(const double foot : {0.1, 0.5, 0.9})
+  {
+    const double h = Rest_limits().height;
+    const Vector_3d a = {0., 0., 0.}, b = {1., 0., 0.}, below = {foot, 0.9999 * h, 0.}, above = {foot, 1.0001 * h, 0.};
+    EXPECT_TRUE(Rest_triangle::is_too_flat(a, b, below));
+    EXPECT_FALSE(Rest_triangle::is_too_flat(a, b, above));
+    const Rest_triangle r = Rest_triangle::from_points(a, b, below), s = Rest_triangle::from_points(a, b, above);
+    EXPECT_NEAR(r.opposite_0 / s.opposite_0, 1., 1e-3);
+    EXPECT_NEAR(r.opposite_1 / s.opposite_1, 1., 1e-3);
+    EXPECT_NEAR(r.opposite_2 / s.opposite_2, 1., 1e-3);
+    EXPECT_NEAR(r.inverse_area / s.inverse_area, 1., 1e-3);
+  }
+}
+
+// The sums of cotangents that make I a positive definite function of the edges, for the worst of faces.
+TEST(Rest_triangle, is_a_triangle_whatever_the_face)
+{
+  const Vector_3d a = {0.3, -0.2, 0.7}, b = {0.3, -0.2, 0.7 + 0x1p-45}, c = {1e-7, 2., -1.}, d = {2e-7, 4., -2.};
+  const Vector_3d o = {0., 0., 0.};
+  const std::array<std::array<Vector_3d, 3>, 8> faces = {
+      {{a, a, a}, {a, a, c}, {c, a, a}, {a, b, c}, {o, c, d}, {d, o, c}, {a, b, a}, {o, {1e-200, 0., 0.}, o}}};
+  for(const auto& p : faces)
+  {
+    EXPECT_TRUE(Rest_triangle::is_too_flat(p[0], p[1], p[2]));
+    const Rest_triangle r = Rest_triangle::from_points(p[0], p[1], p[2]);
+    ASSERT_TRUE(std::isfinite(r.opposite_0) && std::isfinite(r.opposite_1) && std::isfinite(r.opposite_2));
+    ASSERT_TRUE(std::isfinite(r.inverse_area) && r.inverse_area > 0.);
+    const long double area = 1.L / r.inverse_area;
+    const long double x = r.opposite_0 * area, y = r.opposite_1 * area, z = r.opposite_2 * area; // the cotangents
+    EXPECT_NEAR(static_cast<double>(x * y + y * z + z * x), 1., 1e-6);
+    EXPECT_GT(x + y, 0.);
+    EXPECT_GT(y + z, 0.);
+    EXPECT_GT(z + x, 0.);
+    if(p[0] == p[1] && p[1] == p[2]) // what has no shape asks for none
+    {
+      EXPECT_EQ(r.opposite_0, r.opposite_1);
+      EXPECT_EQ(r.opposite_1, r.opposite_2);
+    }
+  }
+}
+
+// With other limits, what is below them counts as being at the limit, and what is above remains as it is.
+TEST(Rest_triangle, keeps_to_the_limits_given)
+{
+  const Vector_3d a = {0., 0., 0.}, b = {1e-3, 0., 0.}, c = {0.4e-3, 0.2e-3, 0.}, lifted = {0.4e-3, 0.3e-3, 0.};
+  const Rest_limits limits = {0.3, 1e-4, false};
+  expect_invariants(Rest_triangle::from_points(a, b, c), {a, b, c}, {2.L, 1.L}, 1e-8);
+  expect_invariants(Rest_triangle::from_points(a, b, c, limits), {a, b, lifted}, {2.L, 1.L}, 1e-8);
+  const Vector_3d apex = {0.4e-3, 0.31e-3, 0.};
+  expect_invariants(Rest_triangle::from_points(a, b, apex, limits), {a, b, apex}, {2.L, 1.L}, 1e-8);
+  const double edge = 2e-3;
+  const std::array<Vector_3d, 3> equilateral = {a, Vector_3d{edge, 0., 0.},
+                                                Vector_3d{0.5 * edge, std::sqrt(0.75) * edge, 0.}};
+  expect_invariants(Rest_triangle::from_points(a, b, c, {0.3, edge, false}), equilateral, {2.L, 1.L}, 1e-8);
+
+  // without regard to the surface, all faces are the same
+  const Rest_triangle uniform = Rest_triangle::from_points(a, b, c, {0., 0., true});
+  const Rest_triangle of_another = Rest_triangle::from_points({3., 0., 0.}, a, a, {0., 0., true});
+  EXPECT_EQ(uniform.inverse_area, of_another.inverse_area);
+  EXPECT_EQ(uniform.opposite_0, of_another.opposite_1);
+  EXPECT_EQ(uniform.opposite_0, uniform.opposite_2);
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// Areas and weights
+
+TEST(Vertex_masses, are_there_without_an_area)
+{
+  const Indexed_mesh mesh = indexed_mesh(bumpy_sphere(1));
+  const std::vector<double> areas = SP::internal::vertex_areas(mesh.rings(), mesh.points());
+  double sum = 0.;
+  for(const double area : areas)
+  {
+    EXPECT_GT(area, 0.);
+    sum += area;
+  }
+  EXPECT_NEAR(sum, 4. * pi, 1e-12);
+  EXPECT_EQ(vertex_masses(mesh.rings(), mesh.points()), areas);
+  const std::vector<Vector_3d> one_point(mesh.number_of_vertices(), {1., 2., 3.});
+  EXPECT_EQ(vertex_masses(mesh.rings(), one_point), std::vector<double>(one_point.size(), 1.));
+}
+
+double cotangent(const Vector_3d& apex, const Vector_3d& p, const Vector_3d& q)
+{
+  return dot(difference(p, apex), difference(q, apex)) / norm(cross(difference(p, apex), difference(q, apex)));
+}
+
+TEST(Cotangent_weights, of_platonic_solids)
+{
+  for(const Triangle_list& list : {tetrahedron(), octahedron(), icosphere(0)})
+  {
+    const Indexed_mesh mesh = indexed_mesh(list);
+    for(const double weight : cotangent_weights(mesh.rings(), mesh.points(), any_weight))
+      EXPECT_NEAR(weight, 1. / std::sqrt(3.), 1e-14); // of 60 degrees
+  }
+  // a double pyramid over a square: its edges are of two kinds
+  const double height = 3.;
+  const Indexed_mesh mesh = indexed_mesh(scaled(octahedron(), 1., 1., height));
+  const double slope = std::sqrt(0.5 + height * height), half_base = std::sqrt(0.5);
+  const double at_base = half_base / slope;
+  const double at_tip = (1. - at_base * at_base) / (2. * at_base); // -cot(2 x) for cot(x) = at_base
+  const std::vector<double> weights = cotangent_weights(mesh.rings(), mesh.points(), any_weight);
+  for(std::uint32_t v = 0; v < 6; ++v)
+  {
+    for(std::size_t j = 0; j < 4; ++j)
+    {
+      const std::uint32_t w = mesh.rings().ring(v)[j];
+      const bool is_steep = std::abs(mesh.points()[v][2] - mesh.points()[w][2]) > 1e-3;
+      EXPECT_NEAR(weights[mesh.rings().offset(v) + j], is_steep ? at_base : at_tip, 1e-13);
+    }
+  }
+}
+
+TEST(Cotangent_weights, are_half_the_sums_of_the_cotangents)
+{
+  for(const Triangle_list& list : {bumpy_sphere(2), with_tentacle(20, 1.)})
+  {
+    const Indexed_mesh mesh = indexed_mesh(list);
+    const Vertex_rings& rings = mesh.rings();
+    const std::vector<Vector_3d>& points = mesh.points();
+    const std::vector<double> weights = cotangent_weights(rings, points, any_weight),
+                              positive = cotangent_weights(rings, points, least_positive_weight);
+    ASSERT_EQ(weights.size(), rings.number_of_corners());
+    std::size_t n_raised = 0;
+    for(std::uint32_t v = 0; v < rings.number_of_vertices(); ++v)
+    {
+      const Vertex_rings::Ring ring = rings.ring(v);
+      for(std::size_t j = 0; j < ring.size(); ++j)
+      {
+        const std::uint32_t w = ring[j], left = ring[(j + 1) % ring.size()],
+                            right = ring[(j + ring.size() - 1) % ring.size()];
+        const double expected =
+            0.5 * (cotangent(points[left], points[v], points[w]) + cotangent(points[right], points[v], points[w]));
+        const double weight = weights[rings.offset(v) + j];
+        EXPECT_NEAR(weight, expected, 1e-10 * (1. + std::abs(expected)));
+
+        // raised where too low, else the same; and both copies are equal
+        const double raised = positive[rings.offset(v) + j];
+        EXPECT_EQ(raised, (std::max)(weight, least_positive_weight));
+        EXPECT_GT(raised, 0.);
+        n_raised += raised > weight;
+        const Vertex_rings::Ring other = rings.ring(w);
+        const auto back = static_cast<std::size_t>(std::find(other.begin(), other.end(), v) - other.begin());
+        EXPECT_EQ(std::memcmp(&weights[rings.offset(w) + back], &weight, sizeof(double)), 0);
+        EXPECT_EQ(std::memcmp(&positive[rings.offset(w) + back], &raised, sizeof(double)), 0);
+      }
+    }
+    EXPECT_GT(n_raised, 0u);
+  }
+}
+
+TEST(Cotangent_weights, of_flat_faces_are_finite)
+{
+  for(const Triangle_list& list :
+      {scaled(icosphere(1), 1., 1., 0.), scaled(icosphere(1), 1., 0., 0.), scaled(icosphere(1), 0., 0., 0.)})
+  {
+    const Indexed_mesh mesh = indexed_mesh(list);
+    for(const double weight : cotangent_weights(mesh.rings(), mesh.points(), least_positive_weight))
+    {
+      EXPECT_TRUE(std::isfinite(weight));
+      EXPECT_GE(weight, least_positive_weight);
+    }
+  }
+}
+
+} // namespace

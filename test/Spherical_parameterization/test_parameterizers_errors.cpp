@@ -1,0 +1,440 @@
+// Each error code for what it is meant for, through the public functions and with every method; and that nothing is written
+// then, but for a map that stores other values than it was given.
+
+#include <CGAL/spherical_parameterization.h>
+#include <CGAL/Spherical_parameterization/internal/baselines/Laplacian_system.h>
+
+#include "methods.h"
+
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/boost/graph/Euler_operations.h>
+#include <CGAL/boost/graph/generators.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+using namespace test;
+
+namespace {
+
+using Vertex_index = Mesh::Vertex_index;
+using Bld = SP::Bijective_low_distortion_parameterizer_3<>;
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+Vertex_index vertex(std::size_t i)
+{
+  return Vertex_index(static_cast<Mesh::size_type>(i));
+}
+
+// Expects this error of the method, and that it has not begun; that the map is untouched is a part of run().
+void expect_error(const Mesh& mesh, const Method& method, SP::Error_code error)
+{
+  const Result result = method.run(mesh);
+  EXPECT_EQ(result.error, error) << method.name();
+  EXPECT_EQ(result.report.number_of_iterations(), 0u);
+  EXPECT_EQ(result.report.stop_reason, SP::NOT_RUN);
+}
+
+// The same of every method, before any work: the visitor is not called.
+void expect_error(const Mesh& mesh, SP::Error_code error)
+{
+  std::vector<Method> methods = all_methods();
+  methods.push_back(precomputed(mesh, sentinels(num_vertices(mesh))));
+  for(const Method& method : methods)
+  {
+    expect_error(mesh, method, error);
+    Recorder recorder;
+    EXPECT_EQ(method.run(mesh, Options().visitor(recorder)).error, error);
+    EXPECT_TRUE(recorder.events.empty());
+  }
+  EXPECT_EQ(SP::find_defect(mesh).error, error);
+}
+
+TEST(Error_message, is_a_different_sentence_for_each_code)
+{
+  std::set<std::string> messages;
+  for(int code = SP::OK; code <= SP::ERROR_WRONG_PARAMETER; ++code)
+  {
+    const char* message = SP::get_error_message(static_cast<SP::Error_code>(code));
+    ASSERT_NE(message, nullptr);
+    EXPECT_GT(std::string(message).size(), 20u);
+    EXPECT_TRUE(messages.insert(message).second) << message;
+  }
+  EXPECT_TRUE(
+      messages.insert(SP::get_error_message(static_cast<SP::Error_code>(SP::ERROR_WRONG_PARAMETER + 1))).second);
+  std::set<std::string> reasons;
+  for(int reason = SP::NOT_RUN; reason <= SP::STOPPED; ++reason)
+    EXPECT_TRUE(reasons.insert(SP::get_stop_message(static_cast<SP::Stop_reason>(reason))).second);
+}
+
+TEST(Error_code, empty_mesh)
+{
+  expect_error(Mesh(), SP::ERROR_EMPTY_MESH);
+  Mesh points;
+  points.add_vertex(Point_3(1., 2., 3.));
+  points.add_vertex(Point_3(3., 2., 1.));
+  expect_error(points, SP::ERROR_EMPTY_MESH);
+}
+
+TEST(Error_code, too_few_vertices)
+{
+  Mesh pillow; // two triangles, back to back
+  const Vertex_index a = pillow.add_vertex(Point_3(0., 0., 0.)), b = pillow.add_vertex(Point_3(1., 0., 0.)),
+                     c = pillow.add_vertex(Point_3(0., 1., 0.));
+  pillow.add_face(a, b, c);
+  pillow.add_face(a, c, b);
+  expect_error(pillow, SP::ERROR_TOO_FEW_VERTICES);
+  pillow.add_vertex(Point_3(0., 0., 1.)); // an isolated vertex does not count
+  expect_error(pillow, SP::ERROR_TOO_FEW_VERTICES);
+}
+
+TEST(Error_code, non_triangular_mesh)
+{
+  Mesh cube;
+  CGAL::make_hexahedron(Point_3(-1, -1, -1), Point_3(1, -1, -1), Point_3(1, 1, -1), Point_3(-1, 1, -1),
+                        Point_3(-1, 1, 1), Point_3(-1, -1, 1), Point_3(1, -1, 1), Point_3(1, 1, 1), cube);
+  expect_error(cube, SP::ERROR_NON_TRIANGULAR_MESH);
+
+  Mesh one_quadrangle = make(icosphere(1));
+  CGAL::Euler::join_face(*one_quadrangle.halfedges().begin(), one_quadrangle);
+  expect_error(one_quadrangle, SP::ERROR_NON_TRIANGULAR_MESH);
+}
+
+TEST(Error_code, non_closed_mesh)
+{
+  Triangle_list list = icosphere(1);
+  list.triangles.erase(list.triangles.begin() + 30);
+  expect_error(make(list), SP::ERROR_NON_CLOSED_MESH);
+  list.points.resize(3);
+  list.triangles = {{0, 1, 2}};
+  expect_error(make(list), SP::ERROR_NON_CLOSED_MESH);
+}
+
+TEST(Error_code, several_components)
+{
+  expect_error(make(disjoint_union(icosphere(1), icosphere(1))), SP::ERROR_SEVERAL_COMPONENTS);
+  // together they have the Euler number of a sphere
+  expect_error(make(disjoint_union(icosphere(1), torus(7, 5))), SP::ERROR_SEVERAL_COMPONENTS);
+  expect_error(make(disjoint_union(torus(7, 5), icosphere(1))), SP::ERROR_SEVERAL_COMPONENTS);
+}
+
+TEST(Error_code, no_topological_sphere)
+{
+  expect_error(make(torus(7, 5)), SP::ERROR_NO_TOPOLOGICAL_SPHERE);
+}
+
+TEST(Error_code, no_simplicial_complex_by_a_double_edge)
+{
+  // A double pyramid over a quadrangle becomes one over a triangle, two corners of which get a second edge instead of the
+  // edge between a tip and the third corner.
+  Mesh mesh = make(suspension(4));
+  const Vertex_index corner = CGAL::Euler::collapse_edge(edge(mesh.halfedge(vertex(0), vertex(1)), mesh), mesh);
+  CGAL::Euler::flip_edge(mesh.halfedge(corner, vertex(4)), mesh);
+  ASSERT_EQ(mesh.number_of_vertices(), 5u);
+  ASSERT_TRUE(CGAL::is_closed(mesh) && CGAL::is_triangle_mesh(mesh) && mesh.is_valid());
+  expect_error(mesh, SP::ERROR_NO_SIMPLICIAL_COMPLEX);
+
+  // In a larger mesh, a vertex in a face gets degree 2: then two faces have the same vertices.
+  Mesh large = make(icosphere(1));
+  const Mesh::Halfedge_index h = CGAL::Euler::add_center_vertex(*large.halfedges().begin(), large);
+  const Vertex_index center = large.target(h);
+  EXPECT_EQ(SP::parameterize(large, Point_map(large, sentinels(num_vertices(large)))), SP::OK);
+  CGAL::Euler::flip_edge(h, large);
+  ASSERT_EQ(large.degree(center), 2u);
+  expect_error(large, SP::ERROR_NO_SIMPLICIAL_COMPLEX);
+}
+
+TEST(Error_code, no_simplicial_complex_by_two_fans_at_one_vertex)
+{
+  const Triangle_list sphere = icosphere(1);
+  Mesh mesh = make(disjoint_union(sphere, sphere));
+  const Vertex_index other = vertex(sphere.points.size());
+  for(const auto h : CGAL::halfedges_around_target(mesh.halfedge(other), mesh))
+    mesh.set_target(h, Vertex_index(0));
+  mesh.remove_vertex(other);
+  expect_error(mesh, SP::ERROR_NO_SIMPLICIAL_COMPLEX);
+}
+
+TEST(Error_code, non_finite_coordinate)
+{
+  for(const double x : {infinity, -infinity, nan})
+  {
+    Triangle_list list = icosphere(1);
+    list.points[7][1] = x;
+    expect_error(make(list), SP::ERROR_NON_FINITE_COORDINATE);
+    // an isolated vertex may be anywhere
+    list = icosphere(1);
+    list.points.push_back({x, x, x});
+    EXPECT_EQ(bijective().run(list).error, SP::OK);
+  }
+}
+
+TEST(Error_code, invalid_initial_parameterization)
+{
+  const Mesh mesh = make(bumpy_sphere(1));
+  const Images sphere = icosphere(1).points;
+  const auto expect = [&](const Images& start, SP::Error_code error) {
+    if(error != SP::OK)
+    {
+      expect_error(mesh, precomputed(mesh, start), error);
+      expect_error(mesh, bijective_from(mesh, start), error);
+      return;
+    }
+    EXPECT_EQ(precomputed(mesh, start).run(mesh).error, SP::OK);
+    EXPECT_EQ(precomputed(mesh, start).run(mesh).report.stop_reason, SP::CONVERGED);
+    EXPECT_EQ(bijective_from(mesh, start).run(mesh).error, SP::OK);
+  };
+  expect(sphere, SP::OK);
+  expect(scaled(sphere, 1e200), SP::OK);
+  expect(scaled(sphere, 1e-300), SP::OK);
+  expect(scaled(sphere, -1.), SP::ERROR_INVALID_INITIAL_PARAMETERIZATION);
+  Images points = sphere;
+  std::swap(points[3], points[20]);
+  expect(points, SP::ERROR_INVALID_INITIAL_PARAMETERIZATION);
+  for(const Coordinates& p : {Coordinates{0., 0., 0.}, {nan, 0., 0.}, {infinity, 0., 0.}})
+  {
+    points = sphere;
+    points[5] = p;
+    expect(points, SP::ERROR_INVALID_INITIAL_PARAMETERIZATION);
+  }
+  // all faces positive, but the sphere is covered twice
+  const Mesh pyramid = make(suspension(7));
+  expect_error(pyramid, precomputed(pyramid, suspension(7, 2).points), SP::ERROR_INVALID_INITIAL_PARAMETERIZATION);
+  expect_error(pyramid, bijective_from(pyramid, suspension(7, 2).points), SP::ERROR_INVALID_INITIAL_PARAMETERIZATION);
+}
+
+// A face that is positive by less than the sweeps can compute: a bijection, but nothing to start from.
+TEST(Error_code, initial_map_that_is_one_to_one_only_just_so)
+{
+  const Triangle_list list = icosphere(0);
+  const Mesh mesh = make(list);
+  const Triangle t = list.triangles[0]; // its first corner goes to the middle of the opposite edge
+  const Coordinates middle = normalized(combination(1., list.points[t[1]], 1., list.points[t[2]]));
+  std::size_t number_of_maps = 0;
+  for(int k = -8; k < 24; ++k)
+  {
+    Images points = list.points;
+    points[t[0]] = combination(1., middle, k * std::numeric_limits<double>::epsilon() / 2., list.points[t[0]]);
+    const Point_map map(mesh, sentinels(num_vertices(mesh)));
+    if(precomputed(mesh, points).parameterize(mesh, map) != SP::OK)
+      continue;
+    ++number_of_maps;
+    EXPECT_TRUE(is_bijective(mesh, images(mesh, map)));
+    expect_error(mesh, bijective_from(mesh, points), SP::ERROR_INVALID_INITIAL_PARAMETERIZATION);
+  }
+  EXPECT_GT(number_of_maps, 0u);
+}
+
+TEST(Error_code, insufficient_precision)
+{
+  // On a sphere of the radius of the smallest positive double, there are not enough points.
+  const Method method("tiny", Bld().radius(SP::Fixed_radius_3(5e-324)));
+  EXPECT_EQ(method.run(icosphere(1)).error, SP::ERROR_INSUFFICIENT_PRECISION);
+}
+
+TEST(Error_code, wrong_parameter)
+{
+  const Mesh mesh = make(icosphere(0));
+  for(const Method& method : all_methods())
+    if(method.name() != "hierarchical" && method.name() != "stereographic") // these have no iterations
+    {
+      EXPECT_EQ(method.run(mesh, Options().iterations(-1)).error, SP::ERROR_WRONG_PARAMETER) << method.name();
+    }
+  const auto expect_wrong = [&](const auto& parameterizer) {
+    EXPECT_FALSE(parameterizer.is_valid());
+    expect_error(mesh, Method("wrong", parameterizer), SP::ERROR_WRONG_PARAMETER);
+  };
+  for(const double alpha : {0., -0.5, 2., infinity, nan})
+    expect_wrong(Bld().energy(SP::Isometric_energy_3(alpha)));
+  for(const double r : {0., -1., infinity, nan})
+    expect_wrong(Bld().radius(SP::Fixed_radius_3(r)));
+  using Radius = SP::Two_phase_radius_3<SP::Fixed_radius_3, SP::Area_balancing_radius_3>;
+  expect_wrong(Bld().radius(Radius(SP::Fixed_radius_3(-1.)))); // a part of a policy
+  expect_wrong(Bld().radius(Radius(SP::Fixed_radius_3(1.), {}, -1e-3)));
+  for(const double tolerance : {-1., nan})
+  {
+    expect_wrong(Bld().tolerances(tolerance, 1e-3));
+    expect_wrong(Bld().tolerances(1e-5, tolerance));
+  }
+  EXPECT_TRUE(Bld().tolerances(0., 0.).is_valid());
+  for(const SP::Sharpness& sharpness :
+      {SP::Sharpness::relative(-1e-9), SP::Sharpness::relative(infinity), SP::Sharpness::relative(nan)})
+  {
+    expect_wrong(Bld().sharpness(sharpness));
+    expect_wrong(SP::Hierarchical_parameterizer_3().sharpness(sharpness));
+    expect_wrong(SP::Published_low_distortion_parameterizer_3().sharpness(sharpness));
+  }
+  // parameters of the initial parameterizer
+  const auto no_sweeps = SP::Hierarchical_parameterizer_3().sweeps_per_level(0);
+  expect_wrong(no_sweeps);
+  expect_wrong(Bld().initial_parameterizer(no_sweeps));
+  expect_wrong(SP::ARAP_parameterizer_3(no_sweeps));
+}
+
+// Fails when it is called for the `fails_at`th time.
+struct Failing_solver : SP::internal::Solver_traits<CGAL::Default>::type
+{
+  using Base = SP::internal::Solver_traits<CGAL::Default>::type;
+
+  bool factor(const Base::Matrix& matrix, Base::NT& denominator)
+  {
+    return ++number_of_calls != fails_at && Base::factor(matrix, denominator);
+  }
+  bool linear_solver(const Base::Vector& right, Base::Vector& solution)
+  {
+    return ++number_of_calls != fails_at && Base::linear_solver(right, solution);
+  }
+
+  static inline int number_of_calls = 0, fails_at = 0;
+};
+
+TEST(Error_code, cannot_solve_linear_system)
+{
+  const Mesh mesh = make(bumpy_sphere(1));
+  // Wherever the solver fails, the run ends, and nothing has been written.
+  const auto expect_error_anywhere = [&](const Method& method, int min_number_of_calls) {
+    Failing_solver::fails_at = Failing_solver::number_of_calls = 0;
+    ASSERT_EQ(method.run(mesh).error, SP::OK);
+    const int n_calls = Failing_solver::number_of_calls;
+    EXPECT_GE(n_calls, min_number_of_calls);
+    for(Failing_solver::fails_at = 1; Failing_solver::fails_at <= n_calls; ++Failing_solver::fails_at)
+    {
+      Failing_solver::number_of_calls = 0;
+      EXPECT_EQ(method.run(mesh).error, SP::ERROR_CANNOT_SOLVE_LINEAR_SYSTEM);
+      EXPECT_EQ(Failing_solver::number_of_calls, Failing_solver::fails_at);
+    }
+  };
+  using Start = SP::Hierarchical_parameterizer_3<>;
+  expect_error_anywhere(Method("stereographic", SP::Stereographic_parameterizer_3<Failing_solver>()), 3);
+  expect_error_anywhere(Method("conformal", SP::Conformal_parameterizer_3<Failing_solver>(), true), 10);
+  expect_error_anywhere(Method("arap", SP::ARAP_parameterizer_3<Start, Failing_solver>(), true), 10);
+  // the code of the initial parameterizer is passed on
+  expect_error_anywhere(Method("published", SP::Published_low_distortion_parameterizer_3().initial_parameterizer(
+                                                SP::Harmonic_parameterizer_3<Failing_solver>())),
+                        10);
+}
+
+// After a refusal the same object works on another mesh, and the report is that of the last run.
+TEST(Error_code, does_not_stick)
+{
+  const Method method = bijective();
+  const Mesh sphere = make(icosphere(1));
+  EXPECT_EQ(method.run(sphere).error, SP::OK);
+  expect_error(make(torus(7, 5)), method, SP::ERROR_NO_TOPOLOGICAL_SPHERE);
+  const Result result = method.run(sphere);
+  EXPECT_EQ(result.error, SP::OK);
+  EXPECT_EQ(result.report.number_of_vertices, num_vertices(sphere));
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// Maps that store other values than they are given.
+
+double single(double x)
+{
+  return static_cast<double>(static_cast<float>(x));
+}
+
+Point_3 in_single_precision(const Point_3& p)
+{
+  return Point_3(single(p.x()), single(p.y()), single(p.z()));
+}
+
+// with a face of size 1e-12, whose corners cannot be told from each other by numbers of single precision
+Triangle_list with_a_tiny_face()
+{
+  Triangle_list list = icosphere(1);
+  const Triangle t = list.triangles[0];
+  const Coordinates &a = list.points[t[0]], &b = list.points[t[1]], &c = list.points[t[2]];
+  for(int k = 0; k < 3; ++k) // a tiny triangle in the middle of a face
+  {
+    const double s = 1. / 3. + (k == 0 ? 1e-12 : 0.), u = 1. / 3. + (k == 1 ? 1e-12 : 0.);
+    list.points.push_back(combination(1., combination(s, a, u, b), 1. - s - u, c));
+  }
+  const std::size_t n = list.points.size();
+  list.triangles.erase(list.triangles.begin());
+  for(const Triangle& triangle : {Triangle{n - 3, n - 2, n - 1},
+                                  {t[0], t[1], n - 3},
+                                  {t[1], n - 2, n - 3},
+                                  {t[1], t[2], n - 2},
+                                  {t[2], n - 1, n - 2},
+                                  {t[2], t[0], n - 1},
+                                  {t[0], n - 3, n - 1}})
+    list.triangles.push_back(triangle);
+  return list;
+}
+
+// What is read back is certified: it is another map, but one-to-one.
+TEST(Map_that_rounds, is_certified_as_it_has_been_stored)
+{
+  const Mesh mesh = make(bumpy_sphere(2));
+  const Images given = bijective().run(mesh).images;
+  const Point_map map(mesh, given);
+  map.stored() = in_single_precision;
+  ASSERT_EQ(SP::parameterize(mesh, map), SP::OK);
+  const Images stored = images(mesh, map);
+  EXPECT_TRUE(is_bijective(mesh, stored));
+  EXPECT_FALSE(have_same_bits(stored, given));
+  for(std::size_t v = 0; v < stored.size(); ++v)
+    for(std::size_t i = 0; i < 3; ++i)
+      EXPECT_EQ(stored[v][i], single(given[v][i]));
+}
+
+// If it folds, the error says so, and the map has been overwritten.
+TEST(Map_that_rounds, is_no_map_if_it_folds)
+{
+  const Mesh fine = make(with_a_tiny_face());
+  EXPECT_EQ(bijective().run(fine).error, SP::OK);
+  const Point_map map(fine, sentinels(num_vertices(fine)));
+  map.stored() = in_single_precision;
+  EXPECT_EQ(SP::parameterize(fine, map), SP::ERROR_INSUFFICIENT_PRECISION);
+  const Images stored = images(fine, map);
+  EXPECT_FALSE(is_bijective(fine, stored));
+  for(const Coordinates& p : stored)
+    EXPECT_LT(norm(p), 2.);
+
+  // beyond the largest number that is stored
+  const Mesh huge = make(test_meshes::scaled(bumpy_sphere(2), 1e200, 1e200, 1e200));
+  const Point_map narrow(huge, sentinels(num_vertices(huge)));
+  narrow.stored() = in_single_precision;
+  EXPECT_EQ(SP::parameterize(huge, narrow), SP::ERROR_INSUFFICIENT_PRECISION);
+  EXPECT_EQ(arap().parameterize(huge, narrow), SP::ERROR_INSUFFICIENT_PRECISION);
+}
+
+// A method that promises nothing says what the map is as it has been stored.
+TEST(Map_that_rounds, may_fold_where_nothing_is_promised)
+{
+  const Mesh mesh = make(bumpy_sphere(2));
+  const Point_map map(mesh, sentinels(num_vertices(mesh)));
+  map.stored() = in_single_precision;
+  EXPECT_EQ(arap().parameterize(mesh, map), SP::OK);
+  map.stored() = [](const Point_3& p) { return Point_3(std::round(p.x()), std::round(p.y()), std::round(p.z())); };
+  EXPECT_EQ(arap().parameterize(mesh, map), SP::ERROR_NO_1_TO_1_MAPPING);
+}
+
+// A map of single precision is certified as converted before anything is written, and so it stays as it was.
+TEST(Map_of_single_precision, is_untouched_if_it_would_fold)
+{
+  using Float_point_3 = CGAL::Simple_cartesian<float>::Point_3;
+  const Mesh mesh = make(bumpy_sphere(2));
+  const auto map = make_sentinel_map<Float_point_3>(mesh);
+  ASSERT_EQ(SP::parameterize(mesh, map), SP::OK);
+  EXPECT_TRUE(SP::is_bijective(mesh, map));
+  EXPECT_LT(largest_distance(images(mesh, map), bijective().run(mesh).images), 1e-6);
+
+  const Mesh fine = make(with_a_tiny_face());
+  const auto single_map = make_sentinel_map<Float_point_3>(fine);
+  const Images before = images(fine, single_map);
+  EXPECT_EQ(SP::parameterize(fine, single_map), SP::ERROR_INSUFFICIENT_PRECISION);
+  EXPECT_TRUE(have_same_bits(images(fine, single_map), before));
+}
+
+} // namespace
