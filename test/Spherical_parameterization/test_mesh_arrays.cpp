@@ -25,7 +25,7 @@ namespace {
 namespace SP = CGAL::Spherical_parameterization;
 
 using SP::internal::cotangent_weights;
-using SP::internal::least_positive_weight;
+using SP::internal::min_positive_weight;
 using SP::internal::Rest_limits;
 using SP::internal::Rest_triangle;
 using SP::internal::Vector_3d;
@@ -170,9 +170,9 @@ TEST(Indexed_mesh, refuses_what_is_no_sphere)
   const Triangle_list sphere = icosphere(1);
   EXPECT_EQ(assign(mesh, disjoint_union(sphere, sphere)), SP::ERROR_SEVERAL_COMPONENTS);
   // V - E + F = 2 does not prove a sphere
-  const Triangle_list torus = torus(7, 5);
-  EXPECT_EQ(assign(mesh, disjoint_union(sphere, torus)), SP::ERROR_SEVERAL_COMPONENTS);
-  EXPECT_EQ(assign(mesh, torus), SP::ERROR_NO_TOPOLOGICAL_SPHERE);
+  const Triangle_list ring = torus(7, 5);
+  EXPECT_EQ(assign(mesh, disjoint_union(sphere, ring)), SP::ERROR_SEVERAL_COMPONENTS);
+  EXPECT_EQ(assign(mesh, ring), SP::ERROR_NO_TOPOLOGICAL_SPHERE);
 
   Triangle_list open = sphere;
   open.triangles.pop_back();
@@ -198,13 +198,13 @@ TEST(Indexed_mesh, refuses_what_is_no_sphere)
 
 using Long_vector = std::array<long double, 3>;
 
-Long_vector difference(const Vector_3d& a, const Vector_3d& b)
+Long_vector long_difference(const Vector_3d& a, const Vector_3d& b)
 {
   return {static_cast<long double>(a[0]) - b[0], static_cast<long double>(a[1]) - b[1],
           static_cast<long double>(a[2]) - b[2]};
 }
 
-long double dot(const Long_vector& a, const Long_vector& b)
+long double long_dot(const Long_vector& a, const Long_vector& b)
 {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
@@ -216,10 +216,10 @@ struct Flat_triangle
 
   static Flat_triangle of(const std::array<Vector_3d, 3>& p)
   {
-    const Long_vector e = difference(p[1], p[0]), f = difference(p[2], p[0]);
-    const long double base = std::sqrt(dot(e, e)), foot = dot(e, f) / base;
+    const Long_vector e = long_difference(p[1], p[0]), f = long_difference(p[2], p[0]);
+    const long double base = std::sqrt(long_dot(e, e)), foot = long_dot(e, f) / base;
     const Long_vector h = {f[0] - foot / base * e[0], f[1] - foot / base * e[1], f[2] - foot / base * e[2]};
-    return {base, foot, std::sqrt(dot(h, h))};
+    return {base, foot, std::sqrt(long_dot(h, h))};
   }
 };
 
@@ -245,11 +245,12 @@ struct Reference
 void expect_invariants(const Rest_triangle& rest, const std::array<Vector_3d, 3>& image, const Reference& reference,
                        double tolerance)
 {
-  const Long_vector e0 = difference(image[2], image[1]), e1 = difference(image[0], image[2]),
-                    e2 = difference(image[1], image[0]);
+  const Long_vector e0 = long_difference(image[2], image[1]), e1 = long_difference(image[0], image[2]),
+                    e2 = long_difference(image[1], image[0]);
   const Long_vector n = {e1[1] * e2[2] - e1[2] * e2[1], e1[2] * e2[0] - e1[0] * e2[2], e1[0] * e2[1] - e1[1] * e2[0]};
-  const long double i = rest.opposite_0 * dot(e0, e0) + rest.opposite_1 * dot(e1, e1) + rest.opposite_2 * dot(e2, e2);
-  const long double d = std::sqrt(dot(n, n)) * rest.inverse_area;
+  const long double i =
+      rest.opposite_0 * long_dot(e0, e0) + rest.opposite_1 * long_dot(e1, e1) + rest.opposite_2 * long_dot(e2, e2);
+  const long double d = std::sqrt(long_dot(n, n)) * rest.inverse_doubled_area;
   EXPECT_NEAR(static_cast<double>(i / reference.i), 1., tolerance);
   EXPECT_NEAR(static_cast<double>(d / reference.d), 1., tolerance);
 }
@@ -295,17 +296,18 @@ TEST(Rest_triangle, of_an_isometry_gives_two_and_one)
   }
 }
 
-// A face with a height below the least one counts as the triangle with this height: same longest edge, same foot.
-TEST(Rest_triangle, lifts_a_flat_face_to_the_least_height)
+// A face with a height below the minimum counts as the triangle with this height: same longest edge, same foot.
+TEST(Rest_triangle, lifts_a_flat_face_to_the_minimum_height)
 {
   Random random(3);
   for(int k = 0; k < 300; ++k)
   {
     const double size = std::pow(10., -static_cast<double>(k % 9)), foot = random.between(0., 1.);
-    const double heights[] = {0., 1e-12, 1e-6, 0.99 * Rest_limits().height};
+    const double heights[] = {0., 1e-12, 1e-6, 0.99 * Rest_limits().min_height};
     const std::array<Vector_3d, 3> flat = {Vector_3d{0., 0., 0.}, Vector_3d{size, 0., 0.},
                                            Vector_3d{foot * size, heights[k % 4] * size, 0.}};
-    const std::array<Vector_3d, 3> lifted = {flat[0], flat[1], Vector_3d{foot * size, Rest_limits().height * size, 0.}};
+    const std::array<Vector_3d, 3> lifted = {flat[0], flat[1],
+                                             Vector_3d{foot * size, Rest_limits().min_height * size, 0.}};
     for(std::size_t j = 0; j < 3; ++j) // whichever corner comes first
     {
       const Vector_3d &a = flat[j], &b = flat[(j + 1) % 3], &c = flat[(j + 2) % 3];
@@ -316,11 +318,11 @@ TEST(Rest_triangle, lifts_a_flat_face_to_the_least_height)
   }
 }
 
-TEST(Rest_triangle, does_not_jump_at_the_least_height)
+TEST(Rest_triangle, does_not_jump_at_the_minimum_height)
 {
   for(const double foot : {0.1, 0.5, 0.9})
   {
-    const double h = Rest_limits().height;
+    const double h = Rest_limits().min_height;
     const Vector_3d a = {0., 0., 0.}, b = {1., 0., 0.}, below = {foot, 0.9999 * h, 0.}, above = {foot, 1.0001 * h, 0.};
     EXPECT_TRUE(Rest_triangle::is_too_flat(a, b, below));
     EXPECT_FALSE(Rest_triangle::is_too_flat(a, b, above));
@@ -328,7 +330,7 @@ TEST(Rest_triangle, does_not_jump_at_the_least_height)
     EXPECT_NEAR(r.opposite_0 / s.opposite_0, 1., 1e-3);
     EXPECT_NEAR(r.opposite_1 / s.opposite_1, 1., 1e-3);
     EXPECT_NEAR(r.opposite_2 / s.opposite_2, 1., 1e-3);
-    EXPECT_NEAR(r.inverse_area / s.inverse_area, 1., 1e-3);
+    EXPECT_NEAR(r.inverse_doubled_area / s.inverse_doubled_area, 1., 1e-3);
   }
 }
 
@@ -344,8 +346,8 @@ TEST(Rest_triangle, is_a_triangle_whatever_the_face)
     EXPECT_TRUE(Rest_triangle::is_too_flat(p[0], p[1], p[2]));
     const Rest_triangle r = Rest_triangle::from_points(p[0], p[1], p[2]);
     ASSERT_TRUE(std::isfinite(r.opposite_0) && std::isfinite(r.opposite_1) && std::isfinite(r.opposite_2));
-    ASSERT_TRUE(std::isfinite(r.inverse_area) && r.inverse_area > 0.);
-    const long double area = 1.L / r.inverse_area;
+    ASSERT_TRUE(std::isfinite(r.inverse_doubled_area) && r.inverse_doubled_area > 0.);
+    const long double area = 1.L / r.inverse_doubled_area;
     const long double x = r.opposite_0 * area, y = r.opposite_1 * area, z = r.opposite_2 * area; // the cotangents
     EXPECT_NEAR(static_cast<double>(x * y + y * z + z * x), 1., 1e-6);
     EXPECT_GT(x + y, 0.);
@@ -376,7 +378,7 @@ TEST(Rest_triangle, keeps_to_the_limits_given)
   // without regard to the surface, all faces are the same
   const Rest_triangle uniform = Rest_triangle::from_points(a, b, c, {0., 0., true});
   const Rest_triangle of_another = Rest_triangle::from_points({3., 0., 0.}, a, a, {0., 0., true});
-  EXPECT_EQ(uniform.inverse_area, of_another.inverse_area);
+  EXPECT_EQ(uniform.inverse_doubled_area, of_another.inverse_doubled_area);
   EXPECT_EQ(uniform.opposite_0, of_another.opposite_1);
   EXPECT_EQ(uniform.opposite_0, uniform.opposite_2);
 }
@@ -439,7 +441,7 @@ TEST(Cotangent_weights, are_half_the_sums_of_the_cotangents)
     const Vertex_rings& rings = mesh.rings();
     const std::vector<Vector_3d>& points = mesh.points();
     const std::vector<double> weights = cotangent_weights(rings, points, any_weight),
-                              positive = cotangent_weights(rings, points, least_positive_weight);
+                              positive = cotangent_weights(rings, points, min_positive_weight);
     ASSERT_EQ(weights.size(), rings.number_of_corners());
     std::size_t n_raised = 0;
     for(std::uint32_t v = 0; v < rings.number_of_vertices(); ++v)
@@ -456,7 +458,7 @@ TEST(Cotangent_weights, are_half_the_sums_of_the_cotangents)
 
         // raised where too low, else the same; and both copies are equal
         const double raised = positive[rings.offset(v) + j];
-        EXPECT_EQ(raised, (std::max)(weight, least_positive_weight));
+        EXPECT_EQ(raised, (std::max)(weight, min_positive_weight));
         EXPECT_GT(raised, 0.);
         n_raised += raised > weight;
         const Vertex_rings::Ring other = rings.ring(w);
@@ -475,10 +477,10 @@ TEST(Cotangent_weights, of_flat_faces_are_finite)
       {scaled(icosphere(1), 1., 1., 0.), scaled(icosphere(1), 1., 0., 0.), scaled(icosphere(1), 0., 0., 0.)})
   {
     const Indexed_mesh mesh = indexed_mesh(list);
-    for(const double weight : cotangent_weights(mesh.rings(), mesh.points(), least_positive_weight))
+    for(const double weight : cotangent_weights(mesh.rings(), mesh.points(), min_positive_weight))
     {
       EXPECT_TRUE(std::isfinite(weight));
-      EXPECT_GE(weight, least_positive_weight);
+      EXPECT_GE(weight, min_positive_weight);
     }
   }
 }

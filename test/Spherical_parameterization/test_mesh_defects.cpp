@@ -105,15 +105,15 @@ TEST(Find_defect, names_an_edge_of_the_border)
 
 TEST(Find_defect, names_the_parts)
 {
-  const Triangle_list sphere = icosphere(1), torus = torus(7, 5);
-  const Mesh mesh = make(disjoint_union(disjoint_union(sphere, torus), sphere));
+  const Triangle_list sphere = icosphere(1), ring = torus(7, 5);
+  const Mesh mesh = make(disjoint_union(disjoint_union(sphere, ring), sphere));
   const Defect defect = SP::find_defect(mesh);
   EXPECT_EQ(defect.error, SP::ERROR_SEVERAL_COMPONENTS);
   EXPECT_EQ(defect.count, 3u);
   const std::size_t n = sphere.points.size();
   EXPECT_LT(std::size_t(defect.vertex), n);
   EXPECT_GE(std::size_t(defect.other_vertex), n);
-  EXPECT_LT(std::size_t(defect.other_vertex), n + torus.points.size());
+  EXPECT_LT(std::size_t(defect.other_vertex), n + ring.points.size());
   expect_words(defect, {"3 parts", "of 80 faces", "of 70.", "face 0 ", "face 80 "});
 }
 

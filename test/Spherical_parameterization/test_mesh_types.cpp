@@ -209,10 +209,16 @@ namespace boost {
 template <>
 struct graph_traits<Large_mesh> : graph_traits<Mesh>
 {};
-template <class Tag>
-struct property_map<Large_mesh, Tag> : property_map<Mesh, Tag>
+template <>
+struct property_map<Large_mesh, CGAL::vertex_point_t> : property_map<Mesh, CGAL::vertex_point_t>
 {};
 } // namespace boost
+
+namespace CGAL {
+template <>
+struct graph_has_property<Large_mesh, vertex_point_t> : Tag_true
+{};
+} // namespace CGAL
 
 std::size_t num_halfedges(const Large_mesh& mesh)
 {

@@ -96,18 +96,18 @@ TEST_F(Wish, conformal_on_the_unit_sphere)
 
 TEST_F(Wish, lowest_worst_or_average)
 {
-  ASSERT_EQ(SP::parameterize(mesh(), sphere), SP::OK);
-  const SP::Distortion_statistics balanced = distortion().isometric;
   ASSERT_EQ(SP::parameterize(mesh(),
                              SP::Bijective_low_distortion_parameterizer_3().sharpness(SP::Sharpness::lowest_worst()),
                              sphere),
             SP::OK);
-  EXPECT_LT(distortion().isometric.maximum, balanced.maximum);
+  const SP::Distortion_statistics worst = distortion().isometric;
   ASSERT_EQ(SP::parameterize(mesh(),
                              SP::Bijective_low_distortion_parameterizer_3().sharpness(SP::Sharpness::lowest_average()),
                              sphere),
             SP::OK);
-  EXPECT_LT(distortion().isometric.average, balanced.average);
+  const SP::Distortion_statistics average = distortion().isometric;
+  EXPECT_LT(worst.maximum, 0.9 * average.maximum);
+  EXPECT_LT(average.average, worst.average);
 }
 
 TEST_F(Wish, start_from_a_map)

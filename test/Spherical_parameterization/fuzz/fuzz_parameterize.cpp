@@ -1,18 +1,13 @@
 // A fuzzer for parameterize(): the bytes choose a method, its parameters, a small mesh and its points. What every method
-// promises is checked on the way; see test_runs::run().
+// promises is checked on the way; see test::Method::run().
 
 #include "Fuzzed_bytes.h"
 
-#include "fuzzing.h"
-#include "independent_check.h"
-#include "random_triangulations.h"
-#include "test_maps.h"
-#include "test_meshes.h"
-#include "test_runs.h"
+#include "engine.h"
+#include "methods.h"
+#include "random_meshes.h"
 
-#include <CGAL/Named_function_parameters.h>
 #include <CGAL/spherical_parameterization.h>
-#include <CGAL/tags.h>
 
 #include <gtest/gtest.h>
 
@@ -22,12 +17,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace SP = CGAL::Spherical_parameterization;
-
-using fuzzing::Mesh;
-using fuzzing::Point_3;
-using test_meshes::Coordinates;
-using test_meshes::Triangle_list;
+using namespace test;
 
 namespace {
 
@@ -40,20 +30,7 @@ bool initialize()
 }
 
 // each vertex costs time
-constexpr std::size_t most_vertices = 24;
-
-enum Method
-{
-  DEFAULT,
-  HIERARCHICAL,
-  STEREOGRAPHIC,
-  HARMONIC,
-  CONFORMAL,
-  ARAP,
-  PUBLISHED,
-  POLICIES, // the default method, with other policies than its own, from a given map
-  NUMBER_OF_METHODS
-};
+constexpr std::size_t max_vertices = 24;
 
 // a parameter that is as often in its range as not
 double parameter(Fuzzed_bytes& bytes)
@@ -62,14 +39,14 @@ double parameter(Fuzzed_bytes& bytes)
 }
 
 // a triangulation of the sphere
-std::vector<test_meshes::Triangle> sphere(Fuzzed_bytes& bytes)
+std::vector<Triangle> sphere(Fuzzed_bytes& bytes)
 {
-  random_triangulations::Growing_triangulation triangulation;
-  for(std::size_t n = bytes.below(2 * most_vertices); n > 0 && triangulation.size() < most_vertices; --n)
+  Growing_triangulation triangulation;
+  for(std::size_t n = bytes.below(2 * max_vertices); n > 0 && triangulation.size() < max_vertices; --n)
   {
     const std::size_t v = bytes.below(triangulation.size());
     const std::size_t degree = triangulation.degree(v);
-    const random_triangulations::Growing_triangulation::Corner corner = {v, bytes.below(degree)};
+    const Growing_triangulation::Corner corner = {v, bytes.below(degree)};
     const std::size_t step = bytes.below(degree);
     if(step == 0)
       triangulation.flip(corner);
@@ -80,11 +57,11 @@ std::vector<test_meshes::Triangle> sphere(Fuzzed_bytes& bytes)
 }
 
 // any triangles, as many as the bytes last
-std::vector<test_meshes::Triangle> triangles(Fuzzed_bytes& bytes)
+std::vector<Triangle> triangles(Fuzzed_bytes& bytes)
 {
-  std::vector<test_meshes::Triangle> result(bytes.below(2 * most_vertices));
-  const std::size_t number_of_vertices = 3 + bytes.below(most_vertices - 2);
-  for(test_meshes::Triangle& t : result)
+  std::vector<Triangle> result(bytes.below(2 * max_vertices));
+  const std::size_t number_of_vertices = 3 + bytes.below(max_vertices - 2);
+  for(Triangle& t : result)
     for(std::size_t& v : t)
       v = bytes.below(number_of_vertices);
   return result;
@@ -104,12 +81,12 @@ double coordinate(std::size_t kind, Fuzzed_bytes& bytes)
 }
 
 // Points for the triangles; after the last byte they go around, so that they are not all the same.
-Triangle_list mesh_of(const std::vector<test_meshes::Triangle>& triangles, Fuzzed_bytes& bytes)
+Triangle_list mesh_of(const std::vector<Triangle>& triangles, Fuzzed_bytes& bytes)
 {
   Triangle_list list;
   list.triangles = triangles;
   std::size_t number_of_vertices = 0;
-  for(const test_meshes::Triangle& t : triangles)
+  for(const Triangle& t : triangles)
     number_of_vertices = (std::max)({number_of_vertices, t[0] + 1, t[1] + 1, t[2] + 1});
   const std::size_t kind = bytes.below(4);
   const int exponent = kind == 3 ? static_cast<int>(bytes.below(2000)) - 1000 : 0;
@@ -132,7 +109,7 @@ Triangle_list manifold_part(const Triangle_list& list, Mesh& mesh)
   std::vector<Mesh::Vertex_index> vertices;
   for(const Coordinates& p : list.points)
     vertices.push_back(mesh.add_vertex(Point_3(p[0], p[1], p[2])));
-  for(const test_meshes::Triangle& t : list.triangles)
+  for(const Triangle& t : list.triangles)
     if(t[0] != t[1] && t[1] != t[2] && t[2] != t[0] &&
        mesh.add_face(vertices[t[0]], vertices[t[1]], vertices[t[2]]) != Mesh::null_face())
       part.triangles.push_back(t);
@@ -162,74 +139,48 @@ bool has_ordinary_size(const Triangle_list& list)
   return size == 0. || (size > 1e-290 && size < 1e306);
 }
 
-bool is_about_the_mesh(SP::Error_code error)
+// A method with parameters, whether these are in their ranges, and whether it maps every surface.
+struct Fuzzed_method
 {
-  return error >= SP::ERROR_EMPTY_MESH && error <= SP::ERROR_NON_FINITE_COORDINATE;
-}
-
-class Run
-{
-public:
-  Run(const Triangle_list& list, const Mesh& mesh, bool is_sphere, Fuzzed_bytes& bytes)
-    : m_list(list)
-    , m_mesh(mesh)
-    , m_is_sphere(is_sphere)
-  {
-    m_number_of_iterations = static_cast<int>(bytes.below(6)) - 1;
-    m_seconds = bytes.below(4) == 0 ? parameter(bytes) : 0.;
-  }
-
-  // Runs the parameterizer. `is_valid` says whether its parameters are in their ranges, `is_sure` that it maps every
-  // surface, and `may_fold` that it promises nothing.
   template <class Parameterizer>
-  void operator()(Parameterizer parameterizer, bool is_valid, bool is_sure, bool may_fold)
+  static Fuzzed_method with_parameters(const Parameterizer& parameterizer, bool is_sure)
   {
-    fuzzing::With_threads<Parameterizer, CGAL::Sequential_tag> sequential(parameterizer);
-    const auto np = CGAL::parameters::number_of_iterations(m_number_of_iterations).maximum_running_time(m_seconds);
-    if(is_finite(m_list) && !has_ordinary_size(m_list)) // test_runs::run() cannot tell what is on the sphere
-    {
-      const auto map = test_maps::make_sentinel_map<Point_3>(m_mesh);
-      if(sequential.parameterize(m_mesh, map, np) == SP::OK)
-      {
-        EXPECT_TRUE(SP::is_bijective(m_mesh, map));
-      }
-      return;
-    }
-
-    const test_runs::Result result = test_runs::run<Point_3>(m_mesh, sequential, may_fold, np);
-    if(result.error == SP::OK)
-    {
-      EXPECT_TRUE(independent_check::is_one_to_one(result.images, m_list.triangles));
-    }
-    if(!is_valid)
-    {
-      EXPECT_EQ(result.error, SP::ERROR_WRONG_PARAMETER);
-    }
-    else if(result.error == SP::ERROR_WRONG_PARAMETER)
-    {
-      EXPECT_LT(m_number_of_iterations, 0);
-    }
-    else if(m_is_sphere && !is_finite(m_list))
-    {
-      EXPECT_EQ(result.error, SP::ERROR_NON_FINITE_COORDINATE);
-    }
-    else if(m_is_sphere && is_sure)
-    {
-      EXPECT_EQ(result.error, SP::OK);
-    }
-    else if(m_is_sphere)
-    {
-      EXPECT_FALSE(is_about_the_mesh(result.error));
-    }
+    return {Method("fuzzed", parameterizer), parameterizer.is_valid(), is_sure};
   }
 
-private:
-  const Triangle_list& m_list;
-  const Mesh& m_mesh;
-  bool m_is_sphere;
-  int m_number_of_iterations;
-  double m_seconds;
+  Method method;
+  bool is_valid, is_sure;
 };
+
+Fuzzed_method make_method(std::size_t kind, double a, double b, double c, const Mesh& mesh)
+{
+  using Bld = SP::Bijective_low_distortion_parameterizer_3<>;
+  switch(kind)
+  {
+  case 0:
+    return Fuzzed_method::with_parameters(Bld().sharpness(SP::Sharpness::relative(a)).tolerances(b, c), true);
+  case 1:
+    return {hierarchical(), true, true};
+  case 2:
+    return {stereographic(), true, false};
+  case 3:
+    return {harmonic(), true, false};
+  case 4:
+    return {conformal(), true, false};
+  case 5:
+    return {arap(), true, false};
+  case 6:
+    return {published(), true, false};
+  default: // the default method with other policies than its own, from a given map
+    return Fuzzed_method::with_parameters(
+        Bld()
+            .initial_parameterizer(SP::Precomputed_parameterizer_3(Point_map(mesh, points(mesh))))
+            .energy(SP::Isometric_energy_3(c))
+            .sharpness(SP::Sharpness::schedule(a, b))
+            .radius(SP::Fixed_radius_3(c)),
+        false);
+  }
+}
 
 } // namespace
 
@@ -238,55 +189,47 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   static const bool is_initialized = initialize();
   (void)is_initialized;
   Fuzzed_bytes bytes(data, size);
-  const Method method = static_cast<Method>(bytes.below(NUMBER_OF_METHODS));
+  const std::size_t kind = bytes.below(8);
   const double a = parameter(bytes), b = parameter(bytes), c = parameter(bytes);
   const bool is_sphere = bytes.below(4) != 0;
 
   Fuzzed_bytes settings = bytes; // of the run; the same bytes are a part of the mesh
   Mesh mesh;
   const Triangle_list list = manifold_part(mesh_of(is_sphere ? sphere(bytes) : triangles(bytes), bytes), mesh);
-  Run run(list, mesh, is_sphere, settings);
-  switch(method)
+  const int n_iterations = static_cast<int>(settings.below(6)) - 1;
+  const double seconds = settings.below(4) == 0 ? parameter(settings) : 0.;
+  const Options options = Options().iterations(n_iterations).seconds(seconds).sequential();
+  const auto [method, is_valid, is_sure] = make_method(kind, a, b, c, mesh);
+  if(is_finite(list) && !has_ordinary_size(list)) // run() cannot tell what is on the sphere
   {
-  case DEFAULT: {
-    SP::Bijective_low_distortion_parameterizer_3<Mesh> parameterizer{SP::Symmetric_Dirichlet_energy_3(),
-                                                                     SP::Relative_sharpness_3(a)};
-    parameterizer.set_tolerances(b, c);
-    run(parameterizer, parameterizer.is_valid(), true, false);
-    break;
+    const Point_map map(mesh, sentinels(num_vertices(mesh)));
+    if(method.parameterize(mesh, map, options) == SP::OK)
+    {
+      EXPECT_TRUE(is_bijective(mesh, images(mesh, map)));
+    }
+    return 0;
   }
-  case HIERARCHICAL: {
-    const SP::Hierarchical_parameterizer_3<Mesh> parameterizer;
-    run(parameterizer, parameterizer.is_valid(), true, false);
-    break;
+
+  const SP::Error_code error = method.run(mesh, options).error;
+  if(!is_valid)
+  {
+    EXPECT_EQ(error, SP::ERROR_WRONG_PARAMETER);
   }
-  case STEREOGRAPHIC:
-    run(SP::Stereographic_parameterizer_3<Mesh>(), true, false, false);
-    break;
-  case HARMONIC:
-    run(SP::Harmonic_parameterizer_3<Mesh>(), true, false, false);
-    break;
-  case CONFORMAL:
-    run(SP::Conformal_parameterizer_3<Mesh>(), true, false, true);
-    break;
-  case ARAP:
-    run(SP::ARAP_parameterizer_3<Mesh>(), true, false, true);
-    break;
-  case PUBLISHED:
-    run(SP::Published_low_distortion_parameterizer_3<Mesh>(), true, false, false);
-    break;
-  case POLICIES:
-  case NUMBER_OF_METHODS: {
-    using Map = Mesh::Property_map<Mesh::Vertex_index, Point_3>;
-    using Start = SP::Precomputed_parameterizer_3<Mesh, Map>;
-    const SP::Bijective_low_distortion_parameterizer_3<Mesh, Start, SP::Isometric_energy_3, SP::Absolute_sharpness_3,
-                                                       SP::Fixed_radius_3, SP::Gradient_update_3,
-                                                       SP::Flat_area_barrier_3>
-        parameterizer(Start(mesh.points()), SP::Isometric_energy_3(c), SP::Absolute_sharpness_3(a, b),
-                      SP::Fixed_radius_3(c));
-    run(parameterizer, parameterizer.is_valid(), false, false);
-    break;
+  else if(error == SP::ERROR_WRONG_PARAMETER)
+  {
+    EXPECT_LT(n_iterations, 0);
   }
+  else if(is_sphere && !is_finite(list))
+  {
+    EXPECT_EQ(error, SP::ERROR_NON_FINITE_COORDINATE);
+  }
+  else if(is_sphere && is_sure)
+  {
+    EXPECT_EQ(error, SP::OK);
+  }
+  else if(is_sphere) // nothing is wrong with the mesh
+  {
+    EXPECT_TRUE(error < SP::ERROR_EMPTY_MESH || error > SP::ERROR_NON_FINITE_COORDINATE);
   }
   return 0;
 }

@@ -65,4 +65,25 @@ private:
 
 } // namespace test
 
+#define CGAL_SPHERICAL_PARAMETERIZATION_TEST_LOOP(EXTERN, Energy, Step)                                                \
+  EXTERN template class Descent_loop<Energy, Step>;
+#define CGAL_SPHERICAL_PARAMETERIZATION_TEST_ENERGY(EXTERN, Energy)                                                    \
+  EXTERN template bool embed_hierarchically(const Indexed_mesh&, const Energy&, const Sharpness&, std::size_t, bool,   \
+                                            std::vector<Vector_3d>&, Run_control&, Execution);                         \
+  CGAL_SPHERICAL_PARAMETERIZATION_TEST_LOOP(EXTERN, Energy, Newton_step)
+#define CGAL_SPHERICAL_PARAMETERIZATION_TEST_ENGINE(EXTERN)                                                            \
+  CGAL_SPHERICAL_PARAMETERIZATION_TEST_ENERGY(EXTERN, Symmetric_Dirichlet_energy_3)                                    \
+  CGAL_SPHERICAL_PARAMETERIZATION_TEST_ENERGY(EXTERN, Isometric_energy_3)                                              \
+  CGAL_SPHERICAL_PARAMETERIZATION_TEST_ENERGY(EXTERN, Conformal_energy_3)                                              \
+  CGAL_SPHERICAL_PARAMETERIZATION_TEST_ENERGY(EXTERN, test::Hooked_energy)                                             \
+  CGAL_SPHERICAL_PARAMETERIZATION_TEST_LOOP(EXTERN, Isometric_energy_3, Gradient_step)
+
+namespace CGAL {
+namespace Spherical_parameterization {
+namespace internal {
+CGAL_SPHERICAL_PARAMETERIZATION_TEST_ENGINE(extern)
+} // namespace internal
+} // namespace Spherical_parameterization
+} // namespace CGAL
+
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_TEST_ENGINE_H

@@ -1,0 +1,100 @@
+// Copyright (c) 2026  The Spherical_parameterization authors.
+// All rights reserved.
+//
+// This file is part of the Spherical_parameterization package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Spherical_parameterization authors
+
+#ifndef CGAL_SPHERICAL_PARAMETERIZATION_TEST_RANDOM_STARS_H
+#define CGAL_SPHERICAL_PARAMETERIZATION_TEST_RANDOM_STARS_H
+
+// Stars of vertices on the unit sphere, each with neighbours of its own, and faces whose shape on the surface is any, of
+// about the size of their images.
+
+#include <CGAL/Spherical_parameterization/internal/descent/Star_packets.h>
+#include <CGAL/Spherical_parameterization/internal/mesh/Rest_triangle.h>
+#include <CGAL/Spherical_parameterization/internal/simd/Vector_3.h>
+
+#include "random_meshes.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace test {
+
+class Random_stars
+{
+public:
+  using Rest_triangle = CGAL::Spherical_parameterization::internal::Rest_triangle;
+  using Star_packets = CGAL::Spherical_parameterization::internal::Star_packets;
+
+  // What Star_packets asks for.
+  struct Star
+  {
+    std::vector<std::uint32_t> neighbors;
+    std::vector<Rest_triangle> rests;
+
+    std::size_t degree() const { return neighbors.size(); }
+    std::uint32_t neighbor(std::size_t j) const { return neighbors[j]; }
+    Rest_triangle rest(std::size_t j) const { return rests[j]; }
+  };
+
+  Random_stars(Random& random, const std::vector<std::size_t>& degrees, double size)
+  {
+    for(const std::size_t degree : degrees)
+    {
+      const CGAL::Spherical_parameterization::internal::Tangent_frame frame(random.direction());
+      vertices.push_back(static_cast<std::uint32_t>(points.size()));
+      points.push_back(frame.point_at(0., 0.));
+      stars.push_back({});
+      for(std::size_t j = 0; j < degree; ++j)
+      {
+        const double step = random.between(0., 0.4), r = size * random.between(0.6, 1.);
+        const double angle = 2. * pi * (static_cast<double>(j) + step) / static_cast<double>(degree);
+        stars.back().neighbors.push_back(static_cast<std::uint32_t>(points.size()));
+        points.push_back(frame.point_at(r * std::cos(angle), r * std::sin(angle)));
+        std::array<Coordinates, 3> corners;
+        for(Coordinates& p : corners)
+          p = combination(size, random.in_cube(), 0., points[0]);
+        stars.back().rests.push_back(Rest_triangle::from_points(corners[0], corners[1], corners[2]));
+      }
+    }
+  }
+
+  static std::vector<std::size_t> random_degrees(Random& random, std::size_t n)
+  {
+    std::vector<std::size_t> degrees;
+    for(std::size_t k = 0; k < n; ++k)
+      degrees.push_back(3 + random.below(9));
+    return degrees;
+  }
+
+  const Star& star_of(std::uint32_t v) const
+  {
+    return stars[static_cast<std::size_t>(std::lower_bound(vertices.begin(), vertices.end(), v) - vertices.begin())];
+  }
+
+  Star_packets packets(const std::vector<std::size_t>& first_of_set) const
+  {
+    Star_packets result;
+    result.assign(vertices, first_of_set, [&](std::uint32_t v) { return star_of(v).degree(); });
+    for(std::size_t k = 0; k < result.number_of_packets(); ++k)
+      result.fill(k, [&](std::uint32_t v) { return star_of(v); });
+    return result;
+  }
+  Star_packets packets() const { return packets({0, stars.size()}); }
+
+  Images points; // the vertices and their neighbours
+  std::vector<std::uint32_t> vertices;
+  std::vector<Star> stars;
+};
+
+} // namespace test
+
+#endif // CGAL_SPHERICAL_PARAMETERIZATION_TEST_RANDOM_STARS_H

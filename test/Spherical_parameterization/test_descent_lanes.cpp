@@ -1,0 +1,310 @@
+// Numbers in lanes, the frame at a point of the sphere, the areas of images and their derivatives, and energies of several
+// faces at once.
+
+#include <CGAL/Spherical_parameterization/Conformal_energy_3.h>
+#include <CGAL/Spherical_parameterization/Symmetric_Dirichlet_energy_3.h>
+#include <CGAL/Spherical_parameterization/internal/descent/Star_energy.h>
+#include <CGAL/Spherical_parameterization/internal/simd/Packed_double.h>
+#include <CGAL/Spherical_parameterization/internal/simd/Vector_3.h>
+
+#include "archetypes.h"
+#include "engine.h"
+#include "random_meshes.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+using namespace test;
+
+namespace {
+
+namespace SP = CGAL::Spherical_parameterization;
+
+using SP::internal::Four_lanes;
+using SP::internal::Is_lanewise;
+using SP::internal::Lanes;
+using SP::internal::Tangent_frame;
+using SP::internal::Two_lanes;
+using SP::internal::Vector_3d;
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+TEST(Packed_double, has_an_exponential)
+{
+  Random random(1);
+  for(int k = 0; k < 100000; ++k)
+  {
+    const double x = k % 3 == 0 ? random.between(-700., 700.) : random.between(-12., 1.);
+    const Four_lanes packed = Lanes<Four_lanes>::generate([&](std::size_t i) { return x + static_cast<double>(i); });
+    const Four_lanes e = exponential(packed);
+    for(std::size_t i = 0; i < Lanes<Four_lanes>::width; ++i)
+      EXPECT_NEAR(lane(e, i) / std::exp(lane(packed, i)), 1., 1e-15);
+  }
+  const auto exponential_of = [](double x) { return lane(exponential(Four_lanes(x)), 0); };
+  EXPECT_EQ(exponential_of(0.), 1.);
+  EXPECT_NEAR(exponential_of(-708.) / std::exp(-708.), 1., 1e-15);
+  EXPECT_NEAR(exponential_of(709.) / std::exp(709.), 1., 1e-15);
+  for(const double x : {std::nan(""), -1e300, -infinity})
+    EXPECT_LT(exponential_of(x), 1e-307);
+  for(const double x : {1e3, infinity})
+    EXPECT_GT(exponential_of(x), 1e307);
+}
+
+TEST(Packed_double, decides_lane_by_lane)
+{
+  const Four_lanes a = Lanes<Four_lanes>::generate([](std::size_t i) { return static_cast<double>(i) - 1.; });
+  const Four_lanes b = Four_lanes(0.5);
+  const Four_lanes low = minimum(a, b), high = maximum(a, b), size = absolute(a), root = square_root(size);
+  const Four_lanes chosen = select(a < b && !(a < Four_lanes(0.)), Four_lanes(7.), a);
+  for(std::size_t i = 0; i < Lanes<Four_lanes>::width; ++i)
+  {
+    const double x = static_cast<double>(i) - 1.;
+    EXPECT_EQ(lane(low, i), x < 0.5 ? x : 0.5);
+    EXPECT_EQ(lane(high, i), x < 0.5 ? 0.5 : x);
+    EXPECT_EQ(lane(size, i), std::abs(x));
+    EXPECT_EQ(lane(root, i), std::sqrt(std::abs(x)));
+    EXPECT_EQ(lane(chosen, i), x < 0.5 && !(x < 0.) ? 7. : x);
+  }
+  EXPECT_TRUE(any(a < b));
+  EXPECT_TRUE(any(a < Four_lanes(-0.5)));
+  EXPECT_FALSE(any(a > Four_lanes(5.)));
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// Tangent_frame
+
+using Long_vector = std::array<long double, 3>;
+
+Long_vector long_difference(const Vector_3d& a, const Vector_3d& b)
+{
+  return {static_cast<long double>(a[0]) - b[0], static_cast<long double>(a[1]) - b[1],
+          static_cast<long double>(a[2]) - b[2]};
+}
+
+double long_dot(const Long_vector& a, const Long_vector& b)
+{
+  return static_cast<double>(a[0] * b[0] + a[1] * b[1] + a[2] * b[2]);
+}
+
+std::vector<Vector_3d> frame_origins()
+{
+  Random random(4);
+  std::vector<Vector_3d> result = {{0., 0., 1.},  {0., 0., -1.},  {1., 0., 0.},   {0., -1., 0.},
+                                   {0., 1., -0.}, {-1., 0., -0.}, {0.6, 0.8, 0.}, {0.6, -0.8, -0.}};
+  for(int k = 0; k < 200; ++k)
+  {
+    Vector_3d n = random.in_cube();
+    if(k % 4 == 0) // near a pole
+      n[2] *= 1e9;
+    else if(k % 4 == 2) // near the equator
+    {
+      n[0] *= 1e9;
+      n[2] *= 1e-9;
+    }
+    result.push_back(normalized(n));
+  }
+  return result;
+}
+
+TEST(Tangent_frame, is_orthonormal_and_right_handed)
+{
+  for(const Vector_3d& n : frame_origins())
+  {
+    const Tangent_frame frame(n);
+    // the axes, as differences of two points of the sphere that lie symmetric to the origin of the frame
+    const Long_vector x = long_difference(frame.point_at(0.5, 0.), frame.point_at(-0.5, 0.));
+    const Long_vector y = long_difference(frame.point_at(0., 0.5), frame.point_at(0., -0.5));
+    EXPECT_NEAR(long_dot(x, x), 1., 1e-15);
+    EXPECT_NEAR(long_dot(y, y), 1., 1e-15);
+    EXPECT_NEAR(long_dot(x, y), 0., 1e-15);
+    for(std::size_t i = 0; i < 3; ++i)
+    {
+      const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
+      EXPECT_NEAR(static_cast<double>(x[j] * y[k] - x[k] * y[j]), n[i], 2e-15);
+    }
+  }
+}
+
+TEST(Tangent_frame, takes_a_point_to_its_offset_and_back)
+{
+  Random random(5);
+  for(const Vector_3d& n : frame_origins())
+  {
+    const Tangent_frame frame(n);
+    for(const double size : {0.7, 1e-3, 1e-6, 1e-12})
+    {
+      const double x = size * random.between(-1., 1.), y = size * random.between(-1., 1.);
+      const Vector_3d p = frame.point_at(x, y), offset = frame.offset_of(p);
+      EXPECT_NEAR(norm(p), 1., 1e-15);
+      EXPECT_NEAR(offset[0], x, 1e-15); // the rounding of p
+      EXPECT_NEAR(offset[1], y, 1e-15);
+      EXPECT_NEAR(offset[2], Tangent_frame::height_at(x, y), 1e-15);
+      // What makes tiny triangles work: the offset of a point that is near is as precise as the difference of the points.
+      const Long_vector exact = long_difference(p, n);
+      EXPECT_NEAR(norm(offset) / std::sqrt(long_dot(exact, exact)), 1., 2e-15);
+    }
+  }
+}
+
+TEST(Tangent_frame, has_precise_heights)
+{
+  for(const double size : {0.9, 0.5, 1e-3, 1e-8, 1e-100})
+  {
+    const long double t = static_cast<long double>(size) * size;
+    // -t / 2 - t^2 / 8 - t^3 / 16 where sqrt(1 - t) - 1 would cancel
+    const long double reference = size > 0.01 ? std::sqrt(1.L - t) - 1.L : -t * (0.5L + t * (0.125L + t / 16.L));
+    const double height = Tangent_frame::height_at(0.6 * size, -0.8 * size);
+    EXPECT_NEAR(height, static_cast<double>(reference), 1e-15 * std::abs(height));
+  }
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// Areas of images
+
+Vector_3d offset_at(double x, double y)
+{
+  return {x, y, Tangent_frame::height_at(x, y)};
+}
+
+template <class Area>
+void expect_derivatives_of_area()
+{
+  Random random(1);
+  for(int k = 0; k < 200; ++k)
+  {
+    const double size = k % 2 == 0 ? 0.5 : 1e-2;
+    const double first = random.between(0., 2. * pi), second = first + random.between(0.5, 2.);
+    const Vector_3d p = offset_at(size * std::cos(first), size * std::sin(first));
+    const Vector_3d q = offset_at(size * std::cos(second), size * std::sin(second));
+    const Area area(p, q);
+    const auto value_at = [&](double x, double y) {
+      const Vector_3d u = offset_at(x, y), n = cross(difference(p, u), difference(q, u));
+      return Area::value(n[0] * u[0] + n[1] * u[1] + n[2] * (u[2] + 1.), n);
+    };
+    const double h = 1e-4 * size, h2 = h * h;
+    const double f = value_at(0., 0.);
+    EXPECT_NEAR(area.value(), f, 1e-14 * size * size);
+    EXPECT_NEAR(area.dx(), (value_at(h, 0.) - value_at(-h, 0.)) / (2. * h), 1e-6 * size);
+    EXPECT_NEAR(area.dy(), (value_at(0., h) - value_at(0., -h)) / (2. * h), 1e-6 * size);
+    EXPECT_NEAR(area.dxx(), (value_at(h, 0.) - 2. * f + value_at(-h, 0.)) / h2, 1e-5);
+    EXPECT_NEAR(area.dyy(), (value_at(0., h) - 2. * f + value_at(0., -h)) / h2, 1e-5);
+    const double mixed = value_at(h, h) - value_at(h, -h) - value_at(-h, h) + value_at(-h, -h);
+    EXPECT_NEAR(area.dxy(), mixed / (4. * h2), 1e-5);
+    EXPECT_TRUE(Area::has_dxy || area.dxy() == 0.);
+  }
+}
+
+TEST(Image_area, has_the_derivatives_of_its_value)
+{
+  expect_derivatives_of_area<SP::internal::Determinant_area<double>>();
+  expect_derivatives_of_area<SP::internal::Flat_area<double>>();
+}
+
+// The determinant is the flat area times the distance of the plane from the centre; both agree for small faces.
+TEST(Image_area, of_small_faces_is_flat)
+{
+  Random random(2);
+  for(const double size : {1., 0.1, 1e-2, 1e-3})
+    for(int k = 0; k < 50; ++k)
+    {
+      Images corners;
+      while(corners.size() < 2)
+      {
+        const double angle = random.between(0., pi), r = size * random.between(0.3, 0.9);
+        corners.push_back(offset_at(r * std::cos(angle), r * std::sin(angle)));
+      }
+      const Vector_3d &p = corners[0], &q = corners[1];
+      const double determinant = SP::internal::Determinant_area<double>(p, q).value();
+      const double flat = SP::internal::Flat_area<double>(p, q).value();
+      EXPECT_NEAR(determinant, flat * normalized(cross(p, q))[2], 1e-13 * size * size);
+      // the radius of the circle where the plane cuts the sphere
+      const double circumradius = norm(p) * norm(q) * distance(p, q) / (2. * flat);
+      EXPECT_NEAR(std::abs(determinant), flat * std::sqrt(1. - circumradius * circumradius), 1e-9 * size * size);
+    }
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// Energies
+
+// Whether an energy is written for lanes is seen from whether it can be called for them.
+static_assert(Is_lanewise<SP::Symmetric_Dirichlet_energy_3, Four_lanes>::value, "");
+static_assert(Is_lanewise<archetypes::Distortion_energy_in_lanes, Four_lanes>::value, "");
+static_assert(!Is_lanewise<archetypes::Distortion_energy, Four_lanes>::value, "");
+static_assert(!Is_lanewise<Hooked_energy, Four_lanes>::value, "");
+
+// What is derived from an energy for lanes may be for single numbers again.
+struct Derived_energy : SP::Symmetric_Dirichlet_energy_3
+{
+  double operator()(double i, double d) const { return SP::Symmetric_Dirichlet_energy_3::operator()(i, d); }
+};
+static_assert(!Is_lanewise<Derived_energy, Four_lanes>::value, "");
+
+// The energy of two faces at once is that of each, to the last bit.
+template <class Energy>
+void expect_same_in_lanes(const Energy& energy, double guard)
+{
+  const SP::internal::Guarded_energy<Energy> guarded(energy, guard);
+  Random random(5);
+  for(int k = 0; k < 100; ++k)
+  {
+    std::array<double, 2> i, d;
+    for(std::size_t j = 0; j < 2; ++j)
+    {
+      const double s1 = random.factor(1e3), s2 = random.factor(1e3);
+      i[j] = s1 * s1 + s2 * s2;
+      d[j] = s1 * s2;
+    }
+    const Two_lanes packed_i = Lanes<Two_lanes>::load(i.data()), packed_d = Lanes<Two_lanes>::load(d.data());
+    const Two_lanes value = guarded(packed_i, packed_d);
+    const auto derivatives = guarded.derivatives(packed_i, packed_d);
+    for(std::size_t j = 0; j < Lanes<Two_lanes>::width; ++j)
+    {
+      const auto e = guarded.derivatives(i[j], d[j]);
+      EXPECT_EQ(lane(value, j), guarded(i[j], d[j]));
+      EXPECT_EQ(lane(derivatives.value, j), e.value);
+      EXPECT_EQ(lane(derivatives.i, j), e.i);
+      EXPECT_EQ(lane(derivatives.d, j), e.d);
+      EXPECT_EQ(lane(derivatives.ii, j), e.ii);
+      EXPECT_EQ(lane(derivatives.id, j), e.id);
+      EXPECT_EQ(lane(derivatives.dd, j), e.dd);
+    }
+  }
+}
+
+TEST(Guarded_energy, is_the_same_in_lanes)
+{
+  for(const double guard : {0., 0.01})
+  {
+    expect_same_in_lanes(SP::Conformal_energy_3(), guard);
+    expect_same_in_lanes(Hooked_energy(), guard);
+    expect_same_in_lanes(archetypes::Distortion_energy_in_lanes(archetypes::Copy_constructible::MADE_BY_TEST), guard);
+  }
+}
+
+TEST(Guarded_energy, adds_a_share_of_the_area_distortion)
+{
+  const double guard = 0.01;
+  const SP::Conformal_energy_3 conformal;
+  const SP::internal::Guarded_energy<SP::Conformal_energy_3> energy(conformal, guard);
+  Random random(5);
+  for(int k = 0; k < 100; ++k)
+  {
+    const double s1 = random.factor(1e2), s2 = random.factor(1e2), i = s1 * s1 + s2 * s2, d = s1 * s2;
+    const double reference = conformal(i, d) + guard * (d + 1. / d);
+    EXPECT_NEAR(energy(i, d), reference, 1e-13 * reference);
+    const auto e = energy.derivatives(i, d), e0 = conformal.derivatives(i, d);
+    EXPECT_NEAR(e.value, reference, 1e-13 * reference);
+    EXPECT_EQ(e.i, e0.i);
+    EXPECT_EQ(e.ii, e0.ii);
+    EXPECT_EQ(e.id, e0.id);
+    EXPECT_NEAR((e.d - e0.d) * d, guard * (d - 1. / d), 1e-12 * reference);
+    EXPECT_NEAR((e.dd - e0.dd) * d * d, 2. * guard / d, 1e-12 * reference);
+  }
+}
+
+} // namespace
