@@ -1,0 +1,54 @@
+// Copyright (c) 2026  The Spherical_parameterization authors.
+// All rights reserved.
+//
+// This file is part of the Spherical_parameterization package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Spherical_parameterization authors
+
+#ifndef CGAL_SPHERICAL_PARAMETERIZATION_TEST_RECORDING_CONTROL_H
+#define CGAL_SPHERICAL_PARAMETERIZATION_TEST_RECORDING_CONTROL_H
+
+// What accompanies a run of the package's inner parts: a visitor that stores what it is told, no time limit, and a report.
+
+#include <CGAL/Spherical_parameterization/Parameterization_report.h>
+#include <CGAL/Spherical_parameterization/internal/run/Run_control.h>
+
+#include <cstddef>
+#include <vector>
+
+namespace test {
+
+struct Report_of_control
+{
+  CGAL::Spherical_parameterization::Parameterization_report report_of_control;
+};
+
+class Recording_control : private Report_of_control, public CGAL::Spherical_parameterization::internal::Run_control
+{
+public:
+  Recording_control()
+    : Run_control(0., report_of_control)
+  {}
+
+  void on_initialization_begin(std::size_t) override {}
+  void on_level(std::size_t n) override { levels.push_back(n); }
+  void on_initialization_end() override {}
+  void after_iteration(std::size_t, double energy, double radius) override
+  {
+    energies.push_back(energy);
+    radii.push_back(radius);
+  }
+  void on_optimization_end() override {}
+
+  std::vector<std::size_t> levels;
+  std::vector<double> energies, radii;
+
+private:
+  bool visitor_goes_further(std::size_t, double) override { return true; }
+};
+
+} // namespace test
+
+#endif // CGAL_SPHERICAL_PARAMETERIZATION_TEST_RECORDING_CONTROL_H

@@ -1,0 +1,451 @@
+// The descent of a whole mesh: independent sets, all faces measured at once, the sharpness of the sweeps and the loop over
+// them, which with the settings of the paper is the published method.
+
+#include <CGAL/Spherical_parameterization/internal/descent/Block_coordinate_descent.h>
+#include <CGAL/Spherical_parameterization/internal/descent/Descent_loop.h>
+#include <CGAL/Spherical_parameterization/internal/descent/Independent_sets.h>
+#include <CGAL/Spherical_parameterization/internal/descent/Measured_faces.h>
+#include <CGAL/Spherical_parameterization/internal/descent/Sharpness_rule.h>
+
+#include "engine.h"
+#include "indexed_meshes.h"
+#include "methods.h"
+#include "random_stars.h"
+#include "recording_control.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+using namespace test;
+
+namespace {
+
+using SP::Sharpness;
+using SP::internal::Block_coordinate_descent;
+using SP::internal::Descent_loop;
+using SP::internal::Energy_summary;
+using SP::internal::Execution;
+using SP::internal::Gradient_step;
+using SP::internal::Guarded_energy;
+using SP::internal::Independent_sets;
+using SP::internal::Newton_step;
+using SP::internal::Rest_triangle;
+using SP::internal::Sharpness_rule;
+
+TEST(Independent_sets, are_independent_and_complete)
+{
+  for(const Triangle_list& list : spheres())
+  {
+    const Indexed_mesh mesh = indexed_mesh(list);
+    const Vertex_rings& rings = mesh.rings();
+    const std::size_t n = rings.number_of_vertices();
+    const Independent_sets sets(rings);
+    ASSERT_EQ(sets.first(0), 0u);
+    ASSERT_EQ(sets.first(sets.number_of_sets()), n);
+    std::vector<std::size_t> color(n, n);
+    for(std::size_t k = 0; k < sets.number_of_sets(); ++k)
+    {
+      ASSERT_LT(sets.first(k), sets.first(k + 1));
+      for(std::size_t slot = sets.first(k); slot < sets.first(k + 1); ++slot)
+      {
+        const std::uint32_t v = sets.vertices()[slot];
+        ASSERT_EQ(color[v], n); // for the first time
+        color[v] = k;
+        EXPECT_TRUE(slot == sets.first(k) || sets.vertices()[slot - 1] < v);
+      }
+    }
+    for(std::uint32_t v = 0; v < n; ++v)
+      for(const std::uint32_t w : rings.ring(v))
+        EXPECT_NE(color[v], color[w]);
+    EXPECT_LE(sets.number_of_sets(), 12u); // a greedy colouring of a planar graph, hardly ever above 7
+  }
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// Measuring
+
+// The mean that the stopping rule looks at, from one summary and from the summaries of parts.
+TEST(Energy_summary, agrees_with_the_definition_of_the_means)
+{
+  Random random(6);
+  std::vector<double> energies;
+  for(int k = 0; k < 1000; ++k)
+    energies.push_back(2. * random.factor(4.));
+  for(const double s : {0., 1e-3, 0.5, 3.})
+  {
+    long double sum = 0., sum_of_exponentials = 0.;
+    for(const double e : energies)
+    {
+      sum += e;
+      sum_of_exponentials += std::exp(static_cast<long double>(s) * e);
+    }
+    const double n = static_cast<double>(energies.size());
+    const double average = static_cast<double>(sum) / n;
+    const double mean = s > 0. ? static_cast<double>(std::log(sum_of_exponentials / n) / s) : average;
+    for(const std::size_t part : {1u, 7u, 100u, 1000u})
+    {
+      Energy_summary total(s);
+      total.add(Energy_summary(s)); // an empty part
+      for(std::size_t first = 0; first < energies.size(); first += part)
+      {
+        Energy_summary summary(s);
+        summary.add_all<double>(energies.data() + first, (std::min)(part, energies.size() - first));
+        total.add(summary);
+      }
+      EXPECT_NEAR(total.average(), average, 1e-12 * average);
+      EXPECT_EQ(total.maximum_energy(), *std::max_element(energies.begin(), energies.end()));
+      EXPECT_NEAR(total.mean(), mean, 1e-10 * mean);
+    }
+  }
+}
+
+TEST(Energy_summary, does_not_overflow)
+{
+  Energy_summary summary(1e3);
+  for(const double energy : {2., 1e10, 5.})
+    summary.add_all<double>(&energy, 1);
+  EXPECT_NEAR(summary.mean(), 1e10 - std::log(3.) / 1e3, 1e-5);
+}
+
+Images on_unit_sphere(Images points)
+{
+  for(Coordinates& p : points)
+    p = normalized(p);
+  return points;
+}
+
+// All energies of a mesh at once: those of the single faces, up to rounding.
+TEST(Measured_faces, agree_with_the_single_faces)
+{
+  const Indexed_mesh mesh = indexed_mesh(icosphere(3));
+  const std::size_t n = mesh.number_of_vertices();
+  const Images& surface = mesh.points();
+  Images positions = surface;
+  for(Coordinates& p : positions)
+    p = normalized(combination(1., p, 1., {0.1, 0.2, -0.1}));
+  const auto rest_of_face = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+    return Rest_triangle::from_points(surface[a], surface[b], surface[c]);
+  };
+  // Each vertex is a set of its own, so that the faces come in the order of their smallest vertices.
+  std::vector<std::uint32_t> vertices;
+  std::vector<std::size_t> first_of_set = {0};
+  while(vertices.size() < n)
+  {
+    vertices.push_back(static_cast<std::uint32_t>(vertices.size()));
+    first_of_set.push_back(vertices.size());
+  }
+  SP::internal::Star_packets stars;
+  stars.assign(vertices, first_of_set, [&](std::uint32_t v) { return mesh.rings().degree(v); });
+  for(std::size_t v = 0; v < n; ++v)
+  {
+    Random_stars::Star star;
+    const Vertex_rings::Ring ring = mesh.rings().ring(v);
+    for(std::size_t j = 0; j < ring.size(); ++j)
+    {
+      star.neighbors.push_back(ring[j]);
+      star.rests.push_back(rest_of_face(vertices[v], ring[j], ring[(j + 1) % ring.size()]));
+    }
+    stars.fill(v, [&](std::uint32_t) { return star; });
+  }
+  SP::internal::Measured_faces faces;
+  faces.assign(stars, mesh.rings().number_of_faces(), Execution::SEQUENTIAL);
+
+  const Guarded_energy<SP::Symmetric_Dirichlet_energy_3> energy{SP::Symmetric_Dirichlet_energy_3()};
+  const double sharpness = 3., radius = 1.2;
+  const Energy_summary all =
+      faces.measure<Newton_step>(stars, energy, positions, radius, sharpness, Execution::SEQUENTIAL);
+  Energy_summary expected(sharpness);
+  std::size_t face = 0, n_above = 0;
+  mesh.rings().for_each_face([&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+    const Coordinates u = positions[a], p = difference(positions[b], u), q = difference(positions[c], u);
+    const Coordinates normal = cross(p, q), pq = difference(q, p);
+    const Rest_triangle rest = rest_of_face(a, b, c);
+    const double i =
+        radius * radius * (rest.opposite_0 * dot(pq, pq) + rest.opposite_1 * dot(q, q) + rest.opposite_2 * dot(p, p));
+    const double to_d = radius * radius * rest.inverse_doubled_area, d = to_d * dot(u, normal);
+    const SP::Face_invariants_3& measured = faces.invariants()[face++];
+    EXPECT_NEAR(measured.i, i, 1e-13 * i);
+    EXPECT_NEAR(measured.d, d, 1e-13 * d);
+    EXPECT_NEAR(measured.flat_d, to_d * norm(normal), 1e-13 * d);
+    EXPECT_NEAR(measured.area, area(surface[a], surface[b], surface[c]), 1e-14);
+    const double e = energy(i, d);
+    expected.add_all<double>(&e, 1);
+    n_above += e > 2.05;
+  });
+  ASSERT_EQ(face, faces.invariants().size());
+  EXPECT_NEAR(all.average(), expected.average(), 1e-13 * expected.average());
+  EXPECT_NEAR(all.maximum_energy(), expected.maximum_energy(), 1e-13 * expected.maximum_energy());
+  EXPECT_NEAR(all.mean(), expected.mean(), 1e-12 * expected.mean());
+
+  ASSERT_GT(n_above, 10u);
+  ASSERT_LT(n_above, face);
+  std::size_t n_told = 0;
+  faces.for_each_above(energy, 2.05, [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+    EXPECT_TRUE(a < b && a < c && b != c);
+    ++n_told;
+    return true;
+  });
+  EXPECT_EQ(n_told, n_above);
+  n_told = 0;
+  faces.for_each_above(energy, 2.05, [&](std::uint32_t, std::uint32_t, std::uint32_t) { return ++n_told < 3; });
+  EXPECT_EQ(n_told, 3u);
+}
+
+// A descent that takes over one mesh after the other does what one of its own would do on each; also if it looks for its
+// focus while it sweeps, and gives a search up that finds too much.
+TEST(Block_coordinate_descent, takes_over_another_mesh)
+{
+  using Energy = SP::Symmetric_Dirichlet_energy_3;
+  using Descent = Block_coordinate_descent<Energy, Newton_step>;
+  const Guarded_energy<Energy> energy{Energy()};
+  const auto assign = [](Descent& descent, const Indexed_mesh& mesh) {
+    descent.assign(mesh.rings(), Independent_sets(mesh.rings()), mesh.points(), {}, SP::internal::Rest_limits());
+    EXPECT_EQ(descent.focus_on_faces_above(0., mesh.number_of_vertices()), 0u); // it is not measured yet
+  };
+  const auto optimize = [&](Descent& descent, const Indexed_mesh& mesh, Execution execution) {
+    Images positions = on_unit_sphere(mesh.points()); // of an ellipsoid
+    const std::size_t n = mesh.number_of_vertices();
+    for(int k = 0; k < 3; ++k)
+    {
+      const double bound = 0.9 * descent.measure(positions, 1., 1.).maximum_energy();
+      const auto sweep = [&] { descent.sweep(positions, 1., 1.); };
+      const auto look_for_focus = [&] { EXPECT_GT(descent.focus_on_faces_above(bound, n), 0u); };
+      if(execution == Execution::PARALLEL)
+      {
+        EXPECT_GT(descent.focus_on_faces_above(0., n / 2), n / 2);
+        descent.reserve_focus(n / 2);
+      }
+      SP::internal::run_both(execution, sweep, look_for_focus);
+      descent.sweep_focus(positions, 1., 1.);
+    }
+    return positions;
+  };
+#ifdef CGAL_LINKED_WITH_TBB
+  const Execution in_parallel = Execution::PARALLEL;
+#else
+  const Execution in_parallel = Execution::SEQUENTIAL;
+#endif
+  Descent descent(energy, Newton_step(), in_parallel);
+  descent.reserve(600); // for some of them
+  for(const unsigned int subdivisions : {3u, 2u, 4u, 3u})
+  {
+    const Indexed_mesh mesh = indexed_mesh(ellipsoid(1., 2., 3., subdivisions));
+    Descent own(energy, Newton_step(), Execution::SEQUENTIAL);
+    assign(own, mesh);
+    assign(descent, mesh);
+    EXPECT_TRUE(have_same_bits(optimize(descent, mesh, in_parallel), optimize(own, mesh, Execution::SEQUENTIAL)));
+  }
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// The sharpness of the sweeps
+
+TEST(Sharpness_rule, of_a_dial_is_inverse_to_the_largest_energy)
+{
+  Sharpness_rule rule(Sharpness::relative(6.));
+  for(std::size_t sweep = 0; sweep < 5; ++sweep)
+  {
+    EXPECT_EQ(rule.next(sweep, 2.5, 8.), 0.75);
+    EXPECT_EQ(rule.next(sweep, 7.5, 48.), 0.125);
+    EXPECT_TRUE(rule.is_final());
+  }
+  EXPECT_EQ(Sharpness_rule(Sharpness()).next(0, 2., 27.), 0.5);
+  EXPECT_EQ(Sharpness_rule(Sharpness::lowest_worst()).next(0, 2., 100.), 0.5);
+  EXPECT_EQ(Sharpness_rule(Sharpness::lowest_average()).next(0, 2., 100.), 0.);
+  // as scale-free on the coarse levels, and never sharper than on the finest
+  EXPECT_NEAR(rule.on_coarse_level(8.), 6. * rule.on_coarse_level(48.), 1e-15);
+  EXPECT_GT(rule.on_coarse_level(8.), 0.);
+  EXPECT_LE(rule.on_coarse_level(8.), 0.75);
+  EXPECT_EQ(Sharpness_rule(Sharpness::lowest_average()).on_coarse_level(10.), 0.);
+  EXPECT_EQ(rule.next(0, 0., 0.), 0.); // an energy whose minimum is 0
+}
+
+TEST(Sharpness_rule, of_a_schedule_leaves_the_plain_sum_when_the_average_settles)
+{
+  Sharpness_rule rule(Sharpness::schedule());
+  double average = 10.;
+  std::size_t sweep = 0;
+  EXPECT_EQ(rule.next(sweep++, average, 50.), 0.);
+  for(int k = 0; k < 30; ++k) // it falls by half a percent each time; that the largest one stays does not matter
+  {
+    average *= 0.995;
+    EXPECT_EQ(rule.next(sweep++, average, 50.), 0.);
+    EXPECT_FALSE(rule.is_final());
+  }
+  EXPECT_EQ(rule.next(sweep++, 0.9995 * average, 50.), 0.1);
+  EXPECT_FALSE(rule.is_final());
+  EXPECT_EQ(rule.on_coarse_level(5.), 0.);
+
+  Sharpness_rule rising(Sharpness::schedule());
+  EXPECT_EQ(rising.next(0, 2., 50.), 0.);
+  EXPECT_EQ(rising.next(1, 2.1, 50.), 0.1);
+}
+
+TEST(Sharpness_rule, of_a_schedule_rises_when_nothing_falls)
+{
+  Sharpness_rule rule(Sharpness::schedule(0.2, 3.));
+  std::size_t sweep = 0;
+  EXPECT_EQ(rule.next(sweep++, 2., 100.), 0.);
+  EXPECT_EQ(rule.next(sweep++, 2., 100.), 0.2);
+  double largest = 100., average = 2.;
+  for(int k = 0; k < 20; ++k) // while either falls by more than a percent, nothing changes
+  {
+    (k % 2 == 0 ? largest : average) *= 0.98;
+    EXPECT_EQ(rule.next(sweep++, average, largest), 0.2);
+  }
+  double last = 0.2;
+  while(!rule.is_final() && sweep < 200)
+  {
+    largest *= 0.995;
+    const double s = rule.next(sweep++, average, largest);
+    EXPECT_GT(s, last);
+    EXPECT_LE(s, 2. * last); // no jump
+    last = s;
+  }
+  EXPECT_EQ(last, 3.);
+  EXPECT_EQ(rule.next(sweep++, average, largest), 3.); // and there it stays
+  EXPECT_TRUE(rule.is_final());
+}
+
+TEST(Sharpness_rule, of_a_schedule_makes_as_many_average_sweeps_as_given)
+{
+  for(const std::size_t n : {0u, 1u, 3u, 100u})
+  {
+    Sharpness_rule rule(Sharpness::schedule(0.1, 10., n));
+    for(std::size_t sweep = 0; sweep < n; ++sweep) // whatever the energies do: fall, stay or rise
+    {
+      EXPECT_EQ(rule.next(sweep, sweep % 2 == 0 ? 2. : 3., 50.), 0.);
+      EXPECT_FALSE(rule.is_final());
+    }
+    EXPECT_EQ(rule.next(n, 2., 50.), 0.1);
+    // patient with slow steps: a thousandth takes the place of a hundredth
+    EXPECT_EQ(rule.next(n + 1, 2., 49.9), 0.1);
+    EXPECT_GT(rule.next(n + 2, 2., 49.89), 0.1);
+  }
+  Sharpness_rule fixed(Sharpness::fixed(5.)), after_one(Sharpness::schedule(5., 5., 1));
+  EXPECT_TRUE(fixed.is_final());
+  EXPECT_EQ(fixed.next(0, 3., 50.), 5.);
+  EXPECT_FALSE(after_one.is_final());
+  EXPECT_EQ(after_one.next(0, 3., 50.), 0.);
+  EXPECT_EQ(after_one.next(1, 3., 50.), 5.);
+  EXPECT_TRUE(after_one.is_final());
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// The loop
+
+struct Fixed_radius_chooser : SP::internal::Radius_chooser
+{
+  double initial_radius(double) const override { return 1.4; }
+  double next_radius(const SP::Face_range_3&, double) override { return 1.4; }
+  bool next_phase() override { return false; }
+};
+
+struct Published_radius_chooser : SP::internal::Radius_chooser
+{
+  double initial_radius(double radius) const override { return policy.initial_radius(radius); }
+  double next_radius(const SP::Face_range_3& faces, double radius) override
+  {
+    return policy(SP::Isometric_energy_3(), faces, radius);
+  }
+  bool next_phase() override { return policy.next_phase(); }
+
+  SP::Two_phase_radius_3<> policy =
+      SP::Two_phase_radius_3<>(SP::Area_preserving_radius_3(), SP::Area_balancing_radius_3(), 0.);
+};
+
+class Published_loop : public ::testing::Test
+{
+protected:
+  // Runs the steps of the paper from a harmonic map; the images on the sphere.
+  Images run(const Sharpness& sharpness, SP::internal::Radius_chooser& chooser,
+             const SP::internal::Descent_settings& settings, std::size_t max_sweeps)
+  {
+    control = std::make_unique<Recording_control>();
+    Images positions = m_start;
+    Descent_loop<SP::Isometric_energy_3, Gradient_step> loop(m_mesh, SP::Isometric_energy_3(), Gradient_step(),
+                                                             sharpness, chooser, settings, *control,
+                                                             Execution::SEQUENTIAL);
+    const double radius = loop.run(positions, max_sweeps);
+    Images result(positions.size());
+    for(std::size_t v = 0; v < positions.size(); ++v)
+      result[m_mesh.original(v)] = {radius * positions[v][0], radius * positions[v][1], radius * positions[v][2]};
+    return result;
+  }
+
+  const Triangle_list list = bumpy_sphere(2);
+  std::unique_ptr<Recording_control> control;
+
+private:
+  // as the map is read that another parameterizer has written
+  Images start() const
+  {
+    Images result = in_order_of(m_mesh, harmonic().run(list).images);
+    for(Coordinates& p : result)
+    {
+      const double size = (std::max)({std::abs(p[0]), std::abs(p[1]), std::abs(p[2])});
+      p = SP::internal::normalized<double>({p[0] / size, p[1] / size, p[2] / size});
+    }
+    return result;
+  }
+
+  Indexed_mesh m_mesh = indexed_mesh(list);
+  Images m_start = start();
+};
+
+TEST_F(Published_loop, is_the_published_method)
+{
+  const Images expected = published().run(list).images;
+  const Sharpness sharpness = Sharpness::schedule(0.1, 10., 100);
+  Published_radius_chooser chooser;
+  EXPECT_TRUE(have_same_bits(run(sharpness, chooser, {1e-5, 1e-3, false}, 2000), expected));
+  EXPECT_EQ(control->report().stop_reason, SP::CONVERGED);
+  // and each setting matters
+  EXPECT_FALSE(have_same_bits(run(sharpness, chooser = {}, {1e-4, 1e-3, false}, 2000), expected));
+  EXPECT_FALSE(have_same_bits(run(sharpness, chooser = {}, {1e-5, 1e-3, true}, 2000), expected));
+  EXPECT_FALSE(have_same_bits(run(sharpness, chooser = {}, {1e-5, 1e-3, false}, 150), expected));
+  EXPECT_FALSE(
+      have_same_bits(run(Sharpness::schedule(0.1, 10., 99), chooser = {}, {1e-5, 1e-3, false}, 2000), expected));
+}
+
+TEST_F(Published_loop, lowers_the_sum_of_the_energies)
+{
+  Fixed_radius_chooser chooser;
+  run(Sharpness::schedule(0.1, 10., 100), chooser, {1e-5, 1e-3, false}, 100);
+  EXPECT_EQ(control->report().number_of_average_iterations, 100u);
+  double last = control->report().initial_energy;
+  for(std::size_t i = 0; i < 100; ++i)
+  {
+    EXPECT_LT(control->energies[i], (i < 30 ? 1. : 1. + 1e-14) * last) << i; // the end is a matter of rounding
+    EXPECT_GT(control->energies[i], 2.);
+    EXPECT_EQ(control->radii[i], 1.4);
+    last = control->energies[i];
+  }
+}
+
+// The stopping rule compares the sum of exp(s E) before and after a sweep, that is, exp(s mean).
+TEST_F(Published_loop, stops_when_the_sum_has_settled)
+{
+  const double s = 5.;
+  for(const double tolerance : {1e-2, 1e-4})
+  {
+    Fixed_radius_chooser chooser;
+    run(Sharpness::fixed(s), chooser, {tolerance, 1e-3, false}, 2000);
+    EXPECT_EQ(control->report().stop_reason, SP::CONVERGED);
+    const std::vector<double>& energies = control->energies;
+    ASSERT_GT(energies.size(), 10u);
+    for(std::size_t i = 1; i < energies.size(); ++i)
+    {
+      const double change = std::abs(std::exp(s * (energies[i] - energies[i - 1])) - 1.);
+      EXPECT_EQ(change <= tolerance, i == energies.size() - 1) << i;
+    }
+  }
+}
+
+} // namespace

@@ -1,0 +1,315 @@
+// The levels of coarser meshes, what a vertex is put into when it comes back, and the maps that are made through them.
+
+#include <CGAL/Spherical_parameterization/internal/hierarchy/Hierarchical_embedding.h>
+#include <CGAL/Spherical_parameterization/internal/hierarchy/Mesh_hierarchy.h>
+#include <CGAL/Spherical_parameterization/internal/hierarchy/Star_kernel.h>
+
+#include "engine.h"
+#include "indexed_meshes.h"
+#include "judge.h"
+#include "methods.h"
+#include "random_meshes.h"
+#include "recording_control.h"
+
+#include <CGAL/spherical_parameterization.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <numeric>
+#include <vector>
+
+using namespace test;
+
+namespace {
+
+using SP::Sharpness;
+using SP::internal::Edge_set;
+using SP::internal::Execution;
+using SP::internal::Mesh_hierarchy;
+using SP::internal::Star_kernel;
+using SP::internal::Tangent_frame;
+
+// ---------------------------------------------------------------------------------------------------------------------
+// Levels
+
+TEST(Edge_set, has_what_was_inserted_and_grows)
+{
+  for(const std::size_t expected_size : {std::size_t(0), std::size_t(5000)})
+  {
+    Edge_set edges(expected_size);
+    for(std::uint32_t a = 0; a < 5000; ++a)
+    {
+      EXPECT_FALSE(edges.contains(a, 3 * a + 1));
+      edges.insert(3 * a + 1, a);
+    }
+    for(std::uint32_t a = 0; a < 5000; ++a)
+    {
+      EXPECT_TRUE(edges.contains(a, 3 * a + 1));
+      EXPECT_TRUE(edges.contains(3 * a + 1, a));
+      EXPECT_FALSE(edges.contains(a, 3 * a + 2));
+    }
+  }
+}
+
+void expect_hierarchy(const Indexed_mesh& mesh, bool has_area = true)
+{
+  Recording_control control;
+  const Mesh_hierarchy hierarchy = Mesh_hierarchy::build(mesh.rings(), mesh.points(), control, Execution::SEQUENTIAL);
+  const std::size_t n_levels = hierarchy.number_of_levels();
+  ASSERT_GE(n_levels, 1u);
+  ASSERT_TRUE(have_same_rings(hierarchy.rings(0), mesh.rings()));
+  ASSERT_EQ(hierarchy.level(n_levels - 1).vertices.size(), 4u);
+  ASSERT_TRUE(hierarchy.level(n_levels - 1).removed.empty());
+  const double total = std::accumulate(hierarchy.level(0).areas.begin(), hierarchy.level(0).areas.end(), 0.);
+  ASSERT_NEAR(total, has_area ? 4. * pi : 0., 1e-10);
+
+  std::size_t n_corners = 0; // of all levels
+  for(std::size_t k = 0; k < n_levels; ++k)
+  {
+    SCOPED_TRACE(k);
+    const Mesh_hierarchy::Level& level = hierarchy.level(k);
+    const std::size_t n = level.vertices.size();
+    ASSERT_EQ(hierarchy.rings(k).number_of_vertices(), n);
+    ASSERT_EQ(level.areas.size(), n);
+    expect_simplicial_sphere(hierarchy.rings(k));
+    if(::testing::Test::HasFatalFailure())
+      return;
+    ASSERT_TRUE(std::is_sorted(level.vertices.begin(), level.vertices.end()));
+    ASSERT_NEAR(std::accumulate(level.areas.begin(), level.areas.end(), 0.), total, 1e-9 * total);
+    n_corners += hierarchy.rings(k).number_of_corners();
+    if(k + 1 == n_levels)
+      break;
+
+    const Mesh_hierarchy::Level& coarse = hierarchy.level(k + 1);
+    ASSERT_FALSE(level.removed.empty());
+    std::vector<char> is_removed(n, 0);
+    for(const Mesh_hierarchy::Removed_vertex& r : level.removed)
+    {
+      ASSERT_LT(r.vertex, n);
+      ASSERT_LT(r.target, hierarchy.rings(k).degree(r.vertex));
+      ASSERT_FALSE(is_removed[r.vertex]);
+      is_removed[r.vertex] = 1;
+    }
+    std::vector<std::uint32_t> kept;
+    std::vector<std::uint32_t> number(n, 0); // in the coarser level
+    for(std::uint32_t v = 0; v < n; ++v)
+    {
+      if(!is_removed[v])
+      {
+        number[v] = static_cast<std::uint32_t>(kept.size());
+        kept.push_back(level.vertices[v]);
+      }
+    }
+    ASSERT_EQ(kept, coarse.vertices);
+
+    // The coarser mesh has the faces without removed vertices and, for each removed one, the fan of its target.
+    std::vector<Index_triangle> faces, coarse_faces;
+    hierarchy.rings(k).for_each_face([&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+      ASSERT_LE(is_removed[a] + is_removed[b] + is_removed[c], 1); // no two of them are neighbours
+      if(!is_removed[a] && !is_removed[b] && !is_removed[c])
+        faces.push_back({number[a], number[b], number[c]});
+    });
+    for(const Mesh_hierarchy::Removed_vertex& r : level.removed)
+    {
+      const Vertex_rings::Ring ring = hierarchy.rings(k).ring(r.vertex);
+      for(std::size_t j = 1; j + 1 < ring.size(); ++j)
+      {
+        faces.push_back({number[ring[r.target]], number[ring[(r.target + j) % ring.size()]],
+                         number[ring[(r.target + j + 1) % ring.size()]]});
+      }
+    }
+    hierarchy.rings(k + 1).for_each_face([&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+      coarse_faces.push_back({a, b, c});
+    });
+    ASSERT_EQ(sorted(faces), sorted(coarse_faces));
+  }
+  // All levels together are a constant times the mesh: they shrink geometrically.
+  EXPECT_LE(n_corners, 20 * (mesh.rings().number_of_corners() + 12));
+}
+
+TEST(Mesh_hierarchy, leads_to_a_tetrahedron_through_simplicial_spheres)
+{
+  for(const Triangle_list& list : spheres())
+    expect_hierarchy(indexed_mesh(list));
+  // vertices of huge degree, also when they are flat, or all at one point
+  expect_hierarchy(indexed_mesh(wavy_suspension(20000)));
+  expect_hierarchy(indexed_mesh(test_meshes::scaled(suspension(1000), 1., 1., 0.)));
+  expect_hierarchy(indexed_mesh(test_meshes::scaled(suspension(1000), 0., 0., 0.)), false);
+}
+
+TEST(Mesh_hierarchy, copes_with_a_thousand_nested_separating_triangles)
+{
+  // Each vertex is put into a face of the vertex before, so that every removal but the last ones breaks the link condition.
+  Triangle_list list = tetrahedron();
+  std::size_t face = 0;
+  for(std::size_t k = 0; k < 1000; ++k)
+  {
+    const Triangle t = list.triangles[face];
+    const std::size_t v = list.points.size();
+    list.points.push_back(
+        combination(1. / 3., list.points[t[0]], 1. / 3., combination(1., list.points[t[1]], 1., list.points[t[2]])));
+    list.triangles[face] = {t[0], t[1], v};
+    list.triangles.push_back({t[1], t[2], v});
+    list.triangles.push_back({t[2], t[0], v});
+    face = list.triangles.size() - 1;
+  }
+  expect_hierarchy(indexed_mesh(list));
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// Holes
+
+// A hole whose faces, fanned out from its first vertex, are positive, and which is otherwise as irregular as can be.
+std::vector<Coordinates> random_hole(Random& random, double size)
+{
+  const Tangent_frame frame(random.direction());
+  const std::size_t n = 2 + random.below(9); // vertices other than the base
+  std::vector<double> steps;
+  double total = 0.;
+  for(std::size_t j = 1; j < n; ++j)
+  {
+    steps.push_back(random.between(0.1, 1.));
+    total += steps.back();
+  }
+  // up to 340 degrees around the base, but less than 170 in one step
+  const double largest = *std::max_element(steps.begin(), steps.end()) / total;
+  const double turn = (std::min)(random.between(0.2, 5.9), 2.9 / largest);
+  double angle = random.between(0., 2. * pi);
+  std::vector<Coordinates> hole = {frame.point_at(0., 0.)};
+  for(std::size_t j = 0; j < n; ++j)
+  {
+    const double r = size * random.between(0.1, 1.);
+    hole.push_back(frame.point_at(r * std::cos(angle), r * std::sin(angle)));
+    angle += j < steps.size() ? turn * steps[j] / total : 0.;
+  }
+  return hole;
+}
+
+TEST(Star_kernel, sees_all_edges_of_any_hole)
+{
+  Random random(7);
+  Star_kernel kernel; // one object for all holes, larger and smaller ones
+  int n_holes = 0;
+  for(int k = 0; k < 3000; ++k)
+  {
+    const double sizes[] = {0.9, 0.3, 1e-2, 1e-5, 1e-8};
+    const std::vector<Coordinates> hole = random_hole(random, sizes[k % 5]);
+    bool is_fan = true; // on a sphere, a large triangle can be negative
+    for(std::size_t j = 1; j + 1 < hole.size(); ++j)
+      is_fan = is_fan && judge::sign_of_determinant(hole[0], hole[j], hole[j + 1]) > 0;
+    if(!is_fan)
+      continue;
+    ++n_holes;
+    Coordinates point;
+    ASSERT_TRUE(kernel.find_point(hole, point)) << k;
+    EXPECT_NEAR(norm(point), 1., 1e-15);
+    for(std::size_t j = 0; j < hole.size(); ++j)
+      ASSERT_GT(judge::sign_of_determinant(point, hole[j], hole[(j + 1) % hole.size()]), 0) << k;
+  }
+  EXPECT_GT(n_holes, 2500);
+}
+
+TEST(Star_kernel, is_central_in_a_regular_hole)
+{
+  Star_kernel kernel;
+  for(const double size : {0.1, 1e-3, 1e-7})
+  {
+    const Tangent_frame frame(normalized({1., -2., 0.5}));
+    std::vector<Coordinates> hole;
+    for(int j = 0; j < 6; ++j)
+      hole.push_back(frame.point_at(size * std::cos(j * pi / 3.), size * std::sin(j * pi / 3.)));
+    Coordinates point;
+    ASSERT_TRUE(kernel.find_point(hole, point));
+    EXPECT_LT(norm(frame.offset_of(point)), 0.05 * size);
+  }
+}
+
+TEST(Star_kernel, finds_nothing_where_there_is_nothing)
+{
+  Star_kernel kernel;
+  const Tangent_frame frame({0., 0., 1.});
+  const auto at = [&](double x, double y) { return frame.point_at(x, y); };
+  Coordinates point = {7., 7., 7.};
+  // clockwise
+  EXPECT_FALSE(kernel.find_point(std::vector<Coordinates>{at(0., 0.), at(0., 0.1), at(0.1, 0.)}, point));
+  // on one great circle
+  EXPECT_FALSE(kernel.find_point(std::vector<Coordinates>{at(0., 0.), at(0.1, 0.), at(0.2, 0.)}, point));
+  // all at one place
+  EXPECT_FALSE(kernel.find_point(std::vector<Coordinates>(4, at(0.1, 0.2)), point));
+  // a kernel that is there, but too narrow for doubles
+  EXPECT_FALSE(kernel.find_point(std::vector<Coordinates>{at(0., 0.), at(0.1, 0.), at(0.1, 1e-16)}, point));
+  EXPECT_EQ(point, (Coordinates{7., 7., 7.}));
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// Embeddings
+
+TEST(Hierarchical_embedding, tells_of_every_level)
+{
+  for(const bool sweeps_finest_level : {false, true})
+  {
+    const Indexed_mesh mesh = indexed_mesh(bumpy_sphere(3));
+    Recording_control control;
+    Images positions;
+    EXPECT_TRUE(SP::internal::embed_hierarchically(mesh, SP::Isometric_energy_3(), Sharpness::lowest_average(), 20,
+                                                   sweeps_finest_level, positions, control, Execution::SEQUENTIAL));
+    const SP::Parameterization_report& report = control.report();
+    EXPECT_EQ(control.levels.size(), report.number_of_levels);
+    EXPECT_EQ(control.levels.front(), 4u);
+    EXPECT_EQ(control.levels.back(), mesh.number_of_vertices());
+    EXPECT_TRUE(std::is_sorted(control.levels.begin(), control.levels.end()));
+    EXPECT_GT(report.number_of_level_iterations, report.number_of_levels);
+    EXPECT_EQ(report.number_of_attempts, 1u);
+    EXPECT_EQ(report.stop_reason, sweeps_finest_level ? SP::ITERATION_LIMIT : SP::NOT_RUN);
+    Images in_old_order(positions.size());
+    for(std::size_t v = 0; v < positions.size(); ++v)
+      in_old_order[mesh.original(v)] = positions[v];
+    EXPECT_TRUE(judge::is_one_to_one(in_old_order, bumpy_sphere(3).triangles));
+  }
+}
+
+// With one sweep for a level, small ones still get what they need to settle, ten times as many at most.
+TEST(Hierarchical_parameterizer, sweeps_coarse_levels_at_most_ten_times_as_often)
+{
+  const Method method("one sweep", SP::Hierarchical_parameterizer_3().sweeps_per_level(1));
+  const SP::Parameterization_report report = method.run(bumpy_sphere(2)).report;
+  EXPECT_GT(report.number_of_level_iterations, report.number_of_levels);
+  EXPECT_LE(report.number_of_level_iterations, 10 * report.number_of_levels);
+}
+
+// A small mesh is swept until it has settled, as the coarse levels are; a larger one as often as was asked for.
+TEST(Hierarchical_parameterizer, tells_why_the_sweeps_ended)
+{
+  EXPECT_EQ(hierarchical().run(bumpy_sphere(1)).report.stop_reason, SP::CONVERGED);
+  EXPECT_EQ(hierarchical().run(bumpy_sphere(3)).report.stop_reason, SP::ITERATION_LIMIT);
+}
+
+// Levels of at least 2,500 vertices, and half of those of the mesh, are swept with the sharpness that the mesh will have, and
+// those of less than 300 with none: what the dial is matters only from there on.
+TEST(Hierarchical_parameterizer, follows_the_sharpness_on_fine_levels)
+{
+  const auto first_images = [](const Triangle_list& list, const Sharpness& sharpness) {
+    // what the sweeps over the mesh itself start from
+    return Method("start", SP::Bijective_low_distortion_parameterizer_3().sharpness(sharpness))
+        .run(list, Options().iterations(0))
+        .images;
+  };
+  EXPECT_TRUE(have_same_bits(first_images(bumpy_sphere(2), Sharpness::lowest_worst()),
+                             first_images(bumpy_sphere(2), Sharpness::lowest_average())));
+  EXPECT_FALSE(have_same_bits(first_images(bumpy_sphere(3), Sharpness::lowest_worst()),
+                              first_images(bumpy_sphere(3), Sharpness::lowest_average())));
+}
+
+// A conformal map of a long tentacle needs the guard against small faces.
+TEST(Hierarchical_parameterizer, tries_again_with_a_guard)
+{
+  const Result result = bijective_conformal().run(with_tentacle(100, 5.), Options().iterations(50));
+  EXPECT_EQ(result.error, SP::OK);
+  EXPECT_GT(result.report.number_of_attempts, 1u);
+}
+
+} // namespace
