@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdlib>
 
 namespace test_scale {
 
@@ -37,6 +38,17 @@ constexpr bool is_slow = false;
 constexpr std::size_t reduced(std::size_t n)
 {
   return is_slow ? (std::max)(n / 10, std::size_t(1)) : n;
+}
+
+// Whether this is a run of scripts/test_long.sh.
+inline bool is_long()
+{
+  return std::getenv("SPHERICAL_PARAMETERIZATION_LONG_TESTS") != nullptr;
+}
+
+inline std::size_t number_of(std::size_t usual, std::size_t in_long_tests)
+{
+  return reduced(is_long() ? in_long_tests : usual);
 }
 
 } // namespace test_scale

@@ -1,0 +1,857 @@
+// The certificate finds every fault that is planted into a map that is one-to-one, and finds none where none is; what is a
+// fault is decided by the judge. It agrees with exact arithmetic on the last bit, whoever computes it.
+
+#include <CGAL/Spherical_parameterization/internal/certificate/Bijectivity_certificate.h>
+#include <CGAL/Spherical_parameterization/internal/certificate/Orientation_about_origin_3.h>
+#include <CGAL/Spherical_parameterization/internal/certificate/is_safely_positive.h>
+#include <CGAL/Spherical_parameterization/is_bijective.h>
+
+#include "indexed_meshes.h"
+#include "judge.h"
+#include "methods.h"
+#include "random_meshes.h"
+#include "test_scale.h"
+
+#include <CGAL/Exact_rational.h>
+#include <CGAL/Polyhedron_3.h>
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/boost/graph/Euler_operations.h>
+#include <CGAL/boost/graph/generators.h>
+
+#ifdef CGAL_LINKED_WITH_TBB
+#include <tbb/global_control.h>
+#include <tbb/task_arena.h>
+#endif
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cfenv>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <map>
+#include <queue>
+#include <random>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+using namespace test;
+
+namespace {
+
+using Rational = CGAL::Exact_rational;
+using Exact = CGAL::Simple_cartesian<Rational>;
+using Float = CGAL::Simple_cartesian<float>;
+using judge::Image;
+using SP::internal::Execution;
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+// A map from the vertices of a closed mesh to points around the origin.
+template <class Number>
+struct Map
+{
+  std::vector<Triangle> triangles;
+  std::vector<Image<Number>> images;
+};
+
+template <class Number>
+bool is_one_to_one(const Map<Number>& map)
+{
+  return static_cast<bool>(judge::is_one_to_one(map.images, map.triangles));
+}
+
+template <class Number>
+bool is_positive(const Map<Number>& map)
+{
+  return std::all_of(map.triangles.begin(), map.triangles.end(),
+                     [&](const Triangle& t) { return judge::is_positive(map.images, t); });
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// The faults. Each of them takes a map that is one-to-one and returns one that surely is not.
+
+// the neighbours of the vertex whose star this is, counterclockwise
+std::vector<std::size_t> ring(const std::vector<Triangle>& faces)
+{
+  std::map<std::size_t, std::size_t> successor;
+  for(const Triangle& t : faces)
+    successor[t[1]] = t[2];
+  std::vector<std::size_t> result = {successor.begin()->first};
+  while(result.size() < successor.size())
+    result.push_back(successor[result.back()]);
+  return result;
+}
+
+// A point across the opposite edge of a face, as seen from its first vertex: so near that edge as rounding allows.
+template <class Number>
+Image<Number> point_across(const Map<Number>& map, const Triangle& t)
+{
+  const Image<Number>&v = map.images[t[0]], &a = map.images[t[1]], &b = map.images[t[2]];
+  for(int k = -10; k <= 10; ++k)
+  {
+    const Number factor = Number(std::ldexp(1., k));
+    Image<Number> result;
+    for(std::size_t i = 0; i < 3; ++i)
+    {
+      const Number middle = a[i] + b[i];
+      result[i] = middle + factor * (middle - v[i]);
+    }
+    if(judge::sign_of_determinant(result, a, b) < 0)
+      return result;
+  }
+  return {-v[0], -v[1], -v[2]};
+}
+
+template <class Number>
+Map<Number> with_fold(Map<Number> map, Random& random)
+{
+  const std::size_t v = random.below(map.images.size());
+  const std::vector<Triangle> faces = judge::stars(map.triangles, map.images.size())[v];
+  map.images[v] = point_across(map, faces[random.below(faces.size())]);
+  return map;
+}
+
+// The last map that is one-to-one and the first that is not when a vertex is moved straight across an edge. Of floating
+// point numbers, a single coordinate differs, by one unit in the last place; of exact ones, all by 2^-100 of the way.
+template <class Number>
+std::array<Map<Number>, 2> around_fold(const Map<Number>& map, Random& random)
+{
+  const std::size_t v = random.below(map.images.size());
+  const std::vector<Triangle> faces = judge::stars(map.triangles, map.images.size())[v];
+  std::array<Map<Number>, 2> result = {map, map};
+  Image<Number>&good = result[0].images[v], &bad = result[1].images[v];
+  bad = point_across(map, faces[random.below(faces.size())]);
+  Map<Number> moved = map;
+  const auto is_good = [&](const Image<Number>& p) {
+    moved.images[v] = p;
+    return std::all_of(faces.begin(), faces.end(),
+                       [&](const Triangle& t) { return judge::is_positive(moved.images, t); });
+  };
+  const auto halve = [&] {
+    Image<Number> middle;
+    for(std::size_t i = 0; i < 3; ++i)
+      middle[i] = good[i] / 2 + bad[i] / 2;
+    const bool is_new = middle != good && middle != bad;
+    (is_good(middle) ? good : bad) = middle;
+    return is_new;
+  };
+  if constexpr(std::is_floating_point<Number>::value)
+  {
+    while(halve())
+    {}
+    for(std::size_t i = 0; i < 3; ++i)
+    {
+      Image<Number> next = good;
+      next[i] = bad[i];
+      if(!is_good(next))
+      {
+        bad = next;
+        break;
+      }
+      good = next;
+    }
+  }
+  else
+    for(int k = 0; k < 100; ++k)
+      halve();
+  return result;
+}
+
+template <class Number>
+Map<Number> with_swap(Map<Number> map, Random& random)
+{
+  const Triangle& t = map.triangles[random.below(map.triangles.size())];
+  std::swap(map.images[t[0]], map.images[t[1]]); // this face is turned over, whatever the others do
+  return map;
+}
+
+// Two copies of the mesh, slit along a path between two vertices and glued crosswise: again a sphere, all of whose faces
+// are positive. Only that it goes round twice about both ends of the path tells that it is no bijection.
+// Precondition: some two vertices are no neighbours.
+template <class Number>
+Map<Number> with_double_cover(const Map<Number>& map, Random& random)
+{
+  const std::size_t n = map.images.size();
+  const std::vector<std::vector<Triangle>> faces = judge::stars(map.triangles, map.images.size());
+  // A shortest path of at least two edges; with one edge only, the two ends would be joined by two edges afterwards.
+  std::vector<std::size_t> from, path;
+  while(path.size() < 3)
+  {
+    const std::size_t start = random.below(n);
+    from.assign(n, n);
+    from[start] = start;
+    std::queue<std::size_t> queue;
+    queue.push(start);
+    std::vector<std::size_t> far_vertices;
+    while(!queue.empty())
+    {
+      const std::size_t v = queue.front();
+      queue.pop();
+      if(v != start && from[v] != start)
+        far_vertices.push_back(v);
+      for(const std::size_t w : ring(faces[v]))
+        if(from[w] == n)
+        {
+          from[w] = v;
+          queue.push(w);
+        }
+    }
+    if(far_vertices.empty())
+      continue;
+    path = {far_vertices[random.below(far_vertices.size())]};
+    while(path.back() != start)
+      path.push_back(from[path.back()]);
+  }
+
+  // the neighbours that the faces to the right of the path start with, counterclockwise around its inner vertices
+  std::map<std::size_t, std::vector<std::size_t>> right_of_path;
+  for(std::size_t k = 1; k + 1 < path.size(); ++k)
+  {
+    std::vector<std::size_t> neighbors = ring(faces[path[k]]);
+    std::rotate(neighbors.begin(), std::find(neighbors.begin(), neighbors.end(), path[k - 1]), neighbors.end());
+    right_of_path[path[k]].assign(neighbors.begin(), std::find(neighbors.begin(), neighbors.end(), path[k + 1]));
+  }
+  std::vector<std::size_t> second(n); // number of the second copy of a vertex
+  Map<Number> result;
+  result.images = map.images;
+  for(std::size_t v = 0; v < n; ++v)
+  {
+    const bool is_end = v == path.front() || v == path.back();
+    second[v] = is_end ? v : result.images.size();
+    if(!is_end)
+      result.images.push_back(map.images[v]);
+  }
+  for(const bool is_second : {false, true})
+    for(const Triangle& t : map.triangles)
+    {
+      Triangle copy;
+      for(std::size_t i = 0; i < 3; ++i)
+      {
+        const auto right = right_of_path.find(t[i]);
+        const bool is_right = right != right_of_path.end() && std::find(right->second.begin(), right->second.end(),
+                                                                        t[(i + 1) % 3]) != right->second.end();
+        copy[i] = is_second != is_right ? second[t[i]] : t[i];
+      }
+      result.triangles.push_back(copy);
+    }
+  return result;
+}
+
+// A face without area as seen from the origin.
+template <class Number>
+Map<Number> with_collapsed_face(Map<Number> map, Random& random)
+{
+  const Triangle& t = map.triangles[random.below(map.triangles.size())];
+  Image<Number>&a = map.images[t[0]], &b = map.images[t[1]], &c = map.images[t[2]];
+  switch(random.below(5))
+  {
+  case 0: // two corners at one point
+    a = b;
+    break;
+  case 1: // two corners in one direction
+    a = {b[0] / 2, b[1] / 2, b[2] / 2};
+    break;
+  case 2: // two corners in opposite directions
+    a = {-b[0], -b[1], -b[2]};
+    break;
+  case 3: // three corners on a great circle; the sum is exact if the others are multiples of one power of two
+    if constexpr(std::is_floating_point<Number>::value)
+    {
+      Number size = 0;
+      for(std::size_t i = 0; i < 3; ++i)
+        size = (std::max)({size, std::abs(b[i]), std::abs(c[i])});
+      const Number unit = std::ldexp(Number(1), std::ilogb(size) - 20);
+      for(std::size_t i = 0; i < 3; ++i)
+      {
+        b[i] = unit * std::nearbyint(b[i] / unit);
+        c[i] = unit * std::nearbyint(c[i] / unit);
+      }
+    }
+    a = {b[0] + c[0], b[1] + c[1], b[2] + c[2]};
+    break;
+  default: // no direction at all
+    a = {Number(0), Number(0), Number(0)};
+  }
+  return map;
+}
+
+// Symmetric meshes have permutations that leave the map a bijection: then it is another one's turn.
+template <class Number>
+Map<Number> with_permutation(const Map<Number>& map, Random& random)
+{
+  Map<Number> result = map;
+  do
+  {
+    const std::vector<std::size_t> permutation =
+        random_permutation(map.images.size(), static_cast<std::uint32_t>(random.below(std::size_t(1) << 31)));
+    for(std::size_t v = 0; v < map.images.size(); ++v)
+      result.images[v] = map.images[permutation[v]];
+  } while(is_one_to_one(result));
+  return result;
+}
+
+// The images of the neighbours of a vertex, one further around it each. If that is a symmetry, as it is of an octahedron
+// whatever the vertex, two of them change places instead.
+template <class Number>
+Map<Number> with_shifted_ring(const Map<Number>& map, Random& random)
+{
+  Map<Number> result;
+  const std::vector<std::vector<Triangle>> faces = judge::stars(map.triangles, map.images.size());
+  std::vector<std::size_t> neighbors;
+  for(int k = 0; k < 5; ++k)
+  {
+    neighbors = ring(faces[random.below(faces.size())]);
+    const std::size_t d = neighbors.size(), shift = 1 + random.below(d - 1);
+    result = map;
+    for(std::size_t j = 0; j < d; ++j)
+      result.images[neighbors[j]] = map.images[neighbors[(j + shift) % d]];
+    if(!is_one_to_one(result))
+      return result;
+  }
+  std::swap(result.images[neighbors[0]], result.images[neighbors[1]]);
+  return result;
+}
+
+template <class Number>
+Map<Number> antipodal(Map<Number> map, Random&)
+{
+  for(Image<Number>& p : map.images)
+    p = {-p[0], -p[1], -p[2]};
+  return map;
+}
+
+// One coordinate that is no number, or one vertex, or all of them.
+template <class Number>
+Map<Number> with_non_finite_coordinate(Map<Number> map, Random& random)
+{
+  constexpr Number huge = std::numeric_limits<Number>::infinity();
+  const Number values[] = {std::numeric_limits<Number>::quiet_NaN(), huge, -huge};
+  const Number value = values[random.below(3)];
+  Image<Number>& p = map.images[random.below(map.images.size())];
+  switch(random.below(3))
+  {
+  case 0:
+    p[random.below(3)] = value;
+    break;
+  case 1:
+    p = {value, value, value};
+    break;
+  default:
+    map.images.assign(map.images.size(), {value, value, value});
+  }
+  return map;
+}
+
+enum Fault
+{
+  FOLD,
+  FOLD_BY_AN_ULP,
+  SWAP,
+  DOUBLE_COVER,
+  COLLAPSED_FACE,
+  PERMUTATION,
+  SHIFTED_RING,
+  ANTIPODAL,
+  NON_FINITE,
+  number_of_faults
+};
+
+const char* const fault_names[] = {"fold",        "fold by an ulp", "swap",      "double cover", "collapsed face",
+                                   "permutation", "shifted ring",   "antipodal", "non-finite"};
+
+// all faults that the number type can have
+template <class Number, class Function>
+void for_each_fault(const Map<Number>& map, Random& random, const Function& f)
+{
+  f(FOLD, with_fold(map, random));
+  f(FOLD_BY_AN_ULP, around_fold(map, random)[1]);
+  f(SWAP, with_swap(map, random));
+  f(DOUBLE_COVER, with_double_cover(map, random));
+  f(COLLAPSED_FACE, with_collapsed_face(map, random));
+  f(PERMUTATION, with_permutation(map, random));
+  f(SHIFTED_RING, with_shifted_ring(map, random));
+  f(ANTIPODAL, antipodal(map, random));
+  if constexpr(std::is_floating_point<Number>::value)
+    f(NON_FINITE, with_non_finite_coordinate(map, random));
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// The maps that are one-to-one: the surface itself where the origin sees all of it, and what the package makes of it.
+
+const std::vector<Map<double>>& original_maps()
+{
+  static const std::vector<Map<double>> maps = [] {
+    std::vector<Map<double>> result;
+    const auto add_itself = [&](const Triangle_list& list) { result.push_back({list.triangles, list.points}); };
+    add_itself(octahedron());
+    for(unsigned int subdivisions : {0u, 1u, 2u})
+      add_itself(icosphere(subdivisions));
+    for(std::size_t n : {3u, 4u, 7u, 16u, 50u})
+      add_itself(suspension(n));
+    for(std::size_t n : {1u, 3u, 10u, 30u, 100u})
+      add_itself(random_stacked_sphere(n, 1));
+    add_itself(bumpy_sphere(1));
+    add_itself(bumpy_sphere(2));
+    add_itself(ellipsoid(1e-3, 1., 1e3, 1));
+    for(const Triangle_list& list : {bumpy_sphere(1), random_stacked_sphere(80, 4), with_tentacle(20, 4.)})
+      for(const Method& method : {bijective(), bijective_conformal(), harmonic()})
+        result.push_back({list.triangles, method.run(list, Options().iterations(10)).images});
+    return result;
+  }();
+  return maps;
+}
+
+// 2^k with k from -n to n
+double random_power(int n, Random& random)
+{
+  return std::ldexp(1., random.integer(-n, n));
+}
+
+Map<double> rotated(Map<double> map, Random& random)
+{
+  for(std::size_t axis = 0; axis < 3; ++axis)
+  {
+    const double angle = pi * random.between(-1., 1.), c = std::cos(angle), s = std::sin(angle);
+    for(Coordinates& p : map.images)
+    {
+      double &x = p[axis], &y = p[(axis + 1) % 3];
+      const double turned = c * x - s * y;
+      y = s * x + c * y;
+      x = turned;
+    }
+  }
+  return map;
+}
+
+// A linear map of space, which leaves a map one-to-one but for rounding, by powers of two along the axes: needles.
+Map<double> squeezed(Map<double> map, int largest_exponent, Random& random)
+{
+  const Coordinates factors = {random_power(largest_exponent, random), random_power(largest_exponent, random), 1.};
+  for(Coordinates& p : map.images)
+    for(std::size_t i = 0; i < 3; ++i)
+      p[i] *= factors[i];
+  return map;
+}
+
+template <class Number>
+Map<Number> converted(const Map<double>& map)
+{
+  Map<Number> result;
+  result.triangles = map.triangles;
+  for(const Coordinates& p : map.images)
+    result.images.push_back({static_cast<Number>(p[0]), static_cast<Number>(p[1]), static_cast<Number>(p[2])});
+  return result;
+}
+
+// Another map of the same mesh. Rounding may have turned faces over.
+template <class Number>
+Map<Number> varied(Map<double> map, std::size_t kind, Random& random)
+{
+  constexpr bool is_float = std::is_same<Number, float>::value;
+  if(kind > 0)
+    map = rotated(map, random);
+  switch(kind)
+  {
+  case 2:
+  case 3:
+    map = squeezed(map, is_float ? 8 : 30, random);
+    if(kind == 3)
+      for(Coordinates& p : map.images)
+        p = normalized(p);
+    break;
+  case 4: // at any distance from the origin
+    for(Coordinates& p : map.images)
+    {
+      const double factor = random_power(20, random);
+      p = {factor * p[0], factor * p[1], factor * p[2]};
+    }
+    break;
+  case 5: // where determinants underflow or overflow
+  {
+    const double factor = std::ldexp(1., (random.one_in(2) ? 1 : -1) * (is_float ? 100 : 400));
+    for(Coordinates& p : map.images)
+      p = {factor * p[0], factor * p[1], factor * p[2]};
+    break;
+  }
+  default:
+    break;
+  }
+  Map<Number> result = converted<Number>(map);
+  if constexpr(!std::is_floating_point<Number>::value)
+    for(Image<Number>& p : result.images) // to numbers that doubles cannot hold
+    {
+      const Number x = (3 * p[0] - 4 * p[1]) / 5, y = (4 * p[0] + 3 * p[1]) / 5;
+      p = {x + p[2] / 3, y, p[2] / 7};
+    }
+  return result;
+}
+
+// `n` maps that are one-to-one, no two of them equal.
+template <class Number, class Function>
+void for_each_map(std::size_t n, Random& random, const Function& f)
+{
+  constexpr std::size_t number_of_kinds = 6;
+  const std::vector<Map<double>>& originals = original_maps();
+  for(std::size_t n_found = 0, n_tried = 0; n_found < n; ++n_tried)
+  {
+    const std::size_t kind = n_tried / originals.size() % number_of_kinds;
+    if(kind == 0 && n_tried >= originals.size())
+      continue; // the originals themselves once only
+    const Map<Number> map = varied<Number>(originals[n_tried % originals.size()], kind, random);
+    if(!is_one_to_one(map))
+      continue;
+    f(map);
+    ++n_found;
+  }
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// What the package says of a map.
+
+template <class Kernel>
+class Certificate
+{
+  using Kernel_mesh = CGAL::Surface_mesh<typename Kernel::Point_3>;
+  using Number = typename Kernel::FT;
+
+public:
+  explicit Certificate(const Map<Number>& map)
+    : m_mesh(make_mesh<Kernel_mesh>({Images(map.images.size()), map.triangles}))
+  {}
+
+  bool accepts(const Map<Number>& map) const
+  {
+    const auto points = get(CGAL::dynamic_vertex_property_t<typename Kernel::Point_3>(), m_mesh);
+    auto p = map.images.begin();
+    for(const auto v : vertices(m_mesh))
+    {
+      put(points, v, typename Kernel::Point_3((*p)[0], (*p)[1], (*p)[2]));
+      ++p;
+    }
+    return SP::is_bijective(m_mesh, points);
+  }
+
+private:
+  Kernel_mesh m_mesh;
+};
+
+// what a check in double precision would say
+template <class Number>
+bool seems_positive(const Map<Number>& map)
+{
+  const auto rounded = [&](std::size_t v) {
+    const Image<Number>& p = map.images[v];
+    return Image<double>{CGAL::to_double(p[0]), CGAL::to_double(p[1]), CGAL::to_double(p[2])};
+  };
+  return std::all_of(map.triangles.begin(), map.triangles.end(), [&](const Triangle& t) {
+    return judge::determinant(rounded(t[0]), rounded(t[1]), rounded(t[2])) > 0.;
+  });
+}
+
+// Examines so many maps and all faults of each. Some of the folds, and of the maps without, are such that rounded arithmetic
+// does not tell them apart, if coordinates have more digits than a float.
+template <class Kernel>
+void expect_all_found(std::size_t n, std::uint64_t seed)
+{
+  using Number = typename Kernel::FT;
+  Random random(seed);
+  std::size_t n_invisible = 0;
+  for_each_map<Number>(n, random, [&](const Map<Number>& map) {
+    const Certificate<Kernel> certificate(map);
+    EXPECT_TRUE(certificate.accepts(map));
+    for_each_fault(map, random, [&](Fault fault, const Map<Number>& planted) {
+      SCOPED_TRACE(fault_names[fault]);
+      if(fault == DOUBLE_COVER)
+      {
+        EXPECT_TRUE(is_positive(planted)); // nothing but the degree is wrong
+        EXPECT_EQ(judge::degree(planted.images, planted.triangles), 2u);
+        EXPECT_FALSE(Certificate<Kernel>(planted).accepts(planted));
+      }
+      else
+        EXPECT_FALSE(certificate.accepts(planted));
+    });
+    const std::array<Map<Number>, 2> pair = around_fold(map, random); // both sides of a fold
+    EXPECT_TRUE(is_one_to_one(pair[0]) && certificate.accepts(pair[0]));
+    EXPECT_FALSE(is_positive(pair[1]) || certificate.accepts(pair[1]));
+    n_invisible += seems_positive(pair[1]);
+  });
+  EXPECT_TRUE((std::is_same<Number, float>::value) || n_invisible > n / 20);
+}
+
+TEST(Planted_fault, is_found_in_maps_of_doubles)
+{
+  expect_all_found<test::Kernel>(test_scale::number_of(300, 1000), 1);
+}
+
+TEST(Planted_fault, is_found_in_maps_of_floats)
+{
+  expect_all_found<Float>(test_scale::number_of(100, 500), 2);
+}
+
+TEST(Planted_fault, is_found_in_exact_maps)
+{
+  expect_all_found<Exact>(test_scale::number_of(30, 200), 3);
+}
+
+bool folds_clearly(const Map<double>& map)
+{
+  const auto direction = [&](std::size_t v) {
+    const Coordinates& p = map.images[v];
+    const double size = (std::max)({std::abs(p[0]), std::abs(p[1]), std::abs(p[2])});
+    return normalized({p[0] / size, p[1] / size, p[2] / size});
+  };
+  return std::any_of(map.triangles.begin(), map.triangles.end(), [&](const Triangle& t) {
+    return judge::determinant(direction(t[0]), direction(t[1]), direction(t[2])) < -1e-12;
+  });
+}
+
+// A faulty map is no start: it is refused, and nothing is written, which is a part of run().
+TEST(Planted_fault, is_found_in_maps_to_start_from)
+{
+  Random random(5);
+  const std::size_t n = test_scale::number_of(100, 500);
+  std::size_t n_accepted = 0;
+  for_each_map<double>(n, random, [&](const Map<double>& map) {
+    const auto error_with = [&](const Map<double>& start, bool is_improved) {
+      // the surface may be any; that of a double cover is not the one that was mapped
+      Images points = start.images;
+      for(Coordinates& p : points)
+        p = random.in_cube();
+      const Mesh mesh = make({points, start.triangles});
+      const Method method = is_improved ? bijective_from(mesh, start.images) : precomputed(mesh, start.images);
+      const SP::Error_code error = method.run(mesh, Options().iterations(1)).error;
+      EXPECT_TRUE(error == SP::OK || error == SP::ERROR_INVALID_INITIAL_PARAMETERIZATION);
+      return error;
+    };
+    n_accepted += error_with(map, true) == SP::OK;
+    for_each_fault(map, random, [&](Fault fault, const Map<double>& planted) {
+      SCOPED_TRACE(fault_names[fault]);
+      EXPECT_NE(error_with(planted, true), SP::OK);
+      // The parameterizer takes the map to the unit sphere first, which may mend what is as small as rounding.
+      const SP::Error_code error = error_with(planted, false);
+      EXPECT_TRUE(error != SP::OK || (fault != DOUBLE_COVER && fault != NON_FINITE && !folds_clearly(planted)));
+    });
+  });
+  EXPECT_GT(n_accepted, n / 2);
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// What planted faults do not show.
+
+bool is_bijective(const Triangle_list& list, const Images& images)
+{
+  return test::is_bijective(make(list), images);
+}
+
+TEST(Is_bijective, decides_on_the_last_bit)
+{
+  const Triangle_list list = octahedron();
+  Images images = list.points;
+  for(const double x : {0x1p-60, 0., -0x1p-60})
+  {
+    images[0] = {x, 1., -1.};
+    EXPECT_EQ(is_bijective(list, images), x > 0.) << x;
+  }
+  // A symmetry of the octahedron permutes its vertices, but it is a bijection.
+  EXPECT_TRUE(is_bijective(list, {{0, 1, 0}, {0, -1, 0}, {-1, 0, 0}, {1, 0, 0}, {0, 0, 1}, {0, 0, -1}}));
+}
+
+// A map that is positive and has degree one exists on a sphere alone, so there is no need for a test of the topology. These
+// come closest: two spheres of which one covers everything, and tori.
+TEST(Is_bijective, accepts_topological_spheres_only)
+{
+  const auto accepts = [](const Triangle_list& list) { return is_bijective(list, list.points); };
+  const Triangle_list sphere = icosphere(1);
+  EXPECT_TRUE(accepts(sphere));
+  EXPECT_FALSE(accepts(disjoint_union(sphere, sphere)));
+  EXPECT_FALSE(accepts(disjoint_union(sphere, test_meshes::scaled(sphere, -1., 1., 1.))));
+  EXPECT_FALSE(accepts(torus(9, 6)));
+  EXPECT_FALSE(accepts(Triangle_list()));
+  Triangle_list open = sphere, isolated = sphere;
+  open.triangles.pop_back();
+  EXPECT_FALSE(accepts(open));
+  isolated.points.push_back({std::nan(""), infinity, 0.}); // the images of isolated vertices do not count
+  EXPECT_TRUE(accepts(isolated));
+  Mesh cube;
+  CGAL::make_hexahedron(Point_3(-1, -1, -1), Point_3(1, -1, -1), Point_3(1, 1, -1), Point_3(-1, 1, -1),
+                        Point_3(-1, 1, 1), Point_3(-1, -1, 1), Point_3(1, -1, 1), Point_3(1, 1, 1), cube);
+  EXPECT_FALSE(SP::is_bijective(cube, cube.points()));
+}
+
+TEST(Is_bijective, finds_that_the_sphere_is_covered_several_times)
+{
+  for(std::size_t n = 5; n < 12; ++n)
+    EXPECT_FALSE(is_bijective(suspension(n), suspension(n, 2).points));
+  EXPECT_FALSE(is_bijective(suspension(11), suspension(11, 5).points));
+}
+
+TEST(Is_bijective, skips_removed_vertices_and_faces)
+{
+  Mesh mesh = make(disjoint_union(icosphere(1), icosphere(0)));
+  // the first of the two spheres goes, so that the indices left have gaps
+  const std::size_t n = icosphere(1).triangles.size();
+  for(std::size_t i = 0; i < n; ++i)
+    CGAL::Euler::remove_face(halfedge(Mesh::Face_index(static_cast<Mesh::size_type>(i)), mesh), mesh);
+  ASSERT_TRUE(mesh.has_garbage());
+  EXPECT_TRUE(SP::is_bijective(mesh, mesh.points()));
+}
+
+TEST(Is_bijective, uses_the_index_map_given)
+{
+  using Polyhedron = CGAL::Polyhedron_3<test::Kernel>;
+  const Polyhedron mesh = make_mesh<Polyhedron>(icosphere(1));
+  const auto index_map = get(CGAL::dynamic_vertex_property_t<std::size_t>(), mesh);
+  std::size_t index = num_vertices(mesh);
+  for(const auto v : vertices(mesh))
+    put(index_map, v, --index);
+  EXPECT_TRUE(SP::is_bijective(mesh, get(CGAL::vertex_point, mesh), CGAL::parameters::vertex_index_map(index_map)));
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// The predicate
+
+// The filter never contradicts exact arithmetic, however small, large or flat the triangle, in any rounding mode, in which
+// numbers that overflow need not become infinite.
+TEST(Orientation_about_origin, agrees_with_exact_arithmetic)
+{
+  const SP::internal::Orientation_about_origin_3<test::Kernel> orientation;
+  Random random(7);
+  const int former_mode = std::fegetround();
+  std::array<std::size_t, 3> signs = {};
+  for(const int mode : {FE_TONEAREST, FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO})
+    for(int i = 0; i < (mode == FE_TONEAREST ? 20000 : 4000); ++i)
+    {
+      const int scales[] = {0, 0, 0, 300, -300, -340, 500, -1020, -500, 1000, 340};
+      const int scale = scales[random.below(11)];
+      const int edge = -random.integer(0, 49), height = edge - random.integer(0, 59);
+      std::array<Coordinates, 3> p = {random.in_cube(), random.in_cube(), random.in_cube()};
+      // p1 is close to p0, and p2 on the line through both but for the height
+      const double t = random.between(-1., 1.);
+      const Coordinates step = scaled({p[1]}, std::ldexp(1., edge))[0];
+      p[1] = combination(1., p[0], 1., step);
+      p[2] = combination(1., combination(1., p[0], t, step), std::ldexp(1., height), p[2]);
+      if(i % 8 == 0)
+        p[2] = combination(1., p[0], 1., p[1]); // a plane through the origin, or nearly so
+      if(i % 16 == 0)
+        p[2] = combination(2., p[1], 0., p[1]); // a line through the origin
+      std::array<Point_3, 3> points;
+      for(std::size_t j = 0; j < 3; ++j)
+      {
+        for(double& x : p[j])
+          x = std::ldexp(x, scale);
+        points[j] = Point_3(p[j][0], p[j][1], p[j][2]);
+      }
+      const int sign = CGAL::sign(judge::determinant(judge::exact(p[0]), judge::exact(p[1]), judge::exact(p[2])));
+      std::fesetround(mode);
+      const std::array<int, 4> found = {
+          orientation(points[0], points[1], points[2]), orientation(points[1], points[2], points[0]),
+          orientation(points[2], points[0], points[1]), -orientation(points[0], points[2], points[1])};
+      std::fesetround(former_mode);
+      for(const int s : found)
+        ASSERT_EQ(s, sign) << mode << ' ' << i;
+      ASSERT_EQ(static_cast<int>(SP::internal::exact_determinant_sign(p[0], p[1], p[2])), sign);
+      ++signs[static_cast<std::size_t>(sign + 1)];
+    }
+  for(const std::size_t n : signs)
+    EXPECT_GT(n, 1000u);
+}
+
+// What the certificate of a list says, which must not depend on who computes it, nor on the order of the triangles.
+SP::internal::Bijectivity_certificate certificate_of(Triangle_list list)
+{
+  std::shuffle(list.triangles.begin(), list.triangles.end(), std::mt19937(3));
+  std::vector<Point_3> points;
+  for(const Coordinates& p : list.points)
+    points.push_back(Point_3(p[0], p[1], p[2]));
+  const auto certify = [&](Execution execution) {
+    return SP::internal::certify_bijectivity<test::Kernel>(points, list.triangles, execution);
+  };
+  const auto result = certify(Execution::SEQUENTIAL);
+#ifdef CGAL_LINKED_WITH_TBB
+  // more threads than the machine may have
+  const tbb::global_control control(tbb::global_control::max_allowed_parallelism, 4);
+  const auto in_parallel = tbb::task_arena(4).execute([&] { return certify(Execution::PARALLEL); });
+  EXPECT_EQ(in_parallel.number_of_non_positive_faces, result.number_of_non_positive_faces);
+  EXPECT_EQ(in_parallel.degree, result.degree);
+#endif
+  return result;
+}
+
+TEST(Certificate, is_the_same_in_parallel)
+{
+  Triangle_list list = icosphere(5); // enough faces for many blocks
+  EXPECT_TRUE(certificate_of(list).is_bijective());
+  EXPECT_EQ(certificate_of(suspension(5001, 2)).degree, 2u);
+  EXPECT_EQ(certificate_of(suspension(5001, 1250)).degree, 1250u);
+
+  // A vertex in the first direction that faces are counted around: it is on their boundaries, and another one is taken.
+  const double x = 742913. * 0x1p-20;
+  const Coordinates q = {1., x, x * x};
+  *std::max_element(list.points.begin(), list.points.end(),
+                    [&](const Coordinates& a, const Coordinates& b) { return dot(a, q) < dot(b, q); }) = q;
+  EXPECT_TRUE(certificate_of(list).is_bijective());
+
+  // Faces that are inverted here and there are all counted.
+  std::size_t n_inverted = 0;
+  for(std::size_t k = 5; k < list.triangles.size(); k += 997, ++n_inverted)
+    std::swap(list.triangles[k][0], list.triangles[k][1]);
+  EXPECT_EQ(certificate_of(list).number_of_non_positive_faces, n_inverted);
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// Positive by more than rounding
+
+TEST(Is_safely_positive, of_all_faces)
+{
+  const Triangle_list sphere = icosphere(2);
+  const Indexed_mesh mesh = indexed_mesh(sphere);
+  const Images positions = in_order_of(mesh, sphere.points);
+  const auto are_safe = [&](const Images& p) { return SP::internal::are_safely_positive(mesh.rings(), p); };
+  EXPECT_TRUE(are_safe(positions));
+  EXPECT_FALSE(are_safe(scaled(positions, -1.)));
+  // one vertex over the opposite edge of one of its faces, or just not yet
+  for(const std::uint32_t v : {0u, 17u, 161u})
+    for(const double t : {0.9, 0.999, 1.001, 1.1})
+    {
+      const Vertex_rings::Ring ring = mesh.rings().ring(v);
+      const Coordinates middle = combination(0.5, positions[ring[0]], 0.5, positions[ring[1]]);
+      Images moved = positions;
+      moved[v] = normalized(combination(1. - t, positions[v], t, middle));
+      EXPECT_EQ(are_safe(moved), t < 1.) << v << ' ' << t;
+    }
+  Images unknown = positions;
+  unknown[5][1] = std::nan("");
+  EXPECT_FALSE(are_safe(unknown));
+}
+
+// Faces that pass the test keep their orientation when their corners are scaled to any radius and rounded.
+TEST(Is_safely_positive, is_safe_under_rounding)
+{
+  Random random(8);
+  int n_safe = 0, n_narrow = 0;
+  for(int k = 0; k < 20000; ++k)
+  {
+    const SP::internal::Tangent_frame frame(random.direction());
+    const double size = std::pow(10., -random.between(0.5, 8.)),
+                 height = size * std::pow(10., -random.between(0., 15.));
+    Images corners = {frame.point_at(0., 0.), frame.point_at(size, 0.),
+                      frame.point_at(random.between(0., 1.) * size, height)};
+    const Coordinates p = frame.offset_of(corners[1]), q = frame.offset_of(corners[2]);
+    const double determinant = p[0] * q[1] - p[1] * q[0]; // that of the corners in the coordinates of the frame
+    if(!SP::internal::is_safely_positive(determinant, dot(p, p) + dot(q, q)))
+      continue;
+    ++n_safe;
+    n_narrow += height < 1e-12;
+    EXPECT_TRUE(judge::is_positive(corners, {0, 1, 2}));
+    EXPECT_TRUE(judge::is_positive(scaled(corners, random.between(0.1, 10.)), {0, 1, 2}));
+  }
+  EXPECT_GT(n_safe, 10000);
+  EXPECT_GT(n_narrow, 500); // the test lets narrow faces pass as well
+}
+
+} // namespace
