@@ -1,0 +1,305 @@
+// Surfaces that are as extreme as a shape, a numbering or a placement can be, each with the default settings: all get a
+// certified map, and no time or memory is quadratic in anything.
+
+#include "methods.h"
+#include "random_meshes.h"
+#include "test_scale.h"
+
+#include <CGAL/boost/graph/helpers.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <string>
+#include <vector>
+
+using namespace test;
+
+namespace {
+
+// Runs the default method, which has to find a map; that it is sound is checked on the way.
+Result expect_mapped(const Triangle_list& list)
+{
+  const Mesh mesh = make(list);
+  EXPECT_TRUE(CGAL::is_closed(mesh));
+  EXPECT_EQ(mesh.number_of_vertices() + mesh.number_of_faces(), mesh.number_of_edges() + 2);
+  const Result result = bijective().run(mesh);
+  EXPECT_EQ(result.error, SP::OK) << SP::get_error_message(result.error);
+  return result;
+}
+
+Coordinates mean(const Triangle_list& list, const Triangle& t)
+{
+  return combination(1. / 3., list.points[t[0]], 1. / 3., combination(1., list.points[t[1]], 1., list.points[t[2]]));
+}
+
+// A ring of points around the z-axis.
+struct Ring
+{
+  double radius, height;
+  std::size_t size;
+};
+
+// The surface from the point (0, 0, bottom) through the rings, from the lowest to the highest, to the point (0, 0,
+// top).
+Triangle_list surface_of_revolution(double bottom, const std::vector<Ring>& rings, double top)
+{
+  Triangle_list list;
+  std::vector<std::size_t> firsts;
+  for(const Ring& ring : rings)
+  {
+    firsts.push_back(list.points.size());
+    for(std::size_t i = 0; i < ring.size; ++i)
+    {
+      const double longitude = 2. * pi * static_cast<double>(i) / static_cast<double>(ring.size);
+      list.points.push_back({ring.radius * std::cos(longitude), ring.radius * std::sin(longitude), ring.height});
+    }
+  }
+  const std::size_t n = list.points.size();
+  list.points.push_back({0., 0., bottom});
+  list.points.push_back({0., 0., top});
+  for(std::size_t i = 0; i < rings.front().size; ++i)
+    list.triangles.push_back({n, (i + 1) % rings.front().size, i});
+  for(std::size_t k = 0; k + 1 < rings.size(); ++k)
+  {
+    // Between two rings, the triangle with the smaller longitude comes first.
+    const std::size_t size = rings[k].size, next_size = rings[k + 1].size, a = firsts[k], b = firsts[k + 1];
+    for(std::size_t i = 0, j = 0; i < size || j < next_size;)
+      if(j == next_size || (i < size && (i + 1) * next_size <= (j + 1) * size))
+      {
+        list.triangles.push_back({a + i, a + (i + 1) % size, b + j % next_size});
+        ++i;
+      }
+      else
+      {
+        list.triangles.push_back({a + i % size, b + (j + 1) % next_size, b + j});
+        ++j;
+      }
+  }
+  for(std::size_t i = 0; i < rings.back().size; ++i)
+    list.triangles.push_back({n + 1, firsts.back() + i, firsts.back() + (i + 1) % rings.back().size});
+  return list;
+}
+
+// A tube around the curve c(0), ..., c(n - 1) in the plane z = 0, with `size` corners in each ring, and a cap at each end.
+template <class Curve>
+Triangle_list tube(const Curve& c, std::size_t n, double radius, std::size_t size)
+{
+  Triangle_list list = surface_of_revolution(0., std::vector<Ring>(n, Ring{1., 0., size}), 1.); // for its triangles
+  for(std::size_t k = 0; k < n; ++k)
+  {
+    const Coordinates tangent = difference(c((std::min)(k + 1, n - 1)), c(k > 0 ? k - 1 : 0));
+    const Coordinates x = normalized(cross({0., 0., 1.}, tangent)), y = normalized(cross(tangent, x));
+    for(std::size_t i = 0; i < size; ++i)
+    {
+      const double angle = 2. * pi * static_cast<double>(i) / static_cast<double>(size);
+      list.points[k * size + i] = combination(1., c(k), radius, combination(std::cos(angle), x, std::sin(angle), y));
+    }
+  }
+  list.points[n * size] = c(0);
+  list.points[n * size + 1] = c(n - 1);
+  return list;
+}
+
+// Puts a tube of `n_rings` triangles with a pyramid on top in the place of the face, `length` long and getting thinner
+// to the factor `taper`. Its last three faces are those of the pyramid.
+void extrude(Triangle_list& list, std::size_t face, double length, std::size_t n_rings, double taper)
+{
+  const Triangle base = list.triangles[face];
+  const std::array<Coordinates, 3> p = {list.points[base[0]], list.points[base[1]], list.points[base[2]]};
+  const Coordinates center = mean(list, base);
+  const Coordinates direction = normalized(cross(difference(p[1], p[0]), difference(p[2], p[0])));
+  list.triangles[face] = list.triangles.back(); // the face goes
+  list.triangles.pop_back();
+  Triangle previous = base;
+  for(std::size_t k = 1; k <= n_rings; ++k)
+  {
+    const double t = static_cast<double>(k) / static_cast<double>(n_rings);
+    Triangle ring;
+    for(std::size_t i = 0; i < 3; ++i)
+    {
+      ring[i] = list.points.size();
+      const Coordinates shrunk = combination(1., center, 1. + (taper - 1.) * t, difference(p[i], center));
+      list.points.push_back(combination(length * t, direction, 1., shrunk));
+    }
+    for(std::size_t i = 0; i < 3; ++i)
+    {
+      const std::size_t j = (i + 1) % 3;
+      list.triangles.push_back({previous[i], previous[j], ring[j]});
+      list.triangles.push_back({previous[i], ring[j], ring[i]});
+    }
+    previous = ring;
+  }
+  const std::size_t apex = list.points.size();
+  list.points.push_back(combination(1., center, length + 0.5 * taper * distance(p[0], p[1]), direction));
+  for(std::size_t i = 0; i < 3; ++i)
+    list.triangles.push_back({previous[i], previous[(i + 1) % 3], apex});
+}
+
+// Close to a sphere, with faces like needles. If the neighbours of a vertex fall into disorder on a coarse level, the
+// average comes to ten and more.
+TEST(Extreme_degrees, two_vertices_of_all_faces)
+{
+  EXPECT_LT(expect_mapped(suspension(test_scale::number_of(20000, 100000))).distortion.isometric.average, 1.7);
+}
+
+TEST(Extreme_degrees, one_hub_in_a_fine_mesh)
+{
+  // A hemisphere around the hub, then ever fewer vertices in a ring.
+  std::vector<Ring> rings;
+  for(std::size_t size = test_scale::number_of(20000, 100000); size > 5; size = (size + 1) / 2)
+  {
+    const double angle = 0.5 * pi * std::pow(0.8, static_cast<double>(rings.size()));
+    rings.push_back({std::sin(angle), std::cos(angle), size});
+  }
+  EXPECT_LT(expect_mapped(surface_of_revolution(0., rings, 1.)).distortion.isometric.average, 6.);
+}
+
+// Each vertex is put into the middle of one of the newest faces, or into the origin along with all others: faces shrink to
+// nothing, and each lies within the one before.
+TEST(Extreme_connectivity, stacks_that_shrink_into_a_point)
+{
+  for(const double scale : {1., 0.})
+    for(std::size_t rule = 0; rule < 3; ++rule)
+      for(const std::size_t n : {std::size_t(300), test_scale::number_of(1000, 3000)})
+      {
+        SCOPED_TRACE(std::to_string(scale) + ", rule " + std::to_string(rule) + ", " + std::to_string(n) + " vertices");
+        Triangle_list list = test_meshes::scaled(tetrahedron(), scale, scale, scale);
+        for(std::size_t k = 0; k < n; ++k)
+        {
+          const Triangle t = list.triangles.back();
+          const std::size_t v = list.points.size();
+          list.points.push_back(mean(list, t));
+          list.triangles.back() = {t[0], t[1], v};
+          list.triangles.push_back(rule == 0 ? Triangle{t[2], t[0], v} : Triangle{t[1], t[2], v});
+          list.triangles.push_back(rule == 0   ? Triangle{t[1], t[2], v}
+                                   : rule == 1 ? Triangle{t[2], t[0], v}
+                                               : Triangle{v, t[2], t[0]});
+        }
+        expect_mapped(list);
+      }
+}
+
+// Moves and scales a sphere without symmetries: its map stays as it is, as long as doubles hold the surface.
+TEST(Extreme_coordinates, tiny_huge_and_far_away)
+{
+  const Triangle_list list = bumpy_sphere(3);
+  const Result original = expect_mapped(list);
+  for(const double factor : {1e-300, 1e-150, 1e150, 1e300})
+  {
+    SCOPED_TRACE(factor);
+    const Result result = expect_mapped(test_meshes::scaled(list, factor, factor, factor));
+    EXPECT_NEAR(result.report.radius / factor / original.report.radius, 1., 1e-9);
+    EXPECT_NEAR(result.distortion.isometric.maximum / original.distortion.isometric.maximum, 1., 1e-9);
+  }
+
+  // At 1e8, doubles are 1.5e-8 apart, 1.5e-5 of what is 1e-3 large.
+  Triangle_list far = test_meshes::scaled(list, 1e-3, 1e-3, 1e-3);
+  for(Coordinates& p : far.points)
+    p = combination(1., p, 1e8, {1., -1., 1.});
+  const Result result = expect_mapped(far);
+  EXPECT_NEAR(result.report.radius / 1e-3 / original.report.radius, 1., 1e-3);
+  EXPECT_NEAR(result.distortion.isometric.average / original.distortion.isometric.average, 1., 1e-2);
+}
+
+// The sphere that has the area of such a surface is out of range; a smaller one is not.
+TEST(Extreme_coordinates, at_the_ends_of_the_range)
+{
+  const double largest = (std::numeric_limits<double>::max)();
+  Triangle_list list = tetrahedron();
+  for(Coordinates& p : list.points)
+    for(double& x : p)
+      x = std::copysign(largest, x);
+  expect_mapped(list);
+  list.points = {{0., 0., -largest}, {1., 0., largest}, {0., 1., largest}, {0., 0., largest}};
+  expect_mapped(list);
+}
+
+TEST(Extreme_coordinates, all_coplanar_collinear_or_in_one_point)
+{
+  const Triangle_list list = bumpy_sphere(3);
+  expect_mapped(test_meshes::scaled(list, 1., 1., 0.));
+  expect_mapped(test_meshes::scaled(list, 1., 0., 0.));
+  EXPECT_EQ(expect_mapped(test_meshes::scaled(list, 0., 0., 0.)).report.number_of_flat_faces, list.triangles.size());
+}
+
+TEST(Extreme_coordinates, self_intersecting_and_random)
+{
+  Triangle_list noisy = icosphere(4), all_random = noisy;
+  Random random(5);
+  for(std::size_t v = 0; v < noisy.points.size(); ++v)
+  {
+    all_random.points[v] = random.in_cube();
+    noisy.points[v] = combination(1., noisy.points[v], 0.3, all_random.points[v]);
+  }
+  expect_mapped(noisy);
+  expect_mapped(all_random);
+}
+
+TEST(Extreme_shapes, long_tubes)
+{
+  for(const std::size_t size : {3u, 6u})
+  {
+    std::vector<Ring> rings;
+    for(std::size_t k = 0; k < 2000; ++k)
+      rings.push_back({1., 0.5 * static_cast<double>(k), size});
+    EXPECT_LT(expect_mapped(surface_of_revolution(-0.5, rings, 1000.)).distortion.isometric.average, 50.) << size;
+  }
+}
+
+TEST(Extreme_shapes, geometric_grading)
+{
+  std::vector<Ring> rings; // around the pole (0, 0, -1), by their angles there
+  for(int k = 0; k < 80; ++k)
+  {
+    const double angle = k <= 60 ? 1e-10 * std::pow(0.5e10, k / 60.) : 0.5 + (pi - 0.5) * (k - 60) / 20.;
+    rings.push_back({std::sin(angle), -std::cos(angle), 16});
+  }
+  EXPECT_LT(expect_mapped(surface_of_revolution(-1., rings, 1.)).distortion.isometric.average, 1.1); // this is a sphere
+}
+
+TEST(Extreme_shapes, spiral)
+{
+  const std::size_t n = 1500;
+  const auto curve = [&](std::size_t k) {
+    const double t = static_cast<double>(k) / static_cast<double>(n);
+    const double angle = 2. * pi * 15. * t, r = 1. + 15. * t;
+    return Coordinates{r * std::cos(angle), r * std::sin(angle), 0.};
+  };
+  expect_mapped(tube(curve, n, 0.3, 8));
+}
+
+TEST(Extreme_shapes, comb)
+{
+  std::vector<Ring> rings;
+  for(std::size_t k = 0; k < 202; ++k)
+    rings.push_back({1., 2. * static_cast<double>(k), 3});
+  Triangle_list list = surface_of_revolution(-1., rings, 403.);
+  const std::size_t n = list.triangles.size();
+  for(std::size_t f = n - 4; f > 8; f -= 6) // one tooth for each segment of the back
+    extrude(list, f, 40., 20, 0.5);
+  ASSERT_GT(list.points.size(), 200 * 60u);
+  expect_mapped(list);
+}
+
+TEST(Extreme_shapes, tree_of_tubes)
+{
+  Random random(1);
+  Triangle_list list = tetrahedron();
+  for(int i = 0; i < 300; ++i)
+  {
+    // the later faces are those at the ends of the branches
+    const std::size_t n = list.triangles.size(), face = n - 1 - random.below((std::min)(n, std::size_t(40)));
+    const double width = distance(list.points[list.triangles[face][0]], list.points[list.triangles[face][1]]);
+    const double length = width * random.between(2., 20.);
+    extrude(list, face, length, 4 + random.below(12), 0.8);
+  }
+  expect_mapped(list);
+}
+
+} // namespace

@@ -1,0 +1,412 @@
+// The distortion of a map: against singular values in extended precision, for faces of every shape and size, and what is said
+// of faces that have none.
+
+#include <CGAL/Spherical_parameterization/measure_distortion.h>
+
+#include "methods.h"
+#include "random_meshes.h"
+
+#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/boost/graph/generators.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+using namespace test;
+
+namespace {
+
+using Epeck = CGAL::Exact_predicates_exact_constructions_kernel;
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+// The summary and the values of all faces, in the order of the faces.
+struct Measurement
+{
+  SP::Distortion_summary summary;
+  std::vector<SP::Face_distortion> faces;
+};
+
+Measurement measure(const Triangle_list& list, const Images& images)
+{
+  const Mesh mesh = make(list);
+  const auto distortion = get(CGAL::dynamic_face_property_t<SP::Face_distortion>(), mesh);
+  Measurement result;
+  result.summary = SP::measure_distortion(mesh, Point_map(mesh, images), distortion);
+  for(const auto f : faces(mesh))
+    result.faces.push_back(get(distortion, f));
+  return result;
+}
+
+// The distortions of a triangle by brute force, in extended precision where there is one: the matrix of the map in
+// coordinates of the source's plane, and one rotation of its two columns (Jacobi) that makes them orthogonal. The
+// longer one is the larger singular value then; the product of both is the ratio of the areas.
+struct Reference
+{
+  using Vector = std::array<long double, 3>;
+
+  long double isometric, area, angle;
+
+  static long double dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+
+  static Vector cross(const Vector& a, const Vector& b)
+  {
+    return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+  }
+
+  static Vector sum(long double s, const Vector& a, long double t, const Vector& b)
+  {
+    return {s * a[0] + t * b[0], s * a[1] + t * b[1], s * a[2] + t * b[2]};
+  }
+
+  static Vector vector(const Coordinates& from, const Coordinates& to)
+  {
+    return sum(-1.L, {from[0], from[1], from[2]}, 1.L, {to[0], to[1], to[2]});
+  }
+
+  static Reference of(const Triangle_list& list, const Images& images, const Triangle& t)
+  {
+    const Vector e1 = vector(list.points[t[0]], list.points[t[1]]), e2 = vector(list.points[t[0]], list.points[t[2]]);
+    const Vector f1 = vector(images[t[0]], images[t[1]]), f2 = vector(images[t[0]], images[t[2]]);
+    // e1 is mapped to f1, and the height over it, which is e2 - foot e1, to f2 - foot f1.
+    const long double foot = dot(e1, e2) / dot(e1, e1);
+    const Vector height = sum(1.L, e2, -foot, e1);
+    const Vector a = sum(1.L / std::sqrt(dot(e1, e1)), f1, 0.L, f1);
+    const Vector b = sum(1.L / std::sqrt(dot(height, height)), f2, -foot / std::sqrt(dot(height, height)), f1);
+    const long double angle = 0.5L * std::atan2(2.L * dot(a, b), dot(a, a) - dot(b, b));
+    const Vector major = sum(std::cos(angle), a, std::sin(angle), b);
+    const long double s2 = std::sqrt(dot(major, major));
+    const Vector n = cross(e1, e2), m = cross(f1, f2);
+    const long double s1 = std::sqrt(dot(m, m)) / std::sqrt(dot(n, n)) / s2;
+    return {(std::max)(s2, 1.L / s1), s1 * s2 + 1.L / (s1 * s2), s2 / s1 + s1 / s2};
+  }
+};
+
+void expect_relative(double value, long double reference, double tolerance)
+{
+  EXPECT_NEAR(value, static_cast<double>(reference), tolerance * static_cast<double>(std::abs(reference)));
+}
+
+// A tetrahedron whose first face, number 0, has these corners; the fourth vertex is where it is in tetrahedron().
+Triangle_list with_triangle(const Coordinates& p0, const Coordinates& p1, const Coordinates& p2)
+{
+  Triangle_list list = tetrahedron();
+  list.points[0] = p0;
+  list.points[1] = p1;
+  list.points[2] = p2;
+  return list;
+}
+
+TEST(Distortion, of_a_similarity_is_its_factor)
+{
+  const Triangle_list list = random_stacked_sphere(30, 1);
+  for(const double r : {1., 0.25, 3.})
+  {
+    const SP::Distortion_summary s = measure(list, scaled(list.points, r)).summary;
+    const double iso = (std::max)(r, 1. / r), area = r * r + 1. / (r * r);
+    EXPECT_NEAR(s.radius, r, 1e-14);
+    EXPECT_NEAR(s.isometric.maximum, iso, 1e-11);
+    EXPECT_NEAR(s.isometric.average, iso, 1e-12);
+    EXPECT_NEAR(s.isometric.deviation, 0., 1e-11);
+    EXPECT_NEAR(s.area.maximum, area, 1e-10);
+    EXPECT_NEAR(s.area.average, area, 1e-11);
+    EXPECT_NEAR(s.angle.maximum, 2., 1e-11);
+    EXPECT_EQ(s.number_of_faces, list.triangles.size());
+    EXPECT_EQ(s.number_of_inverted_faces, 0u);
+    EXPECT_EQ(s.number_of_degenerate_faces, 0u);
+    EXPECT_EQ(s.error, SP::OK);
+  }
+}
+
+TEST(Distortion, of_a_stretched_face)
+{
+  // The face in the plane z = 1 is stretched by 4 along x and by 1/2 along y; the other way round, s1 = 1/4 decides.
+  const Triangle_list list = with_triangle({0, 0, 1}, {1, 0, 1}, {0.25, 1, 1});
+  Triangle_list stretched = list;
+  stretched.points[1] = {4, 0, 1};
+  stretched.points[2] = {1, 0.5, 1};
+  for(const SP::Face_distortion& f :
+      {measure(list, stretched.points).faces[0], measure(stretched, list.points).faces[0]})
+  {
+    EXPECT_DOUBLE_EQ(f.isometric, 4.);
+    EXPECT_DOUBLE_EQ(f.area, 2.5);
+    EXPECT_DOUBLE_EQ(f.angle, 8.125);
+    EXPECT_FALSE(f.is_inverted);
+  }
+}
+
+TEST(Distortion, is_that_of_the_singular_values_and_summed_up)
+{
+  const Triangle_list list = ellipsoid(1., 2., 0.3, 2);
+  Images images = icosphere(2).points;
+  images[5] = scaled({images[5]}, -1.)[0]; // a vertex of degree 5
+  const Measurement m = measure(list, images);
+  ASSERT_EQ(m.faces.size(), list.triangles.size());
+  std::size_t n_inverted = 0;
+  for(std::size_t i = 0; i < m.faces.size(); ++i)
+  {
+    const Reference reference = Reference::of(list, images, list.triangles[i]);
+    expect_relative(m.faces[i].isometric, reference.isometric, 1e-13);
+    expect_relative(m.faces[i].area, reference.area, 1e-13);
+    expect_relative(m.faces[i].angle, reference.angle, 1e-13);
+    n_inverted += m.faces[i].is_inverted;
+  }
+  EXPECT_EQ(n_inverted, 5u);
+  EXPECT_EQ(m.summary.number_of_inverted_faces, 5u);
+
+  const double n = static_cast<double>(m.faces.size());
+  const auto expect_statistics = [&](const SP::Distortion_statistics& statistics, double SP::Face_distortion::*value) {
+    double maximum = 0., sum = 0., squares = 0.;
+    for(const SP::Face_distortion& f : m.faces)
+    {
+      maximum = (std::max)(maximum, f.*value);
+      sum += f.*value;
+    }
+    for(const SP::Face_distortion& f : m.faces)
+      squares += (f.*value - sum / n) * (f.*value - sum / n);
+    EXPECT_EQ(statistics.maximum, maximum);
+    EXPECT_NEAR(statistics.average, sum / n, 1e-12 * sum / n);
+    EXPECT_NEAR(statistics.deviation, std::sqrt(squares / n), 1e-12 * sum / n);
+    EXPECT_GT(statistics.deviation, 0.);
+  };
+  expect_statistics(m.summary.isometric, &SP::Face_distortion::isometric);
+  expect_statistics(m.summary.area, &SP::Face_distortion::area);
+  expect_statistics(m.summary.angle, &SP::Face_distortion::angle);
+}
+
+TEST(Distortion, of_a_reflection_is_none_but_all_faces_are_inverted)
+{
+  const Triangle_list list = icosphere(1);
+  const Measurement m = measure(list, test_meshes::scaled(list, 1., 1., -1.).points);
+  EXPECT_EQ(m.summary.number_of_inverted_faces, list.triangles.size());
+  EXPECT_TRUE(m.faces[0].is_inverted);
+  EXPECT_NEAR(m.summary.isometric.maximum, 1., 1e-13);
+}
+
+TEST(Distortion, leaves_degenerate_faces_out)
+{
+  // A face of height 0, or next to the bound: twice its area is below, or above, 1e-12 times the square of its longest edge.
+  for(const double height : {0., 0.9e-12, 1.1e-12})
+  {
+    const Triangle_list list = with_triangle({0, 0, 0}, {1, 0, 0}, {0.5, height, 0});
+    const Measurement m = measure(list, tetrahedron().points);
+    const bool is_degenerate = height < 1e-12;
+    EXPECT_EQ(m.summary.number_of_degenerate_faces, is_degenerate ? 1u : 0u);
+    EXPECT_EQ(m.summary.number_of_inverted_faces, 0u);
+    for(const double value : {m.faces[0].isometric, m.faces[0].area, m.faces[0].angle})
+      EXPECT_EQ(std::isinf(value), is_degenerate);
+    double maximum = is_degenerate ? 0. : m.faces[0].isometric;
+    for(std::size_t f = 1; f < 4; ++f)
+      maximum = (std::max)(maximum, m.faces[f].isometric);
+    EXPECT_EQ(m.summary.isometric.maximum, maximum);
+  }
+}
+
+TEST(Distortion, of_a_collapsed_image_is_infinite)
+{
+  const Triangle_list list = icosphere(1);
+  Images images = list.points;
+  images[list.triangles[7][0]] = images[list.triangles[7][1]];
+  const Measurement m = measure(list, images);
+  for(const double value : {m.faces[7].isometric, m.faces[7].area, m.faces[7].angle, m.summary.isometric.maximum,
+                            m.summary.isometric.average, m.summary.isometric.deviation})
+    EXPECT_EQ(value, infinity);
+  EXPECT_TRUE(m.faces[7].is_inverted);
+  EXPECT_EQ(m.summary.number_of_degenerate_faces, 0u);
+  // all at one point
+  const SP::Distortion_summary s = measure(list, Images(list.points.size(), Coordinates{0., 0., 1.})).summary;
+  EXPECT_EQ(s.isometric.average, infinity);
+  EXPECT_EQ(s.number_of_inverted_faces, list.triangles.size());
+  EXPECT_EQ(s.radius, 1.);
+}
+
+TEST(Precise_distortion, of_random_triangles_of_every_shape)
+{
+  // Vertices with coordinates of 20 bits: the edges are exact, so the needles' heights are what the reference takes
+  // them for.
+  Random random(6);
+  const auto coordinate = [&](int exponent) {
+    return std::ldexp(static_cast<double>(random.below(1u << 20)), -20 - exponent);
+  };
+  for(int i = 0; i < 500; ++i)
+  {
+    const int e1 = static_cast<int>(random.below(24));
+    const int e2 = static_cast<int>(random.below(24));
+    const Coordinates far = {1. + coordinate(0), coordinate(0), coordinate(0)};
+    const Coordinates near = {coordinate(e1), coordinate(e1), coordinate(e1)};
+    const Triangle_list list = with_triangle({0., 0., 0.}, far, near);
+    Images images = list.points;
+    images[0] = {0., 0., 1.};
+    images[1] = {coordinate(e2), coordinate(e2), 1. + coordinate(e2)};
+    images[2] = {coordinate(0), coordinate(0), 1. + coordinate(0)};
+    const Measurement m = measure(list, images);
+    const Reference reference = Reference::of(list, images, list.triangles[0]);
+    // a short edge does not cost a digit; heights over all edges stay above 1e-4 here with few exceptions
+    expect_relative(m.faces[0].isometric, reference.isometric, 1e-11);
+    expect_relative(m.faces[0].area, reference.area, 1e-11);
+    expect_relative(m.faces[0].angle, reference.angle, 1e-11);
+  }
+}
+
+TEST(Precise_distortion, of_needles)
+{
+  // A face of height h over a base of 1 or with a short edge h, doubled in height: s1 = 1, s2 = 2.
+  for(const double h : {1e-2, 1e-4, 1e-6, 1e-8, 1e-10})
+  {
+    const Triangle_list cap = with_triangle({0, 0, 1}, {1, 0, 1}, {0.4375, h, 1});
+    Images images = cap.points;
+    images[2][1] = 2 * h;
+    const SP::Face_distortion of_cap = measure(cap, images).faces[0];
+    EXPECT_NEAR(of_cap.isometric, 2., 1e-15 / h);
+    EXPECT_NEAR(of_cap.area, 2.5, 1e-15 / h);
+    EXPECT_NEAR(of_cap.angle, 2.5, 1e-15 / h);
+
+    for(const int turn : {0, 1, 2})
+    {
+      std::array<Coordinates, 3> p = {Coordinates{0, 0, 1}, Coordinates{1, 0, 1}, Coordinates{0.25 * h, h, 1}};
+      std::rotate(p.begin(), p.begin() + turn, p.end());
+      const Triangle_list needle = with_triangle(p[0], p[1], p[2]);
+      images = needle.points;
+      for(std::size_t i = 0; i < 3; ++i)
+        images[i][1] *= 2;
+      const SP::Face_distortion of_needle = measure(needle, images).faces[0];
+      EXPECT_NEAR(of_needle.isometric, 2., 1e-14);
+      EXPECT_NEAR(of_needle.area, 2.5, 1e-14);
+      EXPECT_NEAR(of_needle.angle, 2.5, 1e-14);
+    }
+  }
+}
+
+TEST(Precise_distortion, of_tiny_triangles_far_from_the_origin)
+{
+  // The edges are 2^-40, exactly, at a distance of 1; a formula on the points instead of their differences sees noise.
+  const double h = 0x1p-40;
+  const Triangle_list list = with_triangle({0, 0, 1}, {h, 0, 1}, {0, h, 1});
+  Images images = list.points;
+  images[1][0] = 3 * h;
+  const SP::Face_distortion f = measure(list, images).faces[0];
+  EXPECT_DOUBLE_EQ(f.isometric, 3.);
+  EXPECT_DOUBLE_EQ(f.area, 3. + 1. / 3.);
+  EXPECT_DOUBLE_EQ(f.angle, 3. + 1. / 3.);
+  EXPECT_FALSE(f.is_inverted);
+}
+
+TEST(Precise_distortion, of_extreme_anisotropy)
+{
+  // s2 / s1 = 1e12: the difference of two sums of squares would leave nothing of s1.
+  const Triangle_list list = with_triangle({0, 0, 1}, {1, 0, 1}, {0, 1, 1});
+  Images images = list.points;
+  images[1][0] = 1e6;
+  images[2][1] = 1e-6;
+  const SP::Face_distortion f = measure(list, images).faces[0];
+  expect_relative(f.isometric, 1e6L, 1e-14);
+  expect_relative(f.area, 2.L, 1e-14);
+  expect_relative(f.angle, 1e12L, 1e-14);
+}
+
+TEST(Distortion, does_not_depend_on_the_unit)
+{
+  const Triangle_list list = ellipsoid(1., 2., 0.3, 1);
+  const Images sphere = icosphere(1).points;
+  const SP::Distortion_summary expected = measure(list, sphere).summary;
+  for(const int exponent : {-1000, -500, 500, 1000})
+  {
+    const double s = std::ldexp(1., exponent);
+    const SP::Distortion_summary summary = measure(test_meshes::scaled(list, s, s, s), scaled(sphere, s)).summary;
+    EXPECT_EQ(summary.isometric.maximum, expected.isometric.maximum);
+    EXPECT_EQ(summary.isometric.average, expected.isometric.average);
+    EXPECT_EQ(summary.area.average, expected.area.average);
+    EXPECT_EQ(summary.angle.average, expected.angle.average);
+    EXPECT_EQ(summary.radius, s * expected.radius);
+    EXPECT_EQ(summary.number_of_degenerate_faces, 0u);
+    EXPECT_EQ(summary.number_of_inverted_faces, 0u);
+  }
+  // The factor itself: huge surfaces on the unit sphere, and tiny ones.
+  for(const double s : {1e-150, 1e150})
+  {
+    const SP::Distortion_summary summary = measure(test_meshes::scaled(icosphere(1), s, s, s), sphere).summary;
+    expect_relative(summary.isometric.average, 1e150L, 1e-13);
+    expect_relative(summary.area.average, 1e300L, 1e-13);
+    expect_relative(summary.angle.average, 2.L, 1e-13);
+  }
+}
+
+TEST(Distortion, of_coordinates_that_are_not_finite)
+{
+  const Triangle_list list = icosphere(1);
+  for(const double x : {infinity, -infinity, std::nan("")})
+  {
+    Triangle_list broken = list;
+    broken.points[0][1] = x;
+    const SP::Distortion_summary of_mesh = measure(broken, list.points).summary;
+    EXPECT_EQ(of_mesh.number_of_degenerate_faces, 5u);
+    EXPECT_NEAR(of_mesh.isometric.maximum, 1., 1e-13);
+
+    const SP::Distortion_summary of_images = measure(list, broken.points).summary;
+    EXPECT_EQ(of_images.number_of_degenerate_faces, 0u);
+    EXPECT_EQ(of_images.number_of_inverted_faces, 5u);
+    EXPECT_EQ(of_images.isometric.maximum, infinity);
+  }
+}
+
+TEST(Distortion, is_measured_with_the_points_given)
+{
+  const Mesh mesh = make(ellipsoid(1., 2., 0.3, 1));
+  const Point_map sphere(mesh, icosphere(1).points), half(mesh, scaled(points(mesh), 0.5));
+  const auto distortion = get(CGAL::dynamic_face_property_t<SP::Face_distortion>(), mesh);
+  const auto np = CGAL::parameters::vertex_point_map(half);
+  const SP::Distortion_summary plain = SP::measure_distortion(mesh, sphere),
+                               of_half = SP::measure_distortion(mesh, sphere, np);
+  EXPECT_NE(of_half.isometric.average, plain.isometric.average);
+  EXPECT_EQ(SP::measure_distortion(mesh, sphere, distortion).isometric.average, plain.isometric.average);
+  EXPECT_EQ(SP::measure_distortion(mesh, sphere, distortion, np).isometric.average, of_half.isometric.average);
+}
+
+// A mesh with exact points, and images of type float, which need not be closed.
+TEST(Distortion, of_different_kernels_and_open_meshes)
+{
+  Triangle_list list = octahedron();
+  list.triangles.pop_back();
+  list.points.push_back({9., 9., 9.}); // isolated: neither its image nor its point matters
+  const auto mesh = make_mesh<CGAL::Surface_mesh<Epeck::Point_3>>(list);
+  const auto sphere = make_vertex_map<CGAL::Simple_cartesian<float>::Point_3>(mesh, list.points);
+  const SP::Distortion_summary s = SP::measure_distortion(mesh, sphere);
+  EXPECT_EQ(s.number_of_faces, 7u);
+  EXPECT_EQ(s.number_of_inverted_faces, 0u);
+  EXPECT_EQ(s.radius, 1.);
+  EXPECT_NEAR(s.isometric.maximum, 1., 1e-15);
+}
+
+TEST(Distortion, of_an_empty_mesh)
+{
+  const SP::Distortion_summary s = measure({}, {}).summary;
+  EXPECT_EQ(s.error, SP::OK);
+  EXPECT_EQ(s.number_of_faces, 0u);
+  EXPECT_EQ(s.isometric.maximum, 0.);
+  EXPECT_EQ(s.isometric.average, 0.);
+  EXPECT_EQ(s.radius, 0.);
+}
+
+// Faces that are not triangles are data, not a mistake of the caller's program.
+TEST(Distortion, of_polygons_is_refused)
+{
+  Mesh cube;
+  CGAL::make_hexahedron(Point_3(-1, -1, -1), Point_3(1, -1, -1), Point_3(1, 1, -1), Point_3(-1, 1, -1),
+                        Point_3(-1, 1, 1), Point_3(-1, -1, 1), Point_3(1, -1, 1), Point_3(1, 1, 1), cube);
+  const auto distortion = get(CGAL::dynamic_face_property_t<SP::Face_distortion>(), cube);
+  for(const SP::Distortion_summary& s :
+      {SP::measure_distortion(cube, cube.points()), SP::measure_distortion(cube, cube.points(), distortion)})
+  {
+    EXPECT_EQ(s.error, SP::ERROR_NON_TRIANGULAR_MESH);
+    EXPECT_EQ(s.isometric.maximum, 0.); // nothing has been measured
+  }
+}
+
+} // namespace

@@ -1,0 +1,619 @@
+// The energies of a triangle: values by their definition in the singular values, derivatives by central differences, and
+// the scale that minimises a sum of energies by a search. The radius of the sphere: each formula against the sums that it is
+// made of, and on whole runs against the map that was written. The sharpness of runs.
+
+#include "methods.h"
+#include "random_meshes.h"
+
+#include <CGAL/spherical_parameterization.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+using namespace test;
+
+namespace {
+
+using Faces = std::vector<SP::Face_invariants_3>;
+
+SP::Face_range_3 range(const Faces& faces)
+{
+  return {faces.data(), faces.data() + faces.size()};
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// Energies
+
+using Definition = std::function<long double(long double, long double)>; // of the singular values
+
+template <class Energy>
+void expect_definition(const Energy& energy, const Definition& definition)
+{
+  Random random(1);
+  for(int k = 0; k < 1000; ++k)
+  {
+    const double s1 = random.factor(1e3), s2 = random.factor(1e3);
+    const double reference = static_cast<double>(definition(s1, s2));
+    const double value = energy(s1 * s1 + s2 * s2, s1 * s2);
+    ASSERT_NEAR(value, reference, 1e-14 * reference);
+    ASSERT_GE(value, 2. * (1. - 1e-14));
+  }
+  EXPECT_DOUBLE_EQ(energy(2., 1.), 2.);
+}
+
+template <class Energy>
+void expect_derivatives(const Energy& energy)
+{
+  Random random(2);
+  for(int k = 0; k < 1000; ++k)
+  {
+    const double s1 = random.factor(100.), s2 = random.factor(100.);
+    const double i = s1 * s1 + s2 * s2, d = s1 * s2;
+    const double hi = 1e-4 * i, hd = 1e-4 * d;
+    const SP::Energy_derivatives_3<> e = energy.derivatives(i, d);
+    ASSERT_NEAR(e.value, energy(i, d), 1e-14 * e.value);
+
+    // The error of a central difference is a sixth of the third derivative times the square of the step, and the energies
+    // have no higher power than the -4th in d.
+    const double tolerance = 1e-6 * e.value;
+    ASSERT_NEAR(e.i * i, (energy(i + hi, d) - energy(i - hi, d)) / (2. * hi) * i, tolerance);
+    ASSERT_NEAR(e.d * d, (energy(i, d + hd) - energy(i, d - hd)) / (2. * hd) * d, tolerance);
+    const SP::Energy_derivatives_3<> i1 = energy.derivatives(i + hi, d), i0 = energy.derivatives(i - hi, d);
+    const SP::Energy_derivatives_3<> d1 = energy.derivatives(i, d + hd), d0 = energy.derivatives(i, d - hd);
+    ASSERT_NEAR(e.ii * i * i, (i1.i - i0.i) / (2. * hi) * i * i, tolerance);
+    ASSERT_NEAR(e.id * i * d, (i1.d - i0.d) / (2. * hi) * i * d, tolerance);
+    ASSERT_NEAR(e.id * i * d, (d1.i - d0.i) / (2. * hd) * i * d, tolerance);
+    ASSERT_NEAR(e.dd * d * d, (d1.d - d0.d) / (2. * hd) * d * d, tolerance);
+  }
+}
+
+Faces random_faces(std::uint32_t seed, double scale)
+{
+  Random random(seed);
+  Faces faces;
+  for(int k = 0; k < 50; ++k)
+  {
+    const double s1 = scale * random.factor(5.), s2 = scale * random.factor(5.);
+    const double area = random.factor(10.), flatness = 1. + random.factor(10.);
+    faces.push_back({area, s1 * s1 + s2 * s2, s1 * s2, flatness * s1 * s2});
+  }
+  return faces;
+}
+
+template <class Energy>
+double total_energy(const Energy& energy, const Faces& faces, double scale)
+{
+  double total = 0.;
+  for(const SP::Face_invariants_3& face : faces)
+    total += energy(scale * scale * face.i, scale * scale * face.d);
+  return total;
+}
+
+// golden section search in the logarithm of the scale
+template <class Energy>
+double best_scale(const Energy& energy, const Faces& faces)
+{
+  const double ratio = 0.5 * (std::sqrt(5.) - 1.);
+  double a = -20., b = 20.;
+  while(b - a > 1e-9)
+  {
+    const double c = b - ratio * (b - a), d = a + ratio * (b - a);
+    if(total_energy(energy, faces, std::exp(c)) < total_energy(energy, faces, std::exp(d)))
+      b = d;
+    else
+      a = c;
+  }
+  return std::exp(0.5 * (a + b));
+}
+
+template <class Energy>
+void expect_optimal_scale(const Energy& energy)
+{
+  for(std::uint32_t seed = 0; seed < 20; ++seed)
+  {
+    const Faces faces = random_faces(seed, std::pow(10., static_cast<int>(seed % 7) - 3.));
+    const double scale = energy.optimal_scale(range(faces));
+    EXPECT_NEAR(scale / best_scale(energy, faces), 1., 1e-6); // a search finds a minimum to half of the digits
+    const double minimum = total_energy(energy, faces, scale);
+    EXPECT_LT(minimum, total_energy(energy, faces, 1.0001 * scale));
+    EXPECT_LT(minimum, total_energy(energy, faces, 0.9999 * scale));
+  }
+}
+
+Definition blend(long double alpha)
+{
+  return [alpha](long double s1, long double s2) {
+    return alpha * (s1 / s2 + s2 / s1) + (1.L - alpha) * (s1 * s2 + 1.L / (s1 * s2));
+  };
+}
+
+TEST(Symmetric_Dirichlet_energy, has_its_definition_and_derivatives)
+{
+  const SP::Symmetric_Dirichlet_energy_3 energy;
+  expect_definition(energy, [](long double s1, long double s2) {
+    return (s1 * s1 + s2 * s2 + 1.L / (s1 * s1) + 1.L / (s2 * s2)) / 2.L;
+  });
+  expect_derivatives(energy);
+  expect_optimal_scale(energy);
+}
+
+TEST(Symmetric_Dirichlet_energy, grows_with_the_square_of_the_isometric_distortion)
+{
+  const SP::Symmetric_Dirichlet_energy_3 energy;
+  Random random(3);
+  for(int k = 0; k < 100; ++k)
+  {
+    const double s1 = random.factor(1e3), s2 = random.factor(1e3);
+    const double isometric = (std::max)({s1, s2, 1. / s1, 1. / s2});
+    const double value = energy(s1 * s1 + s2 * s2, s1 * s2);
+    EXPECT_GE(value, 0.5 * isometric * isometric);
+    EXPECT_LE(value, 2. * isometric * isometric * (1. + 1e-14));
+  }
+}
+
+TEST(Isometric_energy, has_its_definition_and_derivatives)
+{
+  EXPECT_EQ(SP::Isometric_energy_3().alpha(), 0.5);
+  for(const double alpha : {0.1, 0.5, 0.9, 1.})
+  {
+    const SP::Isometric_energy_3 energy(alpha);
+    expect_definition(energy, blend(alpha));
+    expect_derivatives(energy);
+    if(alpha < 1.)
+      expect_optimal_scale(energy);
+  }
+}
+
+TEST(Isometric_energy, knows_the_range_of_its_weight)
+{
+  EXPECT_TRUE(SP::Isometric_energy_3(1e-3).is_valid());
+  EXPECT_TRUE(SP::Isometric_energy_3(1.).is_valid());
+  EXPECT_FALSE(SP::Isometric_energy_3(0.).is_valid());
+  EXPECT_FALSE(SP::Isometric_energy_3(1.001).is_valid());
+  EXPECT_FALSE(SP::Isometric_energy_3(std::nan("")).is_valid());
+}
+
+TEST(Conformal_energy, has_its_definition_and_derivatives)
+{
+  const SP::Conformal_energy_3 energy;
+  expect_definition(energy, blend(1.));
+  expect_derivatives(energy);
+}
+
+TEST(Conformal_energy, does_not_depend_on_the_radius)
+{
+  const SP::Conformal_energy_3 energy;
+  EXPECT_EQ(energy.optimal_scale(range(random_faces(1, 1.))), 1.);
+  Random random(4);
+  for(int k = 0; k < 100; ++k)
+  {
+    const double s1 = random.factor(1e3), s2 = random.factor(1e3), q = random.factor(1e3);
+    const double i = s1 * s1 + s2 * s2, d = s1 * s2;
+    EXPECT_NEAR(energy(q * i, q * d), energy(i, d), 1e-14 * energy(i, d));
+  }
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// Radius policies
+
+// The faces of a surface on its image, whose vertices have the distance `radius` from the origin, from first principles.
+Faces faces_of(const Triangle_list& surface, const Images& image, double radius)
+{
+  Faces faces;
+  for(const Triangle& t : surface.triangles)
+  {
+    const auto edges = [&](const Images& p) {
+      return std::array<Coordinates, 2>{difference(p[t[1]], p[t[0]]), difference(p[t[2]], p[t[0]])};
+    };
+    const auto e = edges(surface.points), f = edges(image);
+    const double doubled_area = norm(cross(e[0], e[1])), doubled_image = norm(cross(f[0], f[1]));
+    // the trace of G^-1 H for the metrics G of the surface and H of the image
+    const double i = (dot(e[1], e[1]) * dot(f[0], f[0]) - 2. * dot(e[0], e[1]) * dot(f[0], f[1]) +
+                      dot(e[0], e[0]) * dot(f[1], f[1])) /
+                     (doubled_area * doubled_area);
+    const double determinant = dot(image[t[0]], cross(image[t[1]], image[t[2]]));
+    faces.push_back({0.5 * doubled_area, i, determinant / (doubled_area * radius), doubled_image / doubled_area});
+  }
+  return faces;
+}
+
+Faces scaled(Faces faces, double radius_factor)
+{
+  const double s = radius_factor * radius_factor;
+  for(SP::Face_invariants_3& face : faces)
+    face = {face.area, s * face.i, s * face.d, s * face.flat_d};
+  return faces;
+}
+
+// An ellipsoid of revolution with the half-axes 1, 1, 2 on the unit sphere, by the stretch that made it.
+struct Ellipsoid_on_sphere
+{
+  Triangle_list sphere = icosphere(4);
+  Triangle_list ellipsoid = test_meshes::scaled(sphere, 1., 1., 2.);
+  Faces faces = faces_of(ellipsoid, sphere.points, 1.);
+
+  // the area of the smooth ellipsoid: 2 pi (1 + 2 asin(e) / e), e^2 = 1 - 1 / 4
+  static double area()
+  {
+    const double e = std::sqrt(0.75);
+    return 2. * pi * (1. + 2. * std::asin(e) / e);
+  }
+};
+
+// an energy without a closed form of the best scale
+template <class Energy>
+struct Plain
+{
+  double operator()(double i, double d) const { return Energy()(i, d); }
+  SP::Energy_derivatives_3<> derivatives(double i, double d) const { return Energy().derivatives(i, d); }
+};
+
+const SP::Symmetric_Dirichlet_energy_3 energy;
+
+TEST(Radius, of_a_sphere_on_itself_stays)
+{
+  const Triangle_list sphere = icosphere(3);
+  const Faces faces = faces_of(sphere, sphere.points, 1.);
+  EXPECT_NEAR(SP::Area_preserving_radius_3()(energy, range(faces), 1.), 1., 1e-14);
+  EXPECT_NEAR(SP::Area_balancing_radius_3()(energy, range(faces), 1.), 1., 1e-14);
+  // The energy's d is that of the planes' distance from the centre, a little below 1: about the largest triangles'
+  // inradius squared over two.
+  EXPECT_NEAR(SP::Optimal_radius_3()(energy, range(faces), 1.), 1., 1e-2);
+  EXPECT_EQ(SP::Fixed_radius_3(0.75)(energy, range(faces), 1.), 0.75);
+}
+
+TEST(Radius, of_a_sphere_on_one_of_another_size_is_found_in_one_step)
+{
+  const Triangle_list sphere = icosphere(3), large = test_meshes::scaled(sphere, 5., 5., 5.);
+  const Faces faces = faces_of(large, sphere.points, 1.);
+  EXPECT_NEAR(SP::Area_preserving_radius_3()(energy, range(faces), 1.), 5., 1e-13);
+  EXPECT_NEAR(SP::Area_balancing_radius_3()(energy, range(faces), 1.), 5., 1e-13);
+  EXPECT_NEAR(SP::Optimal_radius_3()(energy, range(faces), 1.), 5., 5e-2);
+}
+
+// The faces of a run are summed up block by block, by several threads: each face once, however many there are, and to the
+// same bits.
+TEST(Face_range, has_sums_that_do_not_depend_on_threads)
+{
+  for(const std::size_t n : {0u, 1u, 2u, 1023u, 1024u, 1025u, 2048u, 10000u})
+  {
+    Faces faces;
+    double sum = 0.;
+    for(std::size_t k = 0; k < n; ++k)
+    {
+      const double x = 1. + static_cast<double>(k * 7919 % 1000) / 250.;
+      faces.push_back({x, 2. + x, 0.9 / x, 1.1 / x});
+      sum += x;
+    }
+    EXPECT_EQ(range(faces).size(), n);
+    EXPECT_EQ(range(faces).empty(), n == 0);
+    const auto terms = [](const SP::Face_invariants_3& face) { return std::array<double, 2>{1., face.area}; };
+    const std::array<double, 2> sums = range(faces).sums<2>(terms);
+    EXPECT_EQ(sums[0], static_cast<double>(n));
+    EXPECT_NEAR(sums[1], sum, 1e-12 * sum);
+#ifdef CGAL_LINKED_WITH_TBB
+    const SP::Face_range_3 parallel(faces.data(), faces.data() + n, SP::internal::Execution::PARALLEL);
+    EXPECT_EQ(parallel.sums<2>(terms), sums);
+    if(n > 0)
+    {
+      EXPECT_EQ(SP::Area_balancing_radius_3()(energy, parallel, 1.2),
+                SP::Area_balancing_radius_3()(energy, range(faces), 1.2));
+      EXPECT_EQ(SP::Optimal_radius_3()(Plain<SP::Isometric_energy_3>(), parallel, 1.2),
+                SP::Optimal_radius_3()(Plain<SP::Isometric_energy_3>(), range(faces), 1.2));
+    }
+#endif
+  }
+}
+
+TEST(Radius, starts_with_the_area_of_the_surface)
+{
+  EXPECT_EQ(SP::Area_preserving_radius_3().initial_radius(3.5), 3.5);
+  EXPECT_EQ(SP::Area_balancing_radius_3().initial_radius(3.5), 3.5);
+  EXPECT_EQ(SP::Optimal_radius_3().initial_radius(3.5), 3.5);
+  EXPECT_EQ(SP::Two_phase_radius_3<>().initial_radius(3.5), 3.5);
+  EXPECT_EQ(SP::Fixed_radius_3(0.75).initial_radius(3.5), 0.75);
+  EXPECT_EQ(SP::Fixed_radius_3().initial_radius(3.5), 1.);
+}
+
+TEST(Area_preserving_radius, of_an_ellipsoid)
+{
+  const Ellipsoid_on_sphere map;
+  double area = 0., image_area = 0.;
+  for(const SP::Face_invariants_3& face : map.faces)
+  {
+    area += face.area;
+    image_area += face.flat_d * face.area;
+  }
+  const double radius = SP::Area_preserving_radius_3()(energy, range(map.faces), 1.);
+  EXPECT_NEAR(radius, std::sqrt(area / image_area), 1e-13);
+  EXPECT_NEAR(radius, std::sqrt(Ellipsoid_on_sphere::area() / (4. * pi)), 1e-3);
+  // the same sphere, wherever the step starts
+  EXPECT_NEAR(SP::Area_preserving_radius_3()(energy, range(scaled(map.faces, 7.)), 7.), radius, 1e-13);
+}
+
+TEST(Area_balancing_radius, of_an_ellipsoid)
+{
+  const Ellipsoid_on_sphere map;
+  const double radius = SP::Area_balancing_radius_3()(energy, range(map.faces), 1.);
+  double sum = 0., sum_of_inverses = 0.;
+  for(const SP::Face_invariants_3& face : scaled(map.faces, radius))
+  {
+    sum += face.flat_d;
+    sum_of_inverses += 1. / face.flat_d;
+  }
+  EXPECT_NEAR(sum / sum_of_inverses, 1., 1e-13);
+  EXPECT_NEAR(SP::Area_balancing_radius_3()(energy, range(scaled(map.faces, 0.01)), 0.01), radius, 1e-13);
+  // A face at the height z of the sphere has A / a = 2 sqrt(1 - 3/4 z^2), and all z are equally frequent.
+  const double b = std::sqrt(0.75);
+  const double mean = std::sqrt(1. - b * b) + std::asin(b) / b, mean_of_inverses = std::asin(b) / (2. * b);
+  EXPECT_NEAR(radius, std::pow(mean / mean_of_inverses, 0.25), 2e-2); // the faces of an icosphere differ in size
+}
+
+TEST(Optimal_radius, minimises_the_energy_in_use)
+{
+  const Ellipsoid_on_sphere map;
+  const auto total = [&](const auto& e, double radius) {
+    double sum = 0.;
+    for(const SP::Face_invariants_3& face : scaled(map.faces, radius))
+      sum += e(face.i, face.d);
+    return sum;
+  };
+  const auto expect_minimum = [&](const auto& e) {
+    const double radius = SP::Optimal_radius_3()(e, range(map.faces), 1.);
+    EXPECT_LT(total(e, radius), total(e, 1.0001 * radius));
+    EXPECT_LT(total(e, radius), total(e, 0.9999 * radius));
+  };
+  expect_minimum(energy);
+  expect_minimum(SP::Isometric_energy_3());
+  expect_minimum(SP::Isometric_energy_3(0.9));
+  expect_minimum(Plain<SP::Symmetric_Dirichlet_energy_3>());
+  EXPECT_GT(std::abs(SP::Optimal_radius_3()(energy, range(map.faces), 1.) /
+                         SP::Area_balancing_radius_3()(energy, range(map.faces), 1.) -
+                     1.),
+            1e-3);
+}
+
+TEST(Optimal_radius, by_newton_agrees_with_the_closed_form)
+{
+  const Ellipsoid_on_sphere map;
+  for(const double radius : {1., 1e-3, 0.1, 20., 1e3})
+  {
+    const Faces faces = scaled(map.faces, radius);
+    const double dirichlet = SP::Optimal_radius_3()(energy, range(map.faces), 1.);
+    const double isometric = SP::Optimal_radius_3()(SP::Isometric_energy_3(), range(map.faces), 1.);
+    EXPECT_NEAR(SP::Optimal_radius_3()(Plain<SP::Symmetric_Dirichlet_energy_3>(), range(faces), radius), dirichlet,
+                1e-9);
+    EXPECT_NEAR(SP::Optimal_radius_3()(Plain<SP::Isometric_energy_3>(), range(faces), radius), isometric, 1e-9);
+  }
+}
+
+TEST(Optimal_radius, stays_where_the_energy_has_no_scale)
+{
+  const Ellipsoid_on_sphere map;
+  for(const double radius : {1., 0.3, 1e6})
+  {
+    const Faces faces = scaled(map.faces, radius);
+    EXPECT_EQ(SP::Optimal_radius_3()(SP::Conformal_energy_3(), range(faces), radius), radius);
+    EXPECT_EQ(SP::Optimal_radius_3()(Plain<SP::Conformal_energy_3>(), range(faces), radius), radius);
+  }
+}
+
+// Goes to a given radius by a factor in each step; tells apart the phases of the two-phase policy.
+struct Moving_radius
+{
+  double factor;
+  bool is_valid() const { return factor > 0.; }
+  double initial_radius(double) const { return 100. * factor; }
+  template <class Energy>
+  double operator()(const Energy&, const SP::Face_range_3&, double radius)
+  {
+    const double change = factor;
+    factor = std::sqrt(factor);
+    return change * radius;
+  }
+};
+
+TEST(Two_phase_radius, changes_when_the_first_phase_has_settled)
+{
+  const SP::Face_range_3 none(nullptr, nullptr);
+  using Two_phase = SP::Two_phase_radius_3<Moving_radius, SP::Fixed_radius_3>;
+  for(const double tolerance : {1e-1, 1e-3})
+  {
+    Two_phase policy(Moving_radius{3.}, SP::Fixed_radius_3(42.), tolerance);
+    EXPECT_EQ(policy.initial_radius(1.), 300.);
+    double radius = 1., factor = 3.;
+    bool is_settled = false;
+    for(int k = 0; k < 20; ++k)
+    {
+      const double next = policy(energy, none, radius);
+      if(is_settled)
+      {
+        EXPECT_EQ(next, 42.);
+      }
+      else
+      {
+        EXPECT_EQ(next, factor * radius);
+        is_settled = std::abs(factor - 1.) <= tolerance;
+        factor = std::sqrt(factor);
+      }
+      radius = next;
+    }
+    EXPECT_TRUE(is_settled);
+  }
+}
+
+// With the tolerance 0, only a call ends the first phase; it does so in any case.
+TEST(Two_phase_radius, changes_when_it_is_told_to)
+{
+  const SP::Face_range_3 none(nullptr, nullptr);
+  for(const double tolerance : {0., 1e-3})
+  {
+    SP::Two_phase_radius_3<SP::Fixed_radius_3, SP::Fixed_radius_3> policy(SP::Fixed_radius_3(7.),
+                                                                          SP::Fixed_radius_3(42.), tolerance);
+    EXPECT_TRUE(policy.is_valid());
+    for(int k = 0; k < (tolerance == 0. ? 10 : 0); ++k) // the radius has settled at once
+      EXPECT_EQ(policy(energy, none, 7.), 7.);
+    EXPECT_TRUE(policy.next_phase());
+    for(int k = 0; k < 3; ++k)
+    {
+      EXPECT_EQ(policy(energy, none, 7.), 42.);
+      EXPECT_FALSE(policy.next_phase()); // there is no third one
+    }
+  }
+  SP::Two_phase_radius_3<SP::Fixed_radius_3, SP::Fixed_radius_3> settled(SP::Fixed_radius_3(7.),
+                                                                         SP::Fixed_radius_3(42.));
+  EXPECT_EQ(settled(energy, none, 7.), 7.);
+  EXPECT_FALSE(settled.next_phase()); // it has begun already
+  using Two_phase = SP::Two_phase_radius_3<>;
+  EXPECT_FALSE(Two_phase({}, {}, -1e-3).is_valid());
+  EXPECT_FALSE(Two_phase({}, {}, std::nan("")).is_valid());
+}
+
+// Each of the two may have phases itself.
+TEST(Two_phase_radius, goes_through_all_phases_of_its_parts)
+{
+  const SP::Face_range_3 none(nullptr, nullptr);
+  using Fixed = SP::Fixed_radius_3;
+  using Two = SP::Two_phase_radius_3<Fixed, Fixed>;
+  SP::Two_phase_radius_3<Two, Two> policy(Two(Fixed(1.), Fixed(2.), 0.), Two(Fixed(3.), Fixed(4.), 0.), 0.);
+  for(const double radius : {1., 2., 3., 4.})
+  {
+    EXPECT_EQ(policy(energy, none, radius), radius);
+    EXPECT_EQ(policy.next_phase(), radius < 4.);
+  }
+  EXPECT_EQ(policy(energy, none, 4.), 4.);
+}
+
+TEST(Two_phase_radius, is_equation_9_and_then_11_by_default)
+{
+  const Ellipsoid_on_sphere map;
+  SP::Two_phase_radius_3<> policy;
+  const double first = policy(energy, range(map.faces), 1.);
+  EXPECT_EQ(first, SP::Area_preserving_radius_3()(energy, range(map.faces), 1.));
+  const double second = policy(energy, range(scaled(map.faces, first)), first); // settled
+  EXPECT_NEAR(second, first, 1e-13);
+  const double third = policy(energy, range(scaled(map.faces, second)), second);
+  EXPECT_NEAR(third, SP::Area_balancing_radius_3()(energy, range(map.faces), 1.), 1e-13);
+  EXPECT_GT(std::abs(third - second), 1e-3);
+}
+
+// The radius of the points that were written, and their invariants.
+struct Written_map
+{
+  template <class Radius>
+  explicit Written_map(const Radius& policy, int iterations = 60)
+  {
+    const Triangle_list surface = test_meshes::scaled(bumpy_sphere(2), 3., 3., 3.);
+    const Result result = Method("radius", SP::Bijective_low_distortion_parameterizer_3().radius(policy))
+                              .run(surface, Options().iterations(iterations));
+    EXPECT_EQ(result.error, SP::OK);
+    radius = result.report.radius;
+    faces = faces_of(surface, result.images, radius);
+  }
+
+  // how far the radius is from that of a policy
+  template <class Policy>
+  double excess_over(Policy policy) const
+  {
+    return std::abs(policy(energy, range(faces), radius) / radius - 1.);
+  }
+
+  double radius;
+  Faces faces;
+};
+
+TEST(Radius_of_the_written_map, is_that_of_the_policy)
+{
+  for(const double radius : {1., 0.01, 123.456})
+    EXPECT_EQ(Written_map(SP::Fixed_radius_3(radius)).radius, radius);
+  const Written_map preserving{SP::Area_preserving_radius_3()}, balancing{SP::Area_balancing_radius_3()},
+      optimal{SP::Optimal_radius_3()};
+  EXPECT_LT(preserving.excess_over(SP::Area_preserving_radius_3()), 1e-12);
+  EXPECT_GT(preserving.excess_over(SP::Area_balancing_radius_3()), 1e-6);
+  EXPECT_LT(balancing.excess_over(SP::Area_balancing_radius_3()), 1e-12);
+  EXPECT_LT(optimal.excess_over(SP::Optimal_radius_3()), 1e-12);
+  EXPECT_GT(optimal.excess_over(SP::Area_balancing_radius_3()), 1e-6);
+  for(const int iterations : {0, 1, 60}) // by eq. 11, also of a run that ends before the first phase has
+    EXPECT_LT(Written_map(SP::Two_phase_radius_3<>(), iterations).excess_over(SP::Area_balancing_radius_3()), 1e-12);
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// Sharpness
+
+Result run_with(const SP::Sharpness& sharpness, int iterations, double energy_tolerance = 1e-5,
+                double radius_tolerance = 1e-3)
+{
+  return Method("sharpness", SP::Bijective_low_distortion_parameterizer_3().sharpness(sharpness).tolerances(
+                                 energy_tolerance, radius_tolerance))
+      .run(bumpy_sphere(2), Options().iterations(iterations));
+}
+
+TEST(Sharpness, knows_its_range)
+{
+  using SP::Sharpness;
+  for(const Sharpness& s :
+      {Sharpness(), Sharpness::lowest_average(), Sharpness::lowest_worst(), Sharpness::relative(1e6),
+       Sharpness::fixed(0.7), Sharpness::schedule(), Sharpness::schedule(0.1, 0.1, 100)})
+    EXPECT_TRUE(s.is_valid());
+  for(const double x : {-1., -1e-9, HUGE_VAL, std::nan("")})
+  {
+    EXPECT_FALSE(Sharpness::relative(x).is_valid());
+    EXPECT_FALSE(Sharpness::fixed(x).is_valid());
+    EXPECT_FALSE(Sharpness::schedule(x, 10.).is_valid());
+    EXPECT_FALSE(Sharpness::schedule(0.1, x).is_valid());
+    EXPECT_FALSE(Sharpness::schedule(0.1, x, 100).is_valid());
+  }
+  EXPECT_FALSE(Sharpness::fixed(0.).is_valid());
+  EXPECT_FALSE(Sharpness::schedule(10., 0.1).is_valid());
+}
+
+TEST(Sharpness, of_a_schedule_goes_from_first_to_last)
+{
+  const Result short_run = run_with(SP::Sharpness::schedule(), 3), run = run_with(SP::Sharpness::schedule(), 2000);
+  EXPECT_EQ(short_run.report.stop_reason, SP::ITERATION_LIMIT);
+  EXPECT_LT(short_run.report.sharpness, 10.);
+  EXPECT_EQ(run.report.sharpness, 10.); // convergence waits for the last one
+  EXPECT_GT(run.report.number_of_average_iterations, 0u);
+  EXPECT_GT(run.report.number_of_sharp_iterations, 0u);
+  EXPECT_EQ(run.report.stop_reason, SP::CONVERGED);
+}
+
+TEST(Sharpness, trades_the_average_for_the_maximum)
+{
+  const Result plain = run_with(SP::Sharpness::lowest_average(), 300),
+               sharp = run_with(SP::Sharpness::relative(25.), 300);
+  EXPECT_EQ(plain.report.number_of_sharp_iterations, 0u);
+  EXPECT_EQ(plain.report.sharpness, 0.);
+  EXPECT_EQ(sharp.report.number_of_average_iterations, 0u);
+  EXPECT_NEAR(sharp.report.sharpness * sharp.report.largest_energy, 25., 1.);
+  EXPECT_LT(plain.report.average_energy, sharp.report.average_energy);
+  EXPECT_LT(sharp.report.largest_energy, plain.report.largest_energy);
+  EXPECT_LT(plain.distortion.isometric.average, sharp.distortion.isometric.average);
+  EXPECT_LT(sharp.distortion.isometric.maximum, 0.9 * plain.distortion.isometric.maximum);
+}
+
+TEST(Sharpness, may_be_as_large_as_you_like)
+{
+  for(const SP::Sharpness& s : {SP::Sharpness::relative(1e3), SP::Sharpness::relative(1e6), SP::Sharpness::fixed(1e5)})
+    EXPECT_LT(run_with(s, 20).report.largest_energy, 100.);
+}
+
+TEST(Tolerances, are_met)
+{
+  const Result loose = run_with(SP::Sharpness(), 1000, 1e-3), tight = run_with(SP::Sharpness(), 1000, 1e-6),
+               never = run_with(SP::Sharpness(), 150, 0., 0.);
+  EXPECT_EQ(loose.report.stop_reason, SP::CONVERGED);
+  EXPECT_EQ(tight.report.stop_reason, SP::CONVERGED);
+  EXPECT_LT(loose.report.number_of_iterations(), tight.report.number_of_iterations());
+  EXPECT_LT(tight.report.largest_energy, loose.report.largest_energy * 1.001);
+  EXPECT_EQ(never.report.number_of_iterations(), 150u);
+}
+
+} // namespace
