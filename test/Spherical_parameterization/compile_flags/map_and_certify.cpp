@@ -1,10 +1,11 @@
 // Maps a few meshes, checks the maps and the certificate with integer arithmetic of its own, and prints a checksum of
 // the bits of all maps. It is compiled with the flags of all kinds of users; see CMakeLists.txt.
 
+#include <CGAL/Spherical_parameterization/Fixed_radius_3.h>
 #include <CGAL/Spherical_parameterization/is_bijective.h>
 #include <CGAL/Spherical_parameterization/parameterize.h>
 
-#include "test_maps.h"
+#include "images.h"
 #include "test_meshes.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -107,7 +108,7 @@ void check(const Triangle_list& list, std::uint64_t& checksum)
   std::vector<Coordinates> images(list.points.size());
   const auto map = test_meshes::make_vertex_map<Point_3>(mesh, images);
   expect(SP::parameterize(mesh, map) == SP::OK, "the mesh is mapped");
-  images = test_maps::images(mesh, map);
+  images = test::images(mesh, map);
   expect(are_all_positive(list, images), "all faces are positive");
   expect(is_certified(mesh, images), "the map is certified");
   add_to_checksum(images, checksum);
@@ -137,6 +138,9 @@ void check(const Triangle_list& list, std::uint64_t& checksum)
 
 int main()
 {
+  for(const double x : {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity(), 0., -1.})
+    expect(!SP::Fixed_radius_3(x).is_valid(), "a radius that is not positive and finite is found");
+  expect(SP::Fixed_radius_3(2.).is_valid(), "a radius may be positive and finite");
   std::uint64_t checksum = 0xcbf29ce484222325u;
   check(test_meshes::bumpy_sphere(3), checksum);
   check(test_meshes::with_tentacle(60, 10.), checksum);
