@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Runs a program on meshes, judges what it writes, and counts the results.
+"""Runs a program on meshes (OFF, PLY, OBJ), judges what it writes, and counts the results.
 
 A map is certified if the exit status is 0 and the file holds a one-to-one map of the same faces onto a sphere around
 the origin, by exact arithmetic. A mesh is refused if the exit status is another one. All else is wrong: a map that

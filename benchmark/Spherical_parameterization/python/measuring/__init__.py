@@ -1,8 +1,9 @@
 """The library behind the drivers of the benchmarks.
 
-From the bottom up: meshes reads and refines meshes; maps judges maps, and shares no code with the package; runs starts
-programs; pictures draws surfaces and spheres; reports writes what a reader sees; drivers has what their command lines
-share. Needs the Debian packages python3-numpy and python3-matplotlib, and no display.
+From the bottom up: meshes reads and refines meshes; maps judges maps, and shares no code with the package; commands
+runs programs with limits (limited), and any program that maps meshes; runs keeps what the package's own program gave;
+pictures draws surfaces and spheres; reports writes what a reader sees; drivers has what the command lines share. Needs
+the Debian packages python3-numpy and python3-matplotlib, and no display.
 """
 
 import os
