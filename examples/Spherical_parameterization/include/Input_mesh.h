@@ -172,31 +172,32 @@ private:
   {
     if(w < v)
       std::swap(v, w);
-    std::vector<std::pair<Polygon, std::size_t>> faces; // of the edge: their corners in order, and their numbers
+    std::vector<std::size_t> faces;                      // of the edge
+    std::vector<std::pair<Polygon, std::size_t>> sorted; // the same, behind their corners in order
     for(std::size_t f = 0; f < m_polygons.size(); ++f)
       for_each_edge(m_polygons[f], [&](std::size_t from, std::size_t to) {
         if((std::min)(from, to) != v || (std::max)(from, to) != w)
           return;
-        faces.emplace_back(m_polygons[f], f);
-        std::sort(faces.back().first.begin(), faces.back().first.end());
+        faces.push_back(f);
+        sorted.emplace_back(m_polygons[f], f);
+        std::sort(sorted.back().first.begin(), sorted.back().first.end());
       });
-    const auto number = [&](std::size_t i) { return std::to_string(faces[i].second); };
-    const std::string edge = "the edge between the vertices " + std::to_string(v) + " and " + std::to_string(w);
-    const std::string first_faces =
-                          number(0) + ", " + number(1) + " and " + number((std::min<std::size_t>)(2, faces.size() - 1)),
-                      both = "the faces " + number(0) + " and " + number(1);
-    std::sort(faces.begin(), faces.end());
-    const auto duplicate =
-        std::adjacent_find(faces.begin(), faces.end(), [](const auto& a, const auto& b) { return a.first == b.first; });
-    if(duplicate != faces.end())
+    std::sort(sorted.begin(), sorted.end());
+    const auto duplicate = std::adjacent_find(sorted.begin(), sorted.end(),
+                                              [](const auto& a, const auto& b) { return a.first == b.first; });
+    if(duplicate != sorted.end())
       fail("the faces " + std::to_string(duplicate[0].second) + " and " + std::to_string(duplicate[1].second) +
                " have the same corners",
            "Remove one of them, for example with CGAL::Polygon_mesh_processing::repair_polygon_soup().");
+    const auto number = [&](std::size_t i) { return std::to_string(faces[i]); };
+    const std::string edge = "the edge between the vertices " + std::to_string(v) + " and " + std::to_string(w);
     if(faces.size() > 2)
-      fail(edge + " has " + std::to_string(faces.size()) + " faces, among them the faces " + first_faces,
+      fail(edge + " has " + std::to_string(faces.size()) + " faces, among them the faces " + number(0) + ", " +
+               number(1) + " and " + number(2),
            "An edge of a closed surface has two: remove the others, or duplicate the edge, for example with "
            "CGAL::Polygon_mesh_processing::orient_polygon_soup().");
-    fail(both + " are oriented against each other: both use " + edge + " in the same direction",
+    fail("the faces " + number(0) + " and " + number(1) + " are oriented against each other: both use " + edge +
+             " in the same direction",
          "Orient the faces alike, for example with CGAL::Polygon_mesh_processing::orient_polygon_soup().");
   }
 
