@@ -19,7 +19,6 @@
 #include <CGAL/Spherical_parameterization/Hierarchical_parameterizer_3.h>
 #include <CGAL/Spherical_parameterization/Parameterization_report.h>
 #include <CGAL/Spherical_parameterization/internal/baselines/ARAP_map.h>
-#include <CGAL/Spherical_parameterization/internal/baselines/Laplacian_system.h>
 #include <CGAL/Spherical_parameterization/internal/policy_traits.h>
 #include <CGAL/Spherical_parameterization/internal/run_parameterization.h>
 
@@ -97,7 +96,7 @@ public:
           const Error_code error = internal::make_initial_map(m_initial_parameterizer, run);
           if(error != OK)
             return error;
-          internal::ARAP_map<Solver_traits> map(run.mesh, run.execution);
+          internal::ARAP_map<SolverTraits> map(run.mesh, run.execution);
           if(!map.run(run.positions, run.radius, max_iterations, run.control))
             return ERROR_CANNOT_SOLVE_LINEAR_SYSTEM;
           m_report.seconds_for_optimization = run.control.lap();
@@ -113,8 +112,6 @@ public:
   bool is_valid() const { return internal::is_valid_policy(m_initial_parameterizer); }
 
 private:
-  using Solver_traits = typename internal::Solver_traits<SolverTraits>::type;
-
   InitialParameterizer m_initial_parameterizer;
   Parameterization_report m_report;
 };

@@ -45,15 +45,16 @@ namespace Spherical_parameterization {
 /// \f$ \sum \exp( s E ) \f$ (eq. 7) by block coordinate descent over the vertices (eq. 8) and the radius of the sphere
 /// (eq. 9 to 11). The vertices of one colour of a graph colouring are moved in parallel. No step ever inverts a face.
 ///
-/// It is used with its defaults by `parameterize()`. Settings are chained:
+/// It is used with its defaults by `parameterize()`. Settings are chained, here with `SP` for the namespace:
 /// \code
-/// SP::parameterize(mesh, SP::Bijective_low_distortion_parameterizer_3().sharpness(SP::Sharpness::lowest_worst()), map);
+/// SP::parameterize(mesh, SP::Bijective_low_distortion_parameterizer_3().sharpness(SP::Sharpness::lowest_worst()),
+/// map);
 /// \endcode
 ///
 /// A vertex makes one damped Newton step a sweep, on an energy that measures the image of a face by the determinant of
 /// its corners: twice its flat area times the distance of its plane from the centre. This agrees with the flat area for
-/// small faces, and is 0 exactly where a face turns over, so that the energy is infinite there. The step is tried at 1.9
-/// times its length first, which carries changes over the surface many times faster. Where the compiler and the
+/// small faces, and is 0 exactly where a face turns over, so that the energy is infinite there. The step is tried at
+/// 1.9 times its length first, which carries changes over the surface many times faster. Where the compiler and the
 /// processor have vector registers, several vertices are moved at once, with the same result.
 ///
 /// If the sharpness is positive, each sweep over all vertices is followed by some over those around the worst faces, as

@@ -18,7 +18,6 @@
 #include <CGAL/Spherical_parameterization/Error_code.h>
 #include <CGAL/Spherical_parameterization/Parameterization_report.h>
 #include <CGAL/Spherical_parameterization/internal/baselines/Harmonic_map.h>
-#include <CGAL/Spherical_parameterization/internal/baselines/Laplacian_system.h>
 #include <CGAL/Spherical_parameterization/internal/run_parameterization.h>
 
 #include <CGAL/Default.h>
@@ -82,8 +81,8 @@ public:
       return ERROR_WRONG_PARAMETER;
     return internal::run_parameterization<ConcurrencyTag>(
         tmesh, vertex_sphere_map, np, m_report, internal::Guarantee::NONE, [&](auto& run) {
-          return internal::map_harmonically<Solver_traits>(run.mesh, false, max_iterations, run.positions, run.control,
-                                                           run.execution);
+          return internal::map_harmonically<SolverTraits>(run.mesh, false, max_iterations, run.positions, run.control,
+                                                          run.execution);
         });
   }
 
@@ -91,8 +90,6 @@ public:
   const Parameterization_report& report() const { return m_report; }
 
 private:
-  using Solver_traits = typename internal::Solver_traits<SolverTraits>::type;
-
   Parameterization_report m_report;
 };
 

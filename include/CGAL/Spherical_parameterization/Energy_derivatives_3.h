@@ -26,7 +26,8 @@ namespace Spherical_parameterization {
 /// triangle's map, \f$ I = \sigma_1^2 + \sigma_2^2 \f$ and \f$ d = \sigma_1 \sigma_2 \f$. This is what a model of
 /// `DistortionEnergy_3` returns to the Newton method.
 ///
-/// \tparam FT the type of the numbers: `double`, or what stands for several of them; see `DistortionEnergy_3`
+/// \tparam FT the type of the numbers: `double`, or what stands for several of them, for which there are the four
+///         operations of arithmetic but not the functions of `<cmath>`; see `DistortionEnergy_3`
 template <class FT = double>
 struct Energy_derivatives_3
 {

@@ -24,8 +24,8 @@ namespace Spherical_parameterization {
 ///
 /// List of the outcomes of a spherical parameterization. Every value but `OK` and `ERROR_WRONG_PARAMETER` describes a
 /// property of the data, not a programming error; all are reported in Release mode as well. Whenever a value other than
-/// `OK` and `ERROR_NO_1_TO_1_MAPPING` is returned, the output map holds what it held before, unless it rounds what it is
-/// given and folds by that; see `parameterize()`.
+/// `OK` and `ERROR_NO_1_TO_1_MAPPING` is returned, the output map holds what it held before, unless it rounds what it
+/// is given and folds by that; see `parameterize()`.
 enum Error_code
 {
   OK = 0,                                 ///< The map is one-to-one, and this has been certified by exact predicates.

@@ -31,7 +31,7 @@ struct Face_invariants_3
 {
   double area;   ///< \f$ A \f$, the area of the face on the surface, in a unit in which that of the surface is 4 pi
   double i;      ///< \f$ I = \sigma_1^2 + \sigma_2^2 \f$ of the map onto the flat image triangle
-  double d;      ///< what the energy sees: \f$ \det(u_0, u_1, u_2) / (2 A r) \f$
+  double d;      ///< what the energy sees: \f$ \det(u_0, u_1, u_2) / (2 A r) \f$; the published method: `flat_d`
   double flat_d; ///< \f$ \sigma_1 \sigma_2 = a / A \f$ of the map onto the flat image triangle, whose area is \f$ a \f$
 };
 

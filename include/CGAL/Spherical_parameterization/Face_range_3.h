@@ -27,10 +27,18 @@
 namespace CGAL {
 namespace Spherical_parameterization {
 
+#ifndef DOXYGEN_RUNNING
+namespace internal {
+template <class Energy, class Step>
+class Block_coordinate_descent;
+}
+#endif
+
 /// \ingroup PkgSphericalParameterizationEnergies
 ///
-/// The class `Face_range_3` is the range of the faces of a mesh as radius policies and energies see them: the invariants
-/// of each face on the sphere of the current radius. It refers to them, and is valid during the call that it is given to.
+/// The class `Face_range_3` is the range of the faces of a mesh as radius policies and energies see them: the
+/// invariants of each face on the sphere of the current radius. It refers to them, and is valid during the call that it
+/// is given to.
 ///
 /// \cgalModels{ConstRange}
 class Face_range_3
@@ -40,7 +48,7 @@ public:
   using value_type = Face_invariants_3;
   /// Iterator type
   using const_iterator = const Face_invariants_3*;
-  /// Iterator type
+  /// Iterator type, the same, as the faces are constant
   using iterator = const_iterator;
   /// Size type
   using size_type = std::size_t;
@@ -51,34 +59,14 @@ public:
     , m_end(end)
   {}
 
-#ifndef DOXYGEN_RUNNING
-  Face_range_3(const_iterator begin, const_iterator end, internal::Execution execution)
-    : m_begin(begin)
-    , m_end(end)
-    , m_execution(execution)
-  {}
-#endif
-
   /// returns the first face.
-  const_iterator begin() const
-  {
-    return m_begin;
-  }
+  const_iterator begin() const { return m_begin; }
   /// returns the end of the range.
-  const_iterator end() const
-  {
-    return m_end;
-  }
+  const_iterator end() const { return m_end; }
   /// returns the number of faces.
-  size_type size() const
-  {
-    return static_cast<size_type>(m_end - m_begin);
-  }
+  size_type size() const { return static_cast<size_type>(m_end - m_begin); }
   /// returns whether there is no face.
-  bool empty() const
-  {
-    return m_begin == m_end;
-  }
+  bool empty() const { return m_begin == m_end; }
 
   /// returns the sums of `n` numbers over all faces, added up with all threads of the run. The order of the additions
   /// and so the result does not depend on the number of threads. The time is linear.
@@ -105,6 +93,15 @@ public:
   }
 
 private:
+  template <class Energy, class Step>
+  friend class internal::Block_coordinate_descent;
+
+  Face_range_3(const_iterator begin, const_iterator end, const internal::Execution& execution)
+    : m_begin(begin)
+    , m_end(end)
+    , m_execution(execution)
+  {}
+
   template <std::size_t n>
   static void add(const std::array<double, n>& terms, std::array<double, n>& sums)
   {
@@ -113,7 +110,7 @@ private:
   }
 
   const_iterator m_begin, m_end;
-  internal::Execution m_execution = internal::Execution::SEQUENTIAL;
+  internal::Execution m_execution; // sequential but for the faces of a run
 };
 
 } // namespace Spherical_parameterization

@@ -18,7 +18,6 @@
 #include <CGAL/Spherical_parameterization/Error_code.h>
 #include <CGAL/Spherical_parameterization/Parameterization_report.h>
 #include <CGAL/Spherical_parameterization/internal/baselines/Harmonic_map.h>
-#include <CGAL/Spherical_parameterization/internal/baselines/Laplacian_system.h>
 #include <CGAL/Spherical_parameterization/internal/run_parameterization.h>
 
 #include <CGAL/Default.h>
@@ -41,8 +40,8 @@ namespace Spherical_parameterization {
 /// It is the map that \cgalCite{cgal:whfl-bspld-16} starts from. Angles are nearly kept, and areas differ by many
 /// orders of magnitude where a surface has limbs.
 ///
-/// The energy alone would be minimal if all vertices were mapped to one point. So Moebius transformations keep the centre
-/// of the area of the surface at the centre of the sphere.
+/// The energy alone would be minimal if all vertices were mapped to one point. So Moebius transformations keep the
+/// centre of the area of the surface at the centre of the sphere.
 ///
 /// The iteration starts from the map of `Stereographic_parameterizer_3`, and each step solves a sparse system, whose
 /// matrix is factored once; some ten steps are enough. It ends when a step changes the energy by less than 1e-9 of it.
@@ -85,8 +84,8 @@ public:
       return ERROR_WRONG_PARAMETER;
     return internal::run_parameterization<ConcurrencyTag>(
         tmesh, vertex_sphere_map, np, m_report, internal::Guarantee::ONE_TO_ONE, [&](auto& run) {
-          return internal::map_harmonically<Solver_traits>(run.mesh, true, max_iterations, run.positions, run.control,
-                                                           run.execution);
+          return internal::map_harmonically<SolverTraits>(run.mesh, true, max_iterations, run.positions, run.control,
+                                                          run.execution);
         });
   }
 
@@ -94,8 +93,6 @@ public:
   const Parameterization_report& report() const { return m_report; }
 
 private:
-  using Solver_traits = typename internal::Solver_traits<SolverTraits>::type;
-
   Parameterization_report m_report;
 };
 

@@ -33,16 +33,6 @@
 namespace CGAL {
 namespace Spherical_parameterization {
 
-#ifndef DOXYGEN_RUNNING
-template <class Energy>
-class Hierarchical_parameterizer_3;
-
-namespace internal {
-template <class Energy, class Run>
-Error_code compute_initial_map(Hierarchical_parameterizer_3<Energy>& parameterizer, Run& run);
-}
-#endif
-
 /// \ingroup PkgSphericalParameterizationMethods
 ///
 /// The class `Hierarchical_parameterizer_3` maps a surface to the unit sphere through a hierarchy of ever coarser
@@ -134,8 +124,6 @@ public:
           if(!embed(run, true))
             return ERROR_INSUFFICIENT_PRECISION;
           run.control.on_initialization_end();
-          if(run.control.is_stopped())
-            m_report.stop_reason = run.control.stop_reason();
           return OK;
         });
   }
@@ -150,8 +138,12 @@ private:
   template <class OtherEnergy>
   friend class Hierarchical_parameterizer_3;
 
-  template <class OtherEnergy, class Run>
-  friend Error_code internal::compute_initial_map(Hierarchical_parameterizer_3<OtherEnergy>&, Run&);
+  // Overloads internal::compute_initial_map(), by argument-dependent lookup.
+  template <class Run>
+  friend Error_code compute_initial_map(Hierarchical_parameterizer_3& parameterizer, Run& run)
+  {
+    return parameterizer.embed(run, false) ? OK : ERROR_INSUFFICIENT_PRECISION;
+  }
 
   Hierarchical_parameterizer_3(const Energy& energy, const Sharpness& sharpness, std::size_t sweeps_per_level)
     : m_energy(energy)
@@ -171,20 +163,6 @@ private:
   std::size_t m_sweeps_per_level = 20;
   Parameterization_report m_report;
 };
-
-#ifndef DOXYGEN_RUNNING
-namespace internal {
-
-template <class Energy, class Run>
-Error_code compute_initial_map(Hierarchical_parameterizer_3<Energy>& parameterizer, Run& run)
-{
-  if(!parameterizer.is_valid())
-    return ERROR_WRONG_PARAMETER;
-  return parameterizer.embed(run, false) ? OK : ERROR_INSUFFICIENT_PRECISION;
-}
-
-} // namespace internal
-#endif
 
 } // namespace Spherical_parameterization
 } // namespace CGAL

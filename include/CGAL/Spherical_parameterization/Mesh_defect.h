@@ -41,6 +41,7 @@ namespace Spherical_parameterization {
 /// | `ERROR_SEVERAL_COMPONENTS`    | one of a component | one of another component | -           | components             |
 /// | `ERROR_NO_TOPOLOGICAL_SPHERE` | -                 | -              | -                      | handles, the genus     |
 /// | `ERROR_NO_SIMPLICIAL_COMPLEX` | a vertex where several fans of faces meet, or an end of a repeated edge | the other end of the repeated edge | - | such edges, or vertices |
+/// | `ERROR_TOO_LARGE_MESH`        | -                 | -              | -                      | 0                      |
 /// | `ERROR_NON_FINITE_COORDINATE` | the first of them | -              | -                      | such vertices          |
 ///
 /// What does not apply is a null descriptor.

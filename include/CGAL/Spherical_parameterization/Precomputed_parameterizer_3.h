@@ -38,18 +38,18 @@ namespace Spherical_parameterization {
 ///
 /// \cgalModels{SphericalParameterizer_3}
 ///
-/// \tparam VertexSphereMap_ must be a model of `ReadablePropertyMap` with
+/// \tparam PrecomputedMap must be a model of `ReadablePropertyMap` with
 ///         `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and `%Point_3` of a \cgal kernel as
 ///         value type, whose coordinates are of type `double` or `float`, or of an exact number type. The images may be
 ///         at any distance from the origin.
-template <class VertexSphereMap_>
+template <class PrecomputedMap>
 class Precomputed_parameterizer_3
 {
 public:
   /// constructs the parameterizer from a map, a copy of which is kept.
   ///
   /// \param map the images of the vertices, at any distance from the origin
-  explicit Precomputed_parameterizer_3(const VertexSphereMap_& map)
+  explicit Precomputed_parameterizer_3(const PrecomputedMap& map)
     : m_map(map)
   {}
 
@@ -83,7 +83,7 @@ public:
   const Parameterization_report& report() const { return m_report; }
 
 private:
-  VertexSphereMap_ m_map;
+  PrecomputedMap m_map;
   Parameterization_report m_report;
 };
 

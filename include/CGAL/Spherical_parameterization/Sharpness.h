@@ -36,20 +36,20 @@ class Sharpness_rule;
 ///
 /// There are two rules.
 ///
-/// - <b>A dial</b> \f$ \beta \f$, relative to the map at hand: \f$ s = \beta / E_{max} \f$, where \f$ E_{max} \f$ is the
-///   largest energy of a face. As it has no scale, one \f$ \beta \f$ serves a smooth and a limbed surface, the coarse
-///   levels of a hierarchy and the finest. It goes from the lowest average distortion, 0, to a low maximum; beyond 50
-///   the maximum may rise again, as the sweeps of the default do not bring so sharp an objective to its end. With 13.5,
-///   the default, the average is 3 to 20 percent above the lowest; \ref SphericalParameterizationSharpness has a table.
-///   On coarse levels, \f$ \beta^2 / (\beta + 47) \f$ takes the place of \f$ \beta \f$: the worst faces of a coarse mesh
-///   are partly so for being coarse, so less than a quarter of the default dial is enough there; where only the maximum
-///   counts, the large features have to make room for it from the beginning.
+/// - <b>A dial</b> \f$ \beta \f$, relative to the map at hand: \f$ s = \beta / E_{max} \f$, where \f$ E_{max} \f$ is
+///   the largest energy of a face. As it has no scale, one \f$ \beta \f$ serves a smooth and a limbed surface, the
+///   coarse levels of a hierarchy and the finest. It goes from the lowest average distortion, 0, to a low maximum;
+///   beyond 50 the maximum may rise again, as the sweeps of the default do not bring so sharp an objective to its end.
+///   With 13.5, the default, the average is 3 to 20 percent above the lowest; \ref SphericalParameterizationSharpness
+///   has a table. On coarse levels, \f$ \beta^2 / (\beta + 47) \f$ takes the place of \f$ \beta \f$: the worst faces of
+///   a coarse mesh are partly so for being coarse, so less than a quarter of the default dial is enough there; where
+///   only the maximum counts, the large features have to make room for it from the beginning.
 /// - <b>A schedule</b> of absolute values, that of the paper: \f$ s = 0 \f$ first, then from 0.1 to 10. The paper
-///   leaves eq. 6 after 100 sweeps and names the criterion as open, and of the growth of \f$ s \f$ it says that it adapts.
-///   Here \f$ s \f$ is raised by a quarter whenever a sweep has lowered neither the largest nor the average energy by a
-///   hundredth. Eq. 6 is left as soon as a sweep lowers the average energy by less than a thousandth, or after a given
-///   number of sweeps; as this is the schedule for plain gradient steps, which are slow, a thousandth takes the place of
-///   a hundredth then. Coarse levels follow eq. 6.
+///   leaves eq. 6 after 100 sweeps and names the criterion as open, and of the growth of \f$ s \f$ it says that it
+///   adapts. Here \f$ s \f$ is raised by a quarter whenever a sweep has lowered neither the largest nor the average
+///   energy by a hundredth. Eq. 6 is left as soon as a sweep lowers the average energy by less than a thousandth, or
+///   after a given number of sweeps; as this is the schedule for plain gradient steps, which are slow, a thousandth
+///   takes the place of a hundredth then. Coarse levels follow eq. 6.
 class Sharpness
 {
 public:

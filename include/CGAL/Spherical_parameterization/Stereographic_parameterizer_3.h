@@ -17,7 +17,6 @@
 
 #include <CGAL/Spherical_parameterization/Error_code.h>
 #include <CGAL/Spherical_parameterization/Parameterization_report.h>
-#include <CGAL/Spherical_parameterization/internal/baselines/Laplacian_system.h>
 #include <CGAL/Spherical_parameterization/internal/baselines/Stereographic_embedding.h>
 #include <CGAL/Spherical_parameterization/internal/run_parameterization.h>
 
@@ -63,8 +62,8 @@ class Stereographic_parameterizer_3
 public:
   /// computes a one-to-one map from `tmesh` to the unit sphere around the origin.
   ///
-  /// The parameters are those of `CGAL::Spherical_parameterization::parameterize()`. As all is done in one step, neither
-  /// the visitor nor `maximum_running_time` can stop it, and there is no `number_of_iterations`.
+  /// The parameters are those of `CGAL::Spherical_parameterization::parameterize()`. As all is done in one step,
+  /// neither the visitor nor `maximum_running_time` can stop it, and there is no `number_of_iterations`.
   ///
   /// \return `OK`, or what is wrong with the mesh, see `find_defect()`; `ERROR_CANNOT_SOLVE_LINEAR_SYSTEM`;
   ///         `ERROR_INSUFFICIENT_PRECISION`
@@ -77,7 +76,7 @@ public:
     return internal::run_parameterization<ConcurrencyTag>(
         tmesh, vertex_sphere_map, np, m_report, internal::Guarantee::ONE_TO_ONE, [&](auto& run) {
           run.control.on_initialization_begin(run.mesh.number_of_vertices());
-          internal::Stereographic_embedding<Solver_traits> embedding(run.mesh);
+          internal::Stereographic_embedding<SolverTraits> embedding(run.mesh);
           if(!embedding.solve())
             return ERROR_CANNOT_SOLVE_LINEAR_SYSTEM;
           const bool is_bijective = embedding.project_bijectively(run.positions);
@@ -94,8 +93,6 @@ public:
   const Parameterization_report& report() const { return m_report; }
 
 private:
-  using Solver_traits = typename internal::Solver_traits<SolverTraits>::type;
-
   Parameterization_report m_report;
 };
 

@@ -38,6 +38,7 @@
 #include <cmath>
 #include <cstddef>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 /// \file measure_distortion.h
@@ -142,7 +143,7 @@ std::vector<Face_distortion> distortions_of_faces(const TriangleMesh& tmesh, Ver
   const Orientation_about_origin_3<typename Selection::type> orientation;
   std::vector<Face_distortion> result(triangles.size());
   is_degenerate.resize(triangles.size());
-  for_each_block(may_be_parallel ? execution : Execution::SEQUENTIAL, 0, triangles.size(), block_size,
+  for_each_block(may_be_parallel ? execution : Execution(), 0, triangles.size(), block_size,
                  [&](std::size_t begin, std::size_t end) {
                    for(std::size_t k = begin; k < end; ++k)
                    {
@@ -179,11 +180,11 @@ std::vector<Face_distortion> distortions_of_faces(const TriangleMesh& tmesh, Ver
 /// - An inverted face, one whose image is not positively oriented about the origin, is counted, by an exact predicate.
 ///   Its distortions are those of the mirrored face, and part of the statistics.
 ///
-/// The values have a relative error of about 1e-15 times the longest edge of the face over its height if the coordinates
-/// are of type `double` or `float`; others count as `CGAL::to_double()` rounds their differences. Coordinates of any
-/// magnitude are treated alike. The running time is linear in the number of faces, and so is the additional memory. The
-/// property maps are read and written by the calling thread alone; coordinates of an exact number type are measured by
-/// it as well.
+/// The values have a relative error of about 1e-15 times the longest edge of the face over its height if the
+/// coordinates are of type `double` or `float`; others count as `CGAL::to_double()` rounds their differences.
+/// Coordinates of any magnitude are treated alike. The running time is linear in the number of faces, and so is the
+/// additional memory. The property maps are read and written by the calling thread alone; coordinates of an exact
+/// number type are measured by it as well.
 ///
 /// \tparam ConcurrencyTag enables sequential versus parallel algorithm. Possible values are `Sequential_tag`,
 ///         `Parallel_tag`, and `Parallel_if_available_tag`. The result does not depend on it.
@@ -211,8 +212,8 @@ std::vector<Face_distortion> distortions_of_faces(const TriangleMesh& tmesh, Ver
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
-/// \return the statistics over the faces, the radius and the numbers of special faces; if a face is no triangle, nothing
-///         but the member `error`, and `face_distortion_map` is as it was
+/// \return the statistics over the faces, the radius and the numbers of special faces; if a face is no triangle,
+///         nothing but the member `error`, and `face_distortion_map` is as it was
 ///
 /// \sa `CGAL::Spherical_parameterization::is_bijective()`
 template <class ConcurrencyTag = Parallel_if_available_tag, class TriangleMesh, class VertexSphereMap,

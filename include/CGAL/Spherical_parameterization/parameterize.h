@@ -21,6 +21,8 @@
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/tags.h>
 
+#include <type_traits>
+
 /// \file parameterize.h
 
 namespace CGAL {
@@ -36,12 +38,12 @@ namespace Spherical_parameterization {
 ///
 /// <b>Guarantee.</b> If `OK` is returned, the map is a bijection. This has been certified by exact predicates on the
 /// points as they are in `vertex_sphere_map`: every face is positively oriented about the origin, and the faces cover
-/// the sphere once. The points are rounded and so not exactly on the sphere. They are certified before they are written,
-/// and if the map can be read and holds other values, for example because it rounds numbers once more, these are
-/// certified as well: if they fold, `ERROR_INSUFFICIENT_PRECISION` is returned, and the map has been overwritten. A map
-/// that can only be written has to hold the points as they are. The certificate is right for any compile flags: with those that change
-/// floating-point arithmetic, such as `-ffast-math`, points with coordinates of type `double` or `float` are certified
-/// by integer arithmetic, and exact kernels do not compile.
+/// the sphere once. The points are rounded and so not exactly on the sphere. They are certified before they are
+/// written, and if the map can be read and holds other values, for example because it rounds numbers once more, these
+/// are certified as well: if they fold, `ERROR_INSUFFICIENT_PRECISION` is returned, and the map has been overwritten. A
+/// map that can only be written has to hold the points as they are. The certificate is right for any compile flags:
+/// with those that change floating-point arithmetic, such as `-ffast-math`, points with coordinates of type `double` or
+/// `float` are certified by integer arithmetic, and exact kernels do not compile.
 ///
 /// The default method returns `OK` for every mesh that `find_defect()` finds nothing wrong with, whatever its shape:
 /// faces without area, needles, vertices in one place, self-intersections and any orientation included. There is one
@@ -56,8 +58,8 @@ namespace Spherical_parameterization {
 /// <b>Stopping early.</b> Once the first map is there, the run may be stopped at any time, and `OK` means the same.
 ///
 /// <b>Exceptions.</b> What the visitor, a property map or an allocation throws reaches the caller. `tmesh` is as it
-/// was, and so is `vertex_sphere_map`, which is written at the very end, unless its own `put()` or `get()` throws then:
-/// in that case it is partly written.
+/// was, and so is `vertex_sphere_map`, which is written at the very end, unless something is thrown while it is written
+/// or read back: then it may be partly written.
 ///
 /// The result does not depend on the number of threads. Placing the surface elsewhere in space or scaling it changes
 /// the result by rounding only. So does renumbering its vertices, unless the shape is so regular that the choice
@@ -91,8 +93,8 @@ namespace Spherical_parameterization {
 ///                     must be available in `TriangleMesh`.}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{number_of_iterations}
-///     \cgalParamDescription{the maximum number of sweeps over the vertices of `tmesh` itself, or of steps of a method that
-///                           moves all vertices at once}
+///     \cgalParamDescription{the maximum number of sweeps over the vertices of `tmesh` itself, or of steps of a
+///                           method that moves all vertices at once}
 ///     \cgalParamType{unsigned int}
 ///     \cgalParamDefault{`90`; `2000` for `Published_low_distortion_parameterizer_3`, `500` for
 ///                       `ARAP_parameterizer_3`, and `100` for the other methods that make global steps}
@@ -129,6 +131,8 @@ template <class ConcurrencyTag = Parallel_if_available_tag, class TriangleMesh, 
 Error_code parameterize(const TriangleMesh& tmesh, Parameterizer&& parameterizer, VertexSphereMap vertex_sphere_map,
                         const CGAL_NP_CLASS& np = parameters::default_values())
 {
+  static_assert(!std::is_const<std::remove_reference_t<Parameterizer>>::value,
+                "The parameterizer keeps the report of the run: it must not be const.");
   return parameterizer.template parameterize<ConcurrencyTag>(tmesh, vertex_sphere_map, np);
 }
 

@@ -125,12 +125,15 @@ Error_code run_parameterization(const TriangleMesh& tmesh, VertexSphereMap verte
       choose_parameter(get_parameter(np, internal_np::vertex_point), get_const_property_map(vertex_point, tmesh));
   Parameterization_run<ConcurrencyTag, TriangleMesh, std::decay_t<decltype(vpm)>> run{tmesh, vpm, control};
 
-  for_each_block(run.execution, 0, 2, 1, [](std::size_t, std::size_t) {}); // the thread pool starts meanwhile
+  run_both(
+      run.execution, [] {}, [] {}); // the thread pool starts meanwhile
   Error_code error = read_mesh(tmesh, vpm, run.mesh, run.vertices_of_mesh, report);
   report.seconds_for_reading = control.lap();
   if(error != OK)
     return error;
   error = compute(run);
+  if(control.is_stopped())
+    report.stop_reason = control.stop_reason();
   if(error == OK)
     error = write_map(run.mesh, run.vertices_of_mesh, run.positions, run.radius, guarantee, vertex_sphere_map,
                       run.execution);

@@ -31,6 +31,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstring>
 #include <limits>
 #include <type_traits>
 #include <vector>
@@ -81,6 +82,16 @@ bool read_map(const Indexed_mesh& mesh, const std::vector<VertexDescriptor>& ver
   return are_bijective(mesh, points, execution);
 }
 
+// Whether two points with floating-point coordinates are the same for any compile flags: with -ffast-math, NaN equals
+// all, and what is subnormal equals 0.
+template <class Point_3>
+bool have_same_bits(const Point_3& p, const Point_3& q)
+{
+  using FT = typename Kernel_traits<Point_3>::Kernel::FT;
+  const FT a[3] = {p.x(), p.y(), p.z()}, b[3] = {q.x(), q.y(), q.z()};
+  return std::memcmp(a, b, sizeof(a)) == 0;
+}
+
 // Whether the map holds the points that it was given, or others that are a bijection as well. Only in the latter case
 // is memory needed. (Lazy numbers that were made from what is not finite must not be compared, so exact numbers are
 // always certified anew.)
@@ -92,7 +103,7 @@ bool is_bijective_as_written(const Indexed_mesh& mesh, const std::vector<VertexD
   if constexpr(std::is_floating_point<typename Kernel_traits<Point_3>::Kernel::FT>::value)
   {
     std::size_t v = 0;
-    while(v < points.size() && written(v) == points[v])
+    while(v < points.size() && have_same_bits(written(v), points[v]))
       ++v;
     if(v == points.size())
       return true;

@@ -25,6 +25,8 @@
 #include <CGAL/Spherical_parameterization/internal/run/parallel.h>
 #include <CGAL/Spherical_parameterization/internal/simd/Vector_3.h>
 
+#include <CGAL/number_type_basic.h>
+
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -37,10 +39,10 @@ namespace Spherical_parameterization {
 namespace internal {
 
 // The as-rigid-as-possible energy of a map u to the sphere of radius r: the sum over the faces of
-// sum cot |r e' - R e|^2 / 4 over the edges e of the face on the surface and e' of its image on the unit sphere, R being
-// the rotation of the plane of the one onto the plane of the other that minimises it. It is that of (s1 - 1)^2 + (s2 - 1)^2, weighted with half the
-// areas, in units of 4 pi, the area of the surface. The plane of the image is seen from outside the sphere, so that an
-// inverted face costs what it should.
+// sum cot |r e' - R e|^2 / 4 over the edges e of the face on the surface and e' of its image on the unit sphere, R
+// being the rotation of the plane of the one onto the plane of the other that minimises it. It is that of (s1 - 1)^2 +
+// (s2 - 1)^2, weighted with half the areas, in units of 4 pi, the area of the surface. The plane of the image is seen
+// from outside the sphere, so that an inverted face costs what it should.
 class ARAP_energy
 {
 public:
@@ -70,7 +72,7 @@ public:
       sums.surface += part.surface;
     }
     m_radius = sums.fitted / sums.image;
-    return 0.25 * 0.25 / 3.14159265358979323846 * (sums.surface - m_radius * sums.fitted);
+    return 0.25 * 0.25 / CGAL_PI * (sums.surface - m_radius * sums.fitted);
   }
 
   // the radius as it was last fitted, in the unit of length of the mesh
@@ -228,8 +230,6 @@ public:
         break;
       }
     }
-    if(control.is_stopped())
-      report.stop_reason = control.stop_reason();
     report.average_energy = energy;
     return true;
   }

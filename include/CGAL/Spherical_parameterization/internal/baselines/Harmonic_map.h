@@ -27,6 +27,8 @@
 #include <CGAL/Spherical_parameterization/internal/run/parallel.h>
 #include <CGAL/Spherical_parameterization/internal/simd/Vector_3.h>
 
+#include <CGAL/number_type_basic.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -39,8 +41,8 @@ namespace Spherical_parameterization {
 namespace internal {
 
 // The discrete harmonic energy of a map to the unit sphere, the sum of w |u_v - u_w|^2 / 2 over the edges, in units of
-// the area of the sphere: with cotangent weights, it is 1 for a conformal map and more for every other, up to the error of
-// discretisation.
+// the area of the sphere: with cotangent weights, it is 1 for a conformal map and more for every other, up to the error
+// of discretisation.
 class Dirichlet_energy
 {
 public:
@@ -51,8 +53,8 @@ public:
     , m_execution(execution)
   {}
 
-  // Returns the energy. As |u_v - u_w|^2 = 2 u_v (u_v - u_w) on the sphere, the share of a vertex, half the sum over its
-  // edges, is also half the normal part of the Laplacian there; `shares` gets it, in the unit of the weights.
+  // Returns the energy. As |u_v - u_w|^2 = 2 u_v (u_v - u_w) on the sphere, the share of a vertex, half the sum over
+  // its edges, is also half the normal part of the Laplacian there; `shares` gets it, in the unit of the weights.
   double operator()(const std::vector<Vector_3d>& u, std::vector<double>& shares) const
   {
     for_each_block(m_execution, 0, u.size(), block_size, [&](std::size_t begin, std::size_t end) {
@@ -68,7 +70,7 @@ public:
     double sum = 0.;
     for(const double share : shares)
       sum += share;
-    return 0.25 / 3.14159265358979323846 * sum;
+    return 0.25 / CGAL_PI * sum;
   }
 
 private:
@@ -79,27 +81,27 @@ private:
   Execution m_execution;
 };
 
-// Lowers the harmonic energy of a map to the unit sphere. Where it is minimal, the Laplacian at every vertex is normal to
-// the sphere: L u = 2 share(u) u, see Dirichlet_energy. This is solved as a fixed point: with the right-hand side from
-// the last map, a linear system with the one matrix L gives the next map, up to the projection to the sphere. Each step
-// leaves about a third of the error of the lowest frequency. As the right-hand side nearly vanishes where limbs are
-// shrunk to a small place, limbs are solved as well as in the plane at once.
+// Lowers the harmonic energy of a map to the unit sphere. Where it is minimal, the Laplacian at every vertex is normal
+// to the sphere: L u = 2 share(u) u, see Dirichlet_energy. This is solved as a fixed point: with the right-hand side
+// from the last map, a linear system with the one matrix L gives the next map, up to the projection to the sphere. Each
+// step leaves about a third of the error of the lowest frequency. As the right-hand side nearly vanishes where limbs
+// are shrunk to a small place, limbs are solved as well as in the plane at once.
 //
-// The energy alone would be minimal for a map to one point. So after each step a Moebius transformation, which changes a
-// conformal map to another one, brings the centre of the area of the surface back to the centre of the sphere.
+// The energy alone would be minimal for a map to one point. So after each step a Moebius transformation, which changes
+// a conformal map to another one, brings the centre of the area of the surface back to the centre of the sphere.
 template <class SolverTraits>
 class Harmonic_map
 {
 public:
-  // `weights` are those of the edges in the order of the corners of the mesh. If `is_bijective`, the map is
+  // `weights` are those of the edges in the order of the corners of the mesh. If `keeps_bijective`, the map is
   // so all the way: steps that would turn a face over are shortened.
-  Harmonic_map(const Indexed_mesh& mesh, const std::vector<double>& weights, bool is_bijective, Execution execution)
+  Harmonic_map(const Indexed_mesh& mesh, const std::vector<double>& weights, bool keeps_bijective, Execution execution)
     : m_mesh(mesh)
     , m_weights(weights)
     , m_energy(mesh.rings(), weights, execution)
-    , m_is_bijective(is_bijective)
-    , m_areas(vertex_masses(mesh.rings(), mesh.points()))
-    , m_shares(m_areas.size())
+    , m_keeps_bijective(keeps_bijective)
+    , m_masses(vertex_masses(mesh.rings(), mesh.points()))
+    , m_shares(m_masses.size())
   {}
 
   // Lowers the energy of `positions`; returns false if the linear system cannot be solved.
@@ -137,8 +139,6 @@ public:
         break;
       }
     }
-    if(control.is_stopped())
-      report.stop_reason = control.stop_reason();
     report.average_energy = energy;
     return true;
   }
@@ -158,7 +158,7 @@ private:
       target[v] = (2. * m_shares[v]) * (positions[v] - excess);
     if(!m_system.solve(target))
       return false;
-    const Vector_3d center = center_of_mass(target, m_areas);
+    const Vector_3d center = center_of_mass(target, m_masses);
     for(Vector_3d& x : target)
       x = x - center;
     return true;
@@ -169,13 +169,13 @@ private:
             std::vector<Vector_3d>& candidate)
   {
     const auto is_admissible = [&](const std::vector<Vector_3d>& p) {
-      return !m_is_bijective || are_safely_positive(m_mesh.rings(), p);
+      return !m_keeps_bijective || are_safely_positive(m_mesh.rings(), p);
     };
     for(std::size_t v = 0; v < positions.size(); ++v)
       candidate[v] = normalized(t < 1. ? (1. - t) * positions[v] + t * target[v] : target[v]);
     if(!is_admissible(candidate))
       return false;
-    center_mass(candidate, m_areas, is_admissible);
+    center_mass(candidate, m_masses, is_admissible);
     const double candidate_energy = m_energy(candidate, m_shares);
     if(!(candidate_energy < (1. + max_rise) * m_lowest_energy))
       return false;
@@ -187,8 +187,8 @@ private:
   const Indexed_mesh& m_mesh;
   const std::vector<double>& m_weights;
   Dirichlet_energy m_energy;
-  bool m_is_bijective;
-  std::vector<double> m_areas;  // of the vertices
+  bool m_keeps_bijective;
+  std::vector<double> m_masses; // of the vertices
   std::vector<double> m_shares; // of the vertices in the energy of the last map
   double m_lowest_energy = 0.;
   Laplacian_system<SolverTraits> m_system;
@@ -198,7 +198,7 @@ private:
 // bijective, it is so all the way, and the weights of the edges are positive; if not, the weights are the cotangents
 // as they are.
 template <class SolverTraits>
-Error_code map_harmonically(const Indexed_mesh& mesh, bool is_bijective, std::size_t max_iterations,
+Error_code map_harmonically(const Indexed_mesh& mesh, bool keeps_bijective, std::size_t max_iterations,
                             std::vector<Vector_3d>& positions, Run_control& control, Execution execution)
 {
   control.on_initialization_begin(mesh.number_of_vertices());
@@ -207,7 +207,7 @@ Error_code map_harmonically(const Indexed_mesh& mesh, bool is_bijective, std::si
     return ERROR_CANNOT_SOLVE_LINEAR_SYSTEM;
   if(!embedding.project_bijectively(positions))
   {
-    if(is_bijective)
+    if(keeps_bijective)
       return ERROR_INSUFFICIENT_PRECISION;
     embedding.project(positions);
   }
@@ -215,8 +215,8 @@ Error_code map_harmonically(const Indexed_mesh& mesh, bool is_bijective, std::si
   control.on_initialization_end();
 
   const std::vector<double> weights = cotangent_weights(
-      mesh.rings(), mesh.points(), is_bijective ? min_positive_weight : std::numeric_limits<double>::lowest());
-  Harmonic_map<SolverTraits> map(mesh, weights, is_bijective, execution);
+      mesh.rings(), mesh.points(), keeps_bijective ? min_positive_weight : std::numeric_limits<double>::lowest());
+  Harmonic_map<SolverTraits> map(mesh, weights, keeps_bijective, execution);
   if(!map.run(positions, max_iterations, control))
     return ERROR_CANNOT_SOLVE_LINEAR_SYSTEM;
   control.report().seconds_for_optimization = control.lap();

@@ -45,7 +45,7 @@ struct Solver_traits
   using type = typename Default::Get<SolverTraits, Default_traits>::type;
 #else
   static_assert(!std::is_same<SolverTraits, Default>::value,
-                "The parameter `SolverTraits_` is required if Eigen is not enabled.");
+                "The parameter `SolverTraits` is required if Eigen is not enabled.");
   using type = SolverTraits;
 #endif
 };
@@ -108,12 +108,13 @@ public:
   }
 
 private:
-  using Matrix = typename SolverTraits::Matrix;
-  using Vector = typename SolverTraits::Vector;
+  using Traits = typename Solver_traits<SolverTraits>::type;
+  using Matrix = typename Traits::Matrix;
+  using Vector = typename Traits::Vector;
   using Index = std::ptrdiff_t;
 
   std::optional<Matrix> m_matrix; // the solver may refer to it
-  SolverTraits m_solver;
+  Traits m_solver;
   std::vector<std::uint32_t> m_vertices; // of the rows
 };
 

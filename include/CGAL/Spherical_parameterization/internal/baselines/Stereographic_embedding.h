@@ -22,6 +22,8 @@
 #include <CGAL/Spherical_parameterization/internal/mesh/mesh_measures.h>
 #include <CGAL/Spherical_parameterization/internal/simd/Vector_3.h>
 
+#include <CGAL/number_type_basic.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -181,7 +183,7 @@ public:
     : m_mesh(mesh)
     , m_rings(mesh.rings())
     , m_pole(central_vertex(mesh.rings()))
-    , m_areas(vertex_masses(mesh.rings(), mesh.points()))
+    , m_masses(vertex_masses(mesh.rings(), mesh.points()))
   {}
 
   // Embeds the mesh in the plane. Returns false if the linear system could not be solved.
@@ -198,7 +200,7 @@ public:
   void project(std::vector<Vector_3d>& positions) const
   {
     project_stereographically(positions);
-    center_mass(positions, m_areas, [](const std::vector<Vector_3d>&) { return true; });
+    center_mass(positions, m_masses, [](const std::vector<Vector_3d>&) { return true; });
   }
 
   // Takes the plane to the sphere; returns false if doubles cannot hold the map.
@@ -210,7 +212,7 @@ public:
       project_centrally(positions);
     if(!are_positive(positions))
       return false;
-    center_mass(positions, m_areas, are_positive);
+    center_mass(positions, m_masses, are_positive);
     return true;
   }
 
@@ -219,7 +221,7 @@ private:
   // turn or more.
   void place_ring_of_pole()
   {
-    const double turn = 2. * 3.14159265358979323846;
+    const double turn = 2. * CGAL_PI;
     const Vertex_rings::Ring ring = m_rings.ring(m_pole);
     std::vector<double> angles(ring.size());
     double sum = 0.;
@@ -267,7 +269,7 @@ private:
           m_plane[v] = x[v];
       if(pass == 0)
       {
-        const Vector_3d center = center_of_mass(m_plane, m_areas);
+        const Vector_3d center = center_of_mass(m_plane, m_masses);
         for(const std::uint32_t w : m_rings.ring(m_pole))
           m_plane[w] = m_plane[w] - center;
       }
@@ -283,8 +285,8 @@ private:
     double sum = 0.;
     for(std::size_t v = 0; v < m_plane.size(); ++v)
     {
-      areas_by_distance.emplace_back(length(m_plane[v]), m_areas[v]);
-      sum += m_areas[v];
+      areas_by_distance.emplace_back(length(m_plane[v]), m_masses[v]);
+      sum += m_masses[v];
     }
     std::sort(areas_by_distance.begin(), areas_by_distance.end());
     double inside = 0.;
@@ -327,7 +329,7 @@ private:
   const Indexed_mesh& m_mesh;
   const Vertex_rings& m_rings;
   std::uint32_t m_pole;
-  std::vector<double> m_areas; // of the vertices
+  std::vector<double> m_masses; // of the vertices
   std::vector<char> m_is_fixed;
   std::vector<Vector_3d> m_plane;
 };

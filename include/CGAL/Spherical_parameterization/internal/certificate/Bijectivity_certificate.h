@@ -100,7 +100,7 @@ Bijectivity_certificate certify_bijectivity(const Points& points, const Triangle
 {
   using FT = typename K::FT;
   if(!std::is_same<FT, double>::value)
-    execution = Execution::SEQUENTIAL;
+    execution = Execution();
   const Orientation_about_origin_3<K> orientation;
 
   Bijectivity_certificate certificate;

@@ -15,7 +15,6 @@
 
 #include <CGAL/license/Spherical_parameterization.h>
 
-#include <CGAL/Spherical_parameterization/Face_invariants_3.h>
 #include <CGAL/Spherical_parameterization/Face_range_3.h>
 #include <CGAL/Spherical_parameterization/internal/descent/Independent_sets.h>
 #include <CGAL/Spherical_parameterization/internal/descent/Measured_faces.h>
@@ -48,7 +47,7 @@ class Block_coordinate_descent
 {
 public:
   // for meshes that are yet to be assigned
-  Block_coordinate_descent(const Guarded_energy<Energy>& energy, const Step& step, Execution execution)
+  Block_coordinate_descent(const Face_energy<Energy>& energy, const Step& step, Execution execution)
     : m_energy(energy)
     , m_step(step)
     , m_execution(execution)
@@ -168,7 +167,7 @@ public:
 
 private:
   template <class FT>
-  using Star = Star_energy<Energy, Step::template Image_area, FT>;
+  using Star = Star_energy<Energy, Step::template Image_measure, FT>;
 
   static constexpr std::size_t packets_per_block = 4; // of parallel work: some two microseconds
 
@@ -200,7 +199,7 @@ private:
   // What a thread needs to move stars of any number of lanes.
   struct Scratch
   {
-    explicit Scratch(const Guarded_energy<Energy>& energy)
+    explicit Scratch(const Face_energy<Energy>& energy)
       : in_one_lane(energy)
       , in_two_lanes(energy)
       , in_four_lanes(energy)
@@ -269,7 +268,7 @@ private:
                                                                    lane(point[2], k)};
   }
 
-  Guarded_energy<Energy> m_energy;
+  Face_energy<Energy> m_energy;
   Step m_step;
   Execution m_execution;
   const Vertex_rings* m_rings = nullptr;

@@ -113,8 +113,8 @@ private:
     ++(m_state.sharpness > 0. ? report.number_of_sharp_iterations : report.number_of_average_iterations);
   }
 
-  // Moves all vertices, then, if few faces are much worse than the others, those around them some times more. One thread
-  // looks for these faces, while the others have begun with the sweep.
+  // Moves all vertices, then, if few faces are much worse than the others, those around them some times more. One
+  // thread looks for these faces, while the others have begun with the sweep.
   void sweep(std::vector<Vector_3d>& positions, std::size_t i)
   {
     const auto sweep_all = [&] { m_descent.sweep(positions, scaled_radius(), m_state.sharpness); };
@@ -145,7 +145,7 @@ private:
 
   // Whether a sweep has changed nothing that matters. As the sharpness may move with the map, the accelerated descent
   // compares energies that do so little or not at all, and all have to settle; the paper's rule is about the sum alone,
-  // whose relative change is that of exp(s mean()).
+  // whose relative change is that of exp(s objective()).
   bool has_converged(const State& last) const
   {
     const double tolerance = m_settings.energy_tolerance;
@@ -153,13 +153,13 @@ private:
     if(!is_settled(m_state.radius, last.radius, m_settings.radius_tolerance))
       return false;
     if(!m_settings.is_accelerated && m_state.sharpness > 0.)
-      return std::abs(std::expm1(m_state.sharpness * (now.mean() - before.mean()))) <= tolerance;
+      return std::abs(std::expm1(m_state.sharpness * (now.objective() - before.objective()))) <= tolerance;
     if(!m_settings.is_accelerated)
       return is_settled(now.average(), before.average(), tolerance);
     const auto is_settled_energy = [&](double value, double last_value, double energy_tolerance) {
       return std::abs(value - last_value) <= energy_tolerance * now.scale_of_changes(last_value);
     };
-    return is_settled_energy(now.mean(), before.mean(), tolerance) &&
+    return is_settled_energy(now.objective(), before.objective(), tolerance) &&
            is_settled_energy(now.average(), before.average(), tolerance) &&
            is_settled_energy(now.maximum_energy(), before.maximum_energy(), 10. * tolerance);
   }
@@ -202,7 +202,7 @@ Descent_loop<Energy, Step>::Descent_loop(const Indexed_mesh& mesh, const Energy&
                                          const Sharpness& sharpness, Radius_chooser& radius,
                                          const Descent_settings& settings, Run_control& control, Execution execution)
   : m_mesh(mesh)
-  , m_descent(Guarded_energy<Energy>(energy), step, execution)
+  , m_descent(Face_energy<Energy>(energy), step, execution)
   , m_sharpness_rule(sharpness)
   , m_radius_chooser(radius)
   , m_settings(settings)
@@ -233,7 +233,7 @@ double Descent_loop<Energy, Step>::run(std::vector<Vector_3d>& positions, std::s
     sweep(positions, i);
     measure(positions);
 
-    const double energy = m_state.summary.mean();
+    const double energy = m_state.summary.objective();
     m_control.after_iteration(i + 1, energy, m_state.radius);
     if(!m_control.go_further(i + 1, energy))
       break;

@@ -123,7 +123,7 @@ public:
   // log(mean of exp(s E)) / s, or the average for s = 0: the objective of eq. 7 in the unit of the energy. It lies
   // between the average and the maximum and goes from the one to the other as s grows, so that its values for
   // different s can be compared.
-  double mean() const
+  double objective() const
   {
     if(!(m_sharpness > 0.))
       return average();
@@ -200,9 +200,9 @@ public:
     }
   }
 
-  // Measures all faces on the sphere of radius `radius`, several at once or one by one, with the area that `Step` sees.
+  // Measures all faces on the sphere of radius `radius`, several at once or one by one, as `Step` measures them.
   template <class Step, class Energy>
-  Energy_summary measure(const Star_packets& stars, const Guarded_energy<Energy>& energy,
+  Energy_summary measure(const Star_packets& stars, const Face_energy<Energy>& energy,
                          const std::vector<Vector_3d>& positions, double radius, double sharpness, Execution execution)
   {
     m_partial.assign((m_packets.size() + packets_per_block - 1) / packets_per_block, Energy_summary(sharpness));
@@ -237,7 +237,7 @@ public:
 
   // Calls f(a, b, c) for each face whose energy was above `bound` when it was measured last, as long as f returns true.
   template <class Energy, class Function>
-  void for_each_above(const Guarded_energy<Energy>& energy, double bound, const Function& f) const
+  void for_each_above(const Face_energy<Energy>& energy, double bound, const Function& f) const
   {
     for(std::size_t block = 0; block < m_partial.size(); ++block)
     {
@@ -267,7 +267,7 @@ private:
   };
 
   template <class Step, class FT, class Energy>
-  void measure_lanes(const Star_packets& stars, const Guarded_energy<Energy>& energy, const Vector_3d* positions,
+  void measure_lanes(const Star_packets& stars, const Face_energy<Energy>& energy, const Vector_3d* positions,
                      double squared_radius, std::size_t k, std::size_t first, double* energies)
   {
     const Packet& packet = m_packets[k];
@@ -287,7 +287,7 @@ private:
     const FT scale = squared_radius, inverse_doubled_area = rest(3), to_d = scale * inverse_doubled_area;
     const FT i =
         scale * (rest(0) * squared_length(q - p) + rest(1) * squared_length(to_q) + rest(2) * squared_length(to_p));
-    const FT d = to_d * Step::template Image_area<FT>::value(dot(u, n), n), flat_d = to_d * length(n),
+    const FT d = to_d * Step::template Image_measure<FT>::value(dot(u, n), n), flat_d = to_d * length(n),
              area = 0.5 / inverse_doubled_area;
     Lanes<FT>::store(energy(i, d), energies);
     for(std::size_t j = 0; j < Lanes<FT>::width && k * width + first + j < m_number_of_faces; ++j)

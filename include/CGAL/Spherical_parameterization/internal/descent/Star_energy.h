@@ -46,14 +46,14 @@ struct Is_lanewise<
                                                                    std::declval<const FT&>()))>> : std::true_type
 {};
 
-// The energy of a face as the descent evaluates it: in one lane or several, and, if the weight of the guard is positive,
-// with that share of the area distortion d + 1 / d added, which keeps faces from shrinking without end where the energy
-// itself does not mind.
+// The energy of a face as the descent evaluates it: in one lane or several, and, if the weight of the guard is
+// positive, with that share of the area distortion d + 1 / d added, which keeps faces from shrinking without end where
+// the energy itself does not mind.
 template <class Energy>
-class Guarded_energy
+class Face_energy
 {
 public:
-  explicit Guarded_energy(const Energy& energy, double guard = 0.)
+  explicit Face_energy(const Energy& energy, double guard = 0.)
     : m_energy(energy)
     , m_guard(guard)
   {}
@@ -115,25 +115,25 @@ private:
   double m_guard;
 };
 
-// Twice the area of the image of a face (x, p, q) as the energy sees it, as a function of its corner x. All corners are
-// offsets from one point of the unit sphere, in the frame of that point; the centre of the sphere is at (0, 0, -1).
+// The doubled area of the image of a face (x, p, q) as the energy sees it, as a function of its corner x. All corners
+// are offsets from one point of the unit sphere, in the frame of that point; the centre of the sphere is at (0, 0, -1).
 //
-// This one is the determinant of the corners: the doubled area of the flat triangle times the distance of its plane from
-// the centre. It agrees with the flat area for small faces, and is 0 exactly where a face turns over: the energy is a
-// barrier there, and no face comes to lie across a great circle.
+// This one is the determinant of the corners: the doubled area of the flat triangle times the distance of its plane
+// from the centre. It agrees with the flat area for small faces, and is 0 exactly where a face turns over: the energy
+// is a barrier there, and no face comes to lie across a great circle.
 template <class FT>
-class Determinant_area
+class Determinant_measure
 {
 public:
-  // the area at x = 0
-  Determinant_area(const Vector_3<FT>& p, const Vector_3<FT>& q)
+  // the value at x = 0
+  Determinant_measure(const Vector_3<FT>& p, const Vector_3<FT>& q)
   {
     // The normal p x q of the plane through p, q and the centre. As p and q are offsets of the size of the edge,
     // nothing cancels.
     const Vector_3<FT> n = cross(p, q);
     m_gradient = {n[0] + (p[1] - q[1]), n[1] + (q[0] - p[0]), n[2]};
   }
-  Determinant_area() = default;
+  Determinant_measure() = default;
 
   FT value() const { return m_gradient[2]; }
   FT dx() const { return m_gradient[0]; }
@@ -141,49 +141,41 @@ public:
   // As x = (x, y, -(x^2 + y^2) / 2), up to higher order, the second derivatives follow from the height.
   FT dxx() const { return -m_gradient[2]; }
   FT dyy() const { return -m_gradient[2]; }
-  static constexpr bool has_dxy = false;
-  static FT dxy() { return FT(0.); }
 
-  // the area at x, given the determinant and the normal (p - x) x (q - x) there
+  // the value at x, given the determinant and the normal (p - x) x (q - x) there
   static FT value(const FT& determinant, const Vector_3<FT>& /* normal */) { return determinant; }
 
 private:
   Vector_3<FT> m_gradient;
 };
 
-// The doubled area of the flat triangle, as in eq. 4 and 5 of the paper. It is positive where a face turns over, so that
-// nothing but the test of every step prevents that, and faces may get stuck across a great circle.
+// The doubled area of the flat triangle, as in eq. 4 and 5 of the paper. It is positive where a face turns over, so
+// that nothing but the test of every step prevents that, and faces may get stuck across a great circle. It goes with
+// gradient steps, and has no second derivatives.
 template <class FT>
-class Flat_area
+class Flat_measure
 {
 public:
-  Flat_area(const Vector_3<FT>& p, const Vector_3<FT>& q)
+  Flat_measure(const Vector_3<FT>& p, const Vector_3<FT>& q)
   {
     // The normal (p - x) x (q - x) has the derivative dx x (p - q).
     const Vector_3<FT> n = cross(p, q), w = p - q;
-    const Vector_3<FT> nx = {FT(0.), -w[2], w[1]}, ny = {w[2], FT(0.), -w[0]}, second = {w[1], -w[0], FT(0.)};
+    const Vector_3<FT> nx = {FT(0.), -w[2], w[1]}, ny = {w[2], FT(0.), -w[0]};
     m_value = length(n);
     const FT inverse = select(m_value > 0., 1. / m_value, FT(0.)); // no direction where there is no area
     m_dx = inverse * dot(n, nx);
     m_dy = inverse * dot(n, ny);
-    m_dxx = inverse * (squared_length(nx) + dot(n, second) - m_dx * m_dx);
-    m_dxy = inverse * (dot(nx, ny) - m_dx * m_dy);
-    m_dyy = inverse * (squared_length(ny) + dot(n, second) - m_dy * m_dy);
   }
-  Flat_area() = default;
+  Flat_measure() = default;
 
   FT value() const { return m_value; }
   FT dx() const { return m_dx; }
   FT dy() const { return m_dy; }
-  FT dxx() const { return m_dxx; }
-  FT dyy() const { return m_dyy; }
-  static constexpr bool has_dxy = true;
-  FT dxy() const { return m_dxy; }
 
   static FT value(const FT& /* determinant */, const Vector_3<FT>& normal) { return length(normal); }
 
 private:
-  FT m_value, m_dx, m_dy, m_dxx, m_dxy, m_dyy;
+  FT m_value, m_dx, m_dy;
 };
 
 // The part of the objective that depends on one vertex, as a function of the two tangential coordinates of the vertex:
@@ -196,11 +188,11 @@ private:
 //
 // Exponentials, whose operations have to wait for each other, are taken in loops of their own: the shorter a loop is,
 // the more of its iterations are in flight at once.
-template <class Energy, template <class> class Image_area, class FT = double>
+template <class Energy, template <class> class Image_measure, class FT = double>
 class Star_energy
 {
 public:
-  explicit Star_energy(const Guarded_energy<Energy>& energy)
+  explicit Star_energy(const Face_energy<Energy>& energy)
     : m_energy(energy)
   {}
 
@@ -235,10 +227,10 @@ public:
       Face& face = m_faces[j];
       const Vector_3<FT>&p = face.offset, &q = m_faces[j + 1].offset;
       face.fixed_i = scale * star.opposite_0(j) * squared_length(q - p); // the part of I that does not move
-      face.area = Area(p, q);
+      face.measure = Measure(p, q);
       const FT i =
           face.fixed_i + scale * (star.opposite_2(j) * squared_length(p) + star.opposite_1(j) * squared_length(q));
-      const FT d = unless_padding(j, scale * star.inverse_doubled_area(j) * face.area.value(), FT(1.));
+      const FT d = unless_padding(j, scale * star.inverse_doubled_area(j) * face.measure.value(), FT(1.));
       face.energy = m_energy.derivatives(i, d);
       m_max_energy = maximum(m_max_energy, face.energy.value);
     }
@@ -285,8 +277,8 @@ public:
         if(!is_valid)
           return infinite;
       const FT i = m_faces[j].fixed_i + scale * (m_star.opposite_2(j) * lp + m_star.opposite_1(j) * lq);
-      const FT area = scale * m_star.inverse_doubled_area(j) * Area::value(determinant, n);
-      const FT d = select(is_valid, unless_padding(j, area, FT(1.)), FT(1.)); // energies are for positive ones
+      const FT ratio = scale * m_star.inverse_doubled_area(j) * Measure::value(determinant, n);
+      const FT d = select(is_valid, unless_padding(j, ratio, FT(1.)), FT(1.)); // energies are for positive ones
       m_faces[j].new_energy = m_energy(i, d);
     }
     if(!any(is_valid))
@@ -301,13 +293,13 @@ public:
 private:
   static constexpr double max_squared_step = 0.75; // no step leaves the cap of 60 degrees around the vertex
 
-  using Area = Image_area<FT>;
+  using Measure = Image_measure<FT>;
 
   // what is known of face j, whose corners are the vertex and its neighbors j and j + 1
   struct Face
   {
     Vector_3<FT> offset; // of neighbor j
-    Area area;
+    Measure measure;
     FT fixed_i;
     Energy_derivatives_3<FT> energy;
     FT weight;             // exp(s E), if the objective is that
@@ -345,22 +337,20 @@ private:
     for(std::size_t j = 0; j < m_star.size(); ++j)
     {
       const Vector_3<FT>&p = m_faces[j].offset, &q = m_faces[j + 1].offset;
-      const Area& area = m_faces[j].area;
+      const Measure& measure = m_faces[j].measure;
       const Energy_derivatives_3<FT>& e = m_faces[j].energy;
       const FT to_p = 2. * scale * m_star.opposite_2(j), to_q = 2. * scale * m_star.opposite_1(j);
       const FT ix = -(to_p * p[0] + to_q * q[0]), iy = -(to_p * p[1] + to_q * q[1]);
       const FT to_d = scale * m_star.inverse_doubled_area(j);
-      const FT dx = to_d * area.dx(), dy = to_d * area.dy();
+      const FT dx = to_d * measure.dx(), dy = to_d * measure.dy();
       FT ex = e.i * ix + e.d * dx, ey = e.i * iy + e.d * dy;
       FT exx = 0., exy = 0., eyy = 0.;
       if constexpr(with_hessian)
       {
         const FT i2 = to_p * (1. + p[2]) + to_q * (1. + q[2]);
-        exx = e.i * i2 + e.d * (to_d * area.dxx()) + e.ii * ix * ix + 2. * e.id * ix * dx + e.dd * dx * dx;
+        exx = e.i * i2 + e.d * (to_d * measure.dxx()) + e.ii * ix * ix + 2. * e.id * ix * dx + e.dd * dx * dx;
         exy = e.ii * ix * iy + e.id * (ix * dy + iy * dx) + e.dd * dx * dy;
-        eyy = e.i * i2 + e.d * (to_d * area.dyy()) + e.ii * iy * iy + 2. * e.id * iy * dy + e.dd * dy * dy;
-        if constexpr(Area::has_dxy)
-          exy += e.d * (to_d * area.dxy());
+        eyy = e.i * i2 + e.d * (to_d * measure.dyy()) + e.ii * iy * iy + 2. * e.id * iy * dy + e.dd * dy * dy;
       }
       // The rest shape of a padding row is 0, and so are its derivatives.
       if(m_sharpness > 0.)
@@ -390,7 +380,7 @@ private:
     return f;
   }
 
-  Guarded_energy<Energy> m_energy;
+  Face_energy<Energy> m_energy;
   double m_scale = 1., m_sharpness = 0.;
 
   Star_view<FT> m_star;

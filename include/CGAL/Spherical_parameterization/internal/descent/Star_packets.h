@@ -107,11 +107,12 @@ private:
 // Each star has a place; those of a packet are consecutive, and so are the packets of an independent set. A packet that
 // is not full has its first star in the remaining places.
 //
-// Corners and places are counted in 32 bits. There are at most 6 n corners of n vertices, and padding adds less than n:
+// Corners and places are counted in 32 bits. There are at most 6 n corners of n vertices, and padding adds less than 2
+// n:
 // within a chunk of 1024 vertices of a set, which are ordered by degree, a packet wastes at most 8 times the difference
 // of its largest and smallest degree, which telescopes to less than 8 * 32, and the last packet as much again; so does
-// the last chunk of each set. read_mesh() refuses meshes with 2^31 halfedges, that is, n > 2^31 / 6, so that 7 n is far
-// from 2^32.
+// the last chunk of each set; a star by itself, of which there are less than n / 5, wastes at most 7. read_mesh()
+// refuses meshes with 2^31 halfedges, that is, n > 2^31 / 6, so that 8 n is below 2^32.
 class Star_packets
 {
 public:

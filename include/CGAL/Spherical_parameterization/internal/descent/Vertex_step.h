@@ -26,20 +26,20 @@ namespace CGAL {
 namespace Spherical_parameterization {
 namespace internal {
 
-// How a vertex moves, and which area of an image its energy sees: the steps of block coordinate descent. A step sets
+// How a vertex moves, and how its energy measures an image: the steps of block coordinate descent. A step sets
 // `step` to the tangential coordinates that the vertex shall move to, where the energy of its star is finite and lower,
 // and returns whether it shall move.
 
 // One damped Newton step. The two by two Hessian in the tangent plane is made positive definite by taking the absolute
-// values of its eigenvalues. The step is first tried at `over_relaxation` times its length, which makes block coordinate
-// descent carry changes over the surface many times faster, then at its own length, then at fractions of it until the
-// energy falls (Armijo's rule). It needs two evaluations of the star, where the gradient step of the paper needs over
-// ten, and far fewer sweeps.
+// values of its eigenvalues. The step is first tried at `over_relaxation` times its length, which makes block
+// coordinate descent carry changes over the surface many times faster, then at its own length, then at fractions of it
+// until the energy falls (Armijo's rule). It needs two evaluations of the star, where the gradient step of the paper
+// needs over ten, and far fewer sweeps.
 class Newton_step
 {
 public:
   template <class FT>
-  using Image_area = Determinant_area<FT>;
+  using Image_measure = Determinant_measure<FT>;
 
   // Whether several vertices can be moved at once, in lanes.
   static constexpr bool is_lanewise = true;
@@ -47,8 +47,8 @@ public:
   Newton_step() = default;
 
   // The step for the levels of a hierarchy that are coarser than the mesh. Where a vertex has many thousands of
-  // neighbours, longer steps throw these into a disorder that no later sweep undoes; and to carry changes far is what the
-  // levels themselves are for.
+  // neighbours, longer steps throw these into a disorder that no later sweep undoes; and to carry changes far is what
+  // the levels themselves are for.
   static Newton_step on_coarse_levels()
   {
     Newton_step result;
@@ -107,15 +107,15 @@ private:
   double m_over_relaxation = 1.9;
 };
 
-// The step of the BLD paper, eq. 8: gradient descent on the flat areas. It is as long as the shortest edge at the vertex
-// at first, is projected to the sphere, and is shortened to 0.8 of its length until the energy falls and no face of the
-// star is inverted; a vertex whose step gets shorter than 1e-10 of that edge stays. (The paper does not say what its
-// 1e-10 is relative to; an absolute length would freeze all that the initial map has shrunk to such a size.)
+// The step of the BLD paper, eq. 8: gradient descent on the flat areas. It is as long as the shortest edge at the
+// vertex at first, is projected to the sphere, and is shortened to 0.8 of its length until the energy falls and no face
+// of the star is inverted; a vertex whose step gets shorter than 1e-10 of that edge stays. (The paper does not say what
+// its 1e-10 is relative to; an absolute length would freeze all that the initial map has shrunk to such a size.)
 class Gradient_step
 {
 public:
   template <class FT>
-  using Image_area = Flat_area<FT>;
+  using Image_measure = Flat_measure<FT>;
 
   static constexpr bool is_lanewise = false;
 

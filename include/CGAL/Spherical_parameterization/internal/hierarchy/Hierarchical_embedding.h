@@ -56,7 +56,7 @@ class Hierarchical_embedding
 {
 public:
   Hierarchical_embedding(Mesh_hierarchy& hierarchy, const std::vector<Vector_3d>& points,
-                         const Guarded_energy<Energy>& energy, const Sharpness& sharpness, std::size_t sweeps_per_level,
+                         const Face_energy<Energy>& energy, const Sharpness& sharpness, std::size_t sweeps_per_level,
                          const Rest_limits& limits, Run_control& control, Execution execution)
     : m_hierarchy(hierarchy)
     , m_points(points)
@@ -70,8 +70,8 @@ public:
     , m_kernels(execution, Star_kernel())
   {}
 
-  // Computes the positions of all vertices of the finest level, which itself is only swept if `sweeps_finest_level`; the
-  // report then says why that has ended.
+  // Computes the positions of all vertices of the finest level, which itself is only swept if `sweeps_finest_level`;
+  // the report then says why that has ended.
   // Returns false if a kernel has become too narrow for doubles. The levels of the hierarchy that have been mapped are
   // dropped, as the finer ones need the memory.
   bool run(std::vector<Vector_3d>& positions, bool sweeps_finest_level)
@@ -160,8 +160,8 @@ private:
     return result;
   }
 
-  // Sweeps over a level, and returns whether it has settled. A run that is stopped sweeps it once, as vertices are to be
-  // inserted into what has been swept.
+  // Sweeps over a level, and returns whether it has settled. A run that is stopped sweeps it once, as vertices are to
+  // be inserted into what has been swept.
   bool relax(const Mesh_hierarchy::Level& level, const Vertex_rings& rings, std::vector<Vector_3d>& local, bool is_full)
   {
     const std::vector<Vector_3d> points = gathered(m_points, level);
@@ -219,8 +219,8 @@ private:
     return m_sharpness_rule.next(0, summary.average(), summary.maximum_energy());
   }
 
-  // Coarse levels are swept more often: there the large features find their places, at little cost. On the coarsest they
-  // get the time that they need, which may be short; see relax().
+  // Coarse levels are swept more often: there the large features find their places, at little cost. On the coarsest
+  // they get the time that they need, which may be short; see relax().
   std::size_t number_of_sweeps(std::size_t n_vertices) const
   {
     if(ends_when_settled(n_vertices))
@@ -239,7 +239,8 @@ private:
   static constexpr std::size_t min_sharp_level = 300;
 
   // Levels with at least so many vertices, and half of those of the mesh, follow the worst faces as the mesh itself
-  // will: they leave to it what is near to where it ends. On smaller levels the average pays for it, a percent in places.
+  // will: they leave to it what is near to where it ends. On smaller levels the average pays for it, a percent in
+  // places.
   static constexpr std::size_t min_nearly_finest_level = 2500;
 
   // Levels with fewer vertices are all swept until the limbs have found their places: until the average energy changes
@@ -252,7 +253,7 @@ private:
 
   Mesh_hierarchy& m_hierarchy;
   const std::vector<Vector_3d>& m_points;
-  Guarded_energy<Energy> m_energy;
+  Face_energy<Energy> m_energy;
   Sharpness_rule m_sharpness_rule;
   std::size_t m_sweeps_per_level;
   Rest_limits m_limits;
@@ -279,14 +280,15 @@ bool embed_hierarchically(const Indexed_mesh& mesh, const Energy& energy, const 
   const auto embed = [&](double guard, const Sharpness& level_sharpness, const Rest_limits& limits,
                          std::size_t sweeps_factor) {
     // An attempt uses the hierarchy up, and a second one is rare.
-    Mesh_hierarchy hierarchy = Mesh_hierarchy::build(mesh.rings(), mesh.points(), control, execution);
+    Mesh_hierarchy hierarchy = Mesh_hierarchy::build(mesh.rings(), mesh.points(), execution);
+    control.check_clock();
     if(++report.number_of_attempts == 1)
     {
       report.number_of_levels = hierarchy.number_of_levels();
       report.seconds_for_hierarchy = control.lap();
     }
-    return Hierarchical_embedding<Energy>(hierarchy, mesh.points(), Guarded_energy<Energy>(energy, guard),
-                                          level_sharpness, sweeps_factor * sweeps_per_level, limits, control, execution)
+    return Hierarchical_embedding<Energy>(hierarchy, mesh.points(), Face_energy<Energy>(energy, guard), level_sharpness,
+                                          sweeps_factor * sweeps_per_level, limits, control, execution)
         .run(positions, sweeps_finest_level);
   };
 

@@ -18,7 +18,6 @@
 #include <CGAL/Spherical_parameterization/internal/hierarchy/Vertex_removal.h>
 #include <CGAL/Spherical_parameterization/internal/mesh/Vertex_rings.h>
 #include <CGAL/Spherical_parameterization/internal/mesh/mesh_measures.h>
-#include <CGAL/Spherical_parameterization/internal/run/Run_control.h>
 #include <CGAL/Spherical_parameterization/internal/run/parallel.h>
 #include <CGAL/Spherical_parameterization/internal/simd/Vector_3.h>
 
@@ -36,8 +35,8 @@ namespace CGAL {
 namespace Spherical_parameterization {
 namespace internal {
 
-// A set of edges, each a pair of different vertices in either order: a table in which what has its place taken goes to
-// the next free one. Only asked whether it has an edge, so that its order never shows.
+// A set of edges, each a pair of different vertices in either order: a hash table with linear probing. Only asked
+// whether it has an edge, so that its order never shows.
 class Edge_set
 {
 public:
@@ -123,10 +122,7 @@ public:
     std::vector<Removed_vertex> removed; // empty at the coarsest level
   };
 
-  // The clock is asked after each level, so that what follows knows in time that little of it is left; the hierarchy
-  // itself is always completed.
-  static Mesh_hierarchy build(const Vertex_rings& rings, const std::vector<Vector_3d>& points, Run_control& control,
-                              Execution execution)
+  static Mesh_hierarchy build(const Vertex_rings& rings, const std::vector<Vector_3d>& points, Execution execution)
   {
     Mesh_hierarchy hierarchy(rings, execution);
     hierarchy.m_levels.emplace_back();
@@ -135,10 +131,7 @@ public:
     std::iota(finest.vertices.begin(), finest.vertices.end(), 0u);
     finest.areas = vertex_areas(rings, points);
     while(hierarchy.m_levels.back().vertices.size() > 4)
-    {
       hierarchy.coarsen(points);
-      control.check_clock();
-    }
     return hierarchy;
   }
 
@@ -192,8 +185,8 @@ private:
   }
 
   // Chooses the removals in the order of their costs, unless a neighbour has been chosen already or an edge of the new
-  // faces is there already. Returns the targets of the removed vertices, as indices into their rings, and `kept` for all
-  // others.
+  // faces is there already. Returns the targets of the removed vertices, as indices into their rings, and `kept` for
+  // all others.
   static std::vector<std::uint32_t> select(Level& fine, const Vertex_rings& rings,
                                            const std::vector<Vertex_removal>& removals)
   {

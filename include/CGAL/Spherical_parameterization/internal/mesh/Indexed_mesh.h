@@ -20,6 +20,8 @@
 #include <CGAL/Spherical_parameterization/internal/mesh/Vertex_rings.h>
 #include <CGAL/Spherical_parameterization/internal/simd/Vector_3.h>
 
+#include <CGAL/number_type_basic.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -259,8 +261,7 @@ private:
       area += 0.5 * length(cross(m_points[b] - m_points[a], m_points[c] - m_points[a]));
     });
     // A surface without area is measured by its extent, which normalize() has made about 1.
-    const double pi = 3.14159265358979323846;
-    m_unit = area > (std::numeric_limits<double>::min)() ? std::sqrt(area / (4. * pi)) : 1.;
+    m_unit = area > (std::numeric_limits<double>::min)() ? std::sqrt(area / (4. * CGAL_PI)) : 1.;
     for(Vector_3d& p : m_points)
       p = (1. / m_unit) * p;
     m_rings.for_each_face([&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {

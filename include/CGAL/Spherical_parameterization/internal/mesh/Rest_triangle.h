@@ -25,8 +25,8 @@ namespace Spherical_parameterization {
 namespace internal {
 
 // How flat and how small the shape of a face may be that a Rest_triangle asks for. A flatter one would ask for
-// derivatives beyond all measure and freeze its neighbours; it is given the minimum height instead. One without size has
-// no shape that it could ask for; it becomes equilateral.
+// derivatives beyond all measure and freeze its neighbours; it is given the minimum height instead. One without size
+// has no shape that it could ask for; it becomes equilateral.
 struct Rest_limits
 {
   double min_height = 1e-4; // over the longest edge, in units of that edge
@@ -103,7 +103,7 @@ private:
     const double b2 = squared[base];
     const double to_1 = squared[(base + 2) % 3], to_2 = squared[(base + 1) % 3];
     const double t = (std::min)((std::max)(0.5 * (b2 + to_1 - to_2) / b2, 0.), 1.); // the foot, in units of the base
-    // cot(1) = t / h, cot(2) = (1 - t) / h and cot(0) = (h^2 - t (1 - t)) / h for a base of length 1 and height h = 2 A.
+    // cot(1) = t / h, cot(2) = (1 - t) / h and cot(0) = (h^2 - t (1 - t)) / h for a base of length 1, h = 2 A.
     const double h = limits.min_height;
     const double inverse = 1. / (b2 * h);
     double cotangents[3];

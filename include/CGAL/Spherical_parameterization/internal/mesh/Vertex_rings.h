@@ -24,8 +24,8 @@ namespace CGAL {
 namespace Spherical_parameterization {
 namespace internal {
 
-// The connectivity of a closed triangle mesh: for each vertex its neighbours in counterclockwise order, one after the
-// other in one array. The faces of vertex v are (v, ring[j], ring[j + 1]), the last one closing with ring[0].
+// The connectivity of a closed triangle mesh: for each vertex its neighbours in counterclockwise order, as compressed
+// sparse rows. The faces of vertex v are (v, ring[j], ring[j + 1]), the last one closing with ring[0].
 class Vertex_rings
 {
 public:
@@ -72,7 +72,7 @@ public:
     }
   }
 
-  // Filling: the rings of the vertices 0, 1, 2, ... one after the other.
+  // Construction: the rings of the vertices 0, 1, 2, ... one after the other.
   void reserve(std::size_t n_vertices, std::size_t n_corners)
   {
     m_offsets.reserve(n_vertices + 1);
@@ -81,8 +81,8 @@ public:
   void push_neighbor(std::uint32_t v) { m_neighbors.push_back(v); }
   void end_ring() { m_offsets.push_back(static_cast<std::uint32_t>(m_neighbors.size())); }
 
-  // Filling in any order: the rings get their room, ring v from offsets[v] to offsets[v + 1] of the corners, and are
-  // written to it.
+  // Construction in any order: the rings get their room, ring v from offsets[v] to offsets[v + 1] of the corners, and
+  // are written to it.
   void assign(std::vector<std::uint32_t> offsets)
   {
     m_offsets = std::move(offsets);

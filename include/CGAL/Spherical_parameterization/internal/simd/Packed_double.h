@@ -169,8 +169,8 @@ private:
 // masks and select().
 //
 // The alignment is written out because compilers take that of a vector which the target has no registers for to be
-// smaller. The copy constructors are written out so that no compiler passes an object in registers: which ones there are
-// differs between functions that are compiled for different processors.
+// smaller. The copy constructors are written out so that no compiler passes an object in registers: which ones there
+// are differs between functions that are compiled for different processors.
 template <int W>
 class alignas(8 * W) Packed_double
 {

@@ -94,7 +94,6 @@ inline bool is_finite(const Vector_3d& p)
   return is_finite(p[0]) && is_finite(p[1]) && is_finite(p[2]);
 }
 
-// What a radius has to be. One that a caller's function has returned may be anything.
 inline bool is_positive_and_finite(double x)
 {
   return x > 0. && is_finite(x);
