@@ -12,14 +12,26 @@ fail() {
   exit 1
 }
 
-# run_stage NAME COMMAND...: prints NAME in one line and keeps what COMMAND prints in build/logs; shows it on failure.
+# run_stage NAME COMMAND...: prints NAME and how many seconds COMMAND has taken in one line and keeps what it prints in
+# build/logs; shows it on failure.
 run_stage() {
-  local name=$1 log=$build/logs/${1// /_}.log
+  local name=$1 log=$build/logs/${1// /_}.log start=$SECONDS status=0
   shift
   mkdir -p "$build/logs"
-  printf '== %s\n' "$name"
-  if ! "$@" >"$log" 2>&1 </dev/null; then
+  "$@" >"$log" 2>&1 </dev/null || status=$?
+  printf '== %s: %d s\n' "$name" $((SECONDS - start))
+  if [ $status -ne 0 ]; then
     tail -n 100 "$log" >&2
     fail "Failed: $name. The whole log: $log"
+  fi
+}
+
+# The end of a long log is what is read first.
+say_verdict() {
+  local status=$?
+  if [ $status -eq 0 ]; then
+    echo "== All checks passed, in $SECONDS s"
+  else
+    echo "== A CHECK FAILED, with exit status $status after $SECONDS s; see above for which"
   fi
 }

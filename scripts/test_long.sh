@@ -1,0 +1,36 @@
+#!/usr/bin/env bash
+# Usage: scripts/test_long.sh
+#
+# What takes too long for scripts/test.sh, which is to be run first: 20,000 random triangulations instead of 500, other
+# tests with as many more repetitions, all tests under the sanitizer of addresses, every program in a CGAL tree, and each
+# fuzzer for ten minutes. Takes about two hours on two cores.
+
+# shellcheck source-path=SCRIPTDIR source=common.sh
+. "$(dirname "${BASH_SOURCE[0]}")/common.sh"
+
+[ $# -eq 0 ] || fail "Usage: scripts/test_long.sh"
+[ -f "$build/CMakeCache.txt" ] || fail "Run scripts/test.sh first."
+trap say_verdict EXIT
+export SPHERICAL_PARAMETERIZATION_LONG_TESTS=1
+
+run_stage "build the tests" cmake --build "$build" -j "$jobs"
+run_stage "long tests" ctest --test-dir "$build" --output-on-failure --no-tests=error -j "$jobs" -L unit
+"$root/scripts/test_sanitizers.sh" --all
+"$root/scripts/test_in_cgal_tree.sh"
+
+# What a fuzzer finds that is new stays in build/fuzz/NAME, what makes it fail beside the log.
+fuzz() {
+  local name=$1 directory=$build/fuzz
+  local dictionary=$root/test/Spherical_parameterization/fuzz/$name.dict
+  mkdir -p "$directory/$name" "$directory/failures"
+  "$directory/test/Spherical_parameterization/fuzz/fuzz_$name" "$directory/$name" \
+    "$root/test/Spherical_parameterization/fuzz/corpus/$name" -artifact_prefix="$directory/failures/${name}_" \
+    -max_total_time=600 -rss_limit_mb=2048 -malloc_limit_mb=1024 -timeout=20 \
+    $([ ! -f "$dictionary" ] || echo "-dict=$dictionary")
+}
+run_stage "configure the fuzzers" cmake -S "$root" -B "$build/fuzz" -DCMAKE_CXX_COMPILER=clang++ \
+  -DSPHERICAL_PARAMETERIZATION_BUILD_{EXAMPLES,BENCHMARKS}=OFF -DSPHERICAL_PARAMETERIZATION_BUILD_FUZZERS=ON
+for name in reading parameterize; do
+  run_stage "build the fuzzer of $name" cmake --build "$build/fuzz" --target "fuzz_$name"
+  run_stage "fuzz $name" fuzz "$name"
+done
