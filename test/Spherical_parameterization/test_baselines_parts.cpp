@@ -278,7 +278,7 @@ TEST(Dirichlet_energy, of_the_identity_of_a_sphere_tends_to_1)
     const std::vector<Vector_3d> u = in_order_of(mesh, list.points);
     const std::vector<double> weights = cotangent_weights(mesh.rings(), mesh.points(), any_weight);
     std::vector<double> shares(u.size());
-    const double energy = Dirichlet_energy(mesh.rings(), weights, Execution::SEQUENTIAL)(u, shares);
+    const double energy = Dirichlet_energy(mesh.rings(), weights, Execution())(u, shares);
     EXPECT_NEAR(energy, image_area(mesh.rings(), u) / (4. * pi), 1e-12); // it is conformal
     const double error = std::abs(energy - 1.);
     EXPECT_LT(error, 0.3 * last_error);
@@ -296,7 +296,7 @@ TEST(Dirichlet_energy, is_the_sum_over_the_edges)
   const Vertex_rings& rings = mesh.rings();
   const std::vector<double> weights = cotangent_weights(rings, mesh.points(), any_weight);
   std::vector<double> shares(u.size());
-  const double energy = Dirichlet_energy(rings, weights, Execution::SEQUENTIAL)(u, shares);
+  const double energy = Dirichlet_energy(rings, weights, Execution())(u, shares);
   double sum = 0., sum_of_shares = 0.;
   for(std::uint32_t v = 0; v < u.size(); ++v)
   {
@@ -352,12 +352,12 @@ TEST(Harmonic_map, is_a_critical_point_of_the_energy)
       ASSERT_TRUE(embedding.project_bijectively(u));
       const double start = tangential_part(mesh.rings(), weights, u);
       std::vector<double> shares(u.size());
-      const Dirichlet_energy energy(mesh.rings(), weights, Execution::SEQUENTIAL);
+      const Dirichlet_energy energy(mesh.rings(), weights, Execution());
       const double start_energy = energy(u, shares);
 
       Recording_control control;
       const SP::Parameterization_report& report = control.report();
-      Harmonic_map<Solver> map(mesh, weights, is_guarded, Execution::SEQUENTIAL);
+      Harmonic_map<Solver> map(mesh, weights, is_guarded, Execution());
       ASSERT_TRUE(map.run(u, 100, control));
       EXPECT_EQ(report.stop_reason, SP::CONVERGED);
       EXPECT_EQ(report.initial_energy, start_energy);
@@ -501,7 +501,7 @@ TEST(ARAP_energy, is_that_of_the_singular_values)
   {
     const Scattered_map map(scatter);
     EXPECT_EQ(map.number_of_inverted_faces() > 0, scatter > 0.1);
-    ARAP_energy energy(map.mesh.rings(), map.mesh.points(), Execution::SEQUENTIAL);
+    ARAP_energy energy(map.mesh.rings(), map.mesh.points(), Execution());
     const double value = energy.fit(map.u), radius = energy.radius();
     EXPECT_GT(value, 0.);
     EXPECT_NEAR(value, energy_of(map.mesh, map.u, radius), 1e-12);
@@ -514,7 +514,7 @@ TEST(ARAP_energy, is_stationary_in_the_radius)
   for(const double scatter : {0., 0.3})
   {
     const Scattered_map map(scatter);
-    ARAP_energy energy(map.mesh.rings(), map.mesh.points(), Execution::SEQUENTIAL);
+    ARAP_energy energy(map.mesh.rings(), map.mesh.points(), Execution());
     const double value = energy.fit(map.u), radius = energy.radius();
     const double below = energy_of(map.mesh, map.u, 0.99 * radius), above = energy_of(map.mesh, map.u, 1.01 * radius);
     EXPECT_GT(below, value);
@@ -529,7 +529,7 @@ TEST(ARAP_energy, of_an_isometry_is_0)
   {
     const Triangle_list sphere = icosphere(2), list = test_meshes::scaled(sphere, scale, scale, scale);
     const Indexed_mesh mesh = indexed_mesh(list);
-    ARAP_energy energy(mesh.rings(), mesh.points(), Execution::SEQUENTIAL);
+    ARAP_energy energy(mesh.rings(), mesh.points(), Execution());
     EXPECT_NEAR(energy.fit(in_order_of(mesh, sphere.points)), 0., 1e-14);
     EXPECT_NEAR(energy.radius() * mesh.equal_area_radius(), scale, 1e-14 * scale);
     // the mirror image is none
@@ -543,7 +543,7 @@ TEST(ARAP_energy, has_the_gradient_of_its_value)
   for(const double scatter : {0.05, 0.3})
   {
     Scattered_map map(scatter);
-    ARAP_energy energy(map.mesh.rings(), map.mesh.points(), Execution::SEQUENTIAL);
+    ARAP_energy energy(map.mesh.rings(), map.mesh.points(), Execution());
     energy.fit(map.u);
     const double radius = energy.radius();
     std::vector<Vector_3d> forces(map.u.size());

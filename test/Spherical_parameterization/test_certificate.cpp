@@ -771,11 +771,12 @@ SP::internal::Bijectivity_certificate certificate_of(Triangle_list list)
   const auto certify = [&](Execution execution) {
     return SP::internal::certify_bijectivity<test::Kernel>(points, list.triangles, execution);
   };
-  const auto result = certify(Execution::SEQUENTIAL);
+  const auto result = certify(Execution());
 #ifdef CGAL_LINKED_WITH_TBB
   // more threads than the machine may have
   const tbb::global_control control(tbb::global_control::max_allowed_parallelism, 4);
-  const auto in_parallel = tbb::task_arena(4).execute([&] { return certify(Execution::PARALLEL); });
+  const auto in_parallel =
+      tbb::task_arena(4).execute([&] { return certify(SP::internal::execution_of<CGAL::Parallel_tag>()); });
   EXPECT_EQ(in_parallel.number_of_non_positive_faces, result.number_of_non_positive_faces);
   EXPECT_EQ(in_parallel.degree, result.degree);
 #endif

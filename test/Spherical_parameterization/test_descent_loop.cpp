@@ -32,7 +32,7 @@ using SP::internal::Descent_loop;
 using SP::internal::Energy_summary;
 using SP::internal::Execution;
 using SP::internal::Gradient_step;
-using SP::internal::Guarded_energy;
+using SP::internal::Face_energy;
 using SP::internal::Independent_sets;
 using SP::internal::Newton_step;
 using SP::internal::Rest_triangle;
@@ -100,7 +100,7 @@ TEST(Energy_summary, agrees_with_the_definition_of_the_means)
       }
       EXPECT_NEAR(total.average(), average, 1e-12 * average);
       EXPECT_EQ(total.maximum_energy(), *std::max_element(energies.begin(), energies.end()));
-      EXPECT_NEAR(total.mean(), mean, 1e-10 * mean);
+      EXPECT_NEAR(total.objective(), mean, 1e-10 * mean);
     }
   }
 }
@@ -110,7 +110,7 @@ TEST(Energy_summary, does_not_overflow)
   Energy_summary summary(1e3);
   for(const double energy : {2., 1e10, 5.})
     summary.add_all<double>(&energy, 1);
-  EXPECT_NEAR(summary.mean(), 1e10 - std::log(3.) / 1e3, 1e-5);
+  EXPECT_NEAR(summary.objective(), 1e10 - std::log(3.) / 1e3, 1e-5);
 }
 
 Images on_unit_sphere(Images points)
@@ -154,12 +154,11 @@ TEST(Measured_faces, agree_with_the_single_faces)
     stars.fill(v, [&](std::uint32_t) { return star; });
   }
   SP::internal::Measured_faces faces;
-  faces.assign(stars, mesh.rings().number_of_faces(), Execution::SEQUENTIAL);
+  faces.assign(stars, mesh.rings().number_of_faces(), Execution());
 
-  const Guarded_energy<SP::Symmetric_Dirichlet_energy_3> energy{SP::Symmetric_Dirichlet_energy_3()};
+  const Face_energy<SP::Symmetric_Dirichlet_energy_3> energy{SP::Symmetric_Dirichlet_energy_3()};
   const double sharpness = 3., radius = 1.2;
-  const Energy_summary all =
-      faces.measure<Newton_step>(stars, energy, positions, radius, sharpness, Execution::SEQUENTIAL);
+  const Energy_summary all = faces.measure<Newton_step>(stars, energy, positions, radius, sharpness, Execution());
   Energy_summary expected(sharpness);
   std::size_t face = 0, n_above = 0;
   mesh.rings().for_each_face([&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
@@ -181,7 +180,7 @@ TEST(Measured_faces, agree_with_the_single_faces)
   ASSERT_EQ(face, faces.invariants().size());
   EXPECT_NEAR(all.average(), expected.average(), 1e-13 * expected.average());
   EXPECT_NEAR(all.maximum_energy(), expected.maximum_energy(), 1e-13 * expected.maximum_energy());
-  EXPECT_NEAR(all.mean(), expected.mean(), 1e-12 * expected.mean());
+  EXPECT_NEAR(all.objective(), expected.objective(), 1e-12 * expected.objective());
 
   ASSERT_GT(n_above, 10u);
   ASSERT_LT(n_above, face);
@@ -203,7 +202,7 @@ TEST(Block_coordinate_descent, takes_over_another_mesh)
 {
   using Energy = SP::Symmetric_Dirichlet_energy_3;
   using Descent = Block_coordinate_descent<Energy, Newton_step>;
-  const Guarded_energy<Energy> energy{Energy()};
+  const Face_energy<Energy> energy{Energy()};
   const auto assign = [](Descent& descent, const Indexed_mesh& mesh) {
     descent.assign(mesh.rings(), Independent_sets(mesh.rings()), mesh.points(), {}, SP::internal::Rest_limits());
     EXPECT_EQ(descent.focus_on_faces_above(0., mesh.number_of_vertices()), 0u); // it is not measured yet
@@ -216,7 +215,7 @@ TEST(Block_coordinate_descent, takes_over_another_mesh)
       const double bound = 0.9 * descent.measure(positions, 1., 1.).maximum_energy();
       const auto sweep = [&] { descent.sweep(positions, 1., 1.); };
       const auto look_for_focus = [&] { EXPECT_GT(descent.focus_on_faces_above(bound, n), 0u); };
-      if(execution == Execution::PARALLEL)
+      if(execution.run != Execution().run)
       {
         EXPECT_GT(descent.focus_on_faces_above(0., n / 2), n / 2);
         descent.reserve_focus(n / 2);
@@ -226,20 +225,16 @@ TEST(Block_coordinate_descent, takes_over_another_mesh)
     }
     return positions;
   };
-#ifdef CGAL_LINKED_WITH_TBB
-  const Execution in_parallel = Execution::PARALLEL;
-#else
-  const Execution in_parallel = Execution::SEQUENTIAL;
-#endif
+  const Execution in_parallel = SP::internal::execution_of<CGAL::Parallel_if_available_tag>();
   Descent descent(energy, Newton_step(), in_parallel);
   descent.reserve(600); // for some of them
   for(const unsigned int subdivisions : {3u, 2u, 4u, 3u})
   {
     const Indexed_mesh mesh = indexed_mesh(ellipsoid(1., 2., 3., subdivisions));
-    Descent own(energy, Newton_step(), Execution::SEQUENTIAL);
+    Descent own(energy, Newton_step(), Execution());
     assign(own, mesh);
     assign(descent, mesh);
-    EXPECT_TRUE(have_same_bits(optimize(descent, mesh, in_parallel), optimize(own, mesh, Execution::SEQUENTIAL)));
+    EXPECT_TRUE(have_same_bits(optimize(descent, mesh, in_parallel), optimize(own, mesh, Execution())));
   }
 }
 
@@ -370,8 +365,7 @@ protected:
     control = std::make_unique<Recording_control>();
     Images positions = m_start;
     Descent_loop<SP::Isometric_energy_3, Gradient_step> loop(m_mesh, SP::Isometric_energy_3(), Gradient_step(),
-                                                             sharpness, chooser, settings, *control,
-                                                             Execution::SEQUENTIAL);
+                                                             sharpness, chooser, settings, *control, Execution());
     const double radius = loop.run(positions, max_sweeps);
     Images result(positions.size());
     for(std::size_t v = 0; v < positions.size(); ++v)

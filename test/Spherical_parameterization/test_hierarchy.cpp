@@ -58,7 +58,7 @@ TEST(Edge_set, has_what_was_inserted_and_grows)
 void expect_hierarchy(const Indexed_mesh& mesh, bool has_area = true)
 {
   Recording_control control;
-  const Mesh_hierarchy hierarchy = Mesh_hierarchy::build(mesh.rings(), mesh.points(), control, Execution::SEQUENTIAL);
+  const Mesh_hierarchy hierarchy = Mesh_hierarchy::build(mesh.rings(), mesh.points(), Execution());
   const std::size_t n_levels = hierarchy.number_of_levels();
   ASSERT_GE(n_levels, 1u);
   ASSERT_TRUE(have_same_rings(hierarchy.rings(0), mesh.rings()));
@@ -256,7 +256,7 @@ TEST(Hierarchical_embedding, tells_of_every_level)
     Recording_control control;
     Images positions;
     EXPECT_TRUE(SP::internal::embed_hierarchically(mesh, SP::Isometric_energy_3(), Sharpness::lowest_average(), 20,
-                                                   sweeps_finest_level, positions, control, Execution::SEQUENTIAL));
+                                                   sweeps_finest_level, positions, Execution()));
     const SP::Parameterization_report& report = control.report();
     EXPECT_EQ(control.levels.size(), report.number_of_levels);
     EXPECT_EQ(control.levels.front(), 4u);

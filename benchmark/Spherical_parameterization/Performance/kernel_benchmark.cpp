@@ -126,10 +126,10 @@ public:
       images.emplace_back(positions[v][0], positions[v][1], positions[v][2]);
     }
     triangles = mesh.triangles();
-    if(!internal::certify_bijectivity<Kernel>(images, triangles, Execution::SEQUENTIAL).is_bijective())
+    if(!internal::certify_bijectivity<Kernel>(images, triangles, Execution()).is_bijective())
       throw std::runtime_error(options.map_file + ": the map is not one-to-one");
 
-    Descent<internal::Newton_step>& sequential = descent(Execution::SEQUENTIAL);
+    Descent<internal::Newton_step>& sequential = descent(Execution());
     for(int k = 0; k < 10; ++k) // the best radius for the map
     {
       sequential.measure(positions, radius, 0.);
@@ -145,9 +145,9 @@ public:
   // Made when it is needed first.
   Descent<internal::Newton_step>& descent(Execution execution)
   {
-    std::optional<Descent<internal::Newton_step>>& result = m_descents[execution == Execution::PARALLEL];
+    std::optional<Descent<internal::Newton_step>>& result = m_descents[execution.run != Execution().run];
     if(!result)
-      assign(result.emplace(internal::Guarded_energy<Energy>(Energy()), internal::Newton_step(), execution), mesh);
+      assign(result.emplace(internal::Face_energy<Energy>(Energy()), internal::Newton_step(), execution), mesh);
     return *result;
   }
 
@@ -205,8 +205,7 @@ std::size_t color(Situation& s, Execution, benchmark::State&)
 
 std::size_t set_descent_up(Situation& s, Execution execution, benchmark::State&)
 {
-  Descent<internal::Newton_step> descent(internal::Guarded_energy<Energy>(Energy()), internal::Newton_step(),
-                                         execution);
+  Descent<internal::Newton_step> descent(internal::Face_energy<Energy>(Energy()), internal::Newton_step(), execution);
   assign(descent, s.mesh);
   benchmark::DoNotOptimize(descent.faces().begin());
   return s.number_of_vertices();
@@ -225,7 +224,7 @@ std::size_t sweep(Situation& s, Execution execution, benchmark::State& state)
 
 std::size_t measure(Situation& s, Execution execution, benchmark::State&)
 {
-  benchmark::DoNotOptimize(s.descent(execution).measure(s.positions, s.radius, s.sharpness).mean());
+  benchmark::DoNotOptimize(s.descent(execution).measure(s.positions, s.radius, s.sharpness).objective());
   return s.triangles.size();
 }
 
@@ -233,7 +232,7 @@ std::size_t find_focus(Situation& s, Execution, benchmark::State&)
 {
   constexpr double share_of_largest = 0.6; // this and the bound on their number as by default
   const std::size_t max = s.number_of_vertices() / 5;
-  Descent<internal::Newton_step>& descent = s.descent(Execution::SEQUENTIAL);
+  Descent<internal::Newton_step>& descent = s.descent(Execution());
   descent.reserve_focus(max);
   benchmark::DoNotOptimize(descent.focus_on_faces_above(share_of_largest * s.max_energy, max));
   return s.number_of_vertices();
@@ -251,7 +250,7 @@ std::size_t coarsen(Situation& s, Execution execution, benchmark::State&)
 {
   Unlimited_run run;
   benchmark::DoNotOptimize(
-      internal::Mesh_hierarchy::build(s.mesh.rings(), s.mesh.points(), run.control, execution).number_of_levels());
+      internal::Mesh_hierarchy::build(s.mesh.rings(), s.mesh.points(), execution).number_of_levels());
   return s.number_of_vertices();
 }
 
@@ -261,11 +260,10 @@ std::size_t embed(Situation& s, Execution execution, benchmark::State& state)
 
   state.PauseTiming();
   Unlimited_run run;
-  internal::Mesh_hierarchy hierarchy =
-      internal::Mesh_hierarchy::build(s.mesh.rings(), s.mesh.points(), run.control, execution);
+  internal::Mesh_hierarchy hierarchy = internal::Mesh_hierarchy::build(s.mesh.rings(), s.mesh.points(), execution);
   state.ResumeTiming();
   std::vector<Vector_3d> positions;
-  internal::Hierarchical_embedding<Energy>(hierarchy, s.mesh.points(), internal::Guarded_energy<Energy>(Energy()),
+  internal::Hierarchical_embedding<Energy>(hierarchy, s.mesh.points(), internal::Face_energy<Energy>(Energy()),
                                            SP::Sharpness(), sweeps_per_level, internal::Rest_limits(), run.control,
                                            execution)
       .run(positions, false);
@@ -337,7 +335,7 @@ public:
   };
 
   template <class FT>
-  using Image_area = internal::Newton_step::Image_area<FT>;
+  using Image_measure = internal::Newton_step::Image_measure<FT>;
   static constexpr bool is_lanewise = false;
 
   explicit Counting_step(Counts& counts)
@@ -411,8 +409,7 @@ void add_work_of_sweep(benchmark::State& state)
   static const Counting_step::Counts counts = [] {
     Situation& s = situation();
     Counting_step::Counts result;
-    Descent<Counting_step> descent(internal::Guarded_energy<Energy>(Energy()), Counting_step(result),
-                                   Execution::SEQUENTIAL);
+    Descent<Counting_step> descent(internal::Face_energy<Energy>(Energy()), Counting_step(result), Execution());
     assign(descent, s.mesh);
     std::vector<Vector_3d> positions = s.positions;
     descent.sweep(positions, s.radius, s.sharpness);
@@ -489,19 +486,20 @@ void add_benchmarks()
                        {"certificate", certify, true}};
 
   add("sweep", [](benchmark::State& state) {
-    run(state, sweep, Execution::SEQUENTIAL);
+    run(state, sweep, Execution());
     add_work_of_sweep(state);
   });
   for(const auto& kernel : kernels)
-    add(kernel.name, [=](benchmark::State& state) { run(state, kernel.function, Execution::SEQUENTIAL); });
+    add(kernel.name, [=](benchmark::State& state) { run(state, kernel.function, Execution()); });
   add("parameterization", parameterize<CGAL::Sequential_tag>)->Iterations(1);
   machine_rates::add(1, bytes_of_sweep);
   if(!has_threads || options.number_of_threads < 2)
     return;
-  add_parallel("sweep", [](benchmark::State& state) { run(state, sweep, Execution::PARALLEL); });
+  const Execution parallel = internal::execution_of<CGAL::Parallel_if_available_tag>();
+  add_parallel("sweep", [=](benchmark::State& state) { run(state, sweep, parallel); });
   for(const auto& kernel : kernels)
     if(kernel.is_parallel)
-      add_parallel(kernel.name, [=](benchmark::State& state) { run(state, kernel.function, Execution::PARALLEL); });
+      add_parallel(kernel.name, [=](benchmark::State& state) { run(state, kernel.function, parallel); });
   add_parallel("parameterization", parameterize<CGAL::Parallel_if_available_tag>)->Iterations(1);
   machine_rates::add(options.number_of_threads, bytes_of_sweep);
 }
