@@ -256,7 +256,7 @@ TEST(Hierarchical_embedding, tells_of_every_level)
     Recording_control control;
     Images positions;
     EXPECT_TRUE(SP::internal::embed_hierarchically(mesh, SP::Isometric_energy_3(), Sharpness::lowest_average(), 20,
-                                                   sweeps_finest_level, positions, Execution()));
+                                                   sweeps_finest_level, positions, control, Execution()));
     const SP::Parameterization_report& report = control.report();
     EXPECT_EQ(control.levels.size(), report.number_of_levels);
     EXPECT_EQ(control.levels.front(), 4u);

@@ -409,7 +409,7 @@ void add_work_of_sweep(benchmark::State& state)
   static const Counting_step::Counts counts = [] {
     Situation& s = situation();
     Counting_step::Counts result;
-    Descent<Counting_step> descent(internal::Face_energy<Energy>(Energy()), Counting_step(result), Execution());
+    Descent<Counting_step> descent{internal::Face_energy<Energy>{Energy()}, Counting_step(result), Execution()};
     assign(descent, s.mesh);
     std::vector<Vector_3d> positions = s.positions;
     descent.sweep(positions, s.radius, s.sharpness);
