@@ -1,11 +1,12 @@
-// The same input and options give the same bits: sequentially or in parallel, with any number of threads, again and again,
-// also of calls at the same time and from within what the caller runs in parallel. scripts/test_sanitizers.sh runs this file
-// under the sanitizer of threads.
+// The same input and options give the same bits: sequentially or in parallel, with any number of threads, again and
+// again, also of calls at the same time and from within what the caller runs in parallel. scripts/test_sanitizers.sh
+// runs this file under the sanitizer of threads.
 
 #include <CGAL/spherical_parameterization.h>
 
 #include "methods.h"
 #include "test_scale.h"
+#include "without_tbb.h"
 
 #include <CGAL/Polyhedron_3.h>
 #include <CGAL/Polyhedron_items_with_id_3.h>
@@ -119,6 +120,16 @@ TEST(Determinism, of_measuring)
 // ---------------------------------------------------------------------------------------------------------------------
 // Calls at the same time for one const mesh, which is only read.
 
+TEST(Execution, is_the_same_for_files_compiled_without_tbb)
+{
+  for(const std::size_t n : {std::size_t(0), std::size_t(1), std::size_t(3), std::size_t(100000)})
+  {
+    const std::size_t sum = n > 0 ? n * (n - 1) / 2 : 0;
+    EXPECT_EQ(sum_without_tbb(SP::internal::execution_of<CGAL::Sequential_tag>(), n), sum);
+    EXPECT_EQ(sum_without_tbb(SP::internal::execution_of<CGAL::Parallel_if_available_tag>(), n), sum);
+  }
+}
+
 TEST(Simultaneous_calls, for_the_same_mesh)
 {
   const Mesh& mesh = meshes()[1];
@@ -139,8 +150,8 @@ TEST(Simultaneous_calls, for_the_same_mesh)
     thread.join();
 }
 
-// A race need not show; a temporary property of the mesh, where it would come from, does: while the mesh is read, while the
-// start is made by another parameterizer, and during the sweeps.
+// A race need not show; a temporary property of the mesh, where it would come from, does: while the mesh is read, while
+// the start is made by another parameterizer, and during the sweeps.
 TEST(Simultaneous_calls, add_no_property_even_for_a_while)
 {
   const Mesh mesh = make(bumpy_sphere(2));
@@ -215,7 +226,8 @@ TEST_F(Tasks, of_any_number_of_threads)
   tbb::task_arena(2, 0).execute([] { expect_same_bits(0); }); // without a slot for the caller
 }
 
-// Several iterations of the caller's loop on the same mesh, one loop within another, and kept to one iteration at a time.
+// Several iterations of the caller's loop on the same mesh, one loop within another, and kept to one iteration at a
+// time.
 TEST_F(Tasks, of_loops_within_loops)
 {
   for(std::size_t i = 0; i < n_repetitions; ++i)
@@ -229,8 +241,8 @@ TEST_F(Tasks, of_loops_within_loops)
   }
 }
 
-// When the caller cancels a group of tasks, TBB drops what has not begun, in the loops within them as well. But a call that
-// has begun goes on as if nothing had happened: it cannot return half a result.
+// When the caller cancels a group of tasks, TBB drops what has not begun, in the loops within them as well. But a call
+// that has begun goes on as if nothing had happened: it cannot return half a result.
 TEST_F(Tasks, that_are_cancelled)
 {
   struct Cancelling_visitor : Recorder

@@ -12,6 +12,7 @@
 #include <CGAL/Surface_mesh.h>
 
 #include <boost/multiprecision/cpp_int.hpp>
+#include <boost/property_map/property_map.hpp>
 
 #include <array>
 #include <cmath>
@@ -102,6 +103,24 @@ void check_certificate_near_an_edge(const Triangle_list& list, const Mesh& mesh,
   std::cerr << "next to an edge: " << n_accepted << " accepted, " << n_refused << " refused\n";
 }
 
+// Stores NaN for the first vertex, whatever it is given.
+struct Spoiling_map
+{
+  using key_type = Mesh::Vertex_index;
+  using value_type = Point_3;
+  using reference = Point_3;
+  using category = boost::read_write_property_map_tag;
+
+  std::vector<Point_3>* points;
+
+  friend Point_3 get(const Spoiling_map& map, key_type v) { return (*map.points)[v]; }
+  friend void put(const Spoiling_map& map, key_type v, const Point_3& p)
+  {
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    (*map.points)[v] = v == key_type(0) ? Point_3(nan, nan, nan) : p;
+  }
+};
+
 void check(const Triangle_list& list, std::uint64_t& checksum)
 {
   const Mesh mesh = test_meshes::make_mesh<Mesh>(list);
@@ -114,6 +133,10 @@ void check(const Triangle_list& list, std::uint64_t& checksum)
   add_to_checksum(images, checksum);
 
   check_certificate_near_an_edge(list, mesh, images);
+
+  std::vector<Point_3> spoilt(images.size());
+  expect(SP::parameterize(mesh, Spoiling_map{&spoilt}) == SP::ERROR_INSUFFICIENT_PRECISION,
+         "a map that holds other values than it was given is found");
 
   std::vector<Coordinates> tiny = images, folded = images;
   for(Coordinates& p : tiny)
