@@ -3,6 +3,7 @@
 #include <CGAL/Spherical_parameterization/internal/hierarchy/Hierarchical_embedding.h>
 #include <CGAL/Spherical_parameterization/internal/hierarchy/Mesh_hierarchy.h>
 #include <CGAL/Spherical_parameterization/internal/hierarchy/Star_kernel.h>
+#include <CGAL/Spherical_parameterization/internal/hierarchy/Vertex_removal.h>
 
 #include "engine.h"
 #include "indexed_meshes.h"
@@ -20,6 +21,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <numeric>
+#include <utility>
 #include <vector>
 
 using namespace test;
@@ -32,6 +34,7 @@ using SP::internal::Execution;
 using SP::internal::Mesh_hierarchy;
 using SP::internal::Star_kernel;
 using SP::internal::Tangent_frame;
+using SP::internal::Vertex_removal;
 
 // ---------------------------------------------------------------------------------------------------------------------
 // Levels
@@ -52,6 +55,34 @@ TEST(Edge_set, has_what_was_inserted_and_grows)
       EXPECT_TRUE(edges.contains(3 * a + 1, a));
       EXPECT_FALSE(edges.contains(a, 3 * a + 2));
     }
+  }
+}
+
+// A corner tetrahedron with a vertex in a face, which stands out of it by `height`: its removal, and whether it goes into
+// the nearest corner.
+std::pair<Vertex_removal, bool> removal_in_a_face(double height)
+{
+  const Triangle_list list = {{{0., 0., 0.}, {10., 0., 0.}, {0., 10., 0.}, {0., 0., 10.}, {1., 2., -height}},
+                              {{0, 2, 4}, {2, 1, 4}, {1, 0, 4}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}}};
+  const Indexed_mesh mesh = indexed_mesh(list);
+  std::uint32_t v = 0;
+  while(mesh.original(v) != 4)
+    ++v;
+  const Vertex_removal removal = Vertex_removal::best(mesh.rings(), mesh.points(), v, true);
+  return {removal, mesh.original(mesh.rings().ring(v)[removal.target()]) == 0};
+}
+
+TEST(Vertex_removal, prefers_what_is_flat_and_near)
+{
+  const auto [flat, is_near] = removal_in_a_face(0.);
+  ASSERT_TRUE(flat.is_possible());
+  EXPECT_TRUE(is_near);
+  std::uint32_t last_rank = flat.rank();
+  for(const double height : {0.5, 1., 2.})
+  {
+    const Vertex_removal removal = removal_in_a_face(height).first;
+    EXPECT_GT(removal.rank(), last_rank) << height;
+    last_rank = removal.rank();
   }
 }
 
