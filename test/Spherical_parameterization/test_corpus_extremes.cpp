@@ -249,7 +249,10 @@ TEST(Extreme_shapes, long_tubes)
     std::vector<Ring> rings;
     for(std::size_t k = 0; k < n; ++k)
       rings.push_back({1., 0.5 * static_cast<double>(k), size});
-    EXPECT_LT(expect_mapped(surface_of_revolution(-0.5, rings, 0.5 * static_cast<double>(n))).distortion.isometric.average, 50.) << size;
+    EXPECT_LT(
+        expect_mapped(surface_of_revolution(-0.5, rings, 0.5 * static_cast<double>(n))).distortion.isometric.average,
+        50.)
+        << size;
   }
 }
 
