@@ -31,6 +31,7 @@
 #include <CGAL/tags.h>
 
 #include <cstddef>
+#include <limits>
 #include <type_traits>
 
 /// \file Bijective_low_distortion_parameterizer_3.h
@@ -77,8 +78,7 @@ namespace Spherical_parameterization {
 /// \sa `Hierarchical_parameterizer_3`
 /// \sa `Precomputed_parameterizer_3`
 /// \sa `Published_low_distortion_parameterizer_3`
-template <class Energy = Symmetric_Dirichlet_energy_3, class Radius = Two_phase_radius_3<>,
-          class InitialParameterizer = Default>
+template <class Energy = Symmetric_Dirichlet_energy_3, class Radius = Default, class InitialParameterizer = Default>
 class Bijective_low_distortion_parameterizer_3
 {
 public:
@@ -168,18 +168,22 @@ public:
                           const CGAL_NP_CLASS& np = parameters::default_values())
   {
     m_report = Parameterization_report();
-    std::size_t max_sweeps = 90;
+    constexpr std::size_t by_size = (std::numeric_limits<std::size_t>::max)();
+    std::size_t max_sweeps = by_size;
     if(!is_valid() || !internal::read_number_of_iterations(np, max_sweeps))
       return ERROR_WRONG_PARAMETER;
     return internal::run_parameterization<ConcurrencyTag>(
         tmesh, vertex_sphere_map, np, m_report, internal::Guarantee::ONE_TO_ONE, [&](auto& run) {
+          if(max_sweeps == by_size)
+            max_sweeps = internal::default_number_of_sweeps(run.mesh.number_of_vertices());
           const auto improve = [&](auto& initial_parameterizer) {
             return internal::run_descent<internal::Newton_step>(initial_parameterizer, m_energy, m_radius, m_sharpness,
                                                                 m_settings, max_sweeps, run);
           };
           if constexpr(std::is_same<InitialParameterizer, Default>::value)
           {
-            auto hierarchical = Hierarchical_parameterizer_3<>().energy(m_energy).sharpness(m_sharpness);
+            auto hierarchical =
+                Hierarchical_parameterizer_3<>().energy(m_energy).sharpness(m_sharpness).sweeps_per_level(14);
             return improve(hierarchical);
           }
           else

@@ -22,7 +22,10 @@
 #include <CGAL/Spherical_parameterization/internal/policy_traits.h>
 #include <CGAL/Spherical_parameterization/internal/run_parameterization.h>
 
+#include <CGAL/Default.h>
+
 #include <cstddef>
+#include <type_traits>
 
 namespace CGAL {
 namespace Spherical_parameterization {
@@ -56,9 +59,17 @@ Error_code run_descent(InitialParameterizer& initial_parameterizer, const Energy
   const Error_code error = make_initial_map(initial_parameterizer, run);
   if(error != OK)
     return error;
-  Radius_policy_chooser<Radius, Energy> chooser(radius, energy);
-  Descent_loop<Energy, Step> loop(run.mesh, energy, Step(), sharpness, chooser, settings, run.control, run.execution);
-  run.radius = loop.run(run.positions, max_sweeps);
+  const auto descend = [&](Radius_chooser* chooser) {
+    Descent_loop<Energy, Step> loop(run.mesh, energy, Step(), sharpness, chooser, settings, run.control, run.execution);
+    run.radius = loop.run(run.positions, max_sweeps);
+  };
+  if constexpr(std::is_same<Radius, Default>::value)
+    descend(nullptr);
+  else
+  {
+    Radius_policy_chooser<Radius, Energy> chooser(radius, energy);
+    descend(&chooser);
+  }
   run.control.on_optimization_end();
   return OK;
 }

@@ -59,15 +59,18 @@ public:
 
   // Takes over a mesh, whose rings have to last until the next one; measurements and the focus are void then. `points`
   // are those of the surface, scaled such that its area is 4 pi. If `densities` are given, one for each vertex, a face
-  // gets the shape that it has on the surface but as many times its area as the mean of the densities of its vertices.
+  // gets the shape that it has on the surface but as many times its area as the mean of the densities of its vertices. If
+  // vertices are marked as those of slivers, the faces around them make a group of their own.
   void assign(const Vertex_rings& rings, const Independent_sets& sets, const std::vector<Vector_3d>& points,
-              const std::vector<double>& densities, const Rest_limits& limits)
+              const std::vector<double>& densities, const Rest_limits& limits, const std::vector<char>& slivers = {})
   {
     m_rings = &rings;
     const auto rest_of_face = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
       Rest_triangle rest = Rest_triangle::from_points(points[a], points[b], points[c], limits);
       if(!densities.empty())
         rest.scale_area((densities[a] + densities[b] + densities[c]) / 3.);
+      if(!slivers.empty() && (slivers[a] || slivers[b] || slivers[c]))
+        rest.inverse_doubled_area = -rest.inverse_doubled_area;
       return rest;
     };
     m_stars.assign(sets.vertices(), sets.first(), [&](std::uint32_t v) { return rings.degree(v); });
@@ -87,11 +90,10 @@ public:
     m_places.reserve(n_vertices);
   }
 
-  // Moves every vertex once. The energy is that on the sphere of radius `radius`; `sharpness` is the s of exp(s E), or
-  // 0.
-  void sweep(std::vector<Vector_3d>& positions, double radius, double sharpness)
+  // Moves every vertex once. The energies are those on the sphere of radius `radius`.
+  void sweep(std::vector<Vector_3d>& positions, double radius, const Face_objective& objective)
   {
-    move_all(m_stars, positions, radius, sharpness);
+    move_all(m_stars, positions, radius, objective, m_step);
   }
 
   // Makes room for a focus on so many vertices, so that another thread, whose allocator may have a heap of its own,
@@ -103,7 +105,7 @@ public:
     m_is_selected.reserve(m_rings->number_of_vertices());
   }
 
-  // Selects the vertices around the faces whose energy was above `bound` when they were last measured, some rings wide,
+  // Selects the vertices of the faces whose energy was above `bound` when they were last measured, and their neighbours,
   // unless they are more than `max`. Returns their number, or some number above `max`.
   std::size_t focus_on_faces_above(double bound, std::size_t max)
   {
@@ -121,13 +123,10 @@ public:
     m_faces.for_each_above(m_energy, bound, [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
       return select_vertex(a) && select_vertex(b) && select_vertex(c);
     });
-    for(std::size_t ring = 0, begin = 0; ring < rings_of_focus; ++ring)
-    {
-      const std::size_t end = selected.size();
-      for(; begin < end && selected.size() <= max; ++begin)
-        for(const std::uint32_t w : m_rings->ring(selected[begin]))
-          select_vertex(w);
-    }
+    const std::size_t n_corners = selected.size();
+    for(std::size_t k = 0; k < n_corners && selected.size() <= max; ++k)
+      for(const std::uint32_t w : m_rings->ring(selected[k]))
+        select_vertex(w);
     for(const std::uint32_t v : selected)
       m_is_selected[v] = 0;
     if(selected.size() > max)
@@ -148,30 +147,38 @@ public:
   }
 
   // Moves every selected vertex once, as sweep() does.
-  void sweep_focus(std::vector<Vector_3d>& positions, double radius, double sharpness)
+  void sweep_focus(std::vector<Vector_3d>& positions, double radius, const Face_objective& objective)
   {
-    move_all(m_focus, positions, radius, sharpness);
+    move_all(m_focus, positions, radius, objective, Step::on_few_vertices());
   }
 
   // Measures all faces on the sphere of radius `radius`; faces() then returns their invariants.
-  Energy_summary measure(const std::vector<Vector_3d>& positions, double radius, double sharpness)
+  Mesh_summary measure(const std::vector<Vector_3d>& positions, double radius, const Face_objective& objective)
   {
-    return m_faces.template measure<Step>(m_stars, m_energy, positions, radius, sharpness, m_execution);
+    return m_faces.template measure<Step>(m_stars, m_energy, positions, radius, objective, m_execution);
   }
 
-  Face_range_3 faces() const
+  // The same for another radius or objective, without a look at the positions.
+  Mesh_summary summary(double radius, const Face_objective& objective)
   {
-    const auto& invariants = m_faces.invariants();
-    return {invariants.data(), invariants.data() + invariants.size(), m_execution};
+    return m_faces.template summary<Step>(m_energy, radius, objective, m_execution);
   }
+
+  std::array<double, 3> radius_derivatives(double radius, const Face_objective& objective,
+                                           double Face_invariants_3::*area_ratio) const
+  {
+    return m_faces.template radius_derivatives<Step>(m_energy, radius, objective, area_ratio, m_execution);
+  }
+
+  bool has_slivers() const { return m_faces.has_slivers(); }
+
+  Face_range_3 faces() const { return {m_faces.begin(), m_faces.end(), m_execution}; }
 
 private:
   template <class FT>
   using Star = Star_energy<Energy, Step::template Image_measure, FT>;
 
   static constexpr std::size_t packets_per_block = 4; // of parallel work: some two microseconds
-
-  static constexpr std::size_t rings_of_focus = 4;
 
   // A star as the rings give it, for Star_packets.
   template <class RestOfFace>
@@ -221,7 +228,8 @@ private:
     Star<Four_lanes> in_four_lanes;
   };
 
-  void move_all(const Star_packets& stars, std::vector<Vector_3d>& positions, double radius, double sharpness)
+  void move_all(const Star_packets& stars, std::vector<Vector_3d>& positions, double radius,
+                const Face_objective& objective, const Step& step)
   {
     for(std::size_t set = 0; set < stars.number_of_sets(); ++set)
       for_each_block(m_execution, stars.first_packet(set), stars.first_packet(set + 1), packets_per_block,
@@ -230,7 +238,8 @@ private:
                        const auto move_packets = [&](auto number_type) {
                          using FT = typename decltype(number_type)::FT;
                          for(std::size_t packet = begin; packet < end; ++packet)
-                           move_packet<FT>(stars, stars.packet(packet), positions.data(), radius, sharpness, scratch);
+                           move_packet<FT>(stars, stars.packet(packet), positions.data(), radius, objective, step,
+                                           scratch);
                        };
                        if constexpr(Step::is_lanewise)
                          run_in_lanes(move_packets);
@@ -241,24 +250,24 @@ private:
 
   template <class FT>
   void move_packet(const Star_packets& stars, const Star_packets::Packet& packet, Vector_3d* positions, double radius,
-                   double sharpness, Scratch& scratch) const
+                   const Face_objective& objective, const Step& vertex_step, Scratch& scratch) const
   {
     if(packet.stride == 1)
-      move<double>(stars, packet, 0, positions, radius, sharpness, scratch);
+      move<double>(stars, packet, 0, positions, radius, objective, vertex_step, scratch);
     else
       for(std::size_t lane = 0; lane < packet.number_of_stars; lane += Lanes<FT>::width)
-        move<FT>(stars, packet, lane, positions, radius, sharpness, scratch);
+        move<FT>(stars, packet, lane, positions, radius, objective, vertex_step, scratch);
   }
 
   template <class FT>
   void move(const Star_packets& stars, const Star_packets::Packet& packet, std::size_t first, Vector_3d* positions,
-            double radius, double sharpness, Scratch& scratch) const
+            double radius, const Face_objective& objective, const Step& vertex_step, Scratch& scratch) const
   {
     Star<FT>& star = scratch.template star<FT>();
-    star.set_objective(radius * radius, sharpness);
+    star.set_objective(radius * radius, objective);
     star.load(stars.view<FT>(packet, first), positions);
     std::array<FT, 2> step = {FT(0.), FT(0.)};
-    const auto is_moved = m_step(star, step);
+    const auto is_moved = vertex_step(star, step);
     if(!any(is_moved))
       return;
     const Vector_3<FT> point = star.point_at(step[0], step[1]);

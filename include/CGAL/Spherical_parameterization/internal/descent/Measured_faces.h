@@ -16,6 +16,8 @@
 #include <CGAL/license/Spherical_parameterization.h>
 
 #include <CGAL/Spherical_parameterization/Face_invariants_3.h>
+#include <CGAL/Spherical_parameterization/internal/descent/Energy_summary.h>
+#include <CGAL/Spherical_parameterization/internal/descent/Face_objective.h>
 #include <CGAL/Spherical_parameterization/internal/descent/Star_energy.h>
 #include <CGAL/Spherical_parameterization/internal/descent/Star_packets.h>
 #include <CGAL/Spherical_parameterization/internal/run/parallel.h>
@@ -39,119 +41,6 @@ namespace CGAL {
 namespace Spherical_parameterization {
 namespace internal {
 
-// The energies of many faces in a few figures. Summaries of parts add up to that of the whole.
-class Energy_summary
-{
-public:
-  explicit Energy_summary(double sharpness = 0.)
-    : m_sharpness(sharpness)
-  {}
-
-  // Adds the energies of many faces, in several columns, which do not wait for each other. Which energies a column gets
-  // does not depend on the number of lanes.
-  template <class FT>
-  void add_all(const double* energies, std::size_t n)
-  {
-    const std::size_t n_in_rows = n - n % n_columns;
-    std::array<double, n_columns> sums = {}, largest;
-    largest.fill(lowest);
-    for(std::size_t column = 0; column < n_columns; column += Lanes<FT>::width)
-    {
-      FT column_sum = 0., column_largest = lowest;
-      for(std::size_t k = column; k < n_in_rows; k += n_columns)
-      {
-        const FT energy = Lanes<FT>::load(energies + k);
-        column_sum += energy;
-        column_largest = maximum(column_largest, energy);
-      }
-      Lanes<FT>::store(column_sum, sums.data() + column);
-      Lanes<FT>::store(column_largest, largest.data() + column);
-    }
-    for(std::size_t k = n_in_rows; k < n; ++k)
-    {
-      sums[k - n_in_rows] += energies[k];
-      largest[k - n_in_rows] = (std::max)(largest[k - n_in_rows], energies[k]);
-    }
-    Energy_summary part(m_sharpness);
-    part.m_size = n;
-    part.m_sum = std::accumulate(sums.begin(), sums.end(), 0.);
-    part.m_max = *std::max_element(largest.begin(), largest.end());
-    if(m_sharpness > 0.)
-    {
-      const auto exponential_of = [&](const FT& energy) {
-        const FT sharpness = m_sharpness, shift = part.m_max;
-        return exponential(sharpness * (energy - shift));
-      };
-      std::array<double, n_columns> last_row;
-      last_row.fill(part.m_max);
-      std::copy(energies + n_in_rows, energies + n, last_row.begin());
-      for(std::size_t column = 0; column < n_columns; column += Lanes<FT>::width)
-      {
-        FT column_sum = 0.;
-        for(std::size_t k = column; k < n_in_rows; k += n_columns)
-          column_sum += exponential_of(Lanes<FT>::load(energies + k));
-        Lanes<FT>::store(column_sum, sums.data() + column);
-        Lanes<FT>::store(exponential_of(Lanes<FT>::load(last_row.data() + column)), last_row.data() + column);
-      }
-      for(std::size_t k = n_in_rows; k < n; ++k)
-        sums[k - n_in_rows] += last_row[k - n_in_rows];
-      part.m_sum_of_exponentials = std::accumulate(sums.begin(), sums.end(), 0.);
-    }
-    add(part);
-  }
-
-  void add(const Energy_summary& part)
-  {
-    if(part.m_size == 0)
-      return;
-    m_size += part.m_size;
-    m_sum += part.m_sum;
-    if(m_sharpness > 0.)
-    {
-      // sums of exp(s (E - maximum)), rescaled to the larger one
-      if(part.m_max > m_max)
-        m_sum_of_exponentials = part.m_sum_of_exponentials + m_sum_of_exponentials * rescaling(part.m_max);
-      else
-        m_sum_of_exponentials += part.m_sum_of_exponentials * part.rescaling(m_max);
-    }
-    m_max = (std::max)(m_max, part.m_max);
-  }
-
-  double average() const { return m_sum / static_cast<double>(m_size); }
-  double maximum_energy() const { return m_max; }
-
-  // log(mean of exp(s E)) / s, or the average for s = 0: the objective of eq. 7 in the unit of the energy. It lies
-  // between the average and the maximum and goes from the one to the other as s grows, so that its values for
-  // different s can be compared.
-  double objective() const
-  {
-    if(!(m_sharpness > 0.))
-      return average();
-    return m_max + std::log(m_sum_of_exponentials / static_cast<double>(m_size)) / m_sharpness;
-  }
-
-  // What a change of an energy near `energy` is to be compared with. Where all energies are near their minimum, a
-  // small part of them is much of what could still be gained.
-  double scale_of_changes(double energy) const
-  {
-    const double spread = maximum_energy() - average();
-    return (std::max)((std::min)(energy, 2. * spread), 1e-6 * energy);
-  }
-
-private:
-  double rescaling(double new_max) const
-  {
-    return m_size > 0 && m_max > lowest ? std::exp(m_sharpness * (m_max - new_max)) : 0.;
-  }
-
-  static constexpr std::size_t n_columns = packet_width;
-  static constexpr double lowest = std::numeric_limits<double>::lowest();
-
-  double m_sharpness;
-  std::size_t m_size = 0;
-  double m_sum = 0., m_max = lowest, m_sum_of_exponentials = 0.;
-};
-
 // All faces of a mesh, each once, to be measured at any state of the map. They are laid out such that several of them
 // are measured at once: `width` faces make a packet, which ends with its first face again where there are no more.
 class Measured_faces
@@ -161,7 +50,7 @@ public:
   void reserve(std::size_t n_faces)
   {
     m_packets.reserve((n_faces + width - 1) / width);
-    m_invariants.reserve(n_faces);
+    m_invariants.reserve((n_faces + width - 1) / width * width);
   }
 
   // Takes the faces of the mesh with these stars, which hold the rest shapes for the measurements as well.
@@ -171,7 +60,7 @@ public:
     m_partial.clear(); // nothing has been measured
     const std::size_t n_packets = (n_faces + width - 1) / width, n_star_packets = stars.number_of_packets();
     m_packets.resize(n_packets, boost::container::default_init);
-    m_invariants.resize(n_faces, boost::container::default_init);
+    m_invariants.resize(n_packets * width, boost::container::default_init);
     std::vector<std::size_t> first(n_star_packets + 1, 0); // of the faces of each packet of stars
     for_each_block(execution, 0, n_star_packets, packets_per_block, [&](std::size_t begin, std::size_t end) {
       for(std::size_t k = begin; k < end; ++k)
@@ -191,6 +80,7 @@ public:
           ++n;
         });
     });
+    find_slivers(stars);
     for(std::size_t n = n_faces; n < n_packets * width; ++n)
     {
       Packet& packet = m_packets[n / width];
@@ -202,38 +92,94 @@ public:
 
   // Measures all faces on the sphere of radius `radius`, several at once or one by one, as `Step` measures them.
   template <class Step, class Energy>
-  Energy_summary measure(const Star_packets& stars, const Face_energy<Energy>& energy,
-                         const std::vector<Vector_3d>& positions, double radius, double sharpness, Execution execution)
+  Mesh_summary measure(const Star_packets& stars, const Face_energy<Energy>& energy,
+                       const std::vector<Vector_3d>& positions, double radius, const Face_objective& objective,
+                       Execution execution)
   {
-    m_partial.assign((m_packets.size() + packets_per_block - 1) / packets_per_block, Energy_summary(sharpness));
-    for_each_block(execution, 0, m_packets.size(), packets_per_block, [&](std::size_t begin, std::size_t end) {
-      const auto measure_packets = [&](auto number_type) {
-        using FT = typename decltype(number_type)::FT;
-        std::array<double, width * packets_per_block> energies;
-        for(std::size_t k = begin; k < end; ++k)
-        {
-          for(const std::uint32_t corner : m_packets[(std::min)(k + packets_ahead, m_packets.size() - 1)].corners)
-            stars.prefetch_rest(corner);
-          for(std::size_t lane = 0; lane < width; lane += Lanes<FT>::width)
-            measure_lanes<Step, FT>(stars, energy, positions.data(), radius * radius, k, lane,
-                                    energies.data() + (k - begin) * width + lane);
-        }
-        const std::size_t n = (std::min)(end * width, m_number_of_faces) - begin * width;
-        m_partial[begin / packets_per_block].template add_all<FT>(energies.data(), n);
-      };
-      if constexpr(Step::is_lanewise)
-        run_in_lanes(measure_packets);
-      else
-        measure_packets(Number_type<double>());
+    m_radius = radius;
+    m_partial.resize(number_of_blocks());
+    for_each_block_of_faces<Step>(number_of_blocks(), execution, [&](auto number_type, std::size_t block) {
+      using FT = typename decltype(number_type)::FT;
+      const std::size_t begin = block * packets_per_block,
+                        end = (std::min)(begin + packets_per_block, m_packets.size());
+      for(std::size_t k = begin; k < end; ++k)
+      {
+        for(const std::uint32_t corner : m_packets[(std::min)(k + packets_ahead, m_packets.size() - 1)].corners)
+          stars.prefetch_rest(corner);
+        for(std::size_t lane = 0; lane < width; lane += Lanes<FT>::width)
+          measure_lanes<Step, FT>(stars, positions.data(), radius * radius, k, lane);
+      }
+      summarize<FT>(energy, radius, objective, block);
     });
-    Energy_summary total(sharpness);
-    for(const Energy_summary& part : m_partial)
-      total.add(part);
-    return total;
+    return total(objective);
   }
 
+  // Sums up the energies that the map which was measured last has on the sphere of radius `radius`.
+  template <class Step, class Energy>
+  Mesh_summary summary(const Face_energy<Energy>& energy, double radius, const Face_objective& objective,
+                       Execution execution)
+  {
+    for_each_block_of_faces<Step>(number_of_blocks(), execution, [&](auto number_type, std::size_t block) {
+      summarize<typename decltype(number_type)::FT>(energy, radius, objective, block);
+    });
+    return total(objective);
+  }
+
+  // The first two derivatives of the sum of psi(E) over all faces but the slivers in the logarithm of the radius, on the
+  // sphere of radius `radius`, where the areas of the images are `area_ratio`, d or flat_d.
+  template <class Step, class Energy>
+  std::array<double, 3> radius_derivatives(const Face_energy<Energy>& energy, double radius,
+                                           const Face_objective& objective, double Face_invariants_3::*area_ratio,
+                                           Execution execution) const
+  {
+    std::vector<std::array<double, 3>> parts(number_of_blocks());
+    for_each_block_of_faces<Step>(number_of_blocks(), execution, [&](auto number_type, std::size_t block) {
+      using FT = typename decltype(number_type)::FT;
+      std::array<std::array<double, faces_per_block>, 3> terms;
+      const std::size_t begin = first_face(block), n = first_face(block + 1) - begin;
+      const FT scale = (radius / m_radius) * (radius / m_radius), sharpness = objective.ordinary.sharpness,
+               level = objective.ordinary.level;
+      for(std::size_t k = 0; k < n; k += Lanes<FT>::width)
+      {
+        const FT i = scale * invariant<FT>(begin + k, &Face_invariants_3::i),
+                 d = scale * invariant<FT>(begin + k, area_ratio);
+        const Energy_derivatives_3<FT> e = energy.derivatives(i, d);
+        // With t = log(radius), dI/dt = 2 I and dd/dt = 2 d.
+        const FT et = 2. * (e.i * i + e.d * d);
+        const FT ett = 2. * et + 4. * (e.ii * i * i + 2. * e.id * i * d + e.dd * d * d);
+        FT first = 1., second = 0.;
+        if(!objective.is_average())
+        {
+          const FT weight = objective.share * exponential(sharpness * (e.value - level));
+          first = (1. - objective.share) + weight;
+          second = sharpness * weight;
+        }
+        Lanes<FT>::store(first * et, terms[0].data() + k);
+        Lanes<FT>::store(first * ett + second * et * et, terms[1].data() + k);
+        Lanes<FT>::store(first * (absolute(e.i * i) + absolute(e.d * d)), terms[2].data() + k);
+      }
+      const std::size_t n_ordinary = n - number_of_slivers(block);
+      for(std::size_t j = 0; j < 3; ++j)
+      {
+        remove_slivers(block, terms[j].data());
+        std::array<double, width> columns = {};
+        for(std::size_t k = 0; k < n_ordinary; ++k)
+          columns[k % width] += terms[j][k];
+        parts[block][j] = std::accumulate(columns.begin(), columns.end(), 0.);
+      }
+    });
+    std::array<double, 3> result = {};
+    for(const std::array<double, 3>& part : parts)
+      for(std::size_t j = 0; j < 3; ++j)
+        result[j] += part[j];
+    return result;
+  }
+
+  bool has_slivers() const { return !m_slivers.empty(); }
+
   // what was measured last
-  const boost::container::vector<Face_invariants_3>& invariants() const { return m_invariants; }
+  const Face_invariants_3* begin() const { return m_invariants.data(); }
+  const Face_invariants_3* end() const { return m_invariants.data() + m_number_of_faces; }
 
   // Calls f(a, b, c) for each face whose energy was above `bound` when it was measured last, as long as f returns true.
   template <class Energy, class Function>
@@ -241,11 +187,9 @@ public:
   {
     for(std::size_t block = 0; block < m_partial.size(); ++block)
     {
-      if(!(m_partial[block].maximum_energy() > bound))
+      if(!(m_partial[block].all().maximum_energy() > bound))
         continue;
-      const std::size_t begin = block * packets_per_block * width;
-      const std::size_t end = (std::min)(begin + packets_per_block * width, m_number_of_faces);
-      for(std::size_t face = begin; face < end; ++face)
+      for(std::size_t face = first_face(block); face < first_face(block + 1); ++face)
         if(energy(m_invariants[face].i, m_invariants[face].d) > bound)
         {
           const auto& vertices = m_packets[face / width].vertices;
@@ -258,6 +202,7 @@ public:
 private:
   static constexpr std::size_t width = packet_width;
   static constexpr std::size_t packets_per_block = 32;
+  static constexpr std::size_t faces_per_block = packets_per_block * width;
   static constexpr std::size_t packets_ahead = 3; // of which the rest shapes are fetched
 
   struct Packet
@@ -266,9 +211,24 @@ private:
     std::array<std::array<std::uint32_t, width>, 3> vertices;
   };
 
-  template <class Step, class FT, class Energy>
-  void measure_lanes(const Star_packets& stars, const Face_energy<Energy>& energy, const Vector_3d* positions,
-                     double squared_radius, std::size_t k, std::size_t first, double* energies)
+  std::size_t number_of_blocks() const { return (m_number_of_faces + faces_per_block - 1) / faces_per_block; }
+  std::size_t first_face(std::size_t block) const { return (std::min)(block * faces_per_block, m_number_of_faces); }
+
+  // Calls f(Number_type<FT>(), block) for each block of faces.
+  template <class Step, class Function>
+  static void for_each_block_of_faces(std::size_t n_blocks, Execution execution, const Function& f)
+  {
+    for_each_block(execution, 0, n_blocks, 1, [&](std::size_t block, std::size_t) {
+      if constexpr(Step::is_lanewise)
+        run_in_lanes([&](auto number_type) { f(number_type, block); });
+      else
+        f(Number_type<double>(), block);
+    });
+  }
+
+  template <class Step, class FT>
+  void measure_lanes(const Star_packets& stars, const Vector_3d* positions, double squared_radius, std::size_t k,
+                     std::size_t first)
   {
     const Packet& packet = m_packets[k];
     const auto point = [&](std::size_t corner) {
@@ -284,20 +244,98 @@ private:
     const Vector_3<FT> u = point(0), p = point(1), q = point(2);
     const Vector_3<FT> to_p = p - u, to_q = q - u;
     const Vector_3<FT> n = cross(to_p, to_q);
-    const FT scale = squared_radius, inverse_doubled_area = rest(3), to_d = scale * inverse_doubled_area;
-    const FT i =
-        scale * (rest(0) * squared_length(q - p) + rest(1) * squared_length(to_q) + rest(2) * squared_length(to_p));
-    const FT d = to_d * Step::template Image_measure<FT>::value(dot(u, n), n), flat_d = to_d * length(n),
-             area = 0.5 / inverse_doubled_area;
-    Lanes<FT>::store(energy(i, d), energies);
-    for(std::size_t j = 0; j < Lanes<FT>::width && k * width + first + j < m_number_of_faces; ++j)
+    using Measure = typename Step::template Image_measure<FT>;
+    const FT scale = squared_radius, inverse_doubled_area = absolute(rest(3)), doubled_area = 1. / inverse_doubled_area;
+    const FT o0 = rest(0), o1 = rest(1), o2 = rest(2), to_flat_d = scale * inverse_doubled_area;
+    const FT i = scale * (o0 * squared_length(q - p) + o1 * squared_length(to_q) + o2 * squared_length(to_p));
+    const FT d = to_flat_d * Measure::area_factor(o0, o1, o2, doubled_area) * Measure::value(dot(u, n), n);
+    const FT flat_d = to_flat_d * length(n), area = 0.5 * doubled_area;
+    for(std::size_t j = 0; j < Lanes<FT>::width; ++j)
       m_invariants[k * width + first + j] = {lane(area, j), lane(i, j), lane(d, j), lane(flat_d, j)};
+  }
+
+  // a member of the faces from `k` on
+  template <class FT>
+  FT invariant(std::size_t k, double Face_invariants_3::*member) const
+  {
+    return Lanes<FT>::generate([&](std::size_t lane) { return m_invariants[k + lane].*member; });
+  }
+
+  template <class FT, class Energy>
+  void summarize(const Face_energy<Energy>& energy, double radius, const Face_objective& objective, std::size_t block)
+  {
+    const auto squared = [](double x) { return x * x; };
+    std::array<double, faces_per_block> energies;
+    const std::size_t begin = first_face(block), n = first_face(block + 1) - begin;
+    for(std::size_t k = 0; k < n; k += Lanes<FT>::width)
+    {
+      const FT scale = squared(radius / m_radius), i = scale * invariant<FT>(begin + k, &Face_invariants_3::i),
+               d = scale * invariant<FT>(begin + k, &Face_invariants_3::d);
+      Lanes<FT>::store(energy(i, d), energies.data() + k);
+    }
+    Mesh_summary& part = m_partial[block];
+    part = Mesh_summary(objective);
+    const std::size_t n_slivers = number_of_slivers(block);
+    if(n_slivers > 0)
+    {
+      const double sliver_radius = objective.sliver_radius > 0. ? objective.sliver_radius : radius;
+      remove_slivers(block, energies.data());
+      std::array<double, faces_per_block> of_slivers;
+      for(std::size_t k = 0; k < n_slivers; ++k)
+      {
+        const Face_invariants_3& face = m_invariants[m_slivers[m_first_sliver[block] + k]];
+        const double scale = squared(sliver_radius / m_radius);
+        of_slivers[k] = energy(scale * face.i, scale * face.d);
+      }
+      part.slivers.template add_all<FT>(of_slivers.data(), n_slivers);
+    }
+    part.ordinary.template add_all<FT>(energies.data(), n - n_slivers);
+  }
+
+  Mesh_summary total(const Face_objective& objective) const
+  {
+    Mesh_summary result(objective);
+    for(const Mesh_summary& part : m_partial)
+      result.add(part);
+    return result;
+  }
+
+  void find_slivers(const Star_packets& stars)
+  {
+    m_slivers.clear();
+    m_first_sliver.clear();
+    for(std::size_t block = 0; block < number_of_blocks(); ++block)
+    {
+      m_first_sliver.push_back(m_slivers.size());
+      for(std::size_t face = first_face(block); face < first_face(block + 1); ++face)
+        if(stars.is_at_sliver(m_packets[face / width].corners[face % width]))
+          m_slivers.push_back(static_cast<std::uint32_t>(face));
+    }
+    m_first_sliver.push_back(m_slivers.size());
+  }
+
+  std::size_t number_of_slivers(std::size_t block) const { return m_first_sliver[block + 1] - m_first_sliver[block]; }
+
+  // Closes the gaps that the slivers of a block leave among the values of its faces.
+  void remove_slivers(std::size_t block, double* values) const
+  {
+    if(number_of_slivers(block) == 0)
+      return;
+    std::size_t n = 0, sliver = m_first_sliver[block];
+    for(std::size_t face = first_face(block); face < first_face(block + 1); ++face)
+      if(sliver < m_first_sliver[block + 1] && m_slivers[sliver] == face)
+        ++sliver;
+      else
+        values[n++] = values[face - first_face(block)];
   }
 
   std::size_t m_number_of_faces = 0;
   boost::container::vector<Packet> m_packets;
   boost::container::vector<Face_invariants_3> m_invariants;
-  std::vector<Energy_summary> m_partial; // of the blocks
+  std::vector<std::uint32_t> m_slivers;    // in the order of the faces
+  std::vector<std::size_t> m_first_sliver; // of the blocks, and the end
+  double m_radius = 1.;
+  std::vector<Mesh_summary> m_partial; // of the blocks
 };
 
 } // namespace internal

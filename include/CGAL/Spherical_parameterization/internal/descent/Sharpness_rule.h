@@ -58,11 +58,9 @@ public:
   }
 
   // The sharpness of the next sweep over a coarse level.
-  double on_coarse_level(double max_energy) const
-  {
-    const double beta = m_rule.m_first;
-    return m_rule.m_is_relative ? relative(beta * beta / (beta + 47.), max_energy) : 0.;
-  }
+  double on_coarse_level(double max_energy) const { return relative((std::min)(0.2 * dial(), 3.), max_energy); }
+
+  double dial() const { return m_rule.m_is_relative ? m_rule.m_first : 0.; }
 
   // Whether the sharpness has reached its last value. That of a dial follows the map only, and settles with it.
   bool is_final() const { return m_rule.m_is_relative || m_current == m_rule.m_last; }

@@ -17,7 +17,9 @@
 
 #include <CGAL/Spherical_parameterization/Energy_derivatives_3.h>
 #include <CGAL/Spherical_parameterization/internal/certificate/is_safely_positive.h>
+#include <CGAL/Spherical_parameterization/internal/descent/Face_objective.h>
 #include <CGAL/Spherical_parameterization/internal/descent/Star_packets.h>
+#include <CGAL/Spherical_parameterization/internal/mesh/Rest_triangle.h>
 #include <CGAL/Spherical_parameterization/internal/simd/Packed_double.h>
 #include <CGAL/Spherical_parameterization/internal/simd/Vector_3.h>
 
@@ -145,6 +147,16 @@ public:
   // the value at x, given the determinant and the normal (p - x) x (q - x) there
   static FT value(const FT& determinant, const Vector_3<FT>& /* normal */) { return determinant; }
 
+  // What the doubled area on the surface is to be for isometric images to have d = 1, as a factor.
+  //
+  // The plane of an isometric image with the circumradius c, inscribed in the unit sphere, whose area is that of the
+  // surface, has the distance 1 - c^2 / 2 + ... from the centre, and c^2 is a ninth of the sum of the squared edges for an
+  // equilateral face. Twice the term of first order serves coarse meshes best, and is nothing to fine ones.
+  static FT area_factor(const FT& opposite_0, const FT& opposite_1, const FT& opposite_2, const FT& doubled_area)
+  {
+    return 1. + (2. / 9.) * (opposite_0 + opposite_1 + opposite_2) * doubled_area * doubled_area;
+  }
+
 private:
   Vector_3<FT> m_gradient;
 };
@@ -174,6 +186,12 @@ public:
 
   static FT value(const FT& /* determinant */, const Vector_3<FT>& normal) { return length(normal); }
 
+  static FT area_factor(const FT& /* opposite_0 */, const FT& /* opposite_1 */, const FT& /* opposite_2 */,
+                        const FT& /* doubled_area */)
+  {
+    return 1.;
+  }
+
 private:
   FT m_value, m_dx, m_dy;
 };
@@ -197,10 +215,11 @@ public:
   {}
 
   // The objective of the stars that come next: E is evaluated on the sphere of squared radius `squared_radius`.
-  void set_objective(double squared_radius, double sharpness)
+  void set_objective(double squared_radius, const Face_objective& objective)
   {
     m_scale = squared_radius;
-    m_sharpness = sharpness;
+    m_sliver_scale = objective.sliver_radius > 0. ? objective.sliver_radius * objective.sliver_radius : squared_radius;
+    m_objective = objective;
   }
 
   // Takes a star; the positions are on the unit sphere.
@@ -220,23 +239,39 @@ public:
     m_faces[size].offset = m_faces[0].offset;
     m_squared_shortest_edge = shortest;
 
-    const FT scale = m_scale;
     m_max_energy = FT(0.);
     for(std::size_t j = 0; j < size; ++j)
     {
       Face& face = m_faces[j];
+      const auto choose = [&](double ordinary, double sliver) {
+        return select(star.is_at_sliver(j), FT(sliver), FT(ordinary));
+      };
+      face.scale = choose(m_scale, m_sliver_scale);
+      face.sharpness = choose(m_objective.ordinary.sharpness, m_objective.of_slivers.sharpness);
+      face.inverse_sharpness = choose(1. / m_objective.ordinary.sharpness, 1. / m_objective.of_slivers.sharpness);
+      face.level = choose(m_objective.ordinary.level, m_objective.of_slivers.level);
+      const FT& scale = face.scale;
       const Vector_3<FT>&p = face.offset, &q = m_faces[j + 1].offset;
       face.fixed_i = scale * star.opposite_0(j) * squared_length(q - p); // the part of I that does not move
       face.measure = Measure(p, q);
+      const FT inverse_doubled_area = star.inverse_doubled_area(j);
+      const FT doubled_area = 1. / unless_padding(j, inverse_doubled_area, FT(1.));
+      face.to_d = scale * inverse_doubled_area *
+                  Measure::area_factor(star.opposite_0(j), star.opposite_1(j), star.opposite_2(j), doubled_area);
       const FT i =
           face.fixed_i + scale * (star.opposite_2(j) * squared_length(p) + star.opposite_1(j) * squared_length(q));
-      const FT d = unless_padding(j, scale * star.inverse_doubled_area(j) * face.measure.value(), FT(1.));
+      const FT d = unless_padding(j, face.to_d * face.measure.value(), FT(1.));
       face.energy = m_energy.derivatives(i, d);
       m_max_energy = maximum(m_max_energy, face.energy.value);
     }
-    if(m_sharpness > 0.)
-      for(std::size_t j = 0; j < size; ++j)
-        m_faces[j].weight = weight_of(j, m_faces[j].energy.value);
+    if(m_objective.is_average())
+      return;
+    for(std::size_t j = 0; j < size; ++j)
+    {
+      if(!m_objective.has_levels())
+        m_faces[j].level = m_max_energy;
+      m_faces[j].weight = weight_of(j, m_faces[j].energy.value);
+    }
   }
 
   // the length of the shortest edge at the vertex, the yardstick of its steps
@@ -260,7 +295,7 @@ public:
   FT operator()(const FT& x, const FT& y) const
   {
     auto is_valid = x * x + y * y < max_squared_step;
-    const FT scale = m_scale, infinite = std::numeric_limits<double>::infinity();
+    const FT infinite = std::numeric_limits<double>::infinity();
     if(!any(is_valid))
       return infinite;
     const FT z = Basic_tangent_frame<FT>::height_at(x, y);
@@ -276,15 +311,19 @@ public:
       if constexpr(std::is_same<FT, double>::value) // in lanes, to look costs more than to go on
         if(!is_valid)
           return infinite;
+      const FT& scale = m_faces[j].scale;
       const FT i = m_faces[j].fixed_i + scale * (m_star.opposite_2(j) * lp + m_star.opposite_1(j) * lq);
-      const FT ratio = scale * m_star.inverse_doubled_area(j) * Measure::value(determinant, n);
+      const FT ratio = m_faces[j].to_d * Measure::value(determinant, n);
       const FT d = select(is_valid, unless_padding(j, ratio, FT(1.)), FT(1.)); // energies are for positive ones
       m_faces[j].new_energy = m_energy(i, d);
     }
     if(!any(is_valid))
       return infinite;
     for(std::size_t j = 0; j < m_star.size(); ++j)
-      f += m_sharpness > 0. ? weight_of(j, m_faces[j].new_energy) : unless_padding(j, m_faces[j].new_energy, FT(0.));
+    {
+      const FT& energy = m_faces[j].new_energy;
+      f += m_objective.is_average() ? unless_padding(j, energy, FT(0.)) : value_of(j, energy, weight_of(j, energy));
+    }
     return select(is_valid, f, infinite);
   }
 
@@ -300,10 +339,11 @@ private:
   {
     Vector_3<FT> offset; // of neighbor j
     Measure measure;
-    FT fixed_i;
+    FT fixed_i, scale, to_d;
     Energy_derivatives_3<FT> energy;
-    FT weight;             // exp(s E), if the objective is that
-    mutable FT new_energy; // the last one of operator()
+    FT sharpness, inverse_sharpness, level; // of its objective
+    FT weight;                              // a exp(s (E - R))
+    mutable FT new_energy;                  // the last one of operator()
   };
 
   // whether row j is beyond the end of a star
@@ -322,26 +362,31 @@ private:
       return select(is_padding(j), otherwise, value);
   }
 
-  // what a face adds to the sum of exp(s E)
+  // a exp(s (E - R)), see Face_objective
   FT weight_of(std::size_t j, const FT& energy) const
   {
-    const FT sharpness = m_sharpness;
-    return unless_padding(j, exponential(sharpness * (energy - m_max_energy)), FT(0.));
+    return m_objective.share * exponential(m_faces[j].sharpness * (energy - m_faces[j].level));
+  }
+
+  // psi(E), given the weight
+  FT value_of(std::size_t j, const FT& energy, const FT& weight) const
+  {
+    return unless_padding(j, (1. - m_objective.share) * energy + m_faces[j].inverse_sharpness * weight, FT(0.));
   }
 
   template <bool with_hessian>
   FT evaluate(std::array<FT, 2>& gradient, std::array<FT, 3>& hessian) const
   {
-    const FT scale = m_scale, sharpness = m_sharpness;
     FT f = 0., gx = 0., gy = 0., hxx = 0., hxy = 0., hyy = 0.;
     for(std::size_t j = 0; j < m_star.size(); ++j)
     {
       const Vector_3<FT>&p = m_faces[j].offset, &q = m_faces[j + 1].offset;
       const Measure& measure = m_faces[j].measure;
+      const FT& scale = m_faces[j].scale;
       const Energy_derivatives_3<FT>& e = m_faces[j].energy;
       const FT to_p = 2. * scale * m_star.opposite_2(j), to_q = 2. * scale * m_star.opposite_1(j);
       const FT ix = -(to_p * p[0] + to_q * q[0]), iy = -(to_p * p[1] + to_q * q[1]);
-      const FT to_d = scale * m_star.inverse_doubled_area(j);
+      const FT& to_d = m_faces[j].to_d;
       const FT dx = to_d * measure.dx(), dy = to_d * measure.dy();
       FT ex = e.i * ix + e.d * dx, ey = e.i * iy + e.d * dy;
       FT exx = 0., exy = 0., eyy = 0.;
@@ -353,22 +398,22 @@ private:
         eyy = e.i * i2 + e.d * (to_d * measure.dyy()) + e.ii * iy * iy + 2. * e.id * iy * dy + e.dd * dy * dy;
       }
       // The rest shape of a padding row is 0, and so are its derivatives.
-      if(m_sharpness > 0.)
+      if(m_objective.is_average())
+        f += unless_padding(j, e.value, FT(0.));
+      else
       {
-        const FT& w = m_faces[j].weight;
-        const FT ws = w * sharpness;
-        f += w;
+        const FT& weight = m_faces[j].weight;
+        const FT first = (1. - m_objective.share) + weight, second = m_faces[j].sharpness * weight;
+        f += value_of(j, e.value, weight);
         if constexpr(with_hessian)
         {
-          exx = ws * (exx + sharpness * ex * ex);
-          exy = ws * (exy + sharpness * ex * ey);
-          eyy = ws * (eyy + sharpness * ey * ey);
+          exx = first * exx + second * ex * ex;
+          exy = first * exy + second * ex * ey;
+          eyy = first * eyy + second * ey * ey;
         }
-        ex *= ws;
-        ey *= ws;
+        ex *= first;
+        ey *= first;
       }
-      else
-        f += unless_padding(j, e.value, FT(0.));
       gx += ex;
       gy += ey;
       hxx += exx;
@@ -381,7 +426,8 @@ private:
   }
 
   Face_energy<Energy> m_energy;
-  double m_scale = 1., m_sharpness = 0.;
+  double m_scale = 1., m_sliver_scale = 1.;
+  Face_objective m_objective;
 
   Star_view<FT> m_star;
   Basic_tangent_frame<FT> m_frame = Basic_tangent_frame<FT>({FT(0.), FT(0.), FT(1.)});

@@ -72,7 +72,9 @@ public:
   FT opposite_0(std::size_t j) const { return rest(j, 0); }
   FT opposite_1(std::size_t j) const { return rest(j, 1); }
   FT opposite_2(std::size_t j) const { return rest(j, 2); }
-  FT inverse_doubled_area(std::size_t j) const { return rest(j, 3); }
+  FT inverse_doubled_area(std::size_t j) const { return absolute(rest(j, 3)); }
+  // whether the face belongs to the group of the slivers, told by the sign
+  auto is_at_sliver(std::size_t j) const { return rest(j, 3) < 0.; }
 
   // Where number k of the rest shape of a corner is: those of packet_width corners lie side by side.
   static std::size_t rest_index(std::size_t corner, std::size_t k)
@@ -271,6 +273,7 @@ public:
 
   // Number k of the rest shape of a corner.
   double rest(std::size_t corner, std::size_t k) const { return m_rest[rest_index(corner, k)]; }
+  bool is_at_sliver(std::size_t corner) const { return rest(corner, 3) < 0.; }
 
   // Announces that the rest shape of a corner is about to be read. Corners of a packet are near each other, but too far
   // for a processor to see what comes next.

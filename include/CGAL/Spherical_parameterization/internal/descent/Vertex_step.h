@@ -56,6 +56,14 @@ public:
     return result;
   }
 
+  // The step for few vertices around bad faces, which are swept many times: nothing has to be carried far.
+  static Newton_step on_few_vertices()
+  {
+    Newton_step result;
+    result.m_over_relaxation = 1.4;
+    return result;
+  }
+
   template <class StarEnergy, class FT>
   auto operator()(const StarEnergy& energy, std::array<FT, 2>& step) const
   {
@@ -80,9 +88,12 @@ public:
                    x * x + y * y > shortest * shortest;
     auto is_moved = is_open && !is_open;
     std::array<FT, 2> accepted = {FT(0.), FT(0.)};
+    // Next to the minimum, a step is longer than what it gains can be seen: the gain is of second order.
+    const FT rounding = 1e-14 * absolute(start);
+    const auto is_tiny = -slope < rounding;
     const auto try_step = [&](double t, const FT& bound) {
       const FT tx = t * x, ty = t * y;
-      const auto is_accepted = is_open && energy(tx, ty) < bound;
+      const auto is_accepted = is_open && energy(tx, ty) < select(is_tiny, start + rounding, bound);
       accepted = {select(is_accepted, tx, accepted[0]), select(is_accepted, ty, accepted[1])};
       is_moved = is_moved || is_accepted;
       is_open = is_open && !is_accepted;
@@ -100,7 +111,7 @@ public:
 private:
   static constexpr double min_ratio = 1e-3; // of the eigenvalues that a step is computed from
   static constexpr double min_radius = (std::numeric_limits<double>::min)(); // whose reciprocal is finite
-  static constexpr double min_step = 1e-9; // in units of the shortest edge; shorter ones are not worth an evaluation
+  static constexpr double min_step = 1e-10; // in units of the shortest edge; shorter ones are not worth an evaluation
   static constexpr double armijo = 1e-4;
   static constexpr int max_halvings = 12;
 
@@ -118,6 +129,8 @@ public:
   using Image_measure = Flat_measure<FT>;
 
   static constexpr bool is_lanewise = false;
+
+  static Gradient_step on_few_vertices() { return Gradient_step(); }
 
   template <class StarEnergy>
   bool operator()(const StarEnergy& energy, std::array<double, 2>& step) const

@@ -181,7 +181,7 @@ private:
     {
       if(i % sweeps_per_measurement == 0)
       {
-        const Energy_summary summary = m_descent.measure(local, m_radius, 0.);
+        const Energy_summary summary = m_descent.measure(local, m_radius, Face_objective()).all();
         choose_radius();
         if(ends_when_settled(local.size()) && i > 0 &&
            std::abs(summary.average() - last_average) <= settled_change * summary.scale_of_changes(last_average))
@@ -191,7 +191,7 @@ private:
         if(!m_control.go_further(0, summary.average()) && i > 0)
           break;
       }
-      m_descent.sweep(local, m_radius, sharpness);
+      m_descent.sweep(local, m_radius, Face_objective(sharpness));
       ++m_control.report().number_of_level_iterations;
       m_control.check_clock();
     }

@@ -43,6 +43,13 @@ struct Rest_triangle
   double opposite_0, opposite_1, opposite_2; // cot(theta_i) / (2 A), A being the area
   double inverse_doubled_area;               // 1 / (2 A)
 
+  // the height on the longest edge, in units of that edge
+  static double height(const Vector_3d& p0, const Vector_3d& p1, const Vector_3d& p2)
+  {
+    const Vector_3d e0 = p2 - p1, e1 = p0 - p2, e2 = p1 - p0;
+    return length(cross(e1, e2)) / (std::max)({squared_length(e0), squared_length(e1), squared_length(e2)});
+  }
+
   static bool is_too_flat(const Vector_3d& p0, const Vector_3d& p1, const Vector_3d& p2)
   {
     const Vector_3d e0 = p2 - p1, e1 = p0 - p2, e2 = p1 - p0;

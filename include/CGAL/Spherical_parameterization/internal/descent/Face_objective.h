@@ -1,0 +1,55 @@
+// Copyright (c) 2026  The Spherical_parameterization authors.
+// All rights reserved.
+//
+// This file is part of the Spherical_parameterization package for CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Spherical_parameterization authors
+//
+
+#ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_DESCENT_FACE_OBJECTIVE_H
+#define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_DESCENT_FACE_OBJECTIVE_H
+
+#include <CGAL/license/Spherical_parameterization.h>
+
+namespace CGAL {
+namespace Spherical_parameterization {
+namespace internal {
+
+// What the faces add to the objective, as a function of their energy E:
+//   psi(E) = (1 - a) E + (a / s) exp(s (E - R)),   psi' = (1 - a) + a exp(s (E - R)),
+// or E for s = 0. Eq. 6 of the paper is s = 0, and eq. 7 is a = 1, where R is but a factor.
+//
+// The group of the slivers, see sliver_vertices(), may have its own s and R, and its own sphere, which stays where it is
+// when the radius changes.
+struct Face_objective
+{
+  struct Exponential
+  {
+    double sharpness = 0.; // s
+    double level = 0.;     // R
+  };
+
+  Face_objective() = default;
+  // eq. 6 or 7
+  explicit Face_objective(double sharpness)
+    : ordinary{sharpness, 0.}
+    , of_slivers{sharpness, 0.}
+  {}
+
+  bool is_average() const { return !(ordinary.sharpness > 0.); }
+  bool has_levels() const { return share < 1.; }
+
+  double share = 1.; // a
+  Exponential ordinary, of_slivers;
+  double sliver_radius = 0.; // or 0: that of all faces
+};
+
+} // namespace internal
+} // namespace Spherical_parameterization
+} // namespace CGAL
+
+#endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_DESCENT_FACE_OBJECTIVE_H
