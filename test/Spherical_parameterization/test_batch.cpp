@@ -12,6 +12,8 @@
 
 #include <gtest/gtest.h>
 
+#include <boost/crc.hpp>
+
 #ifdef CGAL_LINKED_WITH_TBB
 #include <tbb/task_arena.h>
 #endif
@@ -101,11 +103,17 @@ protected:
     fs::last_write_time(path(name), fs::last_write_time(path(name)) - std::chrono::hours(hours));
   }
 
+  // changes a report as a program would that writes such reports
   void replace_in(const std::string& name, const std::string& from, const std::string& to) const
   {
     std::string text = content(path(name));
     ASSERT_NE(text.find(from), std::string::npos) << text;
-    write(name, text.replace(text.find(from), from.size(), to));
+    text.replace(text.find(from), from.size(), to);
+    const std::size_t end = text.rfind(",\n  \"crc32\": ");
+    ASSERT_NE(end, std::string::npos) << text;
+    boost::crc_32_type crc;
+    crc.process_bytes(text.data(), end);
+    write(name, text.substr(0, end) + ",\n  \"crc32\": " + std::to_string(crc.checksum()) + "\n}\n");
   }
 
   Outcome m_outcome;
@@ -163,11 +171,11 @@ TEST_F(Batch, writes_the_bits_of_single_runs)
     for(const char* folder : {"all", "out1", "out2", "out3"})
     {
       EXPECT_TRUE(content(path(std::string(folder) + "/" + name + ".off")) == content(path("single.off"))) << name;
-      // the same report, but for seconds and names
+      // the same report, but for seconds and names, and its checksum
       boost::property_tree::ptree report = json(std::string(folder) + "/" + name + ".json"),
                                   single = json("single.json");
       for(boost::property_tree::ptree* tree : {&report, &single})
-        for(const char* member : {"seconds", "files"})
+        for(const char* member : {"seconds", "files", "crc32"})
           EXPECT_EQ(tree->erase(member), 1u);
       EXPECT_TRUE(report == single) << name;
     }
@@ -282,7 +290,10 @@ TEST_F(Batch, leaves_out_exactly_what_is_done)
   replace_in("out/a.json", "\"history\": [", "\"history\": [" + rows); // as of a run with many sweeps
   replace_in("out/b.json", "\"history\": [", "\"more\": [" + numbers + "1], \"history\": [");
   fs::resize_file(path("out/c.json"), fs::file_size(path("out/c.json")) / 2); // within the history
-  EXPECT_EQ(redone("in"), (Names{"b.off", "c.off"}));
+  std::string report = content(path("out/d.json"));
+  report.erase(report.find("],", report.find("history")), 1); // damage where nothing is read
+  write("out/d.json", report);
+  EXPECT_EQ(redone("in"), (Names{"b.off", "c.off", "d.off"}));
   replace_in("out/a.json", "converged", "interrupted");
   replace_in("out/b.json", "\"program\": \"spherical_parameterization",
              "\"program\": \"spherical_parameterization 0.0.1");

@@ -40,6 +40,8 @@ inline boost::property_tree::ptree read_report(const std::string& path)
   if(std::filesystem::file_size(path) > max_size)
     throw Program_error(path, "is longer than any report");
   std::string text = read_file(path);
+  if(text != Run_report::sealed(text.substr(0, text.rfind(Run_report::seal))))
+    throw Program_error(path, "is damaged");
   const std::string history = "\"history\": ";
   const std::size_t begin = text.find(history);
   if(begin != text.npos)

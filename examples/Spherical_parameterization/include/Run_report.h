@@ -196,8 +196,21 @@ public:
                             .add("maximum", (*color_range)[1]));
     if(sphere_checksum)
       all.add("sphere_bytes", sphere_checksum->bytes).add("sphere_crc32", sphere_checksum->crc.checksum());
-    return all.add("files", files).text() + '\n';
+    std::string text = all.add("files", files).text();
+    text.erase(text.rfind('\n')); // the end of the object
+    return sealed(text);
   }
+
+  /// returns a report that lacks its end, with its checksum as the last member.
+  static std::string sealed(const std::string& text)
+  {
+    Checksum checksum;
+    checksum.add(text.data(), text.size());
+    return text + seal + std::to_string(checksum.crc.checksum()) + "\n}\n";
+  }
+
+  /// What comes between a report and the checksum of what is before.
+  static constexpr const char* seal = ",\n  \"crc32\": ";
 
 private:
   std::string fault() const
