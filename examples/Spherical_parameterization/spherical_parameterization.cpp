@@ -4,12 +4,18 @@
 #include "include/Batch.h"
 #include "include/Batch_scheduler.h"
 #include "include/Mesh_run.h"
+#include "include/Program_error.h"
 #include "include/Program_options.h"
 #include "include/Run_report.h"
 
+#include <csignal>
 #include <cstdlib>
 #include <exception>
 #include <iostream>
+#include <new>
+
+#include <fcntl.h>
+#include <unistd.h>
 
 using namespace Program;
 
@@ -17,11 +23,20 @@ using namespace Program;
 int map_to_sphere(const Program_options& options)
 {
   Mesh_run run(options, options.file_names);
-  run.map();
-  run.write();
+  try
+  {
+    run.map();
+    run.write();
+  }
+  catch(const std::bad_alloc& error)
+  {
+    throw Program_error(options.file_names.input, message_of(error));
+  }
 
   const Run_report& report = run.report();
-  if(!options.is_quiet)
+  if(options.prints_json)
+    std::cout << report.json();
+  else if(!options.is_quiet)
     report.print(std::cout);
   if(report.result.is_one_to_one)
     return EXIT_SUCCESS;
@@ -29,22 +44,41 @@ int map_to_sphere(const Program_options& options)
   return Run_report::exit_status_folded;
 }
 
+// returns the exit status
+int run_program(const Program_options& options)
+{
+  if(options.wants_help || options.wants_version)
+  {
+    std::cout << (options.wants_help ? options.help() : program_version() + '\n');
+    return EXIT_SUCCESS;
+  }
+  // It is never deleted: TBB makes a thread as a limit ends.
+  [[maybe_unused]] static const Thread_limit* const threads = new Thread_limit(options.max_threads);
+  return options.is_batch() ? Batch(options).run() : map_to_sphere(options);
+}
+
+// What is written to a standard stream that is closed would go to the file that is opened next. Now it fails.
+void occupy_closed_streams()
+{
+  for(const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
+    if(fcntl(stream, F_GETFD) == -1)
+      open("/dev/null", O_RDONLY);
+}
+
 int main(int argc, char** argv)
 {
+  occupy_closed_streams();
+  std::signal(SIGXFSZ, SIG_IGN); // a file that grows larger than permitted cannot be written: an error as others
   try
   {
-    const Program_options options(argc, argv);
-    if(options.wants_help || options.wants_version)
-    {
-      std::cout << (options.wants_help ? options.help() : program_version() + '\n');
-      return EXIT_SUCCESS;
-    }
-    const Thread_limit threads(options.max_threads);
-    return options.is_batch() ? Batch(options).run() : map_to_sphere(options);
+    const int status = run_program(Program_options(argc, argv));
+    if(!std::cout.flush())
+      throw Program_error("the standard output cannot be written");
+    return status;
   }
   catch(const std::exception& error)
   {
-    std::cerr << "spherical_parameterization: " << error.what() << '\n';
+    std::cerr << "spherical_parameterization: " << message_of(error) << '\n';
     return EXIT_FAILURE;
   }
 }

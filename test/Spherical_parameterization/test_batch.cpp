@@ -12,6 +12,8 @@
 
 #include <gtest/gtest.h>
 
+#include <boost/crc.hpp>
+
 #ifdef CGAL_LINKED_WITH_TBB
 #include <tbb/task_arena.h>
 #endif
@@ -101,11 +103,17 @@ protected:
     fs::last_write_time(path(name), fs::last_write_time(path(name)) - std::chrono::hours(hours));
   }
 
+  // changes a report as a program would that writes such reports
   void replace_in(const std::string& name, const std::string& from, const std::string& to) const
   {
     std::string text = content(path(name));
     ASSERT_NE(text.find(from), std::string::npos) << text;
-    write(name, text.replace(text.find(from), from.size(), to));
+    text.replace(text.find(from), from.size(), to);
+    const std::size_t end = text.rfind(",\n  \"crc32\": ");
+    ASSERT_NE(end, std::string::npos) << text;
+    boost::crc_32_type crc;
+    crc.process_bytes(text.data(), end);
+    write(name, text.substr(0, end) + ",\n  \"crc32\": " + std::to_string(crc.checksum()) + "\n}\n");
   }
 
   Outcome m_outcome;
@@ -163,11 +171,11 @@ TEST_F(Batch, writes_the_bits_of_single_runs)
     for(const char* folder : {"all", "out1", "out2", "out3"})
     {
       EXPECT_TRUE(content(path(std::string(folder) + "/" + name + ".off")) == content(path("single.off"))) << name;
-      // the same report, but for seconds and names
+      // the same report, but for seconds and names, and its checksum
       boost::property_tree::ptree report = json(std::string(folder) + "/" + name + ".json"),
                                   single = json("single.json");
       for(boost::property_tree::ptree* tree : {&report, &single})
-        for(const char* member : {"seconds", "files"})
+        for(const char* member : {"seconds", "files", "crc32"})
           EXPECT_EQ(tree->erase(member), 1u);
       EXPECT_TRUE(report == single) << name;
     }
@@ -204,11 +212,6 @@ TEST_F(Batch, refuses_to_start)
   write("file", "");
   fs::create_directories(path("linked"));
   fs::create_symlink("../in/a.off", path("linked/a.off"));
-  fs::create_directories(path("crossed"));
-  write("crossed/b.off", corner_off);
-  fs::create_symlink("b.off", path("crossed/a.off"));
-  fs::create_directory(path("with_broken"));
-  fs::create_symlink("nowhere", path("with_broken/broken.off"));
   const std::vector<std::pair<const char*, const char*>> table = {
       {"in other/a.off --output-folder out", "out/a.json: would be written for both in/a.off and other/a.off"},
       {"in other/b.obj --output-folder out", "out/b.json: would be written for both in/b.off and other/b.obj"},
@@ -216,15 +219,13 @@ TEST_F(Batch, refuses_to_start)
       {"in ./in/b.off --output-folder out", "./in/b.off: is given twice"},
       {"in missing.off --output-folder out", "missing.off: there is no such file"},
       {"in missing --output-folder out", "missing: there is no such file"},
-      {"with_broken --output-folder out", "with_broken/broken.off: there is no such file"},
       {"in file --output-folder out", "file: the name of a mesh file has to end with one of .off"},
       {"empty --output-folder out", "empty: there is no mesh file in this folder"},
       {"in '' --output-folder out", ": there is no such file"},
       {"in --output-folder in", "in: the results would be among the meshes"},
       {"in --output-folder ./in/../in --format ply", "the results would be among the meshes"},
       {"in/a.off --output-folder in", "in/a.off: would replace an input"},
-      {"in --output-folder linked", "linked/a.off: would replace an input"},
-      {"in --output-folder crossed", "crossed/b.off: would be written for both in/a.off and in/b.off"},
+      {"linked/a.off --output-folder linked", "linked/a.off: would replace an input"},
       {"other/c.obj --format off --output-folder in --initial in/c.off", "in/c.off: would replace an input"},
       {"in --output-folder file", "file: cannot be made"},
       {"in --output-folder file/out", "file/out: cannot be made"},
@@ -268,6 +269,10 @@ TEST_F(Batch, leaves_out_exactly_what_is_done)
   fs::remove(path("out/a.off"));
   fs::resize_file(path("out/b.off"), fs::file_size(path("out/b.off")) - 1);
   EXPECT_EQ(redone("in"), (Names{"a.off", "b.off"}));
+  std::string map = content(path("out/c.off"));
+  ++map[map.size() / 2];
+  write("out/c.off", map);
+  EXPECT_EQ(redone("in"), (Names{"c.off"}));
   // the report
   fs::remove(path("out/a.json"));
   fs::resize_file(path("out/b.json"), 100);
@@ -276,6 +281,19 @@ TEST_F(Batch, leaves_out_exactly_what_is_done)
   write("out/e.json", "{\"program\": {\"method\": 1}}");
   write("out/f.json", std::string(1000000, '[')); // which a parser that calls itself for each would not survive
   EXPECT_EQ(redone("in"), all);
+  std::string rows, numbers;
+  for(int i = 0; i < 50000; ++i)
+  {
+    rows += "\n    [1, 2.5e-3, null],";
+    numbers += "1, ";
+  }
+  replace_in("out/a.json", "\"history\": [", "\"history\": [" + rows); // as of a run with many sweeps
+  replace_in("out/b.json", "\"history\": [", "\"more\": [" + numbers + "1], \"history\": [");
+  fs::resize_file(path("out/c.json"), fs::file_size(path("out/c.json")) / 2); // within the history
+  std::string report = content(path("out/d.json"));
+  report.erase(report.find("],", report.find("history")), 1); // damage where nothing is read
+  write("out/d.json", report);
+  EXPECT_EQ(redone("in"), (Names{"b.off", "c.off", "d.off"}));
   replace_in("out/a.json", "converged", "interrupted");
   replace_in("out/b.json", "\"program\": \"spherical_parameterization",
              "\"program\": \"spherical_parameterization 0.0.1");
@@ -332,17 +350,80 @@ TEST_F(Batch, starts_again_if_the_start_is_another_one)
 TEST_F(Batch, goes_on_where_a_file_cannot_be_written)
 {
   write_meshes({"a.off", "b.off", "c.off"});
-  write_off("in/full.off", test_meshes::icosphere(3));
+  write_off("in/long.off", test_meshes::icosphere(4));
   fs::create_directories(path("out/b.json"));
-  fs::create_symlink("/dev/full", path("out/full.off"));
-  const auto told = run_batch("in --output-folder out", 1);
-  EXPECT_EQ(told.at("in/full.off"), "failed: out/full.off: cannot be written: No space left on device");
-  EXPECT_EQ(told.at("in/b.off"), "failed: out/b.json: cannot be written: it is a directory");
-  EXPECT_EQ(names_of_files("out"), (Names{"a.off", "a.json", "b.json", "c.off", "c.json", "full.off"}));
-  EXPECT_EQ(redone("in", 1), (Names{"b.off", "full.off"})); // there is no report in a directory
+  ASSERT_EQ(run_script("mkfifo out/c.off").status, 0);
+  // a pipe without a reader would wait for one
+  m_outcome = run_script("ulimit -f 100; timeout 60 \"$PROGRAM\" in --output-folder out");
+  EXPECT_EQ(m_outcome.status, 1);
+  for(const char* message : {"in/long.off: failed: out/long.off: cannot be written: File too large\n",
+                             "in/b.off: failed: out/b.json: cannot be written: it is a directory\n",
+                             "in/c.off: failed: out/c.off: cannot be written: it is a pipe or a device"})
+    EXPECT_NE(m_outcome.out.find(message), std::string::npos) << m_outcome.out;
+  EXPECT_EQ(names_of_files("out"), (Names{"a.off", "a.json", "b.json", "c.off"}));
   fs::remove(path("out/b.json"));
-  fs::remove(path("out/full.off"));
-  EXPECT_EQ(redone("in"), (Names{"b.off", "full.off"}));
+  fs::remove(path("out/c.off"));
+  EXPECT_EQ(redone("in"), (Names{"b.off", "c.off", "long.off"}));
+}
+
+TEST_F(Batch, writes_nowhere_but_to_its_folder)
+{
+  write_meshes({"a.off", "b.off", "c.off"});
+  write("precious.txt", "precious");
+  fs::create_directory(path("out"));
+  fs::create_directory(path("folder"));
+  for(const char* name : {"out/a.json", "out/b.off", "out/.spherical_parameterization"})
+    fs::create_symlink("../precious.txt", path(name));
+  fs::create_symlink("../in/c.off", path("out/a.off"));
+  fs::create_symlink("../folder", path("out/b.json"));
+  fs::create_symlink("../new.txt", path("out/c.json"));
+  fs::create_hard_link(path("precious.txt"), path("out/c.off"));
+  run_batch("in --output-folder out", 0);
+  EXPECT_EQ(content(path("precious.txt")), "precious");
+  EXPECT_EQ(content(path("in/c.off")), corner_off);
+  EXPECT_TRUE(names_of_files("folder").empty());
+  EXPECT_FALSE(fs::exists(path("new.txt")));
+  for(const char* name : {"out/a.off", "out/a.json", "out/b.off", "out/b.json", "out/c.off", "out/c.json"})
+    EXPECT_FALSE(fs::is_symlink(path(name))) << name;
+  EXPECT_EQ(redone("in"), Names());
+}
+
+TEST_F(Batch, keeps_the_modes_of_files)
+{
+  write_meshes({"a.off"});
+  run_batch("in --output-folder out", 0);
+  const fs::perms secret = fs::perms::owner_read | fs::perms::owner_write, open = secret | fs::perms::others_read;
+  fs::permissions(path("out/a.off"), secret);
+  fs::permissions(path("out/a.json"), open);
+  run_batch("in --output-folder out", 0);
+  EXPECT_EQ(fs::status(path("out/a.off")).permissions(), secret);
+  EXPECT_EQ(fs::status(path("out/a.json")).permissions(), open);
+}
+
+TEST_F(Batch, maps_the_others_where_links_lead_nowhere)
+{
+  write_meshes({"a.off"});
+  fs::create_symlink("nowhere", path("in/broken.off"));
+  fs::create_symlink("loop.off", path("in/loop.off"));
+  const auto told = run_batch("in --output-folder out", 1);
+  EXPECT_EQ(told.size(), 3u);
+  EXPECT_EQ(told.at("in/broken.off"), "failed: No such file or directory");
+  EXPECT_EQ(told.at("in/loop.off"), "failed: Too many levels of symbolic links");
+  EXPECT_EQ(names_of_files("out"), (Names{"a.off", "a.json"}));
+}
+
+TEST_F(Batch, sweeps_what_killed_runs_have_left)
+{
+  write_meshes({"a.off"});
+  fs::create_directory(path("out"));
+  // of a process that is no more, of one that is, and of another computer
+  const Outcome outcome = run_script("name=.spherical_parameterization.$(uname -n); sh -c : & wait $!; "
+                                     "touch out/$name.$!.1 out/$name.$$.2 out/.spherical_parameterization.other.$!.3; "
+                                     "\"$PROGRAM\" in --output-folder out; cd out && \"$PROGRAM\" a.off -o b.off");
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_EQ(names_of_files("out").size(), 5u); // two maps, a report, and what may still be written
+  ASSERT_EQ(run("out/a.off -o out/b.off").status, 0);
+  EXPECT_EQ(names_of_files("out").size(), 4u); // the shell of the first run is no more
 }
 
 TEST_F(Batch, keeps_no_result_of_a_mesh_that_fails)
@@ -445,28 +526,42 @@ TEST_F(Interrupted_batch, leaves_nothing_incomplete_and_goes_on_later)
 
 TEST_F(Interrupted_batch, keeps_the_earlier_results_of_meshes_that_are_not_begun)
 {
-  run_batch("in --output-folder out", 0);
-  interrupt_by("INT");
-  const std::size_t n_results = results().size();
-  EXPECT_GE(n_results, n - 2);
-  EXPECT_EQ(redone("in").size(), n - n_results);
+  for(const char* signal : {"INT", "HUP"})
+  {
+    run_batch("in --output-folder out", 0);
+    interrupt_by(signal);
+    const std::size_t n_results = results().size();
+    EXPECT_GE(n_results, n - 2);
+    EXPECT_EQ(redone("in").size(), n - n_results);
+  }
 }
 
 // Which of the two comes second makes no difference.
 TEST(Interrupt_guard_death, ends_the_program_at_the_second_signal)
 {
   ::testing::FLAGS_gtest_death_test_style = "threadsafe";
-  for(const int first : {SIGINT, SIGTERM})
+  for(const int first : {SIGINT, SIGTERM, SIGHUP})
     for(const int second : {SIGINT, SIGTERM})
       EXPECT_EXIT(
           {
-            const Program::Interrupt_guard guard({SIGINT, SIGTERM});
+            const Program::Interrupt_guard guard({SIGINT, SIGTERM, SIGHUP});
             std::raise(first);
             std::cerr << (Program::Interrupt_guard::is_interrupted() ? "interrupted" : "") << std::endl;
             std::raise(second);
             std::exit(EXIT_SUCCESS);
           },
           ::testing::KilledBySignal(second), "^interrupted");
+}
+
+TEST(Interrupt_guard, leaves_it_to_nohup_what_a_hangup_means)
+{
+  std::signal(SIGHUP, SIG_IGN);
+  {
+    const Program::Interrupt_guard guard({SIGINT, SIGHUP});
+    std::raise(SIGHUP);
+    EXPECT_FALSE(Program::Interrupt_guard::is_interrupted());
+  }
+  EXPECT_EQ(std::signal(SIGHUP, SIG_DFL), SIG_IGN);
 }
 
 TEST(Interrupt_guard, tells_all_threads_of_a_signal) // as the sanitizer of threads can tell

@@ -15,6 +15,7 @@
 #include <fstream>
 #include <iterator>
 #include <map>
+#include <new>
 #include <ostream>
 #include <sstream>
 #include <string>
@@ -23,6 +24,8 @@
 
 // In CGAL's tree the examples are not built along with the tests.
 #ifdef SPHERICAL_PARAMETERIZATION_PROGRAM
+
+#include "../../examples/Spherical_parameterization/include/Program_error.h"
 
 namespace fs = std::filesystem;
 
@@ -281,23 +284,25 @@ TEST_F(Program, refuses_bad_values_with_the_good_ones)
       {"--prefer best", "average, balance or worst"},
       {"--initial spherical", "hierarchical, stereographic, harmonic or conformal, or the name of a file"},
       {"--radius 2", "two-phase, optimal, area, balanced or fixed=R"},
-      {"--radius fixed=0", "greater than 0"},
-      {"--radius fixed=-1", "greater than 0"},
-      {"--radius fixed=nan", "greater than 0"},
-      {"--radius fixed=inf", "greater than 0"},
-      {"--radius fixed=", "greater than 0"},
-      {"--radius fixed=1x", "greater than 0"},
+      {"--radius fixed=0", "a number R from 2.3e-308 to 1.7e308"},
+      {"--radius fixed=-1", "a number R from 2.3e-308"},
+      {"--radius fixed=1e-320", "a number R from 2.3e-308"},
+      {"--radius fixed=nan", "a number R from 2.3e-308"},
+      {"--radius fixed=inf", "a number R from 2.3e-308"},
+      {"--radius fixed=", "a number R from 2.3e-308"},
+      {"--radius fixed=1x", "a number R from 2.3e-308"},
       {"--sharpness -1", "from 0 to 1e6"},
       {"--sharpness nan", "from 0 to 1e6"},
-      {"--s-first 0", "greater than 0"},
-      {"--s-last 1e7", "at most 1e6"},
+      {"--s-first 0", "from 2.3e-308 to 1e6"},
+      {"--s-last 1e7", "from 2.3e-308 to 1e6"},
       {"--s-first 5 --s-last 1", "0 < s-first <= s-last"},
       {"--s-first 20", "0 < s-first <= s-last"},
       {"--s-last 1 --average-sweeps -1", "a whole number from 0"},
       {"--s-last 1 --average-sweeps 1.5", "a whole number from 0"},
       {"--iterations -1", "a whole number from 0"},
       {"--iterations many", "a whole number from 0"},
-      {"--time-limit -1", "greater than 0"},
+      {"--time-limit -1", "from 2.3e-308 to 1.7e308"},
+      {"--time-limit 1e-320", "from 2.3e-308 to 1.7e308"},
       {"--threads 0", "a whole number from 1"},
       {"--unknown", "unknown"},
   };
@@ -343,10 +348,129 @@ TEST_F(Program, refuses_what_it_cannot_read_or_write)
   expect_refused("sphere.off -o result.off --colored missing/result", "missing");
   fs::create_directory(path("folder.off"));
   expect_refused("sphere.off -o folder.off", "folder.off");
-  expect_refused("folder.off -o result.off", "folder.off: this is a directory");
+  expect_refused("folder.off -o result.off", "folder.off is a folder");
   fs::create_symlink("/dev/zero", path("zeros.off")); // which never ends
   expect_refused("zeros.off -o result.off", "zeros.off: this is a pipe or a device");
   expect_refused("'' -o result.off", "has to end with one of .off");
+}
+
+TEST_F(Program, writes_through_a_link_or_a_pipe_that_is_named)
+{
+  fs::create_directory(path("elsewhere"));
+  write("elsewhere/target.off", "");
+  fs::permissions(path("elsewhere/target.off"), fs::perms::owner_read | fs::perms::owner_write);
+  fs::create_symlink("elsewhere/target.off", path("link.off"));
+  ASSERT_EQ(run("sphere.off -o link.off --quiet").status, 0);
+  EXPECT_TRUE(fs::is_symlink(path("link.off")));
+  ASSERT_EQ(run("sphere.off -o result.off --quiet").status, 0);
+  const std::string expected = content(path("result.off"));
+  EXPECT_EQ(content(path("elsewhere/target.off")), expected);
+  EXPECT_EQ(fs::status(path("elsewhere/target.off")).permissions(), fs::perms::owner_read | fs::perms::owner_write);
+
+  // the reader of the pipe gets all of it, and not its end before
+  EXPECT_EQ(run_script("mkfifo pipe.off; timeout 60 cat pipe.off > read.off & timeout 60 \"$PROGRAM\" sphere.off -o "
+                       "pipe.off --quiet && wait $!")
+                .status,
+            0);
+  EXPECT_EQ(content(path("read.off")), expected);
+}
+
+TEST_F(Program, prints_the_report_as_JSON)
+{
+  const Outcome outcome = run("sphere.off -o result.off --json -");
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  write("result.json", outcome.out);
+  EXPECT_EQ(json().get<std::size_t>("vertices"), 162u);
+  EXPECT_FALSE(fs::exists(path("-")));
+  EXPECT_EQ(run("sphere.off -o result.off --json - --quiet").out.substr(0, 1), "{"); // it was asked for
+}
+
+TEST_F(Program, fails_where_its_output_cannot_be_written)
+{
+  for(const char* arguments :
+      {"sphere.off", "sphere.off --json -", "--help", "--version", "sphere.off --output-folder out"})
+  {
+    const Outcome outcome = run(std::string(arguments) + " > /dev/full");
+    EXPECT_EQ(outcome.status, 1) << arguments;
+    EXPECT_EQ(outcome.err, "spherical_parameterization: the standard output cannot be written\n") << arguments;
+  }
+  // no file gets the place of a stream that is closed, and with it what is meant for that: the file here is a pipe
+  write_off("long.off", test_meshes::icosphere(4));
+  EXPECT_EQ(
+      run_script("mkfifo pipe.off; \"$PROGRAM\" long.off -o pipe.off --iterations 0 --quiet >&- & exec 3< pipe.off; "
+                 "head -c 1 <&3 | wc -c; readlink /proc/$!/fd/1; cat <&3 > rest.off; wait $!")
+          .out,
+      "1\n/dev/null\n");
+  for(const char* name : {"long.off", "pipe.off", "rest.off"})
+    fs::remove(path(name));
+  // a limit of the size is no reason to die of a signal, and leaves nothing
+  const Outcome outcome = run_script("ulimit -f 1; \"$PROGRAM\" sphere.off -o result.off --quiet");
+  EXPECT_EQ(outcome.status, 1);
+  EXPECT_EQ(outcome.err, "spherical_parameterization: result.off: cannot be written: File too large\n");
+  EXPECT_EQ(names_of_files(), (std::set<std::string>{"sphere.off", "out", "stdout.txt", "stderr.txt"}));
+}
+
+TEST(Program_messages, call_what_is_the_same_by_the_same_words)
+{
+  EXPECT_EQ(::Program::message_of(std::bad_alloc()), "the memory does not suffice");
+  EXPECT_EQ(::Program::message_of(::Program::Program_error("a\nb", "c")), "a\\x0ab: c");
+}
+
+TEST_F(Program, runs_on_one_thread_where_no_other_can_be_had)
+{
+  // The limit does not hold for root.
+  const std::string limited = "$([ \"$(id -u)\" != 0 ] || echo setpriv --reuid=65534 --regid=65534 --clear-groups) "
+                              "prlimit --nproc=1 ";
+  if(run_script(limited + "test -r sphere.off -a -x \"$PROGRAM\"").status != 0)
+    GTEST_SKIP() << "The program cannot be run by a user with a limit of processes.";
+  for(const char* threads : {"", "--threads 1", "--threads 3"})
+  {
+    const Outcome outcome = run_script(limited + "\"$PROGRAM\" sphere.off " + threads);
+    EXPECT_EQ(outcome.status, 0) << threads;
+    EXPECT_TRUE(outcome.err.empty()) << outcome.err;
+  }
+}
+
+TEST_F(Program, takes_names_of_any_bytes)
+{
+  const std::string name = "a\xff\xc3\xa4\n\x1b[31m\xc2\x9b.off", shown = "a\\xff\xc3\xa4\\x0a\\x1b[31m\\xc2\\x9b.off";
+  fs::create_directory(path("in"));
+  fs::copy_file(path("sphere.off"), path("in/" + name));
+  const Outcome outcome = run("in --output-folder out");
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_EQ(outcome.out.substr(0, 9 + shown.size()), "[1/1] in/" + shown) << outcome.out;
+  EXPECT_EQ(json("out/" + name.substr(0, name.size() - 3) + "json").get<std::string>("input"),
+            "in/a\\xff\xc3\xa4\n\x1b[31m\xc2\x9b.off");
+  EXPECT_NE(run("in --output-folder out --resume").out.find("left out 1"), std::string::npos);
+  const std::string single = run("'in/" + name + "' -o 'out/" + name + "'").out;
+  EXPECT_NE(single.find("Mesh      in/" + shown), std::string::npos) << single;
+  EXPECT_NE(single.find("Written:   out/" + shown), std::string::npos) << single;
+  for(const std::string& arguments : {"'missing" + name + "'", "'missing" + name + "' --output-folder out",
+                                      "sphere.off --initial 'missing" + name + "'",
+                                      "sphere.off -o 'missing" + name + "/x.off'", "sphere.off '--" + name + "'"})
+    expect_message(arguments, shown.substr(0, shown.size() - 4));
+
+  const std::string long_name = std::string(246, 'x') + ".off"; // there is room for .json, and for no more
+  fs::copy_file(path("sphere.off"), path("in/" + long_name));
+  EXPECT_EQ(run("in --output-folder out").status, 0);
+  EXPECT_EQ(run("sphere.off -o " + std::string(251, 'y') + ".off").status, 0);
+}
+
+TEST_F(Program, counts_faces_that_are_nearly_flat)
+{
+  test_meshes::Triangle_list list = test_meshes::icosphere(1);
+  list.points[0] = list.points[list.triangles[0][1]]; // the faces between them are left without area
+  list.points[1] = list.points[0];
+  write_off("flat.off", list);
+  const std::string out = run("flat.off").out;
+  EXPECT_NE(out.find(" faces are nearly flat\n"), std::string::npos) << out;
+}
+
+TEST_F(Program, suggests_what_a_folder_needs)
+{
+  fs::create_directory(path("in"));
+  expect_message("in", "in is a folder; to map the meshes in it, say with --output-folder where to");
+  expect_refused("in -o result.off", "--output-folder");
 }
 
 TEST_F(Program, says_what_is_wrong_with_a_mesh)
@@ -482,7 +606,7 @@ TEST_F(Program, reads_every_format_alike)
   const std::vector<std::pair<const char*, std::string>> table = {
       {"variant.off", "OFF 4 4" + corner_off.substr(7)},
       {"variant.off", "# a comment\n\n" + replaced(corner_off, "\n", " # another\r\n\r\n")},
-      {"variant.off", "\xEF\xBB\xBF" + corner_off + "3 0 1 2\nand more"},
+      {"variant.off", "\xEF\xBB\xBF" + corner_off + "\n# and more\n\n"},
       {"variant.off", "4OFF\n" + homogeneous + faces},
       {"variant.off", "nOFF\n3\n" + corner_off.substr(4)},
       {"variant.off", "C4nOFF 3\n" + replaced(homogeneous, "2\n", "2 0.5 0.5 0.5 1\n") + faces},
@@ -542,6 +666,8 @@ TEST_F(Program, says_where_a_file_is_damaged)
       {"bad.off", replaced(corner_off, "\n1 0 0\n", "\n1 0\n"), "line 4: coordinate z of vertex 1 is missing"},
       {"bad.off", replaced(corner_off, "3 0 2 1", "-3 0 2 1"), "line 7: the number of corners of face 0 is negative"},
       {"bad.off", replaced(corner_off, "3 0 2 1", "9 0 2 1"), "line 7: corner 3 of face 0 is missing"},
+      {"bad.off", corner_off + "3 0 1 2\n", "line 11: the file goes on after 4 faces with '3'"},
+      {"bad.off", corner_off + "\x1b[31m\n", "line 11: the file goes on after 4 faces with a byte that is no text"},
       {"bad.off", replaced(corner_off, "3 0 2 1", "3 0 2 4"), "line 7: face 0 has the corner 4"},
       {"bad.off", replaced(corner_off, "4 4 0", huge + " 4 0"), "too short for " + huge + " vertices"},
       {"bad.off", replaced(corner_off, "4 4 0", "4 " + huge + " 0"), "too short for " + huge + " faces"},

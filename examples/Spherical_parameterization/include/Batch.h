@@ -5,6 +5,7 @@
 #include "Earlier_report.h"
 #include "Interrupt_guard.h"
 #include "Mesh_run.h"
+#include "Program_error.h"
 #include "Program_options.h"
 #include "Run_report.h"
 #include "find_batch.h"
@@ -20,7 +21,6 @@
 #include <iomanip>
 #include <iostream>
 #include <mutex>
-#include <new>
 #include <string>
 #include <system_error>
 #include <vector>
@@ -54,7 +54,7 @@ public:
       sizes.push_back(error ? 0 : size);
     }
     {
-      const Interrupt_guard guard({SIGINT, SIGTERM});
+      const Interrupt_guard guard({SIGINT, SIGTERM, SIGHUP});
       Batch_scheduler::for_each_mesh(sizes, [&](std::size_t i) { run(m_meshes[i]); });
     }
     print_summary();
@@ -74,7 +74,7 @@ private:
       if(!report.is_one_to_one())
       {
         ++m_folded;
-        print_error(names.input + ": the map of an earlier run is not one-to-one");
+        print_error(printable(names.input) + ": the map of an earlier run is not one-to-one");
       }
       return true;
     };
@@ -97,13 +97,9 @@ private:
       run.write();
       tell_map(run.report());
     }
-    catch(const std::bad_alloc&)
-    {
-      tell_failure(names.input, "the memory does not suffice");
-    }
     catch(const std::exception& error)
     {
-      tell_failure(names.input, error.what());
+      tell_failure(printable(names.input), message_of(error));
     }
   }
 
@@ -112,7 +108,7 @@ private:
   {
     const std::lock_guard<std::mutex> lock(m_mutex);
     ++m_mapped;
-    print_line(report.input(), report.short_text());
+    print_line(printable(report.input()), report.short_text());
     if(report.result.is_one_to_one)
       return;
     ++m_folded;

@@ -1,6 +1,8 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_EXAMPLES_EARLIER_REPORT_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_EXAMPLES_EARLIER_REPORT_H
 
+#include "Output_file.h"
+#include "Program_error.h"
 #include "Program_options.h"
 #include "Run_report.h"
 #include "mesh_files.h"
@@ -12,32 +14,49 @@
 #include <boost/property_tree/json_parser.hpp>
 #include <boost/property_tree/ptree.hpp>
 
+#include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <exception>
 #include <filesystem>
+#include <fstream>
+#include <ios>
 #include <sstream>
 #include <string>
 #include <system_error>
 
 namespace Program {
 
-/// reads a JSON file of a size and a depth that the parser, which calls itself for what is nested, can hold.
+/// reads a report but for its history, which is the one part without a limit to its length. The parser calls itself for
+/// what is nested, and takes a hundred times the memory of the file; a report is neither deep nor, but for its history, long.
 ///
 /// \throws std::exception if it is none
-inline boost::property_tree::ptree read_json(const std::string& path)
+inline boost::property_tree::ptree read_report(const std::string& path)
 {
   constexpr std::uintmax_t max_size = std::uintmax_t(64) << 20;
+  constexpr std::size_t max_size_of_rest = std::size_t(1) << 17;
   constexpr std::ptrdiff_t max_depth = 100;
   if(std::filesystem::file_size(path) > max_size)
-    throw Program_error(path + ": is longer than any report");
-  const std::string text = read_file(path);
+    throw Program_error(path, "is longer than any report");
+  std::string text = read_file(path);
+  if(text != Run_report::sealed(text.substr(0, text.rfind(Run_report::seal))))
+    throw Program_error(path, "is damaged");
+  const std::string history = "\"history\": ";
+  const std::size_t begin = text.find(history);
+  if(begin != text.npos)
+  {
+    const std::size_t end = text.find_first_not_of("0123456789+-.enul[], \n", begin + history.size());
+    text.erase(begin, (std::min)(end, text.size()) - begin);
+  }
+  if(text.size() > max_size_of_rest)
+    throw Program_error(path, "is longer than any report");
   std::ptrdiff_t depth = 0;
   for(const char c : text)
   {
     depth += (c == '[' || c == '{') - (c == ']' || c == '}'); // those of texts as well, which are few
     if(depth > max_depth)
-      throw Program_error(path + ": is nested deeper than any report");
+      throw Program_error(path, "is nested deeper than any report");
   }
   boost::property_tree::ptree tree;
   std::istringstream in(text);
@@ -55,7 +74,7 @@ public:
   {
     try
     {
-      m_tree = read_json(names.json);
+      m_tree = read_report(names.json);
     }
     catch(const std::exception&) // what cannot be read or understood is the report of no run
     {}
@@ -66,13 +85,10 @@ public:
   bool tells_the_same_run(const Program_options& options) const
   {
     namespace fs = std::filesystem;
-    std::error_code error;
-    const std::uintmax_t sphere_bytes = fs::file_size(m_names.sphere, error);
-    return !error && text("sphere_bytes") == std::to_string(sphere_bytes) && text("program") == program_version() &&
-           text("method") == options.description &&
-           fs::path(text("input")).filename() == fs::path(m_names.input).filename() &&
+    return text("program") == program_version() && text("method") == options.description &&
+           fs::path(text("input")).filename() == fs::path(valid_utf8(m_names.input)).filename() &&
            text("stop_reason") != Run_report::stop_reason_interrupted && is_as_it_was("input_stamp", m_names.input) &&
-           (options.start_file.empty() || is_as_it_was("start_stamp", options.start_file));
+           (options.start_file.empty() || is_as_it_was("start_stamp", options.start_file)) && has_its_sphere();
   }
 
   /// returns whether the map was certified.
@@ -86,6 +102,21 @@ private:
     const File_stamp stamp(path);
     return !stamp.is_empty() && text(name + ".bytes") == std::to_string(stamp.bytes) &&
            text(name + ".changed") == stamp.changed;
+  }
+
+  bool has_its_sphere() const
+  {
+    std::error_code error;
+    if(!std::filesystem::is_regular_file(m_names.sphere, error) ||
+       text("sphere_bytes") != std::to_string(std::filesystem::file_size(m_names.sphere, error)))
+      return false;
+    Checksum checksum;
+    std::ifstream in(m_names.sphere, std::ios::binary);
+    std::array<char, 1 << 16> block;
+    while(in.read(block.data(), block.size()) || in.gcount() > 0)
+      checksum.add(block.data(), static_cast<std::size_t>(in.gcount()));
+    return text("sphere_bytes") == std::to_string(checksum.bytes) &&
+           text("sphere_crc32") == std::to_string(checksum.crc.checksum());
   }
 
   File_names m_names;

@@ -2,6 +2,7 @@
 #define CGAL_SPHERICAL_PARAMETERIZATION_EXAMPLES_INPUT_MESH_H
 
 #include "Polygon_soup.h"
+#include "Program_error.h"
 #include "read_soup.h"
 
 #include <CGAL/Spherical_parameterization/find_defect.h>
@@ -40,7 +41,7 @@ public:
   ///
   /// \throws Program_error with what is wrong, where, and what helps
   Input_mesh(const std::string& path, Polygon_soup soup)
-    : m_path(path)
+    : m_name(printable(path))
     , m_polygons(std::move(soup.polygons))
   {
     check_faces(soup.points.size());
@@ -65,10 +66,12 @@ public:
     const SP::Mesh_defect<Mesh> defect = SP::find_defect(m_mesh);
     if(defect.error == SP::OK)
       return "";
-    return m_path + ": " + defect.message + (defect.error == SP::ERROR_NON_CLOSED_MESH ? explain_border() : "");
+    return m_name + ": " + defect.message + (defect.error == SP::ERROR_NON_CLOSED_MESH ? explain_border() : "");
   }
 
-  const std::string& path() const { return m_path; }
+  /// returns the name of the file for a message.
+  const std::string& name() const { return m_name; }
+
   Mesh& mesh() { return m_mesh; }
   const std::vector<Polygon>& triangles() const { return m_polygons; }
 
@@ -85,15 +88,16 @@ public:
     compare("faces", path, soup.polygons.size(), m_polygons.size());
     for(std::size_t f = 0; f < m_polygons.size(); ++f)
       if(!is_same(soup.polygons[f], m_polygons[f]))
-        throw Program_error(path + ": is no map of this mesh: face " + std::to_string(f) +
-                            " has other corners, or another orientation. (Faces are counted from 0.)");
+        throw Program_error(path, "is no map of this mesh: face " + std::to_string(f) +
+                                      " has other corners, or another orientation. (Faces are counted from 0.)");
     const Sphere_map map = m_mesh.add_property_map<Vertex_index, Point_3>("v:initial").first;
     for(const Vertex_index v : m_mesh.vertices())
     {
       map[v] = soup.points[v];
       if(!m_mesh.is_isolated(v) && !is_finite(map[v]))
-        throw Program_error(path + ": is no map: vertex " + std::to_string(v) +
-                            " has a coordinate that is infinite or not a number. (Vertices are counted from 0.)");
+        throw Program_error(path,
+                            "is no map: vertex " + std::to_string(v) +
+                                " has a coordinate that is infinite or not a number. (Vertices are counted from 0.)");
     }
 
     const Distortion_map distortions =
@@ -102,17 +106,17 @@ public:
     for(const Mesh::Face_index f : m_mesh.faces())
       if(distortions[f].is_inverted)
         throw Program_error(
-            path + ": is no one-to-one map: face " + std::to_string(std::size_t(f)) +
-            " is not positively oriented as seen from the origin (" + std::to_string(n_inverted) +
-            " such faces in total).\nTake another start, such as --initial harmonic. (Faces are counted "
-            "from 0.)");
+            path, "is no one-to-one map: face " + std::to_string(std::size_t(f)) +
+                      " is not positively oriented as seen from the origin (" + std::to_string(n_inverted) +
+                      " such faces in total).\nTake another start, such as --initial harmonic. (Faces are counted "
+                      "from 0.)");
     return map;
   }
 
 private:
   [[noreturn]] void fail(const std::string& what, const std::string& advice) const
   {
-    throw Program_error(m_path + ": " + what + ".\n" + advice + "\n(Vertices and faces are counted from 0.)");
+    throw Program_error(m_name + ": " + what + ".\n" + advice + "\n(Vertices and faces are counted from 0.)");
   }
 
   static bool is_finite(const Point_3& p)
@@ -125,12 +129,12 @@ private:
   void check_faces(std::size_t n_vertices) const
   {
     if(m_polygons.empty())
-      throw Program_error(m_path +
+      throw Program_error(m_name +
                           ": the mesh has no faces.\nPerhaps the file is truncated, or a point cloud, which has "
                           "to be turned into a surface first.");
     constexpr std::size_t limit = (std::numeric_limits<std::int32_t>::max)(); // as Surface_mesh counts in 32 bits
     if(n_vertices >= limit || m_polygons.size() >= limit / 3)
-      throw Program_error(m_path + ": " + SP::get_error_message(SP::ERROR_TOO_LARGE_MESH));
+      throw Program_error(m_name + ": " + SP::get_error_message(SP::ERROR_TOO_LARGE_MESH));
     const char* const advice =
         "Remove the face, for example with CGAL::Polygon_mesh_processing::repair_polygon_soup().";
     for(std::size_t f = 0; f < m_polygons.size(); ++f)
@@ -218,8 +222,8 @@ private:
   static void compare(const std::string& what, const std::string& path, std::size_t count, std::size_t expected)
   {
     if(count != expected)
-      throw Program_error(path + ": is no map of this mesh: it has " + std::to_string(count) + " " + what +
-                          ", the mesh has " + std::to_string(expected));
+      throw Program_error(path, "is no map of this mesh: it has " + std::to_string(count) + " " + what +
+                                    ", the mesh has " + std::to_string(expected));
   }
 
   // returns whether both polygons are the same triangle, from any of its corners on
@@ -230,7 +234,7 @@ private:
     return polygon == triangle;
   }
 
-  std::string m_path;
+  std::string m_name;
   Mesh m_mesh;
   std::vector<Polygon> m_polygons;
 };

@@ -10,13 +10,18 @@
 namespace Program {
 
 /// As long as the object lives, its signals do not end the program but are noted, for all threads. A second one ends it.
+/// SIGHUP stays ignored if it is, as nohup has asked for that.
 class Interrupt_guard
 {
 public:
   explicit Interrupt_guard(std::initializer_list<int> signals)
   {
     for(const int signal : signals)
+    {
       m_previous.emplace_back(signal, std::signal(signal, &note));
+      if(signal == SIGHUP && m_previous.back().second == SIG_IGN)
+        std::signal(signal, SIG_IGN);
+    }
   }
 
   ~Interrupt_guard()
@@ -32,11 +37,12 @@ public:
   static bool is_interrupted() { return s_is_interrupted; }
 
 private:
-  static void note(int)
+  static void note(int signal)
   {
-    s_is_interrupted = true;
-    for(const int signal : {SIGINT, SIGTERM})
-      std::signal(signal, SIG_DFL);
+    if(!s_is_interrupted.exchange(true))
+      return;
+    std::signal(signal, SIG_DFL);
+    std::raise(signal);
   }
 
   // What a signal handler writes and other threads read has to be atomic without a lock.

@@ -1,6 +1,8 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_EXAMPLES_JSON_OBJECT_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_EXAMPLES_JSON_OBJECT_H
 
+#include "Program_error.h"
+
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -79,7 +81,7 @@ private:
   static std::string quote(const std::string& text)
   {
     std::string result = "\"";
-    for(const char c : text)
+    for(const char c : valid_utf8(text))
     {
       char escape[8] = {c, '\0'};
       if(c == '"' || c == '\\')

@@ -3,6 +3,7 @@
 
 #include "Colored_mesh.h"
 #include "Input_mesh.h"
+#include "Output_file.h"
 #include "Output_files.h"
 #include "Program_options.h"
 #include "Run_report.h"
@@ -45,7 +46,8 @@ public:
   Mesh_run(const Program_options& options, const File_names& names)
     : m_options(options)
     , m_names(names)
-    , m_files(names, options.start_file)
+    , m_files(names, options.start_file,
+              options.is_batch() ? Output_file::Policy::replace : Output_file::Policy::follow)
     , m_report(options, names.input)
   {}
 
@@ -87,7 +89,7 @@ public:
     if(m_files.sphere)
     {
       m_files.sphere->write([&](std::ostream& out) { write_sphere(out); });
-      m_report.sphere_bytes = m_files.sphere->size();
+      m_report.sphere_checksum = m_files.sphere->checksum();
     }
     if(m_files.colored_surface)
       write_colors();

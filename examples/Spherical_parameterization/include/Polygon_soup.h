@@ -6,7 +6,6 @@
 #include <boost/container/small_vector.hpp>
 
 #include <cstddef>
-#include <stdexcept>
 #include <vector>
 
 namespace Program {
@@ -20,13 +19,6 @@ struct Polygon_soup
 {
   std::vector<Point_3> points;
   std::vector<Polygon> polygons;
-};
-
-/// What the user has to be told before the program ends with exit status 1.
-class Program_error : public std::runtime_error
-{
-public:
-  using std::runtime_error::runtime_error;
 };
 
 } // namespace Program

@@ -1,7 +1,7 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_EXAMPLES_PROGRAM_OPTIONS_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_EXAMPLES_PROGRAM_OPTIONS_H
 
-#include "Polygon_soup.h"
+#include "Program_error.h"
 #include "mesh_files.h"
 
 #include <CGAL/Spherical_parameterization/Area_balancing_radius_3.h>
@@ -19,6 +19,7 @@
 #include <limits>
 #include <sstream>
 #include <string>
+#include <system_error>
 #include <variant>
 #include <vector>
 
@@ -95,6 +96,7 @@ none; 2, all have one, but some fold.
   bool wants_help = false, wants_version = false, is_quiet = false;
   Words inputs;              ///< meshes, and folders if there may be many
   File_names file_names;     ///< of the one mesh, if there is only one
+  bool prints_json = false;  ///< whether its report is printed as JSON
   std::string output_folder; ///< of the many, empty otherwise
   std::string format;        ///< of all maps, empty if each has that of its input
   bool is_resumed = false;   ///< whether meshes that are done are left out
@@ -151,7 +153,7 @@ private:
     }
     catch(const po::error& error)
     {
-      fail(error.what());
+      fail(printable(error.what()));
     }
   }
 
@@ -199,7 +201,7 @@ private:
                                 "not given 100, 500 with --method arap; 0 leaves the initial map")
       ("time-limit", word("SECONDS"), "sweep no longer than this on each mesh; the map reached is written")
       ("threads", word("N"), "use no more threads; the result is always the same")
-      ("json", word("FILE"), "write the report and the distortions as JSON")
+      ("json", word("FILE"), "write the report and the distortions as JSON; - prints them instead of the report")
       ("colored", word("PREFIX"), "write PREFIX_surface.ply and PREFIX_sphere.ply, with the distortion as colour")
       ("quiet", "print nothing but errors")
       ("help,h", "print this")
@@ -224,7 +226,7 @@ private:
   // refuses the value of an option; `valid` says which would be accepted
   [[noreturn]] void refuse(const std::string& option, const std::string& valid) const
   {
-    fail("--" + option + " has to be " + valid + ", not '" + text(option) + "'");
+    fail("--" + option + " has to be " + valid + ", not '" + printable(text(option)) + "'");
   }
 
   std::string read_word(const std::string& option, const Words& words, const std::string& usual) const
@@ -296,6 +298,9 @@ private:
     if(inputs.size() > 1)
       fail("there is more than one INPUT; a name with blanks has to be quoted, and many meshes need --output-folder");
     file_names.input = inputs.front();
+    std::error_code ignored;
+    if(std::filesystem::is_directory(file_names.input, ignored))
+      fail(printable(file_names.input) + " is a folder; to map the meshes in it, say with --output-folder where to");
   }
 
   void read_method()
@@ -346,7 +351,7 @@ private:
         refuse("initial", list_of(starts, " or ") + ", or the name of a file with a map");
       start_file = value;
     }
-    describe(start.empty() ? "start from " + start_file : start + " start");
+    describe(start.empty() ? "start from " + printable(start_file) : start + " start");
   }
 
   void read_energy()
@@ -382,7 +387,7 @@ private:
     constexpr double usual_first = 0.1, usual_last = 10.;
     constexpr unsigned int usual_sweeps = 100;
     const double min = (std::numeric_limits<double>::min)();
-    const char* range = "a number greater than 0, at most 1e6";
+    const char* range = "a number from 2.3e-308 to 1e6";
     const double first = read_number("s-first", min, max_sharpness, range, usual_first);
     const double last = read_number("s-last", min, max_sharpness, range, usual_last);
     if(first > last)
@@ -425,7 +430,7 @@ private:
             r >= (std::numeric_limits<double>::min)() && r <= (std::numeric_limits<double>::max)())
       radius = SP::Fixed_radius_3(r);
     else
-      refuse("radius", "two-phase, optimal, area, balanced or fixed=R with a number R greater than 0");
+      refuse("radius", "two-phase, optimal, area, balanced or fixed=R with a number R from 2.3e-308 to 1.7e308");
     describe("radius " + value);
   }
 
@@ -436,7 +441,7 @@ private:
     if(knows("iterations"))
       describe("at most " + std::to_string(max_iterations) + (is_bld ? " sweeps" : " global steps"));
     max_seconds = read_number("time-limit", (std::numeric_limits<double>::min)(), (std::numeric_limits<double>::max)(),
-                              "a number greater than 0", 0.);
+                              "a number from 2.3e-308 to 1.7e308", 0.);
     if(max_seconds > 0.)
       describe("at most " + short_text(max_seconds) + " seconds");
     max_threads = read_count("threads", 1, 0);
@@ -457,7 +462,8 @@ private:
         fail("--" + std::string(option) + " is for one mesh; with --output-folder, the sphere of each and its report " +
              "are written there");
     file_names.sphere = text("output");
-    file_names.json = text("json");
+    prints_json = text("json") == "-";
+    file_names.json = prints_json ? "" : text("json");
     file_names.colored = text("colored");
     output_folder = text("output-folder");
     is_resumed = has("resume");

@@ -14,11 +14,7 @@
 #include <string>
 #include <vector>
 
-#ifdef _WIN32
-#include <io.h>
-#else
 #include <unistd.h>
-#endif
 
 namespace Program {
 
@@ -29,7 +25,7 @@ class Progress_visitor : public CGAL::Spherical_parameterization::Default_visito
 public:
   /// constructs the visitor, which shows something if that is wanted and the standard error stream is a terminal.
   explicit Progress_visitor(bool is_shown)
-    : m_is_shown(is_shown && is_terminal())
+    : m_is_shown(is_shown && isatty(STDERR_FILENO) != 0)
   {}
 
   ~Progress_visitor() { erase(); }
@@ -59,15 +55,6 @@ public:
 
 private:
   using Clock = std::chrono::steady_clock;
-
-  static bool is_terminal()
-  {
-#ifdef _WIN32
-    return _isatty(_fileno(stderr)) != 0;
-#else
-    return isatty(STDERR_FILENO) != 0;
-#endif
-  }
 
   template <class... Text>
   void show(const Text&... text)

@@ -2,6 +2,8 @@
 #define CGAL_SPHERICAL_PARAMETERIZATION_EXAMPLES_RUN_REPORT_H
 
 #include "Json_object.h"
+#include "Output_file.h"
+#include "Program_error.h"
 #include "Program_options.h"
 #include "mesh_files.h"
 #include "run_method.h"
@@ -12,7 +14,6 @@
 
 #include <array>
 #include <cstddef>
-#include <cstdint>
 #include <iomanip>
 #include <optional>
 #include <ostream>
@@ -54,11 +55,11 @@ public:
   std::optional<SP::Distortion_summary> balanced;
   double seconds_for_input = 0.; ///< reading and checking the file
   double seconds_for_measuring = 0.;
-  double seconds_for_output = 0.;  ///< writing all files but that with this report
-  Words files;                     ///< that were written
-  File_stamp input_stamp;          ///< of the file, before it was read
-  File_stamp start_stamp;          ///< of the file with the map to start from; empty if there is none
-  std::uintmax_t sphere_bytes = 0; ///< 0 if it was not written, or to no ordinary file
+  double seconds_for_output = 0.;          ///< writing all files but that with this report
+  Words files;                             ///< that were written
+  File_stamp input_stamp;                  ///< of the file, before it was read
+  File_stamp start_stamp;                  ///< of the file with the map to start from; empty if there is none
+  std::optional<Checksum> sphere_checksum; ///< if it was written, and to an ordinary file
   /// the distortion with the darkest colour, and that with the lightest, if colours were written
   std::optional<std::array<double, 2>> color_range;
 
@@ -75,12 +76,13 @@ public:
   void print(std::ostream& out) const
   {
     const SP::Parameterization_report& run = result.report;
-    out << "Mesh      " << m_input << ": " << run.number_of_vertices << " vertices, " << run.number_of_faces
+    out << "Mesh      " << printable(m_input) << ": " << run.number_of_vertices << " vertices, " << run.number_of_faces
         << " faces";
     if(run.number_of_isolated_vertices > 0)
       out << ", and " << run.number_of_isolated_vertices << " vertices without a face";
     if(run.number_of_flat_faces > 0)
-      out << "; " << run.number_of_flat_faces << " faces have no area";
+      out << "; " << run.number_of_flat_faces << (run.number_of_flat_faces == 1 ? " face is" : " faces are")
+          << " nearly flat";
     out << "\nMethod    " << m_options.description << '\n';
     if(m_options.method == "hierarchical")
       out << "Sweeps    " << run.number_of_level_iterations << " over " << run.number_of_levels << " levels\n";
@@ -107,7 +109,7 @@ public:
         << " degenerate faces" << (distortion.number_of_degenerate_faces > 0 ? ", which are left out" : "") << "\n\n"
         << (result.is_one_to_one ? "Certified: the map is one-to-one." : "Not one-to-one: " + fault()) << '\n';
     for(const std::string& file : files)
-      out << "Written:   " << file << '\n';
+      out << "Written:   " << printable(file) << '\n';
     if(color_range)
       out << "Colours:   " << color_name() << " from " << fixed_text((*color_range)[0], 3) << " (violet) to "
           << fixed_text((*color_range)[1], 3) << " (yellow)\n";
@@ -127,7 +129,7 @@ public:
   /// returns what is wrong with a map that is not one-to-one, and what helps.
   std::string explain_fault() const
   {
-    return m_input + ": the map is not one-to-one: " + fault() + "\n--method " + m_options.method +
+    return printable(m_input) + ": the map is not one-to-one: " + fault() + "\n--method " + m_options.method +
            " does not exclude that; --method bld does.";
   }
 
@@ -192,10 +194,23 @@ public:
                             .add("measure", color_name())
                             .add("minimum", (*color_range)[0])
                             .add("maximum", (*color_range)[1]));
-    if(sphere_bytes > 0)
-      all.add("sphere_bytes", sphere_bytes);
-    return all.add("files", files).text() + '\n';
+    if(sphere_checksum)
+      all.add("sphere_bytes", sphere_checksum->bytes).add("sphere_crc32", sphere_checksum->crc.checksum());
+    std::string text = all.add("files", files).text();
+    text.erase(text.rfind('\n')); // the end of the object
+    return sealed(text);
   }
+
+  /// returns a report that lacks its end, with its checksum as the last member.
+  static std::string sealed(const std::string& text)
+  {
+    Checksum checksum;
+    checksum.add(text.data(), text.size());
+    return text + seal + std::to_string(checksum.crc.checksum()) + "\n}\n";
+  }
+
+  /// What comes between a report and the checksum of what is before.
+  static constexpr const char* seal = ",\n  \"crc32\": ";
 
 private:
   std::string fault() const

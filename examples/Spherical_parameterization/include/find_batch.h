@@ -1,9 +1,10 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_EXAMPLES_FIND_BATCH_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_EXAMPLES_FIND_BATCH_H
 
-#include "Output_files.h"
-#include "Polygon_soup.h"
+#include "Output_file.h"
+#include "Program_error.h"
 #include "Program_options.h"
+#include "Temporary_name.h"
 #include "mesh_files.h"
 
 #include <algorithm>
@@ -15,6 +16,14 @@
 #include <vector>
 
 namespace Program {
+
+/// returns the path behind links and dots, as far as it can be told, but for a link that the name itself may be.
+inline std::filesystem::path canonical_place(const std::filesystem::path& path)
+{
+  std::error_code error;
+  const std::filesystem::path result = std::filesystem::weakly_canonical(path.parent_path(), error) / path.filename();
+  return error ? path : result;
+}
 
 /// returns the path behind links and dots, as far as it can be told.
 inline std::filesystem::path canonical(const std::filesystem::path& path)
@@ -39,10 +48,10 @@ inline std::vector<std::filesystem::path> meshes_of_folder(const std::filesystem
       paths.push_back(path);
   }
   if(error)
-    throw Program_error(folder.string() + ": cannot be read: " + error.message());
+    throw Program_error(folder.string(), "cannot be read: " + error.message());
   if(paths.empty())
-    throw Program_error(folder.string() + ": there is no mesh file in this folder, whose name ends with one of " +
-                        list_of(input_formats));
+    throw Program_error(folder.string(),
+                        "there is no mesh file in this folder, whose name ends with one of " + list_of(input_formats));
   std::sort(paths.begin(), paths.end());
   return paths;
 }
@@ -50,12 +59,9 @@ inline std::vector<std::filesystem::path> meshes_of_folder(const std::filesystem
 /// returns the names of the files of the mesh `path` in a batch.
 inline File_names names_in_batch(const std::filesystem::path& path, const Program_options& options)
 {
-  std::error_code error;
-  if(!std::filesystem::exists(path, error))
-    throw Program_error(path.string() + ": " + (error ? error.message() : "there is no such file"));
   const std::string format = file_format(path.string());
   if(!is_among(format, input_formats))
-    throw Program_error(path.string() + ": the name of a mesh file has to end with one of " + list_of(input_formats));
+    throw Program_error(path.string(), "the name of a mesh file has to end with one of " + list_of(input_formats));
 
   File_names names;
   names.input = path.string();
@@ -79,42 +85,49 @@ inline std::vector<File_names> find_batch(const Program_options& options)
   std::vector<File_names> meshes;
   for(const std::string& input : options.inputs)
   {
+    if(!std::filesystem::exists(input, error)) // in a folder, such a link is a mesh that fails
+      throw Program_error(input, error ? error.message() : "there is no such file");
     if(!std::filesystem::is_directory(input, error))
     {
       meshes.push_back(names_in_batch(input, options));
       continue;
     }
     if(canonical(input) == canonical(options.output_folder))
-      throw Program_error(options.output_folder +
-                          ": the results would be among the meshes; choose another --output-folder");
+      throw Program_error(options.output_folder,
+                          "the results would be among the meshes; choose another --output-folder");
     for(const std::filesystem::path& path : meshes_of_folder(input))
       meshes.push_back(names_in_batch(path, options));
   }
 
   std::set<std::filesystem::path> inputs;
   for(const File_names& names : meshes)
-    inputs.insert(canonical(names.input));
+    inputs.insert({canonical(names.input), canonical_place(names.input)});
   if(!options.start_file.empty())
-    inputs.insert(canonical(options.start_file));
+    inputs.insert({canonical(options.start_file), canonical_place(options.start_file)});
   std::map<std::filesystem::path, std::string> input_of;
   for(const File_names& names : meshes)
     for(const std::string& name : {names.json, names.sphere})
     {
-      const std::filesystem::path path = canonical(name);
+      const std::filesystem::path path = canonical_place(name); // a link is replaced itself
       if(inputs.count(path) > 0)
-        throw Program_error(name + ": would replace an input; choose another --output-folder");
+        throw Program_error(name, "would replace an input; choose another --output-folder");
       const auto [entry, is_new] = input_of.emplace(path, names.input);
       if(!is_new)
-        throw Program_error(canonical(entry->second) == canonical(names.input)
-                                ? names.input + ": is given twice"
-                                : name + ": would be written for both " + entry->second + " and " + names.input +
+      {
+        if(canonical(entry->second) == canonical(names.input))
+          throw Program_error(names.input, "is given twice");
+        throw Program_error(name, "would be written for both " + printable(entry->second) + " and " +
+                                      printable(names.input) +
                                       "; rename one of them, or map them to different folders");
+      }
     }
 
   std::filesystem::create_directories(options.output_folder, error);
   if(error)
-    throw Program_error(options.output_folder + ": cannot be made: " + error.message());
-  const Output_file check((std::filesystem::path(options.output_folder) / ".spherical_parameterization").string());
+    throw Program_error(options.output_folder, "cannot be made: " + error.message());
+  const Output_file check((std::filesystem::path(options.output_folder) / ".spherical_parameterization").string(),
+                          Output_file::Policy::replace);
+  Temporary_name::sweep(options.output_folder);
   return meshes;
 }
 

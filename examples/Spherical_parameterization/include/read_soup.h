@@ -2,6 +2,7 @@
 #define CGAL_SPHERICAL_PARAMETERIZATION_EXAMPLES_READ_SOUP_H
 
 #include "Polygon_soup.h"
+#include "Program_error.h"
 #include "mesh_files.h"
 #include "readers/Scanner.h"
 #include "readers/read_ply.h"
@@ -15,7 +16,6 @@
 #include <filesystem>
 #include <fstream>
 #include <ios>
-#include <new>
 #include <string>
 #include <system_error>
 #include <utility>
@@ -90,18 +90,14 @@ inline Polygon_soup read_soup(const std::string& path)
 {
   const std::string format = file_format(path);
   if(!is_among(format, input_formats))
-    throw Program_error(path + ": the name of a mesh file has to end with one of " + list_of(input_formats));
+    throw Program_error(path, "the name of a mesh file has to end with one of " + list_of(input_formats));
   try
   {
     return parse_soup(format, read_file(path));
   }
-  catch(const std::bad_alloc&)
-  {
-    throw Program_error(path + ": the memory does not suffice");
-  }
   catch(const Program_error& error)
   {
-    throw Program_error(path + ": " + error.what());
+    throw Program_error(path, error.what());
   }
 }
 

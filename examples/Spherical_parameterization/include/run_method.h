@@ -3,6 +3,7 @@
 
 #include "Input_mesh.h"
 #include "Interrupt_guard.h"
+#include "Program_error.h"
 #include "Program_options.h"
 #include "Progress_visitor.h"
 
@@ -86,10 +87,10 @@ inline std::string explain_failure(SP::Error_code error, Input_mesh& input, cons
   const std::string defect = input.find_defect();
   if(!defect.empty())
     return defect;
-  const std::string text = input.path() + ": " + SP::get_error_message(error);
+  const std::string text = input.name() + ": " + SP::get_error_message(error);
   const bool is_alone = is_among(options.method, {"stereographic", "harmonic", "conformal"});
   if(options.start.empty() && error == SP::ERROR_INVALID_INITIAL_PARAMETERIZATION)
-    return options.start_file + ": " + SP::get_error_message(error);
+    return printable(options.start_file) + ": " + SP::get_error_message(error);
   if(options.start.empty() || (options.start == "hierarchical" && !is_alone))
     return text;
 
@@ -101,17 +102,17 @@ inline std::string explain_failure(SP::Error_code error, Input_mesh& input, cons
   switch(error)
   {
   case SP::ERROR_INVALID_INITIAL_PARAMETERIZATION:
-    return input.path() + ": the " + map +
+    return input.name() + ": the " + map +
            (is_conformal ? " folds on this mesh, or nearly so: nothing prevents a conformal map from that, and "
                          : " is one-to-one on this mesh only just so, by less than rounding can change, and ") +
            options.method + " has to start from one that is one-to-one; " + advice;
   case SP::ERROR_INSUFFICIENT_PRECISION:
-    return input.path() + ": no one-to-one " + map +
+    return input.name() + ": no one-to-one " + map +
            " was found that double precision numbers can hold: parts of the surface would have to be smaller than "
            "their resolution; " +
            advice;
   case SP::ERROR_CANNOT_SOLVE_LINEAR_SYSTEM:
-    return input.path() + ": the linear system of the " + map + " could not be solved; " + advice;
+    return input.name() + ": the linear system of the " + map + " could not be solved; " + advice;
   default:
     return text;
   }

@@ -2,6 +2,7 @@
 #define CGAL_SPHERICAL_PARAMETERIZATION_EXAMPLES_READERS_SCANNER_H
 
 #include "../Polygon_soup.h"
+#include "../Program_error.h"
 
 #include <boost/endian/conversion.hpp>
 

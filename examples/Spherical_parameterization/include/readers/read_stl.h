@@ -2,6 +2,7 @@
 #define CGAL_SPHERICAL_PARAMETERIZATION_EXAMPLES_READERS_READ_STL_H
 
 #include "../Polygon_soup.h"
+#include "../Program_error.h"
 #include "Scanner.h"
 
 #include <algorithm>

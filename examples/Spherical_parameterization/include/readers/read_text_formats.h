@@ -2,6 +2,7 @@
 #define CGAL_SPHERICAL_PARAMETERIZATION_EXAMPLES_READERS_READ_TEXT_FORMATS_H
 
 #include "../Polygon_soup.h"
+#include "../Program_error.h"
 #include "Scanner.h"
 
 #include <algorithm>
@@ -76,6 +77,9 @@ inline Polygon_soup read_off(Scanner& in)
       soup.polygons[i].push_back(static_cast<std::size_t>(v));
     }
   }
+  if(in.next_line())
+    in.fail("the file goes on after ", n_faces, " faces with ", Scanner::quoted(in.word()),
+            ": the numbers in its first lines are wrong, or it has been damaged");
   return soup;
 }
 
