@@ -89,7 +89,7 @@ copy_package() (
   cd "$root" || return
   { git ls-files --cached --others --exclude-standard 2>/dev/null || find . -type f -printf '%P\n'; } |
     grep -E "^(include/|(package_info|examples|test|benchmark|doc)/$package/)" |
-    grep -vE "^(include/CGAL/license/|test/$package/(compile_flags|consumer|fuzz|sanitizers)/)" |
+    grep -vE "^(include/CGAL/license/|test/$package/(compile_errors|compile_flags|consumer|fuzz|sanitizers)/)" |
     while IFS= read -r file; do [ ! -f "$file" ] || echo "$file"; done |
     tar -cf - -T - | tar -xf - -C "$tree/$package"
 )

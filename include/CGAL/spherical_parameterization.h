@@ -18,6 +18,10 @@
 /// \file spherical_parameterization.h
 /// Convenience header file that includes every public header of the package.
 
+#if !defined(DOXYGEN_RUNNING) && __cplusplus < 201703L && !(_MSVC_LANG >= 201703L)
+#error "Spherical_parameterization needs C++17: compile with -std=c++17 or newer."
+#else
+
 #include <CGAL/Spherical_parameterization/ARAP_parameterizer_3.h>
 #include <CGAL/Spherical_parameterization/Area_balancing_radius_3.h>
 #include <CGAL/Spherical_parameterization/Area_preserving_radius_3.h>
@@ -47,5 +51,7 @@
 #include <CGAL/Spherical_parameterization/is_bijective.h>
 #include <CGAL/Spherical_parameterization/measure_distortion.h>
 #include <CGAL/Spherical_parameterization/parameterize.h>
+
+#endif // C++17
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_H

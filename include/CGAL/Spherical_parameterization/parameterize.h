@@ -15,8 +15,13 @@
 
 #include <CGAL/license/Spherical_parameterization.h>
 
+#if !defined(DOXYGEN_RUNNING) && __cplusplus < 201703L && !(_MSVC_LANG >= 201703L)
+#error "Spherical_parameterization needs C++17: compile with -std=c++17 or newer."
+#else
+
 #include <CGAL/Spherical_parameterization/Bijective_low_distortion_parameterizer_3.h>
 #include <CGAL/Spherical_parameterization/Error_code.h>
+#include <CGAL/Spherical_parameterization/internal/check_arguments.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/tags.h>
@@ -131,9 +136,11 @@ template <class ConcurrencyTag = Parallel_if_available_tag, class TriangleMesh, 
 Error_code parameterize(const TriangleMesh& tmesh, Parameterizer&& parameterizer, VertexSphereMap vertex_sphere_map,
                         const CGAL_NP_CLASS& np = parameters::default_values())
 {
-  static_assert(!std::is_const<std::remove_reference_t<Parameterizer>>::value,
-                "The parameterizer keeps the report of the run: it must not be const.");
-  return parameterizer.template parameterize<ConcurrencyTag>(tmesh, vertex_sphere_map, np);
+  if constexpr(internal::check_arguments<TriangleMesh, std::remove_reference_t<Parameterizer>, VertexSphereMap,
+                                         CGAL_NP_CLASS>())
+    return parameterizer.template parameterize<ConcurrencyTag>(tmesh, vertex_sphere_map, np);
+  else
+    return ERROR_WRONG_PARAMETER;
 }
 
 /// \ingroup PkgSphericalParameterizationMainFunction
@@ -157,5 +164,7 @@ Error_code parameterize(const TriangleMesh& tmesh, VertexSphereMap vertex_sphere
 
 } // namespace Spherical_parameterization
 } // namespace CGAL
+
+#endif // C++17
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_PARAMETERIZE_H

@@ -19,6 +19,7 @@
 #include <CGAL/Spherical_parameterization/Error_code.h>
 #include <CGAL/Spherical_parameterization/Parameterization_report.h>
 #include <CGAL/Spherical_parameterization/internal/certificate/is_safely_positive.h>
+#include <CGAL/Spherical_parameterization/internal/check_arguments.h>
 #include <CGAL/Spherical_parameterization/internal/mesh/Indexed_mesh.h>
 #include <CGAL/Spherical_parameterization/internal/read_mesh.h>
 #include <CGAL/Spherical_parameterization/internal/run/Run_control.h>
@@ -48,6 +49,8 @@ bool read_number_of_iterations(const NamedParameters& np, std::size_t& number)
 {
   const auto given =
       parameters::choose_parameter(parameters::get_parameter(np, internal_np::number_of_iterations), number);
+  static_assert(std::is_integral<std::decay_t<decltype(given)>>::value,
+                "The named parameter number_of_iterations has to be an integer.");
   if constexpr(std::is_signed<std::decay_t<decltype(given)>>::value)
     if(given < 0)
       return false;
@@ -111,35 +114,40 @@ template <class ConcurrencyTag, class TriangleMesh, class VertexSphereMap, class
 Error_code run_parameterization(const TriangleMesh& tmesh, VertexSphereMap vertex_sphere_map, const NamedParameters& np,
                                 Parameterization_report& report, Guarantee guarantee, const Compute& compute)
 {
-  using parameters::choose_parameter;
-  using parameters::get_parameter;
-  using parameters::get_parameter_reference;
-  using Visitor =
-      typename internal_np::Lookup_named_param_def<internal_np::visitor_t, NamedParameters, Default_visitor>::reference;
+  if constexpr(!check_mesh_and_map<TriangleMesh, VertexSphereMap>())
+    return ERROR_WRONG_PARAMETER;
+  else
+  {
+    using parameters::choose_parameter;
+    using parameters::get_parameter;
+    using parameters::get_parameter_reference;
+    using Visitor = typename internal_np::Lookup_named_param_def<internal_np::visitor_t, NamedParameters,
+                                                                 Default_visitor>::reference;
 
-  Default_visitor default_visitor;
-  Visitor visitor = choose_parameter(get_parameter_reference(np, internal_np::visitor), default_visitor);
-  const double max_seconds = choose_parameter(get_parameter(np, internal_np::maximum_running_time), 0.);
-  Visitor_control<std::remove_reference_t<Visitor>> control(visitor, max_seconds, report);
-  const auto vpm =
-      choose_parameter(get_parameter(np, internal_np::vertex_point), get_const_property_map(vertex_point, tmesh));
-  Parameterization_run<ConcurrencyTag, TriangleMesh, std::decay_t<decltype(vpm)>> run{tmesh, vpm, control};
+    Default_visitor default_visitor;
+    Visitor visitor = choose_parameter(get_parameter_reference(np, internal_np::visitor), default_visitor);
+    const double max_seconds = choose_parameter(get_parameter(np, internal_np::maximum_running_time), 0.);
+    Visitor_control<std::remove_reference_t<Visitor>> control(visitor, max_seconds, report);
+    const auto vpm =
+        choose_parameter(get_parameter(np, internal_np::vertex_point), get_const_property_map(vertex_point, tmesh));
+    Parameterization_run<ConcurrencyTag, TriangleMesh, std::decay_t<decltype(vpm)>> run{tmesh, vpm, control};
 
-  run_both(
-      run.execution, [] {}, [] {}); // the thread pool starts meanwhile
-  Error_code error = read_mesh(tmesh, vpm, run.mesh, run.vertices_of_mesh, report);
-  report.seconds_for_reading = control.lap();
-  if(error != OK)
+    run_both(
+        run.execution, [] {}, [] {}); // the thread pool starts meanwhile
+    Error_code error = read_mesh(tmesh, vpm, run.mesh, run.vertices_of_mesh, report);
+    report.seconds_for_reading = control.lap();
+    if(error != OK)
+      return error;
+    error = compute(run);
+    if(control.is_stopped())
+      report.stop_reason = control.stop_reason();
+    if(error == OK)
+      error = write_map(run.mesh, run.vertices_of_mesh, run.positions, run.radius, guarantee, vertex_sphere_map,
+                        run.execution);
+    report.radius = run.radius;
+    report.seconds_for_certificate = control.lap();
     return error;
-  error = compute(run);
-  if(control.is_stopped())
-    report.stop_reason = control.stop_reason();
-  if(error == OK)
-    error = write_map(run.mesh, run.vertices_of_mesh, run.positions, run.radius, guarantee, vertex_sphere_map,
-                      run.execution);
-  report.radius = run.radius;
-  report.seconds_for_certificate = control.lap();
-  return error;
+  }
 }
 
 // What the initial parameterizer sees of the caller's visitor and of the time: it may be stopped, and its levels show.

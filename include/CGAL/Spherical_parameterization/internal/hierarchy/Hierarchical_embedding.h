@@ -38,7 +38,7 @@
 #include <atomic>
 #include <cmath>
 #include <cstddef>
-#include <optional>
+#include <memory>
 #include <vector>
 
 namespace CGAL {
@@ -166,13 +166,14 @@ private:
   {
     const std::vector<Vector_3d> points = gathered(m_points, level);
     std::vector<double> densities;
-    std::optional<Independent_sets> sets;
+    std::unique_ptr<const Independent_sets> sets; // g++ takes an optional for uninitialized, where there is one thread
     const auto find_densities = [&] {
       if(!m_limits.is_uniform)
         densities = vertex_densities(rings, points, level.areas);
     };
     run_both(
-        m_execution, [&] { sets.emplace(rings); }, find_densities); // each is sequential
+        m_execution, [&] { sets = std::make_unique<const Independent_sets>(rings); },
+        find_densities); // each is sequential
     m_descent.assign(rings, *sets, points, densities, m_limits);
     sets.reset();
     const std::size_t n_sweeps = is_full ? number_of_sweeps(local.size()) : (m_sweeps_per_level + 3) / 4;
