@@ -42,7 +42,7 @@ inline std::vector<char> sliver_vertices(const Vertex_rings& rings, const std::v
   });
   std::size_t size_of_group = 0;
   rings.for_each_face([&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
-    size_of_group += result[a] || result[b] || result[c] ? 1 : 0;
+    size_of_group += result[a] || result[b] || result[c] ? 1u : 0u;
   });
   if(size_of_group == 0 ||
      static_cast<double>(size_of_group) > max_share * static_cast<double>(rings.number_of_faces()))
