@@ -330,7 +330,7 @@ Descent_loop<Energy, Step>::Descent_loop(const Indexed_mesh& mesh, const Energy&
                                          const Descent_settings& settings, Run_control& control, Execution execution)
   : m_mesh(mesh)
   , m_descent(Face_energy<Energy>(energy), step, execution)
-  , m_objective(sharpness)
+  , m_objective(sharpness, !radius)
   , m_radius_chooser(radius)
   , m_settings(settings)
   , m_control(control)

@@ -107,7 +107,7 @@ public:
         for(const std::uint32_t corner : m_packets[(std::min)(k + packets_ahead, m_packets.size() - 1)].corners)
           stars.prefetch_rest(corner);
         for(std::size_t lane = 0; lane < width; lane += Lanes<FT>::width)
-          measure_lanes<Step, FT>(stars, positions.data(), radius * radius, k, lane);
+          measure_lanes<Step, FT>(stars, positions.data(), radius * radius, objective, k, lane);
       }
       summarize<FT>(energy, radius, objective, block);
     });
@@ -227,8 +227,8 @@ private:
   }
 
   template <class Step, class FT>
-  void measure_lanes(const Star_packets& stars, const Vector_3d* positions, double squared_radius, std::size_t k,
-                     std::size_t first)
+  void measure_lanes(const Star_packets& stars, const Vector_3d* positions, double squared_radius,
+                     const Face_objective& objective, std::size_t k, std::size_t first)
   {
     const Packet& packet = m_packets[k];
     const auto point = [&](std::size_t corner) {
@@ -248,7 +248,7 @@ private:
     const FT scale = squared_radius, inverse_doubled_area = absolute(rest(3)), doubled_area = 1. / inverse_doubled_area;
     const FT o0 = rest(0), o1 = rest(1), o2 = rest(2), to_flat_d = scale * inverse_doubled_area;
     const FT i = scale * (o0 * squared_length(q - p) + o1 * squared_length(to_q) + o2 * squared_length(to_p));
-    const FT d = to_flat_d * Measure::area_factor(o0, o1, o2, doubled_area) * Measure::value(dot(u, n), n);
+    const FT d = to_flat_d * objective.area_factor(o0, o1, o2, doubled_area) * Measure::value(dot(u, n), n);
     const FT flat_d = to_flat_d * length(n), area = 0.5 * doubled_area;
     for(std::size_t j = 0; j < Lanes<FT>::width; ++j)
       m_invariants[k * width + first + j] = {lane(area, j), lane(i, j), lane(d, j), lane(flat_d, j)};

@@ -44,10 +44,12 @@ namespace internal {
 class Objective
 {
 public:
-  explicit Objective(const Sharpness& sharpness)
+  // `has_radius` says whether the radius is one of the variables, and the map is to be isometric.
+  Objective(const Sharpness& sharpness, bool has_radius)
     : m_rule(sharpness)
     , m_b(m_rule.dial() + 1.)
   {
+    m_faces.area_correction = has_radius ? 2. / 9. : 0.;
     if(m_rule.dial() > 0.)
       m_faces.share = m_rule.dial() / (m_rule.dial() + 40.);
   }

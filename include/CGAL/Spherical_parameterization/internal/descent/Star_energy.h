@@ -147,16 +147,6 @@ public:
   // the value at x, given the determinant and the normal (p - x) x (q - x) there
   static FT value(const FT& determinant, const Vector_3<FT>& /* normal */) { return determinant; }
 
-  // What the doubled area on the surface is to be for isometric images to have d = 1, as a factor.
-  //
-  // The plane of an isometric image with the circumradius c, inscribed in the unit sphere, whose area is that of the
-  // surface, has the distance 1 - c^2 / 2 + ... from the centre, and c^2 is a ninth of the sum of the squared edges for an
-  // equilateral face. Twice the term of first order serves coarse meshes best, and is nothing to fine ones.
-  static FT area_factor(const FT& opposite_0, const FT& opposite_1, const FT& opposite_2, const FT& doubled_area)
-  {
-    return 1. + (2. / 9.) * (opposite_0 + opposite_1 + opposite_2) * doubled_area * doubled_area;
-  }
-
 private:
   Vector_3<FT> m_gradient;
 };
@@ -185,12 +175,6 @@ public:
   FT dy() const { return m_dy; }
 
   static FT value(const FT& /* determinant */, const Vector_3<FT>& normal) { return length(normal); }
-
-  static FT area_factor(const FT& /* opposite_0 */, const FT& /* opposite_1 */, const FT& /* opposite_2 */,
-                        const FT& /* doubled_area */)
-  {
-    return 1.;
-  }
 
 private:
   FT m_value, m_dx, m_dy;
@@ -248,7 +232,7 @@ public:
       };
       face.scale = choose(m_scale, m_sliver_scale);
       face.sharpness = choose(m_objective.ordinary.sharpness, m_objective.of_slivers.sharpness);
-      face.inverse_sharpness = choose(1. / m_objective.ordinary.sharpness, 1. / m_objective.of_slivers.sharpness);
+      face.reach = choose(1., m_objective.ordinary.sharpness / m_objective.of_slivers.sharpness);
       face.level = choose(m_objective.ordinary.level, m_objective.of_slivers.level);
       const FT& scale = face.scale;
       const Vector_3<FT>&p = face.offset, &q = m_faces[j + 1].offset;
@@ -257,7 +241,7 @@ public:
       const FT inverse_doubled_area = star.inverse_doubled_area(j);
       const FT doubled_area = 1. / unless_padding(j, inverse_doubled_area, FT(1.));
       face.to_d = scale * inverse_doubled_area *
-                  Measure::area_factor(star.opposite_0(j), star.opposite_1(j), star.opposite_2(j), doubled_area);
+                  m_objective.area_factor(star.opposite_0(j), star.opposite_1(j), star.opposite_2(j), doubled_area);
       const FT i =
           face.fixed_i + scale * (star.opposite_2(j) * squared_length(p) + star.opposite_1(j) * squared_length(q));
       const FT d = unless_padding(j, face.to_d * face.measure.value(), FT(1.));
@@ -341,9 +325,10 @@ private:
     Measure measure;
     FT fixed_i, scale, to_d;
     Energy_derivatives_3<FT> energy;
-    FT sharpness, inverse_sharpness, level; // of its objective
-    FT weight;                              // a exp(s (E - R))
-    mutable FT new_energy;                  // the last one of operator()
+    FT sharpness, level;   // of its objective
+    FT reach;              // the sharpness of the others over its own
+    FT weight;             // a exp(s (E - R))
+    mutable FT new_energy; // the last one of operator()
   };
 
   // whether row j is beyond the end of a star
@@ -368,15 +353,17 @@ private:
     return m_objective.share * exponential(m_faces[j].sharpness * (energy - m_faces[j].level));
   }
 
-  // psi(E), given the weight
+  // s psi(E), given the weight; s is the sharpness of all faces but the slivers
+  double linear_weight() const { return m_objective.ordinary.sharpness * (1. - m_objective.share); }
   FT value_of(std::size_t j, const FT& energy, const FT& weight) const
   {
-    return unless_padding(j, (1. - m_objective.share) * energy + m_faces[j].inverse_sharpness * weight, FT(0.));
+    return unless_padding(j, linear_weight() * energy + m_faces[j].reach * weight, FT(0.));
   }
 
   template <bool with_hessian>
   FT evaluate(std::array<FT, 2>& gradient, std::array<FT, 3>& hessian) const
   {
+    const FT sharpness = m_objective.ordinary.sharpness;
     FT f = 0., gx = 0., gy = 0., hxx = 0., hxy = 0., hyy = 0.;
     for(std::size_t j = 0; j < m_star.size(); ++j)
     {
@@ -403,7 +390,7 @@ private:
       else
       {
         const FT& weight = m_faces[j].weight;
-        const FT first = (1. - m_objective.share) + weight, second = m_faces[j].sharpness * weight;
+        const FT first = linear_weight() + sharpness * weight, second = sharpness * m_faces[j].sharpness * weight;
         f += value_of(j, e.value, weight);
         if constexpr(with_hessian)
         {
