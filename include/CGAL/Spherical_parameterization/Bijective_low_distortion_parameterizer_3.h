@@ -182,8 +182,13 @@ public:
           };
           if constexpr(std::is_same<InitialParameterizer, Default>::value)
           {
-            auto hierarchical =
-                Hierarchical_parameterizer_3<>().energy(m_energy).sharpness(m_sharpness).sweeps_per_level(14);
+            // Where the radius is free, the areas are right from the beginning. Else they may have far to go, which they do on
+            // coarse levels.
+            constexpr std::size_t sweeps_per_level = std::is_same<Radius, Default>::value ? 14 : 20;
+            auto hierarchical = Hierarchical_parameterizer_3<>()
+                                    .energy(m_energy)
+                                    .sharpness(m_sharpness)
+                                    .sweeps_per_level(sweeps_per_level);
             return improve(hierarchical);
           }
           else
