@@ -94,6 +94,12 @@ class SphericalMap:
         areas = (self._smallest * self._largest)[self._is_measured]
         return self._unit * float(((1.0 / areas).sum() / areas.sum()) ** 0.25) if len(areas) else np.nan
 
+    @property
+    def best_radius(self) -> float:
+        """The radius at which the largest D_iso is lowest: the one most favourable to whoever made the map."""
+        smallest, largest = self._smallest[self._is_measured].min(), self._largest[self._is_measured].max()
+        return self._unit / float(np.sqrt(smallest * largest))
+
     def distortion(self, radius: float | None = None) -> Distortion:
         """Measures at a radius, by default that of eq. 11."""
         radius = self.optimal_radius if radius is None else radius
