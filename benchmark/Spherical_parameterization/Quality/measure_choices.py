@@ -34,13 +34,14 @@ OPTIONS = {
     "default": [],
     "average": ["--prefer", "average"],
     "worst": ["--prefer", "worst"],
-    **{f"beta_{beta}": ["--sharpness", beta] for beta in ("0", "3", "6", "25", "200")},
+    **{f"beta_{beta}": ["--sharpness", beta] for beta in ("3", "6", "12", "100")},
     "isometric": ["--energy", "isometric"],
-    "isometric_0": ["--energy", "isometric", "--sharpness", "0"],
+    "isometric_0": ["--energy", "isometric", "--prefer", "average"],
     "conformal": ["--energy", "conformal"],
     **{f"only_{m}": ["--method", m] for m in ("hierarchical", "harmonic", "stereographic", "conformal", "arap")},
-    **{f"radius_{rule}": ["--radius", rule] for rule in ("balanced", "optimal", "area", "fixed=1")},
-    **{f"sweeps_{n}": ["--iterations", n] for n in ("0", "25", "400", "2000")},
+    **{f"radius_{rule}": ["--radius", rule] for rule in ("two-phase", "balanced", "optimal", "area", "fixed=1")},
+    **{f"sweeps_{n}": ["--iterations", n] for n in ("0", "25", "2000")},
+    "to_the_end": ["--iterations", "2000", "--tolerance", "0"],
     "paper": ["--paper"],
     "from_harmonic": ["--initial", "harmonic"],
     "from_harmonic_2000": ["--initial", "harmonic", "--iterations", "2000"],
@@ -53,7 +54,7 @@ TABLES = {
 | :--- | :----- | :-------- | ---: | ----------------------------: |
 | low worst distortion and low average: **the default** | `Bijective_low_distortion_parameterizer_3` | one-to-one | 1 | @hand default D_iso@ |
 | the lowest worst distortion | the same with `Sharpness::lowest_worst()` | one-to-one | @hand worst time@ | @hand worst D_iso@ |
-| the lowest average distortion | the same with `Sharpness::lowest_average()` and `Optimal_radius_3` | one-to-one | @hand average time@ | @hand average D_iso@ |
+| the lowest average distortion | the same with `Sharpness::lowest_average()` | one-to-one | @hand average time@ | @hand average D_iso@ |
 | angles, certified | the same with `Conformal_energy_3` and `Fixed_radius_3` | one-to-one | @hand conformal time@ | D_angle @hand conformal D_angle@ |
 | angles, quickly, on shapes without long limbs | `Conformal_parameterizer_3` | may fold, and says so | @hand only_conformal time@ | D_angle @hand only_conformal D_angle@ |
 | angles nearly, and one-to-one | `Harmonic_parameterizer_3` | one-to-one or an error code | @hand only_harmonic time@ | D_angle @hand only_harmonic D_angle@ |
@@ -80,41 +81,42 @@ TABLES = {
     "energies": r"""
 | Energy | Sharpness | D_iso | D_area | D_angle |
 | :----- | --------: | ----: | -----: | ------: |
-| `Symmetric_Dirichlet_energy_3`, the default: lengths | 13.5 | @hand default D_iso@ | @hand default D_area@ | @hand default D_angle@ |
-| `Isometric_energy_3`, that of the BLD paper: half angles, half areas | 13.5 | @hand isometric D_iso@ | @hand isometric D_area@ | @hand isometric D_angle@ |
-| `Conformal_energy_3`: angles only | 13.5 | | | @hand conformal D_angle@ |
-| `Symmetric_Dirichlet_energy_3` | 0 | @hand beta_0 D_iso@ | @hand beta_0 D_area@ | @hand beta_0 D_angle@ |
+| `Symmetric_Dirichlet_energy_3`, the default: lengths | 20 | @hand default D_iso@ | @hand default D_area@ | @hand default D_angle@ |
+| `Isometric_energy_3`, that of the BLD paper: half angles, half areas | 20 | @hand isometric D_iso@ | @hand isometric D_area@ | @hand isometric D_angle@ |
+| `Conformal_energy_3`: angles only | 20 | | | @hand conformal D_angle@ |
+| `Symmetric_Dirichlet_energy_3` | 0 | @hand average D_iso@ | @hand average D_area@ | @hand average D_angle@ |
 | `Isometric_energy_3` | 0 | @hand isometric_0 D_iso@ | @hand isometric_0 D_area@ | @hand isometric_0 D_angle@ |
 """,
     "sharpness": r"""
-| Mesh | \f$ \beta = 0 \f$ | 3 | 6 | 13.5 | 25 | 50 | 200 |
+| Mesh | \f$ \beta = 0 \f$ | 3 | 6 | 12 | 20 | 40 | 100 |
 | :--- | ---: | ---: | ---: | ---: | ---: | ---: | ---: |
-| fandisk_6475 | @fandisk beta_0 D_iso@ | @fandisk beta_3 D_iso@ | @fandisk beta_6 D_iso@ | @fandisk default D_iso@ | @fandisk beta_25 D_iso@ | @fandisk worst D_iso@ | @fandisk beta_200 D_iso@ |
-| bunny_3485 | @bunny beta_0 D_iso@ | @bunny beta_3 D_iso@ | @bunny beta_6 D_iso@ | @bunny default D_iso@ | @bunny beta_25 D_iso@ | @bunny worst D_iso@ | @bunny beta_200 D_iso@ |
-| hand_10345 | @hand beta_0 D_iso@ | @hand beta_3 D_iso@ | @hand beta_6 D_iso@ | @hand default D_iso@ | @hand beta_25 D_iso@ | @hand worst D_iso@ | @hand beta_200 D_iso@ |
-| horse_19851 | @horse beta_0 D_iso@ | @horse beta_3 D_iso@ | @horse beta_6 D_iso@ | @horse default D_iso@ | @horse beta_25 D_iso@ | @horse worst D_iso@ | @horse beta_200 D_iso@ |
-| octopus_16554 | @octopus beta_0 D_iso@ | @octopus beta_3 D_iso@ | @octopus beta_6 D_iso@ | @octopus default D_iso@ | @octopus beta_25 D_iso@ | @octopus worst D_iso@ | @octopus beta_200 D_iso@ |
+| fandisk_6475 | @fandisk average D_iso@ | @fandisk beta_3 D_iso@ | @fandisk beta_6 D_iso@ | @fandisk beta_12 D_iso@ | @fandisk default D_iso@ | @fandisk worst D_iso@ | @fandisk beta_100 D_iso@ |
+| bunny_3485 | @bunny average D_iso@ | @bunny beta_3 D_iso@ | @bunny beta_6 D_iso@ | @bunny beta_12 D_iso@ | @bunny default D_iso@ | @bunny worst D_iso@ | @bunny beta_100 D_iso@ |
+| hand_10345 | @hand average D_iso@ | @hand beta_3 D_iso@ | @hand beta_6 D_iso@ | @hand beta_12 D_iso@ | @hand default D_iso@ | @hand worst D_iso@ | @hand beta_100 D_iso@ |
+| horse_19851 | @horse average D_iso@ | @horse beta_3 D_iso@ | @horse beta_6 D_iso@ | @horse beta_12 D_iso@ | @horse default D_iso@ | @horse worst D_iso@ | @horse beta_100 D_iso@ |
+| octopus_16554 | @octopus average D_iso@ | @octopus beta_3 D_iso@ | @octopus beta_6 D_iso@ | @octopus beta_12 D_iso@ | @octopus default D_iso@ | @octopus worst D_iso@ | @octopus beta_100 D_iso@ |
 """,
     "radii": r"""
 | Policy | Radius is such that | Radius | D_iso | D_area |
 | :----- | :------------------ | -----: | ----: | -----: |
-| `Two_phase_radius_3`, the default | areas are kept in total at first, then as the next one | @horse default radius@ | @horse default D_iso@ | @horse default D_area@ |
+| none, the default | the objective of the vertices is lowest | @horse default radius@ | @horse default D_iso@ | @horse default D_area@ |
+| `Two_phase_radius_3` | areas are kept in total at first, then as the next one | @horse radius_two-phase radius@ | @horse radius_two-phase D_iso@ | @horse radius_two-phase D_area@ |
 | `Area_balancing_radius_3` | as much area distortion comes from growth as from shrinking (eq. 11 of the paper) | @horse radius_balanced radius@ | @horse radius_balanced D_iso@ | @horse radius_balanced D_area@ |
 | `Optimal_radius_3` | the sum of the energies in use is lowest | @horse radius_optimal radius@ | @horse radius_optimal D_iso@ | @horse radius_optimal D_area@ |
 | `Area_preserving_radius_3` | the flat images of the faces have the area of the surface in total (eq. 9) | @horse radius_area radius@ | @horse radius_area D_iso@ | @horse radius_area D_area@ |
 | `Fixed_radius_3` of 1 | it is what you say, in the unit of the mesh | 1 | @horse radius_fixed=1 D_iso@ | @horse radius_fixed=1 D_area@ |
 """,
     "starts": r"""
-| Start | fandisk_6475, 90 sweeps | 2000 sweeps at most | bunny_3485, 90 | 2000 | horse_19851, 90 | 2000 |
+| Start | fandisk_6475, 220 sweeps at most | 2000 sweeps at most | bunny_3485, 220 | 2000 | horse_19851, 220 | 2000 |
 | :---- | ---: | ---: | ---: | ---: | ---: | ---: |
 | hierarchical | @fandisk default D_iso@ | @fandisk sweeps_2000 D_iso@ (@fandisk sweeps_2000 sweeps@) | @bunny default D_iso@ | @bunny sweeps_2000 D_iso@ (@bunny sweeps_2000 sweeps@) | @horse default D_iso@ | @horse sweeps_2000 D_iso@ (@horse sweeps_2000 sweeps@) |
 | harmonic | @fandisk from_harmonic D_iso@ | @fandisk from_harmonic_2000 D_iso@ (@fandisk from_harmonic_2000 sweeps@) | @bunny from_harmonic D_iso@ | @bunny from_harmonic_2000 D_iso@ (@bunny from_harmonic_2000 sweeps@) | @horse from_harmonic D_iso@ | @horse from_harmonic_2000 D_iso@ (@horse from_harmonic_2000 sweeps@) |
 | stereographic | @fandisk from_stereographic D_iso@ | | @bunny from_stereographic D_iso@ | | @horse from_stereographic D_iso@ | |
 """,
     "sweeps": r"""
-| Sweeps at most | 0 | 25 | 90 | 400 |
+| Sweeps at most | 0 | 25 | 220, the default | 2000, tolerance 0 |
 | :------------- | ---: | ---: | ---: | ---: |
-| D_iso | @horse sweeps_0 D_iso@ | @horse sweeps_25 D_iso@ | @horse default D_iso@ | @horse sweeps_400 D_iso@ (converged after @horse sweeps_400 sweeps@) |
+| D_iso | @horse sweeps_0 D_iso@ | @horse sweeps_25 D_iso@ | @horse default D_iso@ (converged after @horse default sweeps@) | @horse to_the_end D_iso@ |
 """,
 }
 

@@ -17,6 +17,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <limits>
+#include <optional>
 #include <sstream>
 #include <string>
 #include <system_error>
@@ -27,9 +28,8 @@ namespace Program {
 
 namespace SP = CGAL::Spherical_parameterization;
 
-using Radius_choice =
-    std::variant<SP::Two_phase_radius_3<>, SP::Two_phase_radius_3<SP::Area_preserving_radius_3, SP::Optimal_radius_3>,
-                 SP::Optimal_radius_3, SP::Area_balancing_radius_3, SP::Area_preserving_radius_3, SP::Fixed_radius_3>;
+using Radius_choice = std::variant<SP::Two_phase_radius_3<>, SP::Optimal_radius_3, SP::Area_balancing_radius_3,
+                                   SP::Area_preserving_radius_3, SP::Fixed_radius_3>;
 
 /// What the command line asks for. Words that the options take are kept as they are.
 class Program_options
@@ -106,12 +106,13 @@ none; 2, all have one, but some fold.
   std::string start_file;
   std::string energy = "symmetric-dirichlet";
   SP::Sharpness sharpness;
-  Radius_choice radius;
-  bool is_unit_sphere = false; ///< whether the radius is 1 because nothing else has chosen one
-  std::string description;     ///< the method with all of its settings in words
-  unsigned int max_iterations = 90;
-  double max_seconds = 0.;      ///< 0 if there is no limit
-  unsigned int max_threads = 0; ///< 0 if there is no limit
+  std::optional<Radius_choice> radius; ///< if not, it is a variable of the objective
+  bool is_unit_sphere = false;         ///< whether the radius is 1 because nothing else has chosen one
+  std::string description;             ///< the method with all of its settings in words
+  double energy_tolerance = 1e-4, radius_tolerance = 1e-3;
+  std::size_t max_iterations = (std::numeric_limits<std::size_t>::max)(); ///< which is the method's default
+  double max_seconds = 0.;                                                ///< 0 if there is no limit
+  unsigned int max_threads = 0;                                           ///< 0 if there is no limit
 
 private:
   inline static const Words methods = {"bld", "hierarchical", "harmonic", "conformal", "arap", "stereographic"};
@@ -135,6 +136,7 @@ private:
       {"s-last", {"bld"}, true},
       {"average-sweeps", {"bld"}, true},
       {"radius", {"bld"}, true},
+      {"tolerance", {"bld"}, false},
       {"iterations", {"bld", "harmonic", "conformal", "arap"}, true},
       {"time-limit", {"bld", "hierarchical", "harmonic", "conformal", "arap"}, true},
   };
@@ -186,19 +188,21 @@ private:
       ("energy", word("ENERGY"), "symmetric-dirichlet: lengths and areas, the default; isometric: the paper's, default "
                                  "of --method hierarchical; conformal: angles only")
       ("prefer", word("WHAT"), "the lowest average distortion, the lowest worst, or a balance of both, the default: "
-                               "average, balance or worst, which is sharpness 0, 13.5 or 50; average also takes the "
-                               "radius of the lowest energy in the end, since the average is lowest there; --method "
-                               "hierarchical prefers average, if nothing is given")
+                               "average, balance or worst, which is sharpness 0, 20 or 40; --method hierarchical "
+                               "prefers average, if nothing is given")
       ("sharpness", word("B"), "anything between: 0 or more")
       ("s-first", word("S"), "the paper's schedule instead of a sharpness: exp(s E) with s from here, 0.1 ...")
       ("s-last", word("S"), "... to here, 10; the same as --s-first for a fixed s, as in AMIPS")
       ("average-sweeps", word("N"), "exactly so many sweeps of the plain sum of E before them, as in the paper; 0 for "
                                     "none. If not given, as many as help, or none for a fixed s")
-      ("radius", word("RADIUS"), "two-phase: equal area at first, then balanced areas, the default; optimal: of the "
-                                 "lowest energy; area: equal area; balanced: balanced areas; fixed=R: R, the default "
-                                 "of --energy conformal, with R = 1")
-      ("iterations", word("N"), "most sweeps over the mesh, if not given 90, 2000 with --paper; or most global steps, if "
-                                "not given 100, 500 with --method arap; 0 leaves the initial map")
+      ("radius", word("RADIUS"), "objective: it is a variable of what the vertices lower, the default; two-phase: equal "
+                                 "area at first, then balanced areas, the default of --paper; optimal: of the lowest "
+                                 "energy; area: equal area; balanced: balanced areas; fixed=R: R, the default of "
+                                 "--energy conformal, with R = 1")
+      ("tolerance", word("T"), "end when a sweep changes the objective by no more than this share, 1e-4; 0: never")
+      ("iterations", word("N"), "most sweeps over the mesh, if not given 220, as many times more as it has fewer than "
+                                "2000 vertices, 2000 with --paper; or most global steps, if not given 100, 500 with "
+                                "--method arap; 0 leaves the initial map")
       ("time-limit", word("SECONDS"), "sweep no longer than this on each mesh; the map reached is written")
       ("threads", word("N"), "use no more threads; the result is always the same")
       ("json", word("FILE"), "write the report and the distortions as JSON; - prints them instead of the report")
@@ -377,7 +381,7 @@ private:
     const std::string usual = method == "hierarchical" ? "average" : "balance",
                       preference = read_word("prefer", {"average", "balance", "worst"}, usual);
     const double beta = read_number("sharpness", 0., max_sharpness, "a number from 0 to 1e6",
-                                    preference == "average" ? 0. : (preference == "balance" ? 13.5 : 50.));
+                                    preference == "average" ? 0. : (preference == "balance" ? 20. : 40.));
     sharpness = SP::Sharpness::relative(beta);
     describe("sharpness " + short_text(beta));
   }
@@ -410,15 +414,11 @@ private:
   void read_radius()
   {
     const std::string fixed = "fixed=";
-    std::string value = has("radius") ? text("radius") : (energy == "conformal" ? "fixed=1" : "two-phase");
+    const std::string usual = is_published ? "two-phase" : (energy == "conformal" ? "fixed=1" : "objective"),
+                      value = has("radius") ? text("radius") : usual;
     is_unit_sphere = !has("radius") && energy == "conformal";
     double r = 0.;
-    if(!has("radius") && !is_unit_sphere && text("prefer") == "average")
-    {
-      radius = SP::Two_phase_radius_3<SP::Area_preserving_radius_3, SP::Optimal_radius_3>();
-      value += ", of the lowest energy in the end";
-    }
-    else if(value == "two-phase") // in the paper the second phase waits for the energy as well
+    if(value == "two-phase") // in the paper the second phase waits for the energy as well
       radius = is_published ? SP::Two_phase_radius_3<>({}, {}, 0.) : SP::Two_phase_radius_3<>();
     else if(value == "optimal")
       radius = SP::Optimal_radius_3();
@@ -429,17 +429,25 @@ private:
     else if(value.compare(0, fixed.size(), fixed) == 0 && is_number(value.substr(fixed.size()), r) &&
             r >= (std::numeric_limits<double>::min)() && r <= (std::numeric_limits<double>::max)())
       radius = SP::Fixed_radius_3(r);
-    else
-      refuse("radius", "two-phase, optimal, area, balanced or fixed=R with a number R from 2.3e-308 to 1.7e308");
+    else if(value != "objective" || is_published)
+      refuse("radius", std::string(is_published ? "" : "objective, ") +
+                           "two-phase, optimal, area, balanced or fixed=R with a number R from 2.3e-308 to 1.7e308");
     describe("radius " + value);
   }
 
   void read_limits()
   {
     const bool is_bld = method == "bld";
-    max_iterations = read_count("iterations", 0, is_published ? 2000 : (is_bld ? 90 : (method == "arap" ? 500 : 100)));
-    if(knows("iterations"))
-      describe("at most " + std::to_string(max_iterations) + (is_bld ? " sweeps" : " global steps"));
+    energy_tolerance = read_number("tolerance", 0., 1., "a number from 0 to 1", 1e-4);
+    radius_tolerance = energy_tolerance > 0. ? 1e-3 : 0.;
+    if(has("tolerance"))
+      describe("tolerance " + short_text(energy_tolerance));
+    if(has("iterations") || !is_bld || is_published)
+    {
+      max_iterations = read_count("iterations", 0, is_published ? 2000 : (method == "arap" ? 500 : 100));
+      if(knows("iterations"))
+        describe("at most " + std::to_string(max_iterations) + (is_bld ? " sweeps" : " global steps"));
+    }
     max_seconds = read_number("time-limit", (std::numeric_limits<double>::min)(), (std::numeric_limits<double>::max)(),
                               "a number from 2.3e-308 to 1.7e308", 0.);
     if(max_seconds > 0.)

@@ -147,19 +147,25 @@ inline Run_result run_method(const Program_options& options, Input_mesh& input, 
     return {SP::Precomputed_parameterizer_3<Sphere_map>(input.read_map(options.start_file))};
   };
   const bool starts_hierarchically = options.start == "hierarchical";
-  const Chosen_radius radius{options.radius};
 
   const auto run_with = [&](const auto& energy) {
     if(options.method == "hierarchical")
       return run(SP::Hierarchical_parameterizer_3<>().energy(energy).sharpness(options.sharpness));
-    const auto bld =
-        SP::Bijective_low_distortion_parameterizer_3<>().energy(energy).radius(radius).sharpness(options.sharpness);
-    return starts_hierarchically ? run(bld) : run(bld.initial_parameterizer(choose(options.start)));
+    const auto run_from_start = [&](const auto& bld) {
+      return starts_hierarchically ? run(bld) : run(bld.initial_parameterizer(choose(options.start)));
+    };
+    const auto bld = SP::Bijective_low_distortion_parameterizer_3<>()
+                         .energy(energy)
+                         .sharpness(options.sharpness)
+                         .tolerances(options.energy_tolerance, options.radius_tolerance);
+    return options.radius ? run_from_start(bld.radius(Chosen_radius{*options.radius})) : run_from_start(bld);
   };
 
   if(options.is_published)
   {
-    const auto published = SP::Published_low_distortion_parameterizer_3<>().radius(radius).sharpness(options.sharpness);
+    const auto published = SP::Published_low_distortion_parameterizer_3<>()
+                               .radius(Chosen_radius{options.radius.value()})
+                               .sharpness(options.sharpness);
     return starts_hierarchically ? run(published.initial_parameterizer(SP::Hierarchical_parameterizer_3<>()))
                                  : run(published.initial_parameterizer(choose(options.start)));
   }

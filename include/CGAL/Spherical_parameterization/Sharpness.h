@@ -63,7 +63,7 @@ public:
   static Sharpness balanced() { return relative(balanced_beta); }
 
   /// returns the dial at 50: the lowest maximum.
-  static Sharpness lowest_worst() { return relative(50.); }
+  static Sharpness lowest_worst() { return relative(40.); }
 
   /// returns the dial at `beta`, from 0 to 10<sup>6</sup>.
   static Sharpness relative(double beta)
