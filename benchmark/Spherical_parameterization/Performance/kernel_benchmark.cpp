@@ -135,7 +135,7 @@ public:
       sequential.measure(positions, radius, 0.);
       radius = SP::Optimal_radius_3()(Energy(), sequential.faces(), radius);
     }
-    const internal::Energy_summary summary = sequential.measure(positions, radius, 0.);
+    const internal::Energy_summary summary = sequential.measure(positions, radius, 0.).all();
     max_energy = summary.maximum_energy();
     sharpness = internal::Sharpness_rule(SP::Sharpness()).next(0, summary.average(), max_energy);
   }
@@ -224,7 +224,7 @@ std::size_t sweep(Situation& s, Execution execution, benchmark::State& state)
 
 std::size_t measure(Situation& s, Execution execution, benchmark::State&)
 {
-  benchmark::DoNotOptimize(s.descent(execution).measure(s.positions, s.radius, s.sharpness).objective());
+  benchmark::DoNotOptimize(s.descent(execution).measure(s.positions, s.radius, s.sharpness).all().exponential_mean());
   return s.triangles.size();
 }
 

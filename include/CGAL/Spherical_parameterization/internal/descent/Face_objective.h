@@ -34,8 +34,8 @@ struct Face_objective
   };
 
   Face_objective() = default;
-  // eq. 6 or 7
-  explicit Face_objective(double sharpness)
+  // eq. 6 or 7: a sharpness is an objective
+  Face_objective(double sharpness)
     : ordinary{sharpness, 0.}
     , of_slivers{sharpness, 0.}
   {}
