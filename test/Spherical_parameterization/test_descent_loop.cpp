@@ -250,8 +250,8 @@ TEST(Sharpness_rule, of_a_dial_is_inverse_to_the_largest_energy)
     EXPECT_EQ(rule.next(sweep, 7.5, 48.), 0.125);
     EXPECT_TRUE(rule.is_final());
   }
-  EXPECT_EQ(Sharpness_rule(Sharpness()).next(0, 2., 27.), 0.5);
-  EXPECT_EQ(Sharpness_rule(Sharpness::lowest_worst()).next(0, 2., 100.), 0.5);
+  EXPECT_EQ(Sharpness_rule(Sharpness()).next(0, 2., 40.), 0.5);
+  EXPECT_EQ(Sharpness_rule(Sharpness::lowest_worst()).next(0, 2., 80.), 0.5);
   EXPECT_EQ(Sharpness_rule(Sharpness::lowest_average()).next(0, 2., 100.), 0.);
   // as scale-free on the coarse levels, and never sharper than on the finest
   EXPECT_NEAR(rule.on_coarse_level(8.), 6. * rule.on_coarse_level(48.), 1e-15);

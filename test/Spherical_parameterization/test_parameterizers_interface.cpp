@@ -170,12 +170,12 @@ TEST(Setting, of_what_is_the_default_changes_nothing)
 {
   const SP::Symmetric_Dirichlet_energy_3 energy;
   expect_same_map(Bld().energy(energy), default_images());
-  expect_same_map(Bld().radius(SP::Two_phase_radius_3<>()), default_images());
   expect_same_map(Bld().sharpness(Sharpness()), default_images());
   expect_same_map(Bld().sharpness(Sharpness::balanced()), default_images());
-  expect_same_map(Bld().tolerances(4e-5, 1e-3), default_images());
+  expect_same_map(Bld().tolerances(1e-4, 1e-3), default_images());
   expect_same_map(
-      Bld().initial_parameterizer(SP::Hierarchical_parameterizer_3().energy(energy).sharpness(Sharpness::balanced())),
+      Bld().initial_parameterizer(
+          SP::Hierarchical_parameterizer_3().energy(energy).sharpness(Sharpness::balanced()).sweeps_per_level(14)),
       default_images());
 }
 

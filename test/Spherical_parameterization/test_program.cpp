@@ -95,6 +95,7 @@ TEST_F(Program, takes_every_setting_and_ignores_none)
                                        "--s-first 0.5 --s-last 5",
                                        "--s-last 2 --average-sweeps 3",
                                        "--s-first 5 --s-last 5 --average-sweeps 0",
+                                       "--radius two-phase",
                                        "--radius optimal",
                                        "--radius area",
                                        "--radius balanced",
@@ -130,7 +131,7 @@ TEST_F(Program, takes_every_setting_and_ignores_none)
     EXPECT_TRUE(is_new) << "the same map as " << other->second;
   }
   for(const char* arguments : {"", "--method bld", "--energy symmetric-dirichlet", "--initial hierarchical",
-                               "--prefer balance", "--sharpness 13.5", "--radius two-phase", "--time-limit 100"})
+                               "--prefer balance", "--sharpness 20", "--radius objective", "--tolerance 1e-4", "--time-limit 100"})
   {
     SCOPED_TRACE(arguments);
     EXPECT_EQ(run(std::string("long.off -o result.off ") + arguments).status, 0);

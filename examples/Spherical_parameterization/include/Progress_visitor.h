@@ -42,7 +42,15 @@ public:
 
   void after_iteration(std::size_t iteration, double energy, double radius)
   {
-    m_history.push_back({static_cast<double>(iteration), energy, radius});
+    if((iteration - 1) % m_stride == 0)
+      m_history.push_back({static_cast<double>(iteration), energy, radius});
+    if(m_history.size() > max_history)
+    {
+      for(std::size_t k = 0; 2 * k < m_history.size(); ++k)
+        m_history[k] = m_history[2 * k];
+      m_history.resize((m_history.size() + 1) / 2);
+      m_stride *= 2;
+    }
     show("Sweep ", iteration, ": energy ", std::setprecision(6), energy, ", radius ", radius);
   }
 
@@ -50,11 +58,13 @@ public:
 
   void on_optimization_end() { erase(); }
 
-  /// returns iteration, energy and radius of each sweep or step.
+  /// returns iteration, energy and radius of each sweep or step; of every second, fourth, ... if they are more than 2000.
   const std::vector<std::array<double, 3>>& history() const { return m_history; }
 
 private:
   using Clock = std::chrono::steady_clock;
+
+  static constexpr std::size_t max_history = 2000;
 
   template <class... Text>
   void show(const Text&... text)
@@ -85,6 +95,7 @@ private:
   std::size_t m_length = 0;
   Clock::time_point m_next;
   std::vector<std::array<double, 3>> m_history;
+  std::size_t m_stride = 1;
 };
 
 } // namespace Program

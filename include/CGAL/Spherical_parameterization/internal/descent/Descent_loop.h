@@ -58,7 +58,7 @@ struct Descent_settings
   bool is_accelerated = true;
 };
 
-// Sweeps over a mesh below this size cost next to nothing: it gets as many more, and has to stand still for as many more.
+// Sweeps over a mesh below this size cost next to nothing: it gets as many times more of them.
 constexpr std::size_t size_of_small_meshes = 2000;
 
 // As many sweeps as bring most meshes to their end.
@@ -88,6 +88,9 @@ private:
   static constexpr std::size_t min_focus_sweeps = 2, max_focus_sweeps = 500;
   // If it is, they are too many, and stay so for a while: these sweeps do without.
   static constexpr std::size_t sweeps_without_focus = 4;
+
+  // A small mesh has to stand still for so many sweeps, at most.
+  static constexpr std::size_t max_window = 100;
 
   static constexpr int max_halvings = 5; // of steps of a radius
 
@@ -168,6 +171,13 @@ private:
           is_full_step || !m_settings.is_accelerated ? aim : m_state.radius * std::sqrt(aim / m_state.radius);
   }
 
+  // Coordinates at the ends of their range leave no room for larger ones.
+  void set_radius(double radius)
+  {
+    if(is_positive_and_finite(radius) && is_positive_and_finite(4. * radius))
+      m_state.radius = radius;
+  }
+
   // Half a Newton step in the logarithm of the radius, or a part of it that does not raise the objective.
   void lower_by_radius()
   {
@@ -175,7 +185,7 @@ private:
     double step = 0.5 * radius_step(&Face_invariants_3::d);
     for(int k = 0; k < max_halvings && step != 0.; ++k, step *= 0.5)
     {
-      m_state.radius = radius * std::exp(step);
+      set_radius(radius * std::exp(step));
       sum_up();
       if(m_objective.value(m_state.summary) <= value)
         return;
@@ -228,7 +238,7 @@ private:
     for(int k = 0; k < max_steps; ++k)
     {
       const double step = radius_step(&Face_invariants_3::flat_d);
-      m_state.radius *= std::exp(step);
+      set_radius(m_state.radius * std::exp(step));
       if(!(std::abs(step) > min_step))
         return;
     }
@@ -291,9 +301,12 @@ private:
            is_settled_energy(now.maximum_energy(), before.maximum_energy(), 20. * tolerance);
   }
 
+  // The energies of the report are those of the radius that is returned, in the measure of the descent.
   void finish(const std::vector<Vector_3d>& positions)
   {
-    m_state.summary = m_descent.measure(positions, scaled_radius(), Face_objective());
+    Face_objective objective;
+    objective.area_correction = m_objective.of_faces().area_correction;
+    m_state.summary = m_descent.measure(positions, scaled_radius(), objective);
     Parameterization_report& report = m_control.report();
     report.average_energy = m_state.summary.all().average();
     report.largest_energy = m_state.summary.all().maximum_energy();
@@ -352,7 +365,8 @@ double Descent_loop<Energy, Step>::run(std::vector<Vector_3d>& positions, std::s
   start(positions);
   report.stop_reason = ITERATION_LIMIT;
   bool has_phases = true; // whether the radius policy may have further ones
-  const std::size_t window = m_settings.is_accelerated ? 1 + size_of_small_meshes / m_mesh.number_of_vertices() : 1;
+  const std::size_t window =
+      m_settings.is_accelerated ? (std::min)(1 + size_of_small_meshes / m_mesh.number_of_vertices(), max_window) : 1;
   State last;
   for(std::size_t i = 0; i < max_sweeps; ++i)
   {
