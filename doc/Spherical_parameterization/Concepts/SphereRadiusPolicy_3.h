@@ -50,8 +50,8 @@ public:
   /// @{
 
   /// starts the next phase of the policy and returns whether there is one. It is called when energy and radius have
-  /// settled, and as often as it returns `true` before the last radius is asked for, which is that of the last phase. So
-  /// it has to return `false` at some time; it is not called after that. Without it, the policy has one phase.
+  /// settled, and as often as it returns `true`, at most 1000 times, before the last radius is asked for, which is that of
+  /// the last phase. It is not called after it has returned `false`. Without it, the policy has one phase.
   bool next_phase();
 
   /// returns whether the parameters of the policy are in their ranges. If not, a parameterizer returns `ERROR_WRONG_PARAMETER`.

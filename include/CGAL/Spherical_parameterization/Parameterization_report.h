@@ -32,7 +32,8 @@ enum Stop_reason
   ITERATION_LIMIT, ///< The given number of sweeps has been made.
   OBSTRUCTED,      ///< Every further step would turn a face over or raise the energy.
   TIME_LIMIT,      ///< The given time was over.
-  STOPPED          ///< The visitor has asked for it.
+  STOPPED,         ///< The visitor has asked for it.
+  NON_FINITE_ENERGY ///< The energy of the map is not finite: the model of `DistortionEnergy_3` has returned infinity or NaN.
 };
 
 /// \ingroup PkgSphericalParameterizationEnums
@@ -54,6 +55,8 @@ inline const char* get_stop_message(Stop_reason reason)
     return "time limit";
   case STOPPED:
     return "stopped by the visitor";
+  case NON_FINITE_ENERGY:
+    return "the energy is not finite";
   }
   return "unknown";
 }
@@ -81,8 +84,8 @@ struct Parameterization_report
   std::size_t number_of_sharp_iterations = 0; ///< sweeps over the finest mesh with a positive sharpness (eq. 7)
   double sharpness = 0.;                      ///< of the last sweep
   double initial_energy = 0.;                 ///< average energy of the initial map
-  double average_energy = 0.;                 ///< average energy of the map
-  double largest_energy = 0.;                 ///< largest energy of a face
+  double average_energy = 0.;                 ///< average energy of the map, NaN if it is not finite
+  double largest_energy = 0.;                 ///< largest energy of a face, NaN if the average is
 
   double seconds_for_reading = 0.;   ///< checking and copying the mesh; starting threads
   double seconds_for_hierarchy = 0.; ///< removing vertices down to a tetrahedron

@@ -62,7 +62,7 @@ public:
   /// returns the dial at 13.5: a low maximum at a low average.
   static Sharpness balanced() { return relative(balanced_beta); }
 
-  /// returns the dial at 50: the lowest maximum.
+  /// returns the dial at 40: the lowest maximum.
   static Sharpness lowest_worst() { return relative(40.); }
 
   /// returns the dial at `beta`, from 0 to 10<sup>6</sup>.

@@ -139,7 +139,7 @@ Error_code run_parameterization(const TriangleMesh& tmesh, VertexSphereMap verte
     if(error != OK)
       return error;
     error = compute(run);
-    if(control.is_stopped())
+    if(control.is_stopped() && report.stop_reason != NON_FINITE_ENERGY)
       report.stop_reason = control.stop_reason();
     if(error == OK)
       error = write_map(run.mesh, run.vertices_of_mesh, run.positions, run.radius, guarantee, vertex_sphere_map,

@@ -32,6 +32,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 namespace CGAL {
@@ -224,6 +225,16 @@ private:
     return (std::min)((std::max)(step, -max_step), max_step);
   }
 
+  // A run that ends early gets the last radius as well, if the policy comes to it.
+  void skip_phases()
+  {
+    constexpr int max_phases = 1000;
+    const bool is_stopped = m_control.is_stopped();
+    for(int k = 0; k < max_phases && m_radius_chooser && m_radius_chooser->next_phase(); ++k)
+      if(!is_stopped && !m_control.check_clock())
+        return;
+  }
+
   // The radius of the map as it is measured: with flat areas in place of the determinants, which are less on coarse
   // meshes.
   void choose_final_radius()
@@ -310,6 +321,11 @@ private:
     Parameterization_report& report = m_control.report();
     report.average_energy = m_state.summary.all().average();
     report.largest_energy = m_state.summary.all().maximum_energy();
+    if(!is_finite(report.average_energy))
+    {
+      report.stop_reason = NON_FINITE_ENERGY;
+      report.average_energy = report.largest_energy = std::numeric_limits<double>::quiet_NaN();
+    }
     report.seconds_for_optimization = m_control.lap();
   }
 
@@ -392,10 +408,10 @@ double Descent_loop<Energy, Step>::run(std::vector<Vector_3d>& positions, std::s
       }
     }
   }
+  if(has_phases)
+    skip_phases();
   if(m_control.is_stopped())
     report.stop_reason = m_control.stop_reason();
-  while(has_phases) // a run that was ended early gets the last radius as well
-    has_phases = m_radius_chooser && m_radius_chooser->next_phase();
   choose_final_radius();
   finish(positions);
   return m_state.radius;
