@@ -26,7 +26,7 @@ int main(int argc, char** argv)
 
   // From the lowest average to the lowest maximum.
   auto sphere = mesh.add_property_map<Mesh::Vertex_index, Point_3>("v:sphere").first;
-  for(const double beta : {0., 3., 13.5, 50.})
+  for(const double beta : {0., 3., 20., 40.})
   {
     auto parameterizer = SP::Bijective_low_distortion_parameterizer_3()
                              .sharpness(SP::Sharpness::relative(beta))

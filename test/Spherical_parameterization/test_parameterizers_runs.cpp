@@ -88,7 +88,7 @@ TEST(Visitor, is_called_in_order)
     }
     EXPECT_EQ(iteration, report.number_of_iterations());
     EXPECT_EQ(iteration >= 5, has_iterations(method));
-    EXPECT_NEAR(radius / report.radius, 1., 1e-2);
+    EXPECT_NEAR(radius / report.radius, 1., 0.1); // the last one is that of the flat areas of this coarse mesh
     EXPECT_EQ(report.stop_reason, SP::CONVERGED);
     if(has_iterations(method))
     {
@@ -182,15 +182,16 @@ TEST(Number_of_iterations, is_respected)
     if(!has_iterations(method) || method.may_fold())
       continue;
     SCOPED_TRACE(method.name());
-    double last = HUGE_VAL;
+    double last_average = HUGE_VAL, last_largest = HUGE_VAL;
     for(const int n : {0, 1, 7})
     {
       const Result result = method.run(mesh, Options().iterations(n));
       EXPECT_EQ(result.error, SP::OK);
       EXPECT_EQ(result.report.number_of_iterations(), static_cast<std::size_t>(n));
       EXPECT_EQ(result.report.stop_reason, SP::ITERATION_LIMIT);
-      EXPECT_LT(result.report.average_energy, last);
-      last = result.report.average_energy;
+      EXPECT_TRUE(result.report.average_energy < last_average || result.report.largest_energy < last_largest);
+      last_average = result.report.average_energy;
+      last_largest = result.report.largest_energy;
     }
   }
 }

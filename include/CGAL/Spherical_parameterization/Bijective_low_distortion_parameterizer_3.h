@@ -20,7 +20,6 @@
 #include <CGAL/Spherical_parameterization/Parameterization_report.h>
 #include <CGAL/Spherical_parameterization/Sharpness.h>
 #include <CGAL/Spherical_parameterization/Symmetric_Dirichlet_energy_3.h>
-#include <CGAL/Spherical_parameterization/Two_phase_radius_3.h>
 #include <CGAL/Spherical_parameterization/internal/descent/Vertex_step.h>
 #include <CGAL/Spherical_parameterization/internal/policy_traits.h>
 #include <CGAL/Spherical_parameterization/internal/run_descent.h>
@@ -42,9 +41,10 @@ namespace Spherical_parameterization {
 /// \ingroup PkgSphericalParameterizationMethods
 ///
 /// The class `Bijective_low_distortion_parameterizer_3` implements the method BLD \cgalCite{cgal:whfl-bspld-16}. It
-/// starts from a one-to-one map onto the sphere, however distorted, and lowers \f$ \sum E \f$ (eq. 6) or
-/// \f$ \sum \exp( s E ) \f$ (eq. 7) by block coordinate descent over the vertices (eq. 8) and the radius of the sphere
-/// (eq. 9 to 11). The vertices of one colour of a graph colouring are moved in parallel. No step ever inverts a face.
+/// starts from a one-to-one map onto the sphere, however distorted, and lowers one objective of the map, the radius and a
+/// level, see `Sharpness`, by block coordinate descent over the vertices (eq. 8), the radius and the level. The vertices
+/// of one colour of a graph colouring are moved in parallel. No step ever inverts a face, and no sweep raises the
+/// objective.
 ///
 /// It is used with its defaults by `parameterize()`. Settings are chained, here with `SP` for the namespace:
 /// \code
@@ -58,8 +58,15 @@ namespace Spherical_parameterization {
 /// 1.9 times its length first, which carries changes over the surface many times faster. Where the compiler and the
 /// processor have vector registers, several vertices are moved at once, with the same result.
 ///
-/// If the sharpness is positive, each sweep over all vertices is followed by some over those around the worst faces, as
-/// long as they are not more than a fifth: they settle slowest, and the largest distortion is theirs. If they are more,
+/// The radius makes half a Newton step a sweep, shortened until it does not raise the objective. The last one minimises
+/// the same sum over the flat areas of the images, by which distortion is measured.
+///
+/// Slivers, faces whose height is below a hundredth of their longest edge, get a shape near their own in no map of low
+/// distortion, and would decide on radius and level for all. They and the faces around them have a level of their own
+/// and do not move the radius, unless they are more than a quarter of the faces.
+///
+/// Each sweep over all vertices is followed by some over those around the worst faces, as long as takes 0.4 of its time,
+/// unless they are more than a fifth: they settle slowest, and the largest distortion is theirs. If they are more,
 /// they are looked for again five sweeps later. The report does not count these sweeps.
 ///
 /// A one-to-one mapping is guaranteed whenever `OK` is returned: the orientation of every face and the degree of the
@@ -71,7 +78,8 @@ namespace Spherical_parameterization {
 /// \cgalModels{SphericalParameterizer_3}
 ///
 /// \tparam Energy must be a model of `DistortionEnergy_3`.
-/// \tparam Radius must be a model of `SphereRadiusPolicy_3`.
+/// \tparam Radius must be a model of `SphereRadiusPolicy_3`.<br> <b>%Default:</b> none; the radius is a variable of the
+///         objective
 /// \tparam InitialParameterizer must be a model of `SphericalParameterizer_3`.<br> <b>%Default:</b>
 ///         `Hierarchical_parameterizer_3` with the energy and the sharpness of this class
 ///
@@ -99,7 +107,7 @@ public:
     return {energy, m_radius, m_initial_parameterizer, m_sharpness, m_settings};
   }
 
-  /// sets the radius policy.
+  /// sets a radius policy in place of the radius of the lowest objective.
   ///
   /// \tparam OtherRadius must be a model of `SphereRadiusPolicy_3`.
   template <class OtherRadius>
@@ -125,14 +133,14 @@ public:
     return {m_energy, m_radius, m_initial_parameterizer, sharpness, m_settings};
   }
 
-  /// sets the tolerances of the stopping rule: a run has converged when a sweep changes the energy by at most
-  /// `energy_tolerance` and the radius by at most `radius_tolerance`, both relative, and the sharpness is final. As the
-  /// sharpness may move with the map, energies are compared that do so little or not at all, and all have to settle:
-  /// the mean \f$ \log( \frac{1}{n} \sum \exp( s E ) ) / s \f$, the average, and, up to ten times the tolerance, the
-  /// largest one. If the largest exceeds the average by less than half of their size, changes are relative to
-  /// twice that excess instead, since a nearly isometric map has hardly more energy than the best one.
+  /// sets the tolerances of the stopping rule: a run has converged when a sweep changes the objective and the average
+  /// energy by at most `energy_tolerance`, the largest energy by at most 20 times as much, and the radius by at most
+  /// `radius_tolerance`, all relative, and the sharpness is final. Meshes below 2000 vertices have to do so over as many
+  /// sweeps as take the time of one over 2000, up to 100. If the largest energy exceeds the average by less than half of
+  /// an energy, its changes are relative to twice that excess instead, since a nearly isometric map has hardly more
+  /// energy than the best one. With 0, a run ends when nothing changes any more.
   ///
-  /// \param energy_tolerance at least 0, by default 4e-5
+  /// \param energy_tolerance at least 0, by default 1e-4
   /// \param radius_tolerance at least 0, by default 1e-3
   [[nodiscard]] Bijective_low_distortion_parameterizer_3 tolerances(double energy_tolerance,
                                                                     double radius_tolerance) const
@@ -155,7 +163,8 @@ public:
 
   /// computes a one-to-one map from `tmesh` to a sphere around the origin.
   ///
-  /// The parameters are those of `CGAL::Spherical_parameterization::parameterize()`.
+  /// The parameters are those of `CGAL::Spherical_parameterization::parameterize()`. The default of
+  /// `number_of_iterations` is 220, and for meshes below 2000 vertices as many times more as takes the time of 2000.
   ///
   /// \return `OK`, or what is wrong with the mesh, see `find_defect()`; `ERROR_WRONG_PARAMETER` if `is_valid()` is
   ///         `false` or a negative `number_of_iterations` is given; what the initial parameterizer returns if it

@@ -30,20 +30,20 @@ class Sharpness_rule;
 
 /// \ingroup PkgSphericalParameterizationMethods
 ///
-/// The class `Sharpness` says how much the worst faces count. It chooses the \f$ s \f$ of the objective
-/// \f$ \sum \exp( s E ) \f$, eq. 7 of \cgalCite{cgal:whfl-bspld-16}, before each sweep. \f$ s = 0 \f$ stands for the
-/// plain sum \f$ \sum E \f$ of eq. 6.
+/// The class `Sharpness` says how much the worst faces count: the objective of the descent over the vertices.
 ///
 /// There are two rules.
 ///
-/// - <b>A dial</b> \f$ \beta \f$, relative to the map at hand: \f$ s = \beta / E_{max} \f$, where \f$ E_{max} \f$ is
-///   the largest energy of a face. As it has no scale, one \f$ \beta \f$ serves a smooth and a limbed surface, the
-///   coarse levels of a hierarchy and the finest. It goes from the lowest average distortion, 0, to a low maximum;
-///   beyond 50 the maximum may rise again, as the sweeps of the default do not bring so sharp an objective to its end.
-///   With 13.5, the default, the average is 3 to 20 percent above the lowest; \ref SphericalParameterizationSharpness
-///   has a table. On coarse levels, \f$ \beta^2 / (\beta + 47) \f$ takes the place of \f$ \beta \f$: the worst faces of
-///   a coarse mesh are partly so for being coarse, so less than a quarter of the default dial is enough there; where
-///   only the maximum counts, the large features have to make room for it from the beginning.
+/// - <b>A dial</b> \f$ \beta \f$. The objective is one function of the map, of the radius, through the energies
+///   \f$ E \f$ of the faces, and of a level \f$ R \f$:
+///   \f[ \Phi = ( 1 - a ) \, \overline{E} + a \left( ( 1 - \tfrac{1}{b} ) R + \tfrac{R}{b} \; \overline{\exp( b ( E / R - 1 )
+///   )} \right), \quad a = \frac{\beta}{\beta + 40}, \quad b = \beta + 1, \f]
+///   where a bar stands for the mean over the faces. At the best \f$ R \f$, the second part is a soft maximum: it has the
+///   unit of the energy, so that one \f$ \beta \f$ serves a smooth and a limbed surface, equals the energies where they are
+///   all the same, and is nearer to the largest the larger \f$ b \f$ is. The sharpness \f$ s = b / R \f$ of eq. 7 of
+///   \cgalCite{cgal:whfl-bspld-16} follows from it. The dial goes from the lowest average distortion, 0, to a low maximum;
+///   \ref SphericalParameterizationSharpness has a table. On coarse levels of a hierarchy,
+///   \f$ s = \min( \beta / 5, 3 ) / E_{max} \f$: their worst faces are partly so for being coarse.
 /// - <b>A schedule</b> of absolute values, that of the paper: \f$ s = 0 \f$ first, then from 0.1 to 10. The paper
 ///   leaves eq. 6 after 100 sweeps and names the criterion as open, and of the growth of \f$ s \f$ it says that it
 ///   adapts. Here \f$ s \f$ is raised by a quarter whenever a sweep has lowered neither the largest nor the average
@@ -59,7 +59,7 @@ public:
   /// returns the dial at 0: the lowest average distortion.
   static Sharpness lowest_average() { return relative(0.); }
 
-  /// returns the dial at 13.5: a low maximum at a low average.
+  /// returns the dial at 20: a low maximum at a low average.
   static Sharpness balanced() { return relative(balanced_beta); }
 
   /// returns the dial at 40: the lowest maximum.

@@ -46,8 +46,7 @@ struct Face_objective
   // What the d of a face is multiplied by. Its image is measured by the determinant of the corners, which is less than the
   // doubled area by the distance of its plane from the centre: 1 - c^2 / 2 + ... for an isometric image on the unit
   // sphere, whose area is that of the surface, with the circumradius c; and c^2 is a ninth of the sum of the squared
-  // edges of an equilateral face. A correction by twice the term of first order serves coarse meshes best, and is nothing
-  // to fine ones.
+  // edges of an equilateral face. So isometric images have d = 1 up to higher order on coarse meshes as well.
   template <class FT>
   FT area_factor(const FT& opposite_0, const FT& opposite_1, const FT& opposite_2, const FT& doubled_area) const
   {

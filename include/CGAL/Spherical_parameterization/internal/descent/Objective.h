@@ -49,7 +49,7 @@ public:
     : m_rule(sharpness)
     , m_b(m_rule.dial() + 1.)
   {
-    m_faces.area_correction = has_radius ? 2. / 9. : 0.;
+    m_faces.area_correction = has_radius ? 1. / 9. : 0.;
     if(m_rule.dial() > 0.)
       m_faces.share = m_rule.dial() / (m_rule.dial() + 40.);
   }
