@@ -130,8 +130,9 @@ TEST_F(Program, takes_every_setting_and_ignores_none)
     const auto [other, is_new] = arguments_of.emplace(content(path("result.off")), arguments);
     EXPECT_TRUE(is_new) << "the same map as " << other->second;
   }
-  for(const char* arguments : {"", "--method bld", "--energy symmetric-dirichlet", "--initial hierarchical",
-                               "--prefer balance", "--sharpness 20", "--radius objective", "--tolerance 1e-4", "--time-limit 100"})
+  for(const char* arguments :
+      {"", "--method bld", "--energy symmetric-dirichlet", "--initial hierarchical", "--prefer balance",
+       "--sharpness 20", "--radius objective", "--tolerance 1e-4", "--time-limit 100"})
   {
     SCOPED_TRACE(arguments);
     EXPECT_EQ(run(std::string("long.off -o result.off ") + arguments).status, 0);
