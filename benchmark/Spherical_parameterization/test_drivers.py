@@ -191,7 +191,7 @@ class Programs(WithFolder):
         arguments = ["--package", package, *programs, "--repeat", 2, mesh]
         answer = run_driver("Performance/comparison_benchmark.py", *arguments)
         self.assertEqual(answer.returncode, 0, answer.stderr)
-        ratios = r"1\.533 \| +1\.225 \| +1\.155 \| +1\.054 \|"
+        ratios = r"1\.533 \| +1\.225 \| +1\.414 \| +1\.266 \| +1\.155 \| +1\.054 \|"
         self.assertRegex(answer.stdout, rf"\| mesh +\| tilted +\| certified \| +0 \| +1\.533 .* {ratios}")
         self.assertRegex(answer.stdout, rf"(?s)geometric means.*\| tilted +\| +1 \| +1 \| +0 \| +0 \| +1 \|.* {ratios}")
         self.assertRegex(answer.stdout, r"\| bad +\| +1 \| +0 \| +0 \| +1 \| +0 \|")
