@@ -2,7 +2,9 @@
 \ingroup PkgSphericalParameterizationConcepts
 \cgalConcept
 
-The concept `SphereRadiusPolicy_3` describes how the radius of the sphere is chosen.
+The concept `SphereRadiusPolicy_3` describes how the radius of the sphere is chosen where it is not left to the objective, as
+`CGAL::Spherical_parameterization::Bijective_low_distortion_parameterizer_3` does by default. A policy may take the radius in another
+direction than the vertices, so that the objective may rise from sweep to sweep.
 
 The policy is called before each sweep over the mesh, and once more after the last one. The first and the last time the radius
 becomes what it returns, otherwise it goes half the way, in the sense of the geometric mean (all the way in

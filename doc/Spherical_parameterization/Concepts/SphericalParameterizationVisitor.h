@@ -50,9 +50,10 @@ public:
   /// called after each sweep over the mesh, or each step of a method that moves all vertices at once.
   ///
   /// \param iteration the number of the sweep or step, from 1
-  /// \param energy the mean of the energies of the faces that the sweep has lowered:
-  ///        \f$ \log( \frac{1}{n} \sum \exp( s E ) ) / s \f$, or the average for \f$ s = 0 \f$; where \f$ s \f$ changes
-  ///        from sweep to sweep, it may grow. Of the other methods, the energy that they minimise, in units of the area
+  /// \param energy what the sweep has lowered: for the dial of a `CGAL::Spherical_parameterization::Sharpness`, the objective
+  ///        \f$ \Phi \f$; for a schedule, \f$ \log( \frac{1}{n} \sum \exp( s E ) ) / s \f$, or the average energy for
+  ///        \f$ s = 0 \f$, which may grow where \f$ s \f$ does. Of the other methods, the energy that they minimise, in
+  ///        units of the area
   /// \param radius the radius of the sphere in the unit of length of the mesh
   void after_iteration(std::size_t iteration, double energy, double radius);
 

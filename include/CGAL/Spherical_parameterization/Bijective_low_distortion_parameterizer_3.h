@@ -43,8 +43,8 @@ namespace Spherical_parameterization {
 /// The class `Bijective_low_distortion_parameterizer_3` implements the method BLD \cgalCite{cgal:whfl-bspld-16}. It
 /// starts from a one-to-one map onto the sphere, however distorted, and lowers one objective of the map, the radius and a
 /// level, see `Sharpness`, by block coordinate descent over the vertices (eq. 8), the radius and the level. The vertices
-/// of one colour of a graph colouring are moved in parallel. No step ever inverts a face, and no sweep raises the
-/// objective.
+/// of one colour of a graph colouring are moved in parallel. No step ever inverts a face, and, without a radius policy,
+/// none raises the objective for good: \ref SphericalParameterizationSharpness says why.
 ///
 /// It is used with its defaults by `parameterize()`. Settings are chained, here with `SP` for the namespace:
 /// \code
@@ -54,20 +54,25 @@ namespace Spherical_parameterization {
 ///
 /// A vertex makes one damped Newton step a sweep, on an energy that measures the image of a face by the determinant of
 /// its corners: twice its flat area times the distance of its plane from the centre. This agrees with the flat area for
-/// small faces, and is 0 exactly where a face turns over, so that the energy is infinite there. The step is tried at
+/// small faces, and is 0 exactly where a face turns over, so that the energy is infinite there. Without a radius policy,
+/// it is multiplied by 1 + \f$ q / 18 \f$, where \f$ q \f$ is the sum of the squared edges of the face, in a unit in which
+/// the surface has the area of the unit sphere, so that isometric faces of coarse meshes count as such. The step is tried at
 /// 1.9 times its length first, which carries changes over the surface many times faster. Where the compiler and the
 /// processor have vector registers, several vertices are moved at once, with the same result.
 ///
-/// The radius makes half a Newton step a sweep, shortened until it does not raise the objective. The last one minimises
-/// the same sum over the flat areas of the images, by which distortion is measured.
+/// Before each sweep, the level moves to where the objective is lowest, and the radius makes half a Newton step,
+/// shortened until it does not raise the objective. The last radius minimises the same sum over the flat areas of the
+/// images, by which distortion is measured.
 ///
 /// Slivers, faces whose height is below a hundredth of their longest edge, get a shape near their own in no map of low
-/// distortion, and would decide on radius and level for all. They and the faces around them have a level of their own
-/// and do not move the radius, unless they are more than a quarter of the faces.
+/// distortion, and would decide on radius and level for all. Unless they and all faces that touch them are more than a
+/// quarter of the faces, these have a level of their own, which is not lowered below that of the others. They do not move
+/// the radius: they are measured on a sphere that follows it.
 ///
-/// Each sweep over all vertices is followed by some over those around the worst faces, as long as takes 0.4 of its time,
-/// unless they are more than a fifth: they settle slowest, and the largest distortion is theirs. If they are more,
-/// they are looked for again five sweeps later. The report does not count these sweeps.
+/// Each sweep over all vertices is followed by up to 500 over those around the worst faces, whose energy is above 0.6 of
+/// the largest, with steps of 1.4 times their length. They settle slowest, and the largest distortion is theirs. All of
+/// these sweeps together move at most 0.4 times as many vertices as the mesh has. If that is not enough for two of them,
+/// there are none, nor with the next four sweeps. The report does not count them.
 ///
 /// A one-to-one mapping is guaranteed whenever `OK` is returned: the orientation of every face and the degree of the
 /// map are computed by exact predicates on the points as they have been written. This holds for a run that was stopped
@@ -78,10 +83,11 @@ namespace Spherical_parameterization {
 /// \cgalModels{SphericalParameterizer_3}
 ///
 /// \tparam Energy must be a model of `DistortionEnergy_3`.
-/// \tparam Radius must be a model of `SphereRadiusPolicy_3`.<br> <b>%Default:</b> none; the radius is a variable of the
-///         objective
+/// \tparam Radius must be a model of `SphereRadiusPolicy_3`.<br> <b>%Default:</b> no policy; the radius is a variable of
+///         the objective
 /// \tparam InitialParameterizer must be a model of `SphericalParameterizer_3`.<br> <b>%Default:</b>
-///         `Hierarchical_parameterizer_3` with the energy and the sharpness of this class
+///         `Hierarchical_parameterizer_3` with the energy and the sharpness of this class, and 14 sweeps per level, or
+///         20 with a radius policy
 ///
 /// \sa `Hierarchical_parameterizer_3`
 /// \sa `Precomputed_parameterizer_3`
@@ -107,7 +113,7 @@ public:
     return {energy, m_radius, m_initial_parameterizer, m_sharpness, m_settings};
   }
 
-  /// sets a radius policy in place of the radius of the lowest objective.
+  /// sets a radius policy. By default there is none: the radius is a variable of the objective.
   ///
   /// \tparam OtherRadius must be a model of `SphereRadiusPolicy_3`.
   template <class OtherRadius>
@@ -135,10 +141,11 @@ public:
 
   /// sets the tolerances of the stopping rule: a run has converged when a sweep changes the objective and the average
   /// energy by at most `energy_tolerance`, the largest energy by at most 20 times as much, and the radius by at most
-  /// `radius_tolerance`, all relative, and the sharpness is final. Meshes below 2000 vertices have to do so over as many
-  /// sweeps as take the time of one over 2000, up to 100. If the largest energy exceeds the average by less than half of
-  /// an energy, its changes are relative to twice that excess instead, since a nearly isometric map has hardly more
-  /// energy than the best one. With 0, a run ends when nothing changes any more.
+  /// `radius_tolerance`, all relative, and a schedule of the sharpness has come to its end. For meshes of
+  /// \f$ n \leq 2000 \f$ vertices, these are the changes over \f$ 1 + \lfloor 2000 / n \rfloor \f$ sweeps, but over 100 at
+  /// most. Changes of energies are relative to twice the excess of the largest over the average, if that is less than the
+  /// energy, since a nearly isometric map has hardly more energy than the best one; but no less than a millionth of the
+  /// energy. With 0, a run ends when nothing changes any more.
   ///
   /// \param energy_tolerance at least 0, by default 1e-4
   /// \param radius_tolerance at least 0, by default 1e-3
@@ -164,7 +171,7 @@ public:
   /// computes a one-to-one map from `tmesh` to a sphere around the origin.
   ///
   /// The parameters are those of `CGAL::Spherical_parameterization::parameterize()`. The default of
-  /// `number_of_iterations` is 220, and for meshes below 2000 vertices as many times more as takes the time of 2000.
+  /// `number_of_iterations` is 220, and for meshes below 2000 vertices as many times more as they are smaller.
   ///
   /// \return `OK`, or what is wrong with the mesh, see `find_defect()`; `ERROR_WRONG_PARAMETER` if `is_valid()` is
   ///         `false` or a negative `number_of_iterations` is given; what the initial parameterizer returns if it

@@ -76,8 +76,10 @@ public:
   }
 
   /// sets how much the worst faces count, by default not at all: `Sharpness::lowest_average()`. Levels below 300
-  /// vertices follow the average energy, whatever is set; those with at least 2,500 vertices and half of those of the
-  /// mesh get the sharpness of the mesh itself, all between that of coarse levels.
+  /// vertices follow the average energy, whatever is set. For a dial \f$ \beta \f$, those with at least 2,500 vertices and
+  /// half of those of the mesh, and the mesh itself, follow eq. 7 of \cgalCite{cgal:whfl-bspld-16} with
+  /// \f$ s = \beta / E_{max} \f$, where \f$ E_{max} \f$ is the largest energy of the level, all between with
+  /// \f$ s = \min( \beta / 5, 3 ) / E_{max} \f$.
   [[nodiscard]] Hierarchical_parameterizer_3 sharpness(const Sharpness& sharpness) const
   {
     return Hierarchical_parameterizer_3(m_energy, sharpness, m_sweeps_per_level);

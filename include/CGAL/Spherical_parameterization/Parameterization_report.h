@@ -78,14 +78,13 @@ struct Parameterization_report
   Stop_reason stop_reason = NOT_RUN;  ///< why the last phase ended
   std::size_t number_of_levels = 0;   ///< levels of the hierarchy
   std::size_t number_of_attempts = 0; ///< times that the hierarchy was mapped; above 1, the first attempts failed
-  std::size_t number_of_level_iterations = 0; ///< sweeps over levels of the hierarchy
-  std::size_t number_of_average_iterations =
-      0;                                      ///< sweeps over the finest mesh with sharpness 0 (eq. 6), or global steps
-  std::size_t number_of_sharp_iterations = 0; ///< sweeps over the finest mesh with a positive sharpness (eq. 7)
-  double sharpness = 0.;                      ///< of the last sweep
-  double initial_energy = 0.;                 ///< average energy of the initial map
-  double average_energy = 0.;                 ///< average energy of the map, NaN if it is not finite
-  double largest_energy = 0.;                 ///< largest energy of a face, NaN if the average is
+  std::size_t number_of_level_iterations = 0;   ///< sweeps over levels of the hierarchy
+  std::size_t number_of_average_iterations = 0; ///< sweeps over the finest mesh with sharpness 0, or global steps
+  std::size_t number_of_sharp_iterations = 0;   ///< sweeps over the finest mesh with a positive sharpness
+  double sharpness = 0.;      ///< the \f$ s \f$ of the last sweep, \f$ b / R \f$ for a dial, see `Sharpness`
+  double initial_energy = 0.; ///< average energy of the initial map
+  double average_energy = 0.; ///< average energy of the map, NaN if it is not finite
+  double largest_energy = 0.; ///< largest energy of a face, NaN if the average is
 
   double seconds_for_reading = 0.;   ///< checking and copying the mesh; starting threads
   double seconds_for_hierarchy = 0.; ///< removing vertices down to a tetrahedron

@@ -34,16 +34,30 @@ class Sharpness_rule;
 ///
 /// There are two rules.
 ///
-/// - <b>A dial</b> \f$ \beta \f$. The objective is one function of the map, of the radius, through the energies
+/// - <b>A dial</b> \f$ \beta \f$. The objective is one function of the map and the radius, through the energies
 ///   \f$ E \f$ of the faces, and of a level \f$ R \f$:
 ///   \f[ \Phi = ( 1 - a ) \, \overline{E} + a \left( ( 1 - \tfrac{1}{b} ) R + \tfrac{R}{b} \; \overline{\exp( b ( E / R - 1 )
 ///   )} \right), \quad a = \frac{\beta}{\beta + 40}, \quad b = \beta + 1, \f]
 ///   where a bar stands for the mean over the faces. At the best \f$ R \f$, the second part is a soft maximum: it has the
 ///   unit of the energy, so that one \f$ \beta \f$ serves a smooth and a limbed surface, equals the energies where they are
-///   all the same, and is nearer to the largest the larger \f$ b \f$ is. The sharpness \f$ s = b / R \f$ of eq. 7 of
-///   \cgalCite{cgal:whfl-bspld-16} follows from it. The dial goes from the lowest average distortion, 0, to a low maximum;
-///   \ref SphericalParameterizationSharpness has a table. On coarse levels of a hierarchy,
-///   \f$ s = \min( \beta / 5, 3 ) / E_{max} \f$: their worst faces are partly so for being coarse.
+///   all the same, and is nearer to the largest the larger \f$ b \f$ is. The first part holds all other faces meanwhile.
+///   Slivers and the faces around them have a level of their own, see `Bijective_low_distortion_parameterizer_3`.
+///
+///   In a sweep, \f$ R \f$ is fixed, and the objective is a mixture of eq. 6 and of eq. 7 of
+///   \cgalCite{cgal:whfl-bspld-16} with the sharpness \f$ s = b / R \f$. The levels of a hierarchy follow eq. 7 alone,
+///   with \f$ s = \min( \beta / 5, 3 ) / E_{max} \f$, where \f$ E_{max} \f$ is their largest energy: their worst faces are
+///   partly so for being coarse. Those that are nearly as fine as the mesh get \f$ s = \beta / E_{max} \f$, the coarsest
+///   ones \f$ s = 0 \f$, see `Hierarchical_parameterizer_3::sharpness()`.
+///
+///   The dial goes from the lowest average distortion, 0, which is the plain mean of eq. 6, to a low maximum.
+///   In the geometric mean over 38 meshes, the isometric distortions are these times those at 0:
+///
+///   | \f$ \beta \f$ | 0 | 3 | 6 | 12 | 20 | 40 | 100 |
+///   | :------ | -: | -: | -: | -: | -: | -: | -: |
+///   | maximum | 1 | 0.74 | 0.70 | 0.67 | 0.66 | 0.65 | 0.65 |
+///   | average | 1 | 1.01 | 1.02 | 1.03 | 1.05 | 1.06 | 1.06 |
+///
+///   \ref SphericalParameterizationSharpness has those of single meshes.
 /// - <b>A schedule</b> of absolute values, that of the paper: \f$ s = 0 \f$ first, then from 0.1 to 10. The paper
 ///   leaves eq. 6 after 100 sweeps and names the criterion as open, and of the growth of \f$ s \f$ it says that it
 ///   adapts. Here \f$ s \f$ is raised by a quarter whenever a sweep has lowered neither the largest nor the average

@@ -31,8 +31,8 @@ namespace Spherical_parameterization {
 ///
 /// The class `Two_phase_radius_3` follows one radius policy until the radius settles, and another one from then on. By
 /// default it is the scheme of the BLD paper \cgalCite{cgal:whfl-bspld-16}, and that of
-/// `Published_low_distortion_parameterizer_3`: eq. 9,
-/// which a very distorted initial map cannot mislead, then eq. 11, which gives the lower distortion.
+/// `Published_low_distortion_parameterizer_3`: eq. 9, which
+/// a very distorted initial map cannot mislead, then eq. 11, which gives the lower distortion.
 ///
 /// \cgalModels{SphereRadiusPolicy_3}
 ///

@@ -181,9 +181,9 @@ private:
 };
 
 // The part of the objective that depends on one vertex, as a function of the two tangential coordinates of the vertex:
-// the sum over the faces of its star of E or, if the sharpness s is positive, of exp(s E) (eq. 6 and 7 of the paper).
-// The exponents are taken relative to the largest energy of the star at its current state, which changes neither the
-// minimiser nor the direction of the steps and never overflows there.
+// the sum over the faces of its star of E or, if the sharpness s is positive, of s psi(E), see Face_objective. Where there
+// is no level R (eq. 7 of the paper), the largest energy of the star at its current state takes its place, which changes
+// neither the minimiser nor the direction of the steps and never overflows there.
 //
 // One object serves many vertices: it only allocates when it meets a star larger than all before. With a packed number
 // type it serves as many stars at once as that has lanes. It has mutable state, and is used by one thread at a time.
