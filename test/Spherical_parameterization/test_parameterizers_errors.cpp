@@ -71,7 +71,7 @@ TEST(Error_message, is_a_different_sentence_for_each_code)
   }
   EXPECT_TRUE(messages.insert(SP::get_error_message(static_cast<SP::Error_code>(SP::ERROR_TOO_LARGE_MESH + 1))).second);
   std::set<std::string> reasons;
-  for(int reason = SP::NOT_RUN; reason <= SP::STOPPED; ++reason)
+  for(int reason = SP::NOT_RUN; reason <= SP::NON_FINITE_ENERGY; ++reason)
     EXPECT_TRUE(reasons.insert(SP::get_stop_message(static_cast<SP::Stop_reason>(reason))).second);
 }
 

@@ -12,11 +12,13 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <chrono>
 #include <cmath>
 #include <cstddef>
 #include <functional>
 #include <limits>
 #include <map>
+#include <thread>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -242,6 +244,23 @@ TEST(Concept, distortion_energy_of_single_numbers)
   expect_same_map(Bld().energy(Hooked_energy()), default_images());
 }
 
+// The map is as good as the one that it started from; what the energy has done, the report tells, whatever ended the run.
+TEST(Concept, distortion_energy_may_not_be_finite)
+{
+  for(const double weight : {std::nan(""), std::numeric_limits<double>::infinity()})
+    for(const double seconds : {0., 1e-9})
+    {
+      auto bld = Bld().energy(Distortion_energy(maker, weight));
+      const Point_map map(mesh(), sentinels(num_vertices(mesh())));
+      ASSERT_EQ(SP::parameterize(mesh(), bld, map, params::number_of_iterations(5).maximum_running_time(seconds)),
+                SP::OK);
+      EXPECT_TRUE(is_bijective(mesh(), images(mesh(), map)));
+      EXPECT_EQ(bld.report().stop_reason, SP::NON_FINITE_ENERGY);
+      EXPECT_TRUE(std::isnan(bld.report().average_energy));
+      EXPECT_TRUE(std::isnan(bld.report().largest_energy));
+    }
+}
+
 TEST(Concept, distortion_energy_may_return_any_scale)
 {
   const auto run_with = [](const Hooked_energy& energy) {
@@ -304,10 +323,13 @@ struct My_radius_in_phases
   bool next_phase()
   {
     ++*number_of_calls;
-    return ++phase <= 3;
+    std::this_thread::sleep_for(pause);
+    return ++phase <= number_of_phases;
   }
 
   int* number_of_calls;
+  int number_of_phases = 3;
+  std::chrono::milliseconds pause{0};
   int phase = 0;
 };
 
@@ -324,6 +346,23 @@ TEST(Concept, sphere_radius_policy_with_phases)
   // A run that was ended early skips the phases that are left.
   EXPECT_EQ(number_of_calls, 8);
   EXPECT_EQ(bld.report().radius, 1.4);
+}
+
+TEST(Concept, sphere_radius_policy_may_have_phases_without_end)
+{
+  const int endless = std::numeric_limits<int>::max();
+  int number_of_calls = 0;
+  auto bld = Bld().radius(My_radius_in_phases{&number_of_calls, endless});
+  run(bld, 3);
+  EXPECT_EQ(number_of_calls, 1000);
+  EXPECT_EQ(bld.report().stop_reason, SP::ITERATION_LIMIT);
+
+  number_of_calls = 0;
+  auto slow = Bld().radius(My_radius_in_phases{&number_of_calls, endless, std::chrono::milliseconds(1)});
+  const Point_map map(mesh(), sentinels(num_vertices(mesh())));
+  EXPECT_EQ(SP::parameterize(mesh(), slow, map, params::number_of_iterations(3).maximum_running_time(0.5)), SP::OK);
+  EXPECT_LT(number_of_calls, 1000);
+  EXPECT_EQ(slow.report().stop_reason, SP::TIME_LIMIT);
 }
 
 struct Mad_radius

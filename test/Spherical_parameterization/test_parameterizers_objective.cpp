@@ -5,6 +5,7 @@
 #include "methods.h"
 #include "random_meshes.h"
 
+#include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 #include <CGAL/spherical_parameterization.h>
 
 #include <gtest/gtest.h>
@@ -12,9 +13,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <limits>
+#include <cstdint>
+#include <filesystem>
 #include <string>
-#include <utility>
 #include <vector>
 
 using namespace test;
@@ -39,31 +40,94 @@ Triangle_list with_sliver(Triangle_list list, std::size_t k)
   return list;
 }
 
+struct Named_mesh
+{
+  std::string name;
+  Mesh mesh;
+};
+
+std::vector<Named_mesh> small_meshes()
+{
+  std::vector<Named_mesh> result = {{"cube", make({{{0., 0., 0.},
+                                                    {1., 0., 0.},
+                                                    {1., 1., 0.},
+                                                    {0., 1., 0.},
+                                                    {0., 0., 1.},
+                                                    {1., 0., 1.},
+                                                    {1., 1., 1.},
+                                                    {0., 1., 1.}},
+                                                   {{0, 2, 1},
+                                                    {0, 3, 2},
+                                                    {4, 5, 6},
+                                                    {4, 6, 7},
+                                                    {0, 1, 5},
+                                                    {0, 5, 4},
+                                                    {1, 2, 6},
+                                                    {1, 6, 5},
+                                                    {2, 3, 7},
+                                                    {2, 7, 6},
+                                                    {3, 0, 4},
+                                                    {3, 4, 7}}})},
+                                    {"tentacle", make(with_tentacle(30, 6.))},
+                                    {"ellipsoid", make(ellipsoid(1., 1., 9., 3))},
+                                    {"stacked", make(random_stacked_sphere(300, 1))},
+                                    {"bumpy", make(bumpy_sphere(3))},
+                                    {"caps", make(with_sliver(with_sliver(bumpy_sphere(3), 17), 400))},
+                                    {"slivers", make(with_slivers(bumpy_sphere(3), 10, 1e-5))},
+                                    {"slivers of a limb", make(with_slivers(with_tentacle(30, 6.), 4, 1e-3))}};
+  for(std::uint64_t seed = 1; seed <= 12; ++seed)
+    result.push_back({"random " + std::to_string(seed), make(random_mesh(seed).list)});
+  return result;
+}
+
+void expect_no_rise(const Method& method, const Mesh& mesh)
+{
+  Recorder recorder;
+  EXPECT_EQ(method.run(mesh, Options().visitor(recorder)).error, SP::OK);
+  const std::vector<Recorder::Event> iterations = recorder.all("iteration");
+  ASSERT_GT(iterations.size(), 1u);
+  for(std::size_t i = 1; i < iterations.size(); ++i)
+    ASSERT_LE(iterations[i].energy, iterations[i - 1].energy * (1. + 1e-12)) << i;
+}
+
 // Vertices, radius, level, slivers: no step may take back what the others have gained.
 TEST(Objective, never_rises)
 {
-  const std::pair<const char*, Triangle_list> lists[] = {
-      {"bumps", bumpy_sphere(3)},
-      {"tentacle", with_tentacle(8, 12.)},
-      {"stack", random_stacked_sphere(400, 3)},
-      {"ellipsoid", ellipsoid(1., 1., 9., 3)},
-      {"slivers", with_sliver(with_sliver(bumpy_sphere(3), 17), 400)},
-      {"octahedron", scaled(octahedron(), 1., 2., 3.)}};
-  for(const auto& [name, list] : lists)
-    for(const double beta : {0., 3., 20., 100.})
+  std::vector<Named_mesh> meshes = small_meshes();
+  const std::filesystem::path folder = std::filesystem::path(SPHERICAL_PARAMETERIZATION_SHARED_DATA_DIR) / "meshes";
+  for(const char* name : {"cow_2904.off", "triceratops_2832.off"})
+  {
+    Named_mesh shared{name, {}};
+    if(CGAL::IO::read_polygon_mesh((folder / name).string(), shared.mesh))
+      meshes.push_back(shared);
+  }
+  for(const Named_mesh& m : meshes)
+    for(const double beta : {0., 3., 20., 50.})
     {
-      SCOPED_TRACE(std::string(name) + " " + std::to_string(beta));
-      Recorder recorder;
-      const Result result = with_dial(beta).run(list, Options().visitor(recorder).iterations(300));
-      ASSERT_EQ(result.error, SP::OK);
-      double last = std::numeric_limits<double>::infinity();
-      for(const auto& event : recorder.all("iteration"))
-      {
-        EXPECT_LE(event.energy, (1. + 1e-12) * last) << event.number;
-        last = event.energy;
-      }
-      EXPECT_LT(last, recorder.all("iteration").front().energy);
+      SCOPED_TRACE(m.name + ", " + std::to_string(beta));
+      expect_no_rise(with_dial(beta), m.mesh);
     }
+}
+
+// The radius of the map is that of the lowest sum over flat areas: of the plain sum of I + I / d^2, where both parts are
+// the same.
+TEST(Objective, chooses_the_radius_of_the_map_as_it_is_measured)
+{
+  const Triangle_list list = bumpy_sphere(2);
+  const Result result = with_dial(0.).run(list);
+  double sum = 0., sum_of_inverses = 0.;
+  for(const Triangle& t : list.triangles)
+  {
+    const SP::internal::Rest_triangle rest =
+        SP::internal::Rest_triangle::from_points(list.points[t[0]], list.points[t[1]], list.points[t[2]]);
+    const Coordinates &p = result.images[t[0]], &q = result.images[t[1]], &r = result.images[t[2]];
+    const auto squared = [](double x) { return x * x; };
+    const double i = rest.opposite_0 * squared(distance(q, r)) + rest.opposite_1 * squared(distance(r, p)) +
+                     rest.opposite_2 * squared(distance(p, q));
+    sum += i;
+    sum_of_inverses += i / squared(2. * area(p, q, r) * rest.inverse_doubled_area);
+  }
+  EXPECT_NEAR(sum / sum_of_inverses, 1., 1e-10);
 }
 
 TEST(Objective, has_its_end_at_isometries)
@@ -79,6 +143,8 @@ TEST(Objective, has_its_end_at_isometries)
 
 TEST(Objective, of_small_meshes_is_brought_to_its_end)
 {
+  for(const Named_mesh& m : small_meshes())
+    EXPECT_EQ(bijective().run(m.mesh).report.stop_reason, SP::CONVERGED) << m.name;
   for(const Triangle_list& list : {bumpy_sphere(2), with_tentacle(6, 6.), random_stacked_sphere(300, 8)})
   {
     const Result result = bijective().run(list);
@@ -100,6 +166,42 @@ TEST(Objective, is_not_owned_by_slivers)
   EXPECT_NEAR(with.report.radius / without.report.radius, 1., 0.02);
   EXPECT_NEAR(with.distortion.isometric.average / without.distortion.isometric.average, 1., 0.02);
   EXPECT_NEAR(with.report.sharpness / without.report.sharpness, 1., 0.1);
+}
+
+// The two faces that nothing can help have neither a say in what the others get, nor in the radius.
+TEST(Objective, gives_the_others_what_they_had_without_a_needle)
+{
+  const Triangle_list list = bumpy_sphere(3);
+  const Result without = bijective().run(list);
+  for(const std::size_t shift : {0u, 400u, 1000u})
+  {
+    Triangle_list rotated = list; // its first edge gets the needle
+    std::rotate(rotated.triangles.begin(), rotated.triangles.begin() + static_cast<std::ptrdiff_t>(shift),
+                rotated.triangles.end());
+    const Mesh mesh = make(with_slivers(rotated, 1, 1e-5));
+    const Result with = bijective().run(mesh);
+    const auto distortion = get(CGAL::dynamic_face_property_t<SP::Face_distortion>(), mesh);
+    SP::measure_distortion(mesh, Point_map(mesh, with.images), distortion);
+    const std::size_t new_vertex = list.points.size();
+    double largest = 0., largest_of_slivers = 0.;
+    for(const auto f : faces(mesh))
+    {
+      bool is_at_sliver = false;
+      for(const auto v : vertices_around_face(halfedge(f, mesh), mesh))
+        is_at_sliver = is_at_sliver || static_cast<std::size_t>(v) == new_vertex;
+      double& of_its_kind = is_at_sliver ? largest_of_slivers : largest;
+      of_its_kind = (std::max)(of_its_kind, static_cast<double>(get(distortion, f).isometric));
+    }
+    EXPECT_GT(largest_of_slivers, 3. * largest);
+    EXPECT_NEAR(largest / without.distortion.isometric.maximum, 1., 0.1) << shift;
+    EXPECT_NEAR(with.report.radius / without.report.radius, 1., 0.02) << shift;
+  }
+}
+
+TEST(Objective, with_slivers_is_the_same_with_any_number_of_threads)
+{
+  const Mesh mesh = make(with_slivers(bumpy_sphere(4), 40, 1e-5));
+  EXPECT_TRUE(have_same_bits(bijective().run(mesh).images, bijective().run(mesh, Options().sequential()).images));
 }
 
 TEST(Objective, takes_any_dial)

@@ -115,6 +115,8 @@ TEST_F(Program, takes_every_setting_and_ignores_none)
                                        "--paper --iterations 130",
                                        "--paper --iterations 130 --initial hierarchical --radius area",
                                        "--paper --s-first 1 --s-last 1 --average-sweeps 5 --iterations 30",
+                                       "--tolerance 0",
+                                       "--tolerance 0.01",
                                        "--iterations 3",
                                        "--iterations 0"};
   for(const char* energy : {"symmetric-dirichlet", "isometric", "conformal"})
@@ -285,7 +287,10 @@ TEST_F(Program, refuses_bad_values_with_the_good_ones)
       {"--energy elastic", "symmetric-dirichlet, isometric or conformal"},
       {"--prefer best", "average, balance or worst"},
       {"--initial spherical", "hierarchical, stereographic, harmonic or conformal, or the name of a file"},
-      {"--radius 2", "two-phase, optimal, area, balanced or fixed=R"},
+      {"--radius 2", "objective, two-phase, optimal, area, balanced or fixed=R"},
+      {"--paper --radius objective", "has to be two-phase, optimal, area, balanced or fixed=R"},
+      {"--tolerance -1", "a number from 0 to 1"},
+      {"--tolerance nan", "a number from 0 to 1"},
       {"--radius fixed=0", "a number R from 2.3e-308 to 1.7e308"},
       {"--radius fixed=-1", "a number R from 2.3e-308"},
       {"--radius fixed=1e-320", "a number R from 2.3e-308"},
@@ -334,6 +339,8 @@ TEST_F(Program, refuses_options_that_would_be_ignored)
       {"--paper --energy isometric", "--initial, --s-first, --s-last, --average-sweeps, --radius, --iterations"},
       {"--paper --prefer worst", "--initial, --s-first"},
       {"--paper --sharpness 1", "--initial, --s-first"},
+      {"--method harmonic --tolerance 0", "--tolerance goes with --method bld"},
+      {"--paper --tolerance 0", "--initial, --s-first"},
   };
   for(const auto& [arguments, valid] : table)
     expect_refused(std::string("sphere.off -o result.off --json result.json ") + arguments, valid);

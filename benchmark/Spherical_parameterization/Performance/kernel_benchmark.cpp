@@ -17,7 +17,7 @@
 #include <CGAL/Spherical_parameterization/internal/certificate/Bijectivity_certificate.h>
 #include <CGAL/Spherical_parameterization/internal/descent/Block_coordinate_descent.h>
 #include <CGAL/Spherical_parameterization/internal/descent/Independent_sets.h>
-#include <CGAL/Spherical_parameterization/internal/descent/Sharpness_rule.h>
+#include <CGAL/Spherical_parameterization/internal/descent/Objective.h>
 #include <CGAL/Spherical_parameterization/internal/descent/Vertex_step.h>
 #include <CGAL/Spherical_parameterization/internal/hierarchy/Hierarchical_embedding.h>
 #include <CGAL/Spherical_parameterization/internal/hierarchy/Mesh_hierarchy.h>
@@ -132,12 +132,14 @@ public:
     Descent<internal::Newton_step>& sequential = descent(Execution());
     for(int k = 0; k < 10; ++k) // the best radius for the map
     {
-      sequential.measure(positions, radius, 0.);
+      sequential.measure(positions, radius, objective.of_faces());
       radius = SP::Optimal_radius_3()(Energy(), sequential.faces(), radius);
     }
-    const internal::Energy_summary summary = sequential.measure(positions, radius, 0.).all();
-    max_energy = summary.maximum_energy();
-    sharpness = internal::Sharpness_rule(SP::Sharpness()).next(0, summary.average(), max_energy);
+    const internal::Mesh_summary summary = sequential.measure(positions, radius, objective.of_faces());
+    max_energy = summary.all().maximum_energy();
+    objective.start_sweep(0, summary);
+    for(int k = 0; k < 10; ++k) // the best level
+      objective.improve_levels(sequential.measure(positions, radius, objective.of_faces()));
   }
   Situation(const Situation&) = delete;
   Situation& operator=(const Situation&) = delete;
@@ -158,7 +160,8 @@ public:
   std::vector<Vector_3d> positions; // on the unit sphere
   std::vector<Kernel::Point_3> images;
   std::vector<std::array<std::uint32_t, 3>> triangles;
-  double radius = 1., sharpness = 0., max_energy = 0.;
+  double radius = 1., max_energy = 0.;
+  internal::Objective objective{SP::Sharpness(), true};
 
 private:
   static constexpr unsigned int sweeps_of_map = 10;
@@ -217,14 +220,15 @@ std::size_t sweep(Situation& s, Execution execution, benchmark::State& state)
   std::vector<Vector_3d> positions = s.positions;
   Descent<internal::Newton_step>& descent = s.descent(execution);
   state.ResumeTiming();
-  descent.sweep(positions, s.radius, s.sharpness);
+  descent.sweep(positions, s.radius, s.objective.of_faces());
   benchmark::DoNotOptimize(positions.data());
   return s.number_of_vertices();
 }
 
 std::size_t measure(Situation& s, Execution execution, benchmark::State&)
 {
-  benchmark::DoNotOptimize(s.descent(execution).measure(s.positions, s.radius, s.sharpness).all().exponential_mean());
+  benchmark::DoNotOptimize(
+      s.objective.value(s.descent(execution).measure(s.positions, s.radius, s.objective.of_faces())));
   return s.triangles.size();
 }
 
@@ -412,7 +416,7 @@ void add_work_of_sweep(benchmark::State& state)
     Descent<Counting_step> descent{internal::Face_energy<Energy>{Energy()}, Counting_step(result), Execution()};
     assign(descent, s.mesh);
     std::vector<Vector_3d> positions = s.positions;
-    descent.sweep(positions, s.radius, s.sharpness);
+    descent.sweep(positions, s.radius, s.objective.of_faces());
     return result;
   }();
   const double n = static_cast<double>(situation().number_of_vertices());

@@ -199,7 +199,8 @@ private:
                                  "area at first, then balanced areas, the default of --paper; optimal: of the lowest "
                                  "energy; area: equal area; balanced: balanced areas; fixed=R: R, the default of "
                                  "--energy conformal, with R = 1")
-      ("tolerance", word("T"), "end when a sweep changes the objective by no more than this share, 1e-4; 0: never")
+      ("tolerance", word("T"), "end when a sweep changes the objective by no more than this share, 1e-4; 0: when nothing "
+                            "changes any more")
       ("iterations", word("N"), "most sweeps over the mesh, if not given 220, as many times more as it has fewer than "
                                 "2000 vertices, 2000 with --paper; or most global steps, if not given 100, 500 with "
                                 "--method arap; 0 leaves the initial map")

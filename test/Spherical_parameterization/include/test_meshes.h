@@ -227,6 +227,33 @@ inline Triangle_list with_tentacle(std::size_t n_rings, double length)
   return list;
 }
 
+// The mesh with `n` slivers, spread over it: as many new vertices on edges, at this share of their length from an end, which
+// have slivers on both sides of the short part.
+inline Triangle_list with_slivers(Triangle_list list, std::size_t n, double share)
+{
+  const std::size_t n_faces = list.triangles.size();
+  for(std::size_t k = 0; k < n; ++k)
+  {
+    const Triangle t = list.triangles[k * n_faces / n];
+    const Coordinates p = list.points[t[0]], q = list.points[t[1]];
+    const std::size_t v = list.points.size();
+    list.points.push_back({p[0] + share * (q[0] - p[0]), p[1] + share * (q[1] - p[1]), p[2] + share * (q[2] - p[2])});
+    for(std::size_t f = 0, end = list.triangles.size(); f < end; ++f)
+      for(std::size_t i = 0; i < 3; ++i)
+      {
+        const Triangle s = list.triangles[f];
+        const std::size_t a = s[i], b = s[(i + 1) % 3], c = s[(i + 2) % 3];
+        if((a == t[0] && b == t[1]) || (a == t[1] && b == t[0]))
+        {
+          list.triangles[f] = {a, v, c};
+          list.triangles.push_back({v, b, c});
+          break;
+        }
+      }
+  }
+  return list;
+}
+
 // A random order of 0, ..., n - 1, the same on every machine.
 inline std::vector<std::size_t> random_permutation(std::size_t n, std::uint32_t seed)
 {

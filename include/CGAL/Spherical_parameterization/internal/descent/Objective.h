@@ -18,6 +18,7 @@
 #include <CGAL/Spherical_parameterization/internal/descent/Energy_summary.h>
 #include <CGAL/Spherical_parameterization/internal/descent/Face_objective.h>
 #include <CGAL/Spherical_parameterization/internal/descent/Sharpness_rule.h>
+#include <CGAL/Spherical_parameterization/internal/simd/Vector_3.h>
 
 #include <algorithm>
 #include <cmath>
@@ -100,20 +101,21 @@ private:
 
   Exponential at_level(double level) const { return {m_b / level, level}; }
 
-  // dS/dR = 0 says that log mean[(b x - 1) exp(b (x - 1))] = log(b - 1) with x = E/R. The left side is increasing and
-  // convex in 1/R, where this makes a Newton step, at most one that doubles or halves R.
+  // dS/dR = 0 says that mean[(b x - 1) exp(b (x - 1))] = b - 1 with x = E/R. The left side is increasing and convex in
+  // 1/R, where this makes a Newton step, at most one that doubles or halves R: for the logarithm of both sides, which is
+  // nearly linear where exponents are large, or for the sides themselves, where the left one may be negative.
   double improve_level(Exponential& e, const Energy_summary& summary, double size, double min_level) const
   {
     if(summary.is_empty())
       return 0.;
     const double s = e.sharpness, slope = s * summary.weighted_mean() - 1.;
-    double step = -1.;
-    if(slope > 0.)
-    {
-      const double excess =
-          s * (summary.exponential_mean() - e.level) + std::log(summary.size() / size * slope / (m_b - 1.));
-      step = (std::min)((std::max)(excess * slope / (s * s * summary.weighted_mean_square()), -1.), 0.5);
-    }
+    const double exponent = s * (summary.exponential_mean() - e.level), share = summary.size() / size;
+    const double curvature = s * s * summary.weighted_mean_square();
+    if(!is_finite(curvature)) // squares of energies beyond what a double holds
+      return 0.;
+    const double excess = slope > 0. && m_b >= 2. ? slope * (exponent + std::log(share * slope / (m_b - 1.)))
+                                                  : slope - (m_b - 1.) / (share * std::exp(exponent));
+    const double step = (std::min)((std::max)(excess / curvature, -1.), 0.5);
     const double level = (std::max)(e.level / (1. - step), (std::min)(e.level, min_level));
     const double change = std::abs(level - e.level) / e.level;
     e = at_level(level);
