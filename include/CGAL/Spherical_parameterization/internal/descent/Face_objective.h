@@ -15,6 +15,8 @@
 
 #include <CGAL/license/Spherical_parameterization.h>
 
+#include <CGAL/Spherical_parameterization/internal/simd/Packed_double.h>
+
 namespace CGAL {
 namespace Spherical_parameterization {
 namespace internal {
@@ -47,10 +49,13 @@ struct Face_objective
   // doubled area by the distance of its plane from the centre: 1 - c^2 / 2 + ... for an isometric image on the unit
   // sphere, whose area is that of the surface, with the circumradius c; and c^2 is a ninth of the sum of the squared
   // edges of an equilateral face. So isometric images have d = 1 up to higher order on coarse meshes as well.
+  // It is bounded, since no image of a face is as long as the faces of coarse and long surfaces are.
   template <class FT>
   FT area_factor(const FT& opposite_0, const FT& opposite_1, const FT& opposite_2, const FT& doubled_area) const
   {
-    return 1. + area_correction * (opposite_0 + opposite_1 + opposite_2) * doubled_area * doubled_area;
+    constexpr double max_correction = 4.;
+    const FT correction = area_correction * (opposite_0 + opposite_1 + opposite_2) * doubled_area * doubled_area;
+    return 1. + minimum(correction, FT(max_correction));
   }
 
   double share = 1.; // a
