@@ -110,7 +110,6 @@ public:
     m_max = (std::max)(m_max, part.m_max);
   }
 
-  double sharpness() const { return m_sharpness; }
   double size() const { return static_cast<double>(m_size); }
   bool is_empty() const { return m_size == 0; }
   double average() const { return m_sum / size(); }

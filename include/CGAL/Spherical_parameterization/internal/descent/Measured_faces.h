@@ -126,7 +126,8 @@ public:
   }
 
   // The first two derivatives of the sum of psi(E) over all faces but the slivers in the logarithm of the radius, on the
-  // sphere of radius `radius`, where the areas of the images are `area_ratio`, d or flat_d.
+  // sphere of radius `radius`, where the areas of the images are `area_ratio`, d or flat_d; and what the first one would be
+  // if nothing cancelled, to tell rounding by.
   template <class Step, class Energy>
   std::array<double, 3> radius_derivatives(const Face_energy<Energy>& energy, double radius,
                                            const Face_objective& objective, double Face_invariants_3::*area_ratio,
@@ -181,7 +182,8 @@ public:
   const Face_invariants_3* begin() const { return m_invariants.data(); }
   const Face_invariants_3* end() const { return m_invariants.data() + m_number_of_faces; }
 
-  // Calls f(a, b, c) for each face whose energy was above `bound` when it was measured last, as long as f returns true.
+  // Calls f(a, b, c) for each face whose energy was above `bound` when it was measured last, as long as f returns true;
+  // but for blocks of faces that were all below it when they were summed up last, on a sphere that is nearly the same.
   template <class Energy, class Function>
   void for_each_above(const Face_energy<Energy>& energy, double bound, const Function& f) const
   {

@@ -353,8 +353,9 @@ private:
     return m_objective.share * exponential(m_faces[j].sharpness * (energy - m_faces[j].level));
   }
 
-  // s psi(E), given the weight; s is the sharpness of all faces but the slivers
   double linear_weight() const { return m_objective.ordinary.sharpness * (1. - m_objective.share); }
+
+  // s psi(E), given the weight; s is the sharpness of all faces but the slivers
   FT value_of(std::size_t j, const FT& energy, const FT& weight) const
   {
     return unless_padding(j, linear_weight() * energy + m_faces[j].reach * weight, FT(0.));
