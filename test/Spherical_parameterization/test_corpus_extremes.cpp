@@ -141,11 +141,23 @@ void extrude(Triangle_list& list, std::size_t face, double length, std::size_t n
     list.triangles.push_back({previous[i], previous[(i + 1) % 3], apex});
 }
 
-// Close to a sphere, with faces like needles. If the neighbours of a vertex fall into disorder on a coarse level, the
-// average comes to ten and more.
+// Faces like needles. A vertex that is inserted between two others off the middle, towards a pole, makes a spike that no
+// sweep undoes; which hole is seen from a pole is a matter of the order of the vertices.
 TEST(Extreme_degrees, two_vertices_of_all_faces)
 {
-  EXPECT_LT(expect_mapped(suspension(test_scale::number_of(20000, 100000))).distortion.isometric.average, 1.7);
+  for(const std::size_t n : std::vector<std::size_t>{20000, 70000, 150000, 200000})
+  {
+    if(n > test_scale::number_of(70000, 200000))
+      break;
+    const Triangle_list poles_last = suspension(n);
+    std::vector<std::size_t> number(n + 2);
+    for(std::size_t v = 0; v < n + 2; ++v)
+      number[v] = (v + 2) % (n + 2);
+    for(const Triangle_list& list : {poles_last, renumbered(poles_last, number, 1)})
+      EXPECT_LT(expect_mapped(list).distortion.isometric.maximum, 2.5) << n << " faces at each pole";
+  }
+  const Triangle_list tall = test_meshes::scaled(suspension(5000), 1., 1., 10.);
+  EXPECT_LT(expect_mapped(tall).distortion.isometric.maximum, 3.5);
 }
 
 TEST(Extreme_degrees, one_hub_in_a_fine_mesh)

@@ -350,7 +350,7 @@ TEST(Concept, sphere_radius_policy_with_phases)
 
 TEST(Concept, sphere_radius_policy_may_have_phases_without_end)
 {
-  const int endless = std::numeric_limits<int>::max();
+  const int endless = (std::numeric_limits<int>::max)();
   int number_of_calls = 0;
   auto bld = Bld().radius(My_radius_in_phases{&number_of_calls, endless});
   run(bld, 3);

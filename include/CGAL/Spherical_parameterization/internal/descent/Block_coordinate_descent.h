@@ -96,41 +96,44 @@ public:
     move_all(m_stars, positions, radius, objective, m_step);
   }
 
-  // Makes room for a focus on so many vertices, so that another thread, whose allocator may have a heap of its own,
-  // hardly allocates when it looks for it.
-  void reserve_focus(std::size_t n_vertices)
+  // Makes room for a focus on stars with so many faces, so that another thread, whose allocator may have a heap of its
+  // own, hardly allocates when it looks for it.
+  void reserve_focus(std::size_t n_faces)
   {
-    m_focus.reserve(n_vertices);
-    m_selected.reserve(n_vertices + 1);
+    m_focus.reserve(n_faces / 6);
+    m_selected.reserve(n_faces / 6);
     m_is_selected.reserve(m_rings->number_of_vertices());
   }
 
   // Selects the vertices of the faces whose energy was above `bound` when they were last measured, and their neighbours,
-  // unless they are more than `max`. Returns their number, or some number above `max`.
+  // unless their stars have more than `max` faces in all, which is what a sweep over them takes. Returns this number,
+  // or some number above `max`.
   std::size_t focus_on_faces_above(double bound, std::size_t max)
   {
     m_is_selected.resize(m_rings->number_of_vertices(), 0);
     std::vector<std::uint32_t>& selected = m_selected;
     selected.clear();
+    std::size_t n_faces = 0;
     const auto select_vertex = [&](std::uint32_t v) {
-      if(!m_is_selected[v] && selected.size() <= max)
+      if(!m_is_selected[v] && n_faces <= max)
       {
         selected.push_back(v);
         m_is_selected[v] = 1;
+        n_faces += m_rings->degree(v);
       }
-      return selected.size() <= max;
+      return n_faces <= max;
     };
     m_faces.for_each_above(m_energy, bound, [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
       return select_vertex(a) && select_vertex(b) && select_vertex(c);
     });
     const std::size_t n_corners = selected.size();
-    for(std::size_t k = 0; k < n_corners && selected.size() <= max; ++k)
+    for(std::size_t k = 0; k < n_corners && n_faces <= max; ++k)
       for(const std::uint32_t w : m_rings->ring(selected[k]))
         select_vertex(w);
     for(const std::uint32_t v : selected)
       m_is_selected[v] = 0;
-    if(selected.size() > max)
-      return selected.size();
+    if(n_faces > max)
+      return n_faces;
 
     for(std::uint32_t& v : selected)
       v = m_places[v];
@@ -143,7 +146,7 @@ public:
       place = m_stars.vertex(place);
     m_focus.assign(selected, first_of_set, [&](std::uint32_t v) { return m_rings->degree(v); });
     fill(m_focus, [&](std::uint32_t v) { return m_stars.star(m_places[v]); });
-    return selected.size();
+    return n_faces;
   }
 
   // Moves every selected vertex once, as sweep() does.

@@ -266,7 +266,7 @@ private:
       sweep_all();
       return;
     }
-    std::size_t focus = 0; // its number of vertices
+    std::size_t focus = 0; // the faces of its stars
     m_descent.reserve_focus(m_max_focus);
     run_both(m_execution, sweep_all, [&] {
       focus = m_descent.focus_on_faces_above(focus_energy * m_state.summary.all().maximum_energy(), m_max_focus);
@@ -345,7 +345,7 @@ private:
   Descent_settings m_settings;
   Run_control& m_control;
   Execution m_execution;
-  std::size_t m_max_focus;      // vertices
+  std::size_t m_max_focus;      // faces of its stars
   std::size_t m_next_focus = 0; // the first sweep that may have one
   State m_state;
 };
@@ -364,7 +364,7 @@ Descent_loop<Energy, Step>::Descent_loop(const Indexed_mesh& mesh, const Energy&
   , m_settings(settings)
   , m_control(control)
   , m_execution(execution)
-  , m_max_focus(static_cast<std::size_t>(focus_share * static_cast<double>(mesh.number_of_vertices())) /
+  , m_max_focus(static_cast<std::size_t>(focus_share * static_cast<double>(mesh.rings().number_of_corners())) /
                 min_focus_sweeps)
 {
   m_descent.assign(mesh.rings(), Independent_sets(mesh.rings()), mesh.points(), std::vector<double>(), Rest_limits(),

@@ -48,12 +48,19 @@ public:
     const Tangent_frame frame(hole[0]);
     m_offsets.resize(d);
     double squared_reach = 0., squared_width = largest;
+    Vector_3d middle = {0., 0., 0.}; // of the two vertices next but one that are closest to each other
     for(std::size_t j = 0; j < d; ++j)
     {
       m_offsets[j] = frame.offset_of(hole[j]);
       squared_reach = (std::max)(squared_reach, squared_length(m_offsets[j]));
-      if(j >= 2)
-        squared_width = (std::min)(squared_width, squared_length(m_offsets[j] - m_offsets[j - 2]));
+      if(j < 2)
+        continue;
+      const double squared_distance = squared_length(m_offsets[j] - m_offsets[j - 2]);
+      if(squared_distance < squared_width)
+      {
+        squared_width = squared_distance;
+        middle = 0.5 * (m_offsets[j] + m_offsets[j - 2]);
+      }
     }
     const double reach = (std::min)(4. * std::sqrt(squared_reach), 10.);
 
@@ -77,15 +84,8 @@ public:
       candidate = {0.5 * candidate[0], 0.5 * candidate[1]};
     }
     // The hole of a vertex between two hubs is a lune, which the projection makes endless: its centroid is off the
-    // middle.
-    if(squared_width < squared_lune_width * squared_reach)
-    {
-      Vector_3d mean = {0., 0., 0.};
-      for(const Vector_3d& p : m_offsets)
-        mean = mean + (1. / static_cast<double>(d)) * p;
-      if(mean[2] > -0.9)
-        consider({mean[0] / (1. + mean[2]), mean[1] / (1. + mean[2])}, best, min_roughness);
-    }
+    // middle, which is between the two vertices that are close to each other.
+    consider({middle[0] / (1. + middle[2]), middle[1] / (1. + middle[2])}, best, min_roughness);
     if(!(min_roughness < largest))
       return false;
     // back from the tangent plane to tangential coordinates
@@ -96,7 +96,6 @@ public:
 
 private:
   static constexpr int max_halvings = 4;
-  static constexpr double squared_lune_width = 1e-4; // of a hole, in units of its reach
   static constexpr double largest = (std::numeric_limits<double>::max)();
 
   using Point = std::array<double, 2>;
