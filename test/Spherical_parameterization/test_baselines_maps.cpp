@@ -324,7 +324,7 @@ TEST(ARAP_map, has_an_energy_that_never_rises)
     Recorder recorder;
     const SP::Parameterization_report report = arap().run(list, Options().visitor(recorder)).report;
     const std::vector<Recorder::Event> iterations = recorder.all("iteration");
-    ASSERT_GT(iterations.size(), 5u);
+    ASSERT_GE(iterations.size(), 5u);
     double last = report.initial_energy;
     for(const Recorder::Event& iteration : iterations)
     {
