@@ -198,11 +198,11 @@ TEST(Number_of_iterations, is_respected)
 
 TEST(Number_of_iterations, has_its_defaults)
 {
-  EXPECT_EQ(SP::internal::default_number_of_sweeps(42), 220u * 47u); // as many times more for small meshes
-  EXPECT_EQ(SP::internal::default_number_of_sweeps(5000), 220u);
+  EXPECT_EQ(SP::internal::default_number_of_sweeps(42), 250u * 47u); // as many times more for small meshes
+  EXPECT_EQ(SP::internal::default_number_of_sweeps(5000), 250u);
   const Result few = tireless().run(bumpy_sphere(1), Options().iterations(50));
   EXPECT_EQ(few.report.stop_reason, SP::ITERATION_LIMIT);
-  EXPECT_GT(tireless().run(bumpy_sphere(1)).report.number_of_iterations(), 220u);
+  EXPECT_GT(tireless().run(bumpy_sphere(1)).report.number_of_iterations(), 250u);
 }
 
 TEST(Report, adds_up)

@@ -107,7 +107,7 @@ TABLES = {
 | `Fixed_radius_3` of 1 | it is what you say, in the unit of the mesh | 1 | @horse radius_fixed=1 D_iso@ | @horse radius_fixed=1 D_area@ |
 """,
     "starts": r"""
-| Start | fandisk_6475, 220 sweeps at most | 2000 sweeps at most | bunny_3485, 220 | 2000 | horse_19851, 220 | 2000 |
+| Start | fandisk_6475, 250 sweeps at most | 2000 sweeps at most | bunny_3485, 250 | 2000 | horse_19851, 250 | 2000 |
 | :---- | ---: | ---: | ---: | ---: | ---: | ---: |
 | hierarchical | @fandisk default D_iso@ | @fandisk sweeps_2000 D_iso@ (@fandisk sweeps_2000 sweeps@) | @bunny default D_iso@ | @bunny sweeps_2000 D_iso@ (@bunny sweeps_2000 sweeps@) | @horse default D_iso@ | @horse sweeps_2000 D_iso@ (@horse sweeps_2000 sweeps@) |
 | harmonic | @fandisk from_harmonic D_iso@ | @fandisk from_harmonic_2000 D_iso@ (@fandisk from_harmonic_2000 sweeps@) | @bunny from_harmonic D_iso@ | @bunny from_harmonic_2000 D_iso@ (@bunny from_harmonic_2000 sweeps@) | @horse from_harmonic D_iso@ | @horse from_harmonic_2000 D_iso@ (@horse from_harmonic_2000 sweeps@) |

@@ -101,7 +101,7 @@ namespace Spherical_parameterization {
 ///     \cgalParamDescription{the maximum number of sweeps over the vertices of `tmesh` itself, or of steps of a
 ///                           method that moves all vertices at once}
 ///     \cgalParamType{unsigned int}
-///     \cgalParamDefault{`220` for \f$ n \f$ = 2000 vertices and more, \f$ 1 + \lfloor 2000 / (n + 1) \rfloor \f$ times as
+///     \cgalParamDefault{`250` for \f$ n \f$ = 2000 vertices and more, \f$ 1 + \lfloor 2000 / (n + 1) \rfloor \f$ times as
 ///                       many for fewer; `2000` for `Published_low_distortion_parameterizer_3`, `500` for
 ///                       `ARAP_parameterizer_3`, and `100` for the other methods that make global steps}
 ///     \cgalParamExtra{Not used by `Hierarchical_parameterizer_3`, `Stereographic_parameterizer_3` and

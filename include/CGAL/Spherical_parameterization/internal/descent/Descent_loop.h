@@ -65,7 +65,7 @@ constexpr std::size_t size_of_small_meshes = 2000;
 // As many sweeps as bring most meshes to their end.
 inline std::size_t default_number_of_sweeps(std::size_t n_vertices)
 {
-  return 220 * (1 + size_of_small_meshes / (n_vertices + 1));
+  return 250 * (1 + size_of_small_meshes / (n_vertices + 1));
 }
 
 // The method BLD once there is a bijection: sweeps over all vertices, each with the radius and the sharpness that suit
