@@ -544,7 +544,7 @@ TEST(Interrupt_guard_death, ends_the_program_at_the_second_signal)
     for(const int second : {SIGINT, SIGTERM})
       EXPECT_EXIT(
           {
-            const Program::Interrupt_guard guard({SIGINT, SIGTERM, SIGHUP});
+            const Program::Interrupt_guard guard;
             std::raise(first);
             std::cerr << (Program::Interrupt_guard::is_interrupted() ? "interrupted" : "") << std::endl;
             std::raise(second);
@@ -557,7 +557,7 @@ TEST(Interrupt_guard, leaves_it_to_nohup_what_a_hangup_means)
 {
   std::signal(SIGHUP, SIG_IGN);
   {
-    const Program::Interrupt_guard guard({SIGINT, SIGHUP});
+    const Program::Interrupt_guard guard;
     std::raise(SIGHUP);
     EXPECT_FALSE(Program::Interrupt_guard::is_interrupted());
   }
@@ -569,7 +569,7 @@ TEST(Interrupt_guard, tells_all_threads_of_a_signal) // as the sanitizer of thre
   ::testing::FLAGS_gtest_death_test_style = "threadsafe";
   EXPECT_EXIT(
       {
-        const Program::Interrupt_guard guard({SIGINT});
+        const Program::Interrupt_guard guard;
         std::thread other([] {
           while(!Program::Interrupt_guard::is_interrupted())
             std::this_thread::yield();

@@ -54,7 +54,7 @@ public:
       sizes.push_back(error ? 0 : size);
     }
     {
-      const Interrupt_guard guard({SIGINT, SIGTERM, SIGHUP});
+      const Interrupt_guard guard;
       Batch_scheduler::for_each_mesh(sizes, [&](std::size_t i) { run(m_meshes[i]); });
     }
     print_summary();

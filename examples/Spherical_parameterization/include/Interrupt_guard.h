@@ -3,20 +3,20 @@
 
 #include <atomic>
 #include <csignal>
-#include <initializer_list>
 #include <utility>
 #include <vector>
 
 namespace Program {
 
-/// As long as the object lives, its signals do not end the program but are noted, for all threads. A second one ends it.
+/// As long as the object lives, SIGINT, SIGTERM and SIGHUP do not end the program but are noted, for all threads. A second
+/// one ends it.
 /// SIGHUP stays ignored if it is, as nohup has asked for that.
 class Interrupt_guard
 {
 public:
-  explicit Interrupt_guard(std::initializer_list<int> signals)
+  Interrupt_guard()
   {
-    for(const int signal : signals)
+    for(const int signal : {SIGINT, SIGTERM, SIGHUP})
     {
       m_previous.emplace_back(signal, std::signal(signal, &note));
       if(signal == SIGHUP && m_previous.back().second == SIG_IGN)

@@ -41,7 +41,7 @@ public:
     for(auto file = m_wanted.begin(); file != m_wanted.end(); ++file)
     {
       for(const std::string& input : {names.input, start_file})
-        if(!std::filesystem::is_symlink((*file)->path()) &&
+        if(!std::filesystem::is_symlink((*file)->path(), ignored) &&
            std::filesystem::equivalent((*file)->path(), input, ignored))
           throw Program_error((*file)->name(), "would replace the input; choose another name");
       for(auto other = m_wanted.begin(); other != file; ++other)

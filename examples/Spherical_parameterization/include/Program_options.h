@@ -69,7 +69,7 @@ public:
 Maps a closed triangle mesh of genus 0 to a sphere, one-to-one and with low distortion. INPUT is a file of
 one of the formats )"
          << list_of(input_formats) << R"(. The result is certified by exact arithmetic.
-Without -o nothing but the report is printed. Ctrl-C ends the sweeps; the map reached is written.
+Without -o nothing but the report is printed. Ctrl-C or SIGTERM ends the sweeps; the map reached is written.
 
 With --output-folder, a mesh that fails does not stop the others. Small meshes are mapped one on each core,
 large ones one after the other on all. After Ctrl-C nothing that is incomplete is left; --resume goes on.
@@ -77,7 +77,7 @@ large ones one after the other on all. After Ctrl-C nothing that is incomplete i
 )" << describe_options()
          << R"(
 Exit status: 0, a certified one-to-one map was found and all files were written; 1, an error, of which a
-message tells, and no map was written; 2, the map folds, which --method conformal and arap do not exclude;
+message tells; 2, the map folds, which --method conformal and arap do not exclude;
 all files were written nevertheless. With --output-folder: 0, all meshes have a certified map; 1, some have
 none; 2, all have one, but some fold.
 )";
@@ -109,7 +109,7 @@ none; 2, all have one, but some fold.
   std::optional<Radius_choice> radius; ///< if not, it is a variable of the objective
   bool is_unit_sphere = false;         ///< whether the radius is 1 because nothing else has chosen one
   std::string description;             ///< the method with all of its settings in words
-  double energy_tolerance = 1e-4, radius_tolerance = 1e-3;
+  double energy_tolerance = 2e-4, radius_tolerance = 1e-3;
   std::size_t max_iterations = (std::numeric_limits<std::size_t>::max)(); ///< which is the method's default
   double max_seconds = 0.;                                                ///< 0 if there is no limit
   unsigned int max_threads = 0;                                           ///< 0 if there is no limit
@@ -199,7 +199,7 @@ private:
                                  "area at first, then balanced areas, the default of --paper; optimal: of the lowest "
                                  "energy; area: equal area; balanced: balanced areas; fixed=R: R, the default of "
                                  "--energy conformal, with R = 1")
-      ("tolerance", word("T"), "end when a sweep changes the objective by no more than this share, 1e-4; 0: when nothing "
+      ("tolerance", word("T"), "end when a sweep changes the objective by no more than this share, 2e-4; 0: when nothing "
                             "changes any more")
       ("iterations", word("N"), "most sweeps over the mesh, if not given 220, as many times more as it has fewer than "
                                 "2000 vertices, 2000 with --paper; or most global steps, if not given 100, 500 with "
@@ -439,7 +439,7 @@ private:
   void read_limits()
   {
     const bool is_bld = method == "bld";
-    energy_tolerance = read_number("tolerance", 0., 1., "a number from 0 to 1", 1e-4);
+    energy_tolerance = read_number("tolerance", 0., 1., "a number from 0 to 1", 2e-4);
     radius_tolerance = energy_tolerance > 0. ? 1e-3 : 0.;
     if(has("tolerance"))
       describe("tolerance " + short_text(energy_tolerance));

@@ -10,9 +10,7 @@
 #include <CGAL/spherical_parameterization.h>
 
 #include <array>
-#include <csignal>
 #include <functional>
-#include <initializer_list>
 #include <optional>
 #include <string>
 #include <variant>
@@ -126,7 +124,7 @@ inline Run_result run_method(const Program_options& options, Input_mesh& input, 
   const auto run = [&](auto parameterizer) -> Run_result {
     std::optional<Interrupt_guard> guard;
     if(!options.is_batch()) // which has one for all
-      guard.emplace(std::initializer_list<int>{SIGINT});
+      guard.emplace();
     Progress_visitor visitor(!options.is_quiet && !options.is_batch());
     const SP::Error_code error = SP::parameterize(input.mesh(), parameterizer, sphere,
                                                   CGAL::parameters::visitor(std::ref(visitor))

@@ -53,7 +53,7 @@ public:
 struct Descent_settings
 {
   // A sweep that changes the energy by at most this much, relative, and the radius likewise, has converged.
-  double energy_tolerance = 1e-4, radius_tolerance = 1e-3;
+  double energy_tolerance = 2e-4, radius_tolerance = 1e-3;
   // If so, extra sweeps go over the worst faces alone, the radius makes half steps, and convergence asks for more than
   // that the sum of eq. 6 or 7 has settled.
   bool is_accelerated = true;
