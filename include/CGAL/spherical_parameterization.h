@@ -44,6 +44,7 @@
 #include <CGAL/Spherical_parameterization/Precomputed_parameterizer_3.h>
 #include <CGAL/Spherical_parameterization/Published_low_distortion_parameterizer_3.h>
 #include <CGAL/Spherical_parameterization/Sharpness.h>
+#include <CGAL/Spherical_parameterization/Sphere_locator_3.h>
 #include <CGAL/Spherical_parameterization/Stereographic_parameterizer_3.h>
 #include <CGAL/Spherical_parameterization/Symmetric_Dirichlet_energy_3.h>
 #include <CGAL/Spherical_parameterization/Two_phase_radius_3.h>

@@ -42,7 +42,8 @@ enum Error_code
   ERROR_INSUFFICIENT_PRECISION,           ///< No one-to-one map was found that the coordinates can hold.
   ERROR_CANNOT_SOLVE_LINEAR_SYSTEM,       ///< The solver of a method that needs one has failed.
   ERROR_WRONG_PARAMETER,                  ///< A parameter is out of its range.
-  ERROR_TOO_LARGE_MESH                    ///< The mesh has 2<sup>31</sup> - 1 halfedges or more.
+  ERROR_TOO_LARGE_MESH,                   ///< The mesh has 2<sup>31</sup> - 1 halfedges or more.
+  ERROR_INVALID_DIRECTION                 ///< A direction is zero, infinite or not a number.
 };
 
 /// \ingroup PkgSphericalParameterizationEnums
@@ -93,6 +94,9 @@ inline const char* get_error_message(Error_code error_code)
     return "A parameter is out of its range: see the documentation of the function or class for the values it accepts.";
   case ERROR_TOO_LARGE_MESH:
     return "The mesh has more than 700 million faces, which is what 32-bit indices can hold: simplify it first.";
+  case ERROR_INVALID_DIRECTION:
+    return "A direction is zero, infinite or not a number, so that it leads nowhere: those without a face are meant; "
+           "leave them out, or repair what computes them.";
   }
   return "Unknown error code: it was not returned by this package.";
 }
