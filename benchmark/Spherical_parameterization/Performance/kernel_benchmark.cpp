@@ -28,7 +28,11 @@
 #include <CGAL/Spherical_parameterization/internal/run_parameterization.h>
 #include <CGAL/Spherical_parameterization/internal/simd/Vector_3.h>
 
+#include <CGAL/AABB_face_graph_triangle_primitive.h>
+#include <CGAL/AABB_traits.h>
+#include <CGAL/AABB_tree.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Origin.h>
 #include <CGAL/Surface_mesh.h>
 
 #include <benchmark/benchmark.h>
@@ -42,6 +46,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
@@ -49,7 +54,9 @@
 #include <fstream>
 #include <iostream>
 #include <limits>
+#include <memory>
 #include <optional>
+#include <random>
 #include <stdexcept>
 #include <string>
 #include <type_traits>
@@ -62,6 +69,7 @@ namespace internal = SP::internal;
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
+using Sphere_map = Mesh::Property_map<Mesh::Vertex_index, Kernel::Point_3>;
 using Energy = SP::Symmetric_Dirichlet_energy_3;
 using internal::Execution;
 using internal::Vector_3d;
@@ -112,18 +120,20 @@ public:
   // Reads the mesh, and the map if there is a file for it; if there is a name but no file, the map is made and written.
   Situation()
     : tmesh(read_off(options.mesh_file))
+    , sphere(tmesh.add_property_map<Mesh::Vertex_index, Kernel::Point_3>("v:sphere").first)
   {
     SP::Parameterization_report report;
     std::vector<Mesh::Vertex_index> vertices;
     check(internal::read_mesh(tmesh, tmesh.points(), mesh, vertices, report));
-    const Mesh sphere = std::ifstream(options.map_file) ? read_off(options.map_file) : make_map();
-    if(sphere.number_of_vertices() != tmesh.number_of_vertices())
+    const Mesh map = std::ifstream(options.map_file) ? read_off(options.map_file) : make_map();
+    if(map.number_of_vertices() != tmesh.number_of_vertices())
       throw std::runtime_error(options.map_file + ": the map is not that of the mesh");
     for(std::size_t v = 0; v < mesh.number_of_vertices(); ++v)
     {
-      const Kernel::Point_3& p = sphere.point(vertices[mesh.original(v)]);
+      const Kernel::Point_3& p = map.point(vertices[mesh.original(v)]);
       positions.push_back(internal::normalized(Vector_3d{p.x(), p.y(), p.z()}));
       images.emplace_back(positions[v][0], positions[v][1], positions[v][2]);
+      sphere[vertices[mesh.original(v)]] = images[v];
     }
     triangles = mesh.triangles();
     if(!internal::certify_bijectivity<Kernel>(images, triangles, Execution()).is_bijective())
@@ -156,6 +166,7 @@ public:
   std::size_t number_of_vertices() const { return mesh.number_of_vertices(); }
 
   Mesh tmesh;
+  Sphere_map sphere; // of its vertices
   internal::Indexed_mesh mesh;
   std::vector<Vector_3d> positions; // on the unit sphere
   std::vector<Kernel::Point_3> images;
@@ -168,16 +179,16 @@ private:
 
   Mesh make_map() const
   {
-    Mesh sphere = tmesh;
-    check(SP::parameterize(tmesh, sphere.points(), CGAL::parameters::number_of_iterations(sweeps_of_map)));
+    Mesh result = tmesh;
+    check(SP::parameterize(tmesh, result.points(), CGAL::parameters::number_of_iterations(sweeps_of_map)));
     if(!options.map_file.empty())
     {
       std::ofstream out(options.map_file);
       out.precision(std::numeric_limits<double>::max_digits10);
-      if(!(out << sphere))
+      if(!(out << result))
         throw std::runtime_error(options.map_file + ": cannot be written");
     }
-    return sphere;
+    return result;
   }
 
   std::array<std::optional<Descent<internal::Newton_step>>, 2> m_descents;
@@ -279,6 +290,96 @@ std::size_t certify(Situation& s, Execution execution, benchmark::State&)
 {
   benchmark::DoNotOptimize(internal::certify_bijectivity<Kernel>(s.images, s.triangles, execution).degree);
   return s.triangles.size();
+}
+
+std::vector<Kernel::Point_3> random_directions()
+{
+  std::mt19937_64 random(1);
+  std::vector<Kernel::Point_3> result;
+  while(result.size() < 100000)
+  {
+    const auto coordinate = [&] { return std::ldexp(static_cast<double>(random() >> 11), -52) - 1.; };
+    const double x = coordinate(), y = coordinate(), z = coordinate();
+    if(x * x + y * y + z * z <= 1.)
+      result.emplace_back(x, y, z);
+  }
+  return result;
+}
+
+// the pixels of a map of the sphere in rows, all but the poles
+std::vector<Kernel::Point_3> coherent_directions()
+{
+  constexpr int n = 250;
+  std::vector<Kernel::Point_3> result;
+  for(int i = 1; i < n; ++i)
+    for(int j = 0; j < 2 * n; ++j)
+    {
+      const double latitude = (static_cast<double>(i) / n - 0.5) * CGAL_PI, longitude = j * CGAL_PI / n;
+      result.emplace_back(std::cos(latitude) * std::cos(longitude), std::cos(latitude) * std::sin(longitude),
+                          std::sin(latitude));
+    }
+  return result;
+}
+
+using Locator = SP::Sphere_locator_3<Mesh, Sphere_map, CGAL::Sequential_tag>;
+
+std::size_t set_locator_up(Situation& s, Execution, benchmark::State&)
+{
+  const Locator locator(s.tmesh, s.sphere);
+  check(locator.error_code());
+  return s.triangles.size();
+}
+
+std::size_t locate_random(Situation& s, Execution, benchmark::State&)
+{
+  static const Locator locator(s.tmesh, s.sphere);
+  static const std::vector<Kernel::Point_3> directions = random_directions();
+  for(const Kernel::Point_3& q : directions)
+    benchmark::DoNotOptimize(locator.locate(q).second);
+  return directions.size();
+}
+
+std::size_t locate_coherent(Situation& s, Execution, benchmark::State&)
+{
+  static const Locator locator(s.tmesh, s.sphere);
+  static const std::vector<Kernel::Point_3> directions = coherent_directions();
+  Locator::Hint hint;
+  for(const Kernel::Point_3& q : directions)
+    benchmark::DoNotOptimize(locator.locate(q, hint).second);
+  return directions.size();
+}
+
+template <class ConcurrencyTag>
+std::size_t locate_range(Situation& s)
+{
+  static const SP::Sphere_locator_3<Mesh, Sphere_map, ConcurrencyTag> locator(s.tmesh, s.sphere);
+  static const std::vector<Kernel::Point_3> directions = random_directions();
+  std::vector<Locator::Face_location> locations(directions.size());
+  check(locator.locate(directions, locations.begin()));
+  benchmark::DoNotOptimize(locations.data());
+  return directions.size();
+}
+
+std::size_t locate_range(Situation& s, Execution execution, benchmark::State&)
+{
+  return execution.run == Execution().run ? locate_range<CGAL::Sequential_tag>(s)
+                                          : locate_range<CGAL::Parallel_if_available_tag>(s);
+}
+
+// What the locator is compared with.
+std::size_t locate_by_rays(Situation& s, Execution, benchmark::State&)
+{
+  using Primitive = CGAL::AABB_face_graph_triangle_primitive<Mesh, Sphere_map>;
+  using Tree = CGAL::AABB_tree<CGAL::AABB_traits<Kernel, Primitive>>;
+  static const std::vector<Kernel::Point_3> directions = random_directions();
+  static const std::unique_ptr<Tree> tree = [&] {
+    auto result = std::make_unique<Tree>(faces(s.tmesh).begin(), faces(s.tmesh).end(), s.tmesh, s.sphere);
+    result->build();
+    return result;
+  }();
+  for(const Kernel::Point_3& q : directions)
+    benchmark::DoNotOptimize(tree->first_intersected_primitive(Kernel::Ray_3(CGAL::ORIGIN, q)));
+  return directions.size();
 }
 
 // The physical memory that this process has at most, beyond what it has when this object is made. The code of a program,
@@ -487,7 +588,12 @@ void add_benchmarks()
                        {"coarsening", coarsen, true},
                        {"embedding", embed, true},
                        {"reading", read, false},
-                       {"certificate", certify, true}};
+                       {"certificate", certify, true},
+                       {"location_setup", set_locator_up, false},
+                       {"location_random", locate_random, false},
+                       {"location_coherent", locate_coherent, false},
+                       {"location_range", locate_range, true},
+                       {"location_by_rays", locate_by_rays, false}};
 
   add("sweep", [](benchmark::State& state) {
     run(state, sweep, Execution());
