@@ -309,7 +309,7 @@ std::vector<Kernel::Point_3> random_directions()
 // the pixels of a map of the sphere in rows, all but the poles
 std::vector<Kernel::Point_3> coherent_directions()
 {
-  constexpr int n = 250;
+  constexpr int n = 500;
   std::vector<Kernel::Point_3> result;
   for(int i = 1; i < n; ++i)
     for(int j = 0; j < 2 * n; ++j)
