@@ -2,6 +2,7 @@
 // faces at once.
 
 #include <CGAL/Spherical_parameterization/Conformal_energy_3.h>
+#include <CGAL/Spherical_parameterization/Stretch_energy_3.h>
 #include <CGAL/Spherical_parameterization/Symmetric_Dirichlet_energy_3.h>
 #include <CGAL/Spherical_parameterization/internal/descent/Star_energy.h>
 #include <CGAL/Spherical_parameterization/internal/simd/Packed_double.h>
@@ -283,6 +284,7 @@ TEST(Face_energy, is_the_same_in_lanes)
   for(const double guard : {0., 0.01})
   {
     expect_same_in_lanes(SP::Conformal_energy_3(), guard);
+    expect_same_in_lanes(SP::Stretch_energy_3(), guard);
     expect_same_in_lanes(Hooked_energy(), guard);
     expect_same_in_lanes(archetypes::Distortion_energy_in_lanes(archetypes::Copy_constructible::MADE_BY_TEST), guard);
   }

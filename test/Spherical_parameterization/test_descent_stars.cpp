@@ -2,6 +2,7 @@
 // tangential coordinates by central differences, and the steps on it; and stars in packets, moved as if each were alone.
 
 #include <CGAL/Spherical_parameterization/Isometric_energy_3.h>
+#include <CGAL/Spherical_parameterization/Stretch_energy_3.h>
 #include <CGAL/Spherical_parameterization/Symmetric_Dirichlet_energy_3.h>
 #include <CGAL/Spherical_parameterization/internal/descent/Independent_sets.h>
 #include <CGAL/Spherical_parameterization/internal/descent/Measured_faces.h>
@@ -157,6 +158,15 @@ struct Loaded_star
 
   const Images& points() const { return m_stars.points; }
 
+  // How much face j counts.
+  template <class Model>
+  double count_of(std::size_t j) const
+  {
+    return Weighs_faces_by_area<typename Model::Energy>::value
+               ? 1. / std::abs(m_stars.stars[0].rest(j).inverse_doubled_area)
+               : 1.;
+  }
+
   // What face j with this energy adds: E, exp(s (E - largest)), or s psi(E), s being the sharpness of all but the slivers.
   double value_of(std::size_t j, double e, const Face_objective& objective, double largest) const
   {
@@ -192,6 +202,7 @@ protected:
 };
 
 using Models = ::testing::Types<Model<SP::Symmetric_Dirichlet_energy_3, Newton_step>,
+                                Model<SP::Stretch_energy_3, Newton_step>, // whose faces count by their areas
                                 Model<SP::Isometric_energy_3, Gradient_step>>;
 TYPED_TEST_SUITE(One_star, Models, ); // without the last comma, Clang is pedantic about the macro
 
@@ -222,7 +233,7 @@ TYPED_TEST(One_star, is_the_sum_over_the_faces)
         double sum = 0., amplification = 1.; // of the relative error, by the exponential
         for(std::size_t j = 0; j < energies.size(); ++j)
         {
-          sum += star.value_of(j, energies[j], objective, largest);
+          sum += star.template count_of<TypeParam>(j) * star.value_of(j, energies[j], objective, largest);
           amplification = (std::max)(amplification, objective.ordinary.sharpness * energies[j]);
         }
         // The positions in space are rounded to 1e-16 of the radius, the offsets are not.

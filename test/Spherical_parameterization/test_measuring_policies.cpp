@@ -171,6 +171,25 @@ TEST(Symmetric_Dirichlet_energy, grows_with_the_square_of_the_isometric_distorti
   }
 }
 
+TEST(Stretch_energy, has_its_definition_and_derivatives)
+{
+  for(const double epsilon : {1e-3, 0.5})
+  {
+    const SP::Stretch_energy_3 energy(epsilon);
+    Random random(5);
+    for(int k = 0; k < 100; ++k)
+    {
+      const double s1 = random.factor(1e3), s2 = random.factor(1e3);
+      const double value = 1. / (s1 * s1) + 1. / (s2 * s2) + epsilon * (s1 * s1 + s2 * s2);
+      EXPECT_NEAR(energy(s1 * s1 + s2 * s2, s1 * s2), value, 1e-14 * value);
+    }
+    expect_derivatives(energy);
+  }
+  EXPECT_TRUE(SP::Stretch_energy_3(1e-9).is_valid());
+  EXPECT_FALSE(SP::Stretch_energy_3(0.).is_valid());
+  EXPECT_FALSE(SP::Stretch_energy_3(std::nan("")).is_valid());
+}
+
 TEST(Isometric_energy, has_its_definition_and_derivatives)
 {
   EXPECT_EQ(SP::Isometric_energy_3().alpha(), 0.5);
@@ -375,7 +394,8 @@ TEST(Optimal_radius, minimises_the_energy_in_use)
   const auto total = [&](const auto& e, double radius) {
     double sum = 0.;
     for(const SP::Face_invariants_3& face : scaled(map.faces, radius))
-      sum += e(face.i, face.d);
+      sum +=
+          (SP::internal::Weighs_faces_by_area<std::decay_t<decltype(e)>>::value ? face.area : 1.) * e(face.i, face.d);
     return sum;
   };
   const auto expect_minimum = [&](const auto& e) {
@@ -387,6 +407,7 @@ TEST(Optimal_radius, minimises_the_energy_in_use)
   expect_minimum(SP::Isometric_energy_3());
   expect_minimum(SP::Isometric_energy_3(0.9));
   expect_minimum(Plain<SP::Symmetric_Dirichlet_energy_3>());
+  expect_minimum(SP::Stretch_energy_3());
   EXPECT_GT(std::abs(SP::Optimal_radius_3()(energy, range(map.faces), 1.) /
                          SP::Area_balancing_radius_3()(energy, range(map.faces), 1.) -
                      1.),

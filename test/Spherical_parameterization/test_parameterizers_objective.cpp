@@ -88,6 +88,69 @@ void expect_no_rise(const Method& method, const Mesh& mesh)
     ASSERT_LE(iterations[i].energy, iterations[i - 1].energy * (1. + 1e-12)) << i;
 }
 
+// Splits the faces above 2 in three, in their planes.
+Triangle_list with_split_cap(Triangle_list list)
+{
+  const std::size_t n = list.triangles.size();
+  for(std::size_t k = 0; k < n; ++k)
+  {
+    const Triangle t = list.triangles[k];
+    const Coordinates a = list.points[t[0]], b = list.points[t[1]], c = list.points[t[2]];
+    if(a[2] + b[2] + c[2] < 6.)
+      continue;
+    const auto v = static_cast<std::uint32_t>(list.points.size());
+    list.points.push_back(combination(1., combination(1. / 3., a, 1. / 3., b), 1. / 3., c));
+    list.triangles[k] = {t[0], t[1], v};
+    list.triangles.push_back({t[1], t[2], v});
+    list.triangles.push_back({t[2], t[0], v});
+  }
+  return list;
+}
+
+// The share of the sphere that the faces above 2 have.
+double share_of_cap(const Method& method, const Triangle_list& list)
+{
+  const Result result = method.run(list);
+  EXPECT_EQ(result.error, SP::OK);
+  double cap = 0., all = 0.;
+  for(const Triangle& t : list.triangles)
+  {
+    const Coordinates p = difference(result.images[t[1]], result.images[t[0]]),
+                      q = difference(result.images[t[2]], result.images[t[0]]);
+    const double area = std::hypot(p[1] * q[2] - p[2] * q[1], p[2] * q[0] - p[0] * q[2], p[0] * q[1] - p[1] * q[0]);
+    all += area;
+    if(list.points[t[0]][2] + list.points[t[1]][2] + list.points[t[2]][2] >= 6.)
+      cap += area;
+  }
+  return cap / all;
+}
+
+// Faces that count by their areas count together as the one that they are parts of.
+TEST(Stretch_energy, hardly_depends_on_how_flat_faces_are_split)
+{
+  const Triangle_list whole = ellipsoid(1., 1., 4., 3), split = with_split_cap(whole);
+  ASSERT_GT(split.points.size(), whole.points.size() + 50);
+  const double share = share_of_cap(sampling(), whole);
+  EXPECT_NEAR(share_of_cap(sampling(), split) / share, 1., 0.03);
+}
+
+TEST(Stretch_energy, gives_samples_to_what_is_curved)
+{
+  const Triangle_list list = ellipsoid(1., 1., 4., 3);
+  EXPECT_GT(share_of_cap(sampling(), list), 1.1 * share_of_cap(bijective(), list));
+}
+
+// Levels and radius follow the areas as well.
+TEST(Stretch_energy, never_rises)
+{
+  const Method stretch("stretch", SP::Bijective_low_distortion_parameterizer_3().energy(SP::Stretch_energy_3()));
+  for(const Named_mesh& m : small_meshes())
+  {
+    SCOPED_TRACE(m.name);
+    expect_no_rise(stretch, m.mesh);
+  }
+}
+
 // Vertices, radius, level, slivers: no step may take back what the others have gained.
 TEST(Objective, never_rises)
 {

@@ -70,7 +70,9 @@ void expect_same_bits(std::size_t k)
 
 TEST(Determinism, of_every_method)
 {
-  for(const Method& method : all_methods())
+  std::vector<Method> methods = all_methods();
+  methods.push_back(sampling());
+  for(const Method& method : methods)
   {
     SCOPED_TRACE(method.name());
     const Options parallel = Options().iterations(5), sequential = Options(parallel).sequential();

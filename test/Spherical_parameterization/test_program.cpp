@@ -91,6 +91,7 @@ TEST_F(Program, takes_every_setting_and_ignores_none)
   std::map<std::string, std::string> arguments_of; // each map
   std::vector<std::string> settings = {"--prefer average",
                                        "--prefer worst",
+                                       "--prefer sampling",
                                        "--sharpness 3.5",
                                        "--s-first 0.5 --s-last 5",
                                        "--s-last 2 --average-sweeps 3",
@@ -285,7 +286,7 @@ TEST_F(Program, refuses_bad_values_with_the_good_ones)
   const std::vector<std::pair<const char*, const char*>> table = {
       {"--method tutte", "bld, hierarchical, harmonic, conformal, arap or stereographic"},
       {"--energy elastic", "symmetric-dirichlet, isometric or conformal"},
-      {"--prefer best", "average, balance or worst"},
+      {"--prefer best", "average, balance, worst or sampling"},
       {"--initial spherical", "hierarchical, stereographic, harmonic or conformal, or the name of a file"},
       {"--radius 2", "objective, two-phase, optimal, area, balanced or fixed=R"},
       {"--paper --radius objective", "has to be two-phase, optimal, area, balanced or fixed=R"},
@@ -323,6 +324,7 @@ TEST_F(Program, refuses_options_that_would_be_ignored)
   const std::vector<std::pair<const char*, const char*>> table = {
       {"--s-first 1 --prefer worst", "--s-first and --prefer"},
       {"--sharpness 1 --prefer worst", "--prefer and --sharpness"},
+      {"--energy isometric --prefer sampling", "leave out --energy"},
       {"--s-last 3 --sharpness 1", "--s-last and --sharpness"},
       {"--average-sweeps 5", "--s-first, --s-last or --paper"},
       {"--average-sweeps 5 --sharpness 1", "--average-sweeps and --sharpness"},

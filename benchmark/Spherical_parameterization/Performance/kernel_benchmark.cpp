@@ -261,11 +261,16 @@ std::size_t cost_removals(Situation& s, Execution, benchmark::State&)
   return s.number_of_vertices();
 }
 
+internal::Mesh_hierarchy build_hierarchy(const internal::Indexed_mesh& mesh, Execution execution)
+{
+  return internal::Mesh_hierarchy::build(mesh.rings(), mesh.points(), vertex_areas(mesh.rings(), mesh.points()),
+                                         execution);
+}
+
 std::size_t coarsen(Situation& s, Execution execution, benchmark::State&)
 {
   Unlimited_run run;
-  benchmark::DoNotOptimize(
-      internal::Mesh_hierarchy::build(s.mesh.rings(), s.mesh.points(), execution).number_of_levels());
+  benchmark::DoNotOptimize(build_hierarchy(s.mesh, execution).number_of_levels());
   return s.number_of_vertices();
 }
 
@@ -275,7 +280,7 @@ std::size_t embed(Situation& s, Execution execution, benchmark::State& state)
 
   state.PauseTiming();
   Unlimited_run run;
-  internal::Mesh_hierarchy hierarchy = internal::Mesh_hierarchy::build(s.mesh.rings(), s.mesh.points(), execution);
+  internal::Mesh_hierarchy hierarchy = build_hierarchy(s.mesh, execution);
   state.ResumeTiming();
   std::vector<Vector_3d> positions;
   internal::Hierarchical_embedding<Energy>(hierarchy, s.mesh.points(), internal::Face_energy<Energy>(Energy()),

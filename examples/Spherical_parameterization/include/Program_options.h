@@ -189,7 +189,8 @@ private:
                                  "of --method hierarchical; conformal: angles only")
       ("prefer", word("WHAT"), "the lowest average distortion, the lowest worst, or a balance of both, the default: "
                                "average, balance or worst, which is sharpness 0, 20 or 40; --method hierarchical "
-                               "prefers average, if nothing is given")
+                               "prefers average, if nothing is given. Or sampling: samples that are even on the sphere "
+                               "describe the surface best; sharpness 3, --radius area and an energy of its own")
       ("sharpness", word("B"), "anything between: 0 or more")
       ("s-first", word("S"), "the paper's schedule instead of a sharpness: exp(s E) with s from here, 0.1 ...")
       ("s-last", word("S"), "... to here, 10; the same as --s-first for a fixed s, as in AMIPS")
@@ -362,6 +363,14 @@ private:
   void read_energy()
   {
     const bool is_usually_isometric = is_published || method == "hierarchical";
+    if(text("prefer") == "sampling")
+    {
+      if(has("energy"))
+        fail("--prefer sampling has an energy of its own: leave out --energy");
+      energy = "stretch";
+      describe(energy + " energy");
+      return;
+    }
     energy = read_word("energy", energies, is_usually_isometric ? "isometric" : "symmetric-dirichlet");
     describe(energy + " energy");
   }
@@ -380,9 +389,12 @@ private:
     if(has("average-sweeps"))
       fail("--average-sweeps goes with --s-first, --s-last or --paper");
     const std::string usual = method == "hierarchical" ? "average" : "balance",
-                      preference = read_word("prefer", {"average", "balance", "worst"}, usual);
+                      preference = read_word("prefer", {"average", "balance", "worst", "sampling"}, usual);
     const double beta = read_number("sharpness", 0., max_sharpness, "a number from 0 to 1e6",
-                                    preference == "average" ? 0. : (preference == "balance" ? 20. : 40.));
+                                    preference == "average"    ? 0.
+                                    : preference == "balance"  ? 20.
+                                    : preference == "sampling" ? 3.
+                                                               : 40.);
     sharpness = SP::Sharpness::relative(beta);
     describe("sharpness " + short_text(beta));
   }
@@ -415,7 +427,10 @@ private:
   void read_radius()
   {
     const std::string fixed = "fixed=";
-    const std::string usual = is_published ? "two-phase" : (energy == "conformal" ? "fixed=1" : "objective"),
+    const std::string usual = is_published            ? "two-phase"
+                              : energy == "conformal" ? "fixed=1"
+                              : energy == "stretch"   ? "area"
+                                                      : "objective",
                       value = has("radius") ? text("radius") : usual;
     is_unit_sphere = !has("radius") && energy == "conformal";
     double r = 0.;

@@ -176,6 +176,8 @@ inline Run_result run_method(const Program_options& options, Input_mesh& input, 
     return run_with(SP::Isometric_energy_3());
   if(options.energy == "conformal")
     return run_with(SP::Conformal_energy_3());
+  if(options.energy == "stretch")
+    return run_with(SP::Stretch_energy_3());
   return run_with(SP::Symmetric_Dirichlet_energy_3());
 }
 

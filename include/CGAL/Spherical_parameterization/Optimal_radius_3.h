@@ -17,6 +17,7 @@
 
 #include <CGAL/Spherical_parameterization/Energy_derivatives_3.h>
 #include <CGAL/Spherical_parameterization/Face_range_3.h>
+#include <CGAL/Spherical_parameterization/internal/policy_traits.h>
 
 #include <algorithm>
 #include <cmath>
@@ -30,7 +31,8 @@ namespace Spherical_parameterization {
 
 /// \ingroup PkgSphericalParameterizationRadius
 ///
-/// The class `Optimal_radius_3` minimises the sum of the energies in use over the radius. If the energy has a member
+/// The class `Optimal_radius_3` minimises the sum of the energies in use over the radius, each times the area of its face
+/// on the surface if the energy weighs faces by it. If the energy has a member
 /// function `optimal_scale(faces)`, as those of the package have, it is called; for any other energy at most 20 damped
 /// Newton steps in the logarithm of the radius are made.
 ///
@@ -84,10 +86,11 @@ private:
       {
         const double i = q2 * face.i, d = q2 * face.d;
         const Energy_derivatives_3<> e = energy.derivatives(i, d);
+        const double weight = internal::Weighs_faces_by_area<Energy>::value ? face.area : 1.;
         const double slope = 2. * (e.i * i + e.d * d); // dI/dt = 2 I and dd/dt = 2 d
-        first += slope;
-        size += 2. * (std::abs(e.i * i) + std::abs(e.d * d));
-        second += 2. * slope + 4. * (e.ii * i * i + 2. * e.id * i * d + e.dd * d * d);
+        first += weight * slope;
+        size += weight * 2. * (std::abs(e.i * i) + std::abs(e.d * d));
+        second += weight * (2. * slope + 4. * (e.ii * i * i + 2. * e.id * i * d + e.dd * d * d));
       }
       if(!(std::abs(first) > tolerance * size)) // the minimum, or an energy that does not depend on the radius
         break;

@@ -244,6 +244,7 @@ Method conformal(); // the linear one, which may fold
 Method arap();
 std::vector<Method> all_methods();
 
+Method sampling();                                             // by the stretch, as `--prefer sampling`
 Method bijective_conformal();                                  // by the conformal energy, on the unit sphere
 Method precomputed(const Mesh& mesh, const Images& images);    // a given map
 Method bijective_from(const Mesh& mesh, const Images& images); // the default method, from a given map

@@ -118,6 +118,14 @@ Method bijective_conformal()
       SP::Bijective_low_distortion_parameterizer_3().energy(SP::Conformal_energy_3()).radius(SP::Fixed_radius_3()));
 }
 
+Method sampling()
+{
+  return Method("sampling", SP::Bijective_low_distortion_parameterizer_3()
+                                .energy(SP::Stretch_energy_3())
+                                .radius(SP::Area_preserving_radius_3())
+                                .sharpness(SP::Sharpness::relative(3.)));
+}
+
 Method precomputed(const Mesh& mesh, const Images& images)
 {
   return Method("precomputed", SP::Precomputed_parameterizer_3(Point_map(mesh, images)));

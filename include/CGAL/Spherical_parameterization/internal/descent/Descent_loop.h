@@ -24,7 +24,9 @@
 #include <CGAL/Spherical_parameterization/internal/descent/Objective.h>
 #include <CGAL/Spherical_parameterization/internal/mesh/Indexed_mesh.h>
 #include <CGAL/Spherical_parameterization/internal/mesh/Rest_triangle.h>
+#include <CGAL/Spherical_parameterization/internal/mesh/mesh_measures.h>
 #include <CGAL/Spherical_parameterization/internal/mesh/sliver_vertices.h>
+#include <CGAL/Spherical_parameterization/internal/policy_traits.h>
 #include <CGAL/Spherical_parameterization/internal/run/Run_control.h>
 #include <CGAL/Spherical_parameterization/internal/run/parallel.h>
 #include <CGAL/Spherical_parameterization/internal/simd/Vector_3.h>
@@ -367,7 +369,10 @@ Descent_loop<Energy, Step>::Descent_loop(const Indexed_mesh& mesh, const Energy&
   , m_max_focus(static_cast<std::size_t>(focus_share * static_cast<double>(mesh.rings().number_of_corners())) /
                 min_focus_sweeps)
 {
-  m_descent.assign(mesh.rings(), Independent_sets(mesh.rings()), mesh.points(), std::vector<double>(), Rest_limits(),
+  std::vector<double> densities;
+  if constexpr(Follows_curvature<Energy>::value)
+    densities = vertex_densities(mesh.rings(), mesh.points(), curvature_masses(mesh.rings(), mesh.points()));
+  m_descent.assign(mesh.rings(), Independent_sets(mesh.rings()), mesh.points(), densities, Rest_limits(),
                    sliver_vertices(mesh.rings(), mesh.points()));
 }
 

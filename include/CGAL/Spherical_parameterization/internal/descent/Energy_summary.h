@@ -25,13 +25,15 @@
 #include <cstddef>
 #include <limits>
 #include <numeric>
+#include <type_traits>
 
 namespace CGAL {
 namespace Spherical_parameterization {
 namespace internal {
 
 // The energies of many faces in a few figures. Summaries of parts add up to that of the whole. If the sharpness s is
-// positive, they tell of the weights exp(s E) as well.
+// positive, they tell of the weights exp(s E) as well. The size is the number of faces or, if these count by their areas,
+// the sum of the areas; all means follow it.
 class Energy_summary
 {
 public:
@@ -40,26 +42,38 @@ public:
   {}
 
   // Adds the energies of many faces, in several columns, which do not wait for each other. Which energies a column gets
-  // does not depend on the number of lanes.
-  template <class FT>
-  void add_all(const double* energies, std::size_t n)
+  // does not depend on the number of lanes. Faces count as much as `counts` says, or each the same.
+  template <class FT, class Counts = std::nullptr_t>
+  void add_all(const double* energies, std::size_t n, Counts counts = nullptr)
   {
+    constexpr bool all_count_same = std::is_same<Counts, std::nullptr_t>::value;
     if(n == 0)
       return;
     // Calls f(energies, count) for the lanes from `column` on, row by row; the last row may have lanes that do not count.
     const auto for_each_row = [&](std::size_t column, const auto& f) {
       std::size_t k = column;
       for(; k + Lanes<FT>::width <= n; k += n_columns)
-        f(Lanes<FT>::load(energies + k), FT(1.));
+        if constexpr(all_count_same)
+          f(Lanes<FT>::load(energies + k), FT(1.));
+        else
+          f(Lanes<FT>::load(energies + k), Lanes<FT>::load(counts + k));
       if(k < n)
         f(Lanes<FT>::generate([&](std::size_t lane) { return energies[(std::min)(k + lane, n - 1)]; }),
-          Lanes<FT>::generate([&](std::size_t lane) { return k + lane < n ? 1. : 0.; }));
+          Lanes<FT>::generate([&](std::size_t lane) {
+            if constexpr(all_count_same)
+              return k + lane < n ? 1. : 0.;
+            else
+              return k + lane < n ? counts[k + lane] : 0.;
+          }));
     };
     using Columns = std::array<double, n_columns>;
     const auto total = [](const Columns& columns) { return std::accumulate(columns.begin(), columns.end(), 0.); };
 
     Energy_summary part(m_sharpness);
-    part.m_size = n;
+    if constexpr(all_count_same)
+      part.m_size = static_cast<double>(n);
+    else
+      part.m_size = std::accumulate(counts, counts + n, 0.);
     Columns sums, largest;
     for(std::size_t column = 0; column < n_columns; column += Lanes<FT>::width)
     {
@@ -110,8 +124,8 @@ public:
     m_max = (std::max)(m_max, part.m_max);
   }
 
-  double size() const { return static_cast<double>(m_size); }
-  bool is_empty() const { return m_size == 0; }
+  double size() const { return m_size; }
+  bool is_empty() const { return m_size == 0.; }
   double average() const { return m_sum / size(); }
   double maximum_energy() const { return m_max; }
 
@@ -142,8 +156,7 @@ private:
   static constexpr std::size_t n_columns = packet_width;
 
   double m_sharpness;
-  std::size_t m_size = 0;
-  double m_sum = 0., m_max = std::numeric_limits<double>::lowest();
+  double m_size = 0., m_sum = 0., m_max = std::numeric_limits<double>::lowest();
   std::array<double, 3> m_moments = {}; // sums of w, w E and w E^2 with w = exp(s (E - maximum))
 };
 

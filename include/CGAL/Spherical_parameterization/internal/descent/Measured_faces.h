@@ -155,6 +155,12 @@ public:
           first = (1. - objective.share) + weight;
           second = sharpness * weight;
         }
+        if constexpr(Face_energy<Energy>::weighs_faces_by_area)
+        {
+          const FT area = invariant<FT>(begin + k, &Face_invariants_3::area);
+          first *= area;
+          second *= area;
+        }
         Lanes<FT>::store(first * et, terms[0].data() + k);
         Lanes<FT>::store(first * ett + second * et * et, terms[1].data() + k);
         Lanes<FT>::store(first * (absolute(e.i * i) + absolute(e.d * d)), terms[2].data() + k);
@@ -277,21 +283,41 @@ private:
     }
     Mesh_summary& part = m_partial[block];
     part = Mesh_summary(objective);
+    const auto add_all = [](Energy_summary& group, const double* values, std::size_t size, const auto& read_areas) {
+      if constexpr(Face_energy<Energy>::weighs_faces_by_area)
+      {
+        std::array<double, faces_per_block> areas;
+        read_areas(areas.data());
+        group.template add_all<FT>(values, size, areas.data());
+      }
+      else
+        group.template add_all<FT>(values, size);
+    };
     const std::size_t n_slivers = number_of_slivers(block);
     if(n_slivers > 0)
     {
       const double sliver_radius = objective.sliver_radius > 0. ? objective.sliver_radius : radius;
       remove_slivers(block, energies.data());
       std::array<double, faces_per_block> of_slivers;
+      const auto sliver = [&](std::size_t k) -> const auto&
+      {
+        return m_invariants[m_slivers[m_first_sliver[block] + k]];
+      };
       for(std::size_t k = 0; k < n_slivers; ++k)
       {
-        const Face_invariants_3& face = m_invariants[m_slivers[m_first_sliver[block] + k]];
         const double scale = squared(sliver_radius / m_radius);
-        of_slivers[k] = energy(scale * face.i, scale * face.d);
+        of_slivers[k] = energy(scale * sliver(k).i, scale * sliver(k).d);
       }
-      part.slivers.template add_all<FT>(of_slivers.data(), n_slivers);
+      add_all(part.slivers, of_slivers.data(), n_slivers, [&](double* areas) {
+        for(std::size_t k = 0; k < n_slivers; ++k)
+          areas[k] = sliver(k).area;
+      });
     }
-    part.ordinary.template add_all<FT>(energies.data(), n - n_slivers);
+    add_all(part.ordinary, energies.data(), n - n_slivers, [&](double* areas) {
+      for(std::size_t k = 0; k < n; ++k)
+        areas[k] = m_invariants[begin + k].area;
+      remove_slivers(block, areas);
+    });
   }
 
   Mesh_summary total(const Face_objective& objective) const

@@ -20,6 +20,7 @@
 #include <CGAL/Spherical_parameterization/internal/descent/Face_objective.h>
 #include <CGAL/Spherical_parameterization/internal/descent/Star_packets.h>
 #include <CGAL/Spherical_parameterization/internal/mesh/Rest_triangle.h>
+#include <CGAL/Spherical_parameterization/internal/policy_traits.h>
 #include <CGAL/Spherical_parameterization/internal/simd/Packed_double.h>
 #include <CGAL/Spherical_parameterization/internal/simd/Vector_3.h>
 
@@ -55,6 +56,8 @@ template <class Energy>
 class Face_energy
 {
 public:
+  static constexpr bool weighs_faces_by_area = Weighs_faces_by_area<Energy>::value;
+
   explicit Face_energy(const Energy& energy, double guard = 0.)
     : m_energy(energy)
     , m_guard(guard)
@@ -181,7 +184,8 @@ private:
 };
 
 // The part of the objective that depends on one vertex, as a function of the two tangential coordinates of the vertex:
-// the sum over the faces of its star of E or, if the sharpness s is positive, of s psi(E), see Face_objective. Where there
+// the sum over the faces of its star of E or, if the sharpness s is positive, of s psi(E), see Face_objective, each times
+// the area that the face has on the surface, if the energy weighs faces by it. Where there
 // is no level R (eq. 7 of the paper), the largest energy of the star at its current state takes its place, which changes
 // neither the minimiser nor the direction of the steps and never overflows there.
 //
@@ -239,7 +243,7 @@ public:
       face.fixed_i = scale * star.opposite_0(j) * squared_length(q - p); // the part of I that does not move
       face.measure = Measure(p, q);
       const FT inverse_doubled_area = star.inverse_doubled_area(j);
-      const FT doubled_area = 1. / unless_padding(j, inverse_doubled_area, FT(1.));
+      const FT doubled_area = this->doubled_area(j);
       face.to_d = scale * inverse_doubled_area *
                   m_objective.area_factor(star.opposite_0(j), star.opposite_1(j), star.opposite_2(j), doubled_area);
       const FT i =
@@ -306,7 +310,8 @@ public:
     for(std::size_t j = 0; j < m_star.size(); ++j)
     {
       const FT& energy = m_faces[j].new_energy;
-      f += m_objective.is_average() ? unless_padding(j, energy, FT(0.)) : value_of(j, energy, weight_of(j, energy));
+      f += weighted(j, m_objective.is_average() ? unless_padding(j, energy, FT(0.))
+                                                : value_of(j, energy, weight_of(j, energy)));
     }
     return select(is_valid, f, infinite);
   }
@@ -345,6 +350,17 @@ private:
       return value;
     else
       return select(is_padding(j), otherwise, value);
+  }
+
+  // that of the face on the surface, or 1 for a padding row
+  FT doubled_area(std::size_t j) const { return 1. / unless_padding(j, m_star.inverse_doubled_area(j), FT(1.)); }
+
+  FT weighted(std::size_t j, const FT& value) const
+  {
+    if constexpr(Face_energy<Energy>::weighs_faces_by_area)
+      return doubled_area(j) * value;
+    else
+      return value;
   }
 
   // a exp(s (E - R)), see Face_objective
@@ -387,12 +403,12 @@ private:
       }
       // The rest shape of a padding row is 0, and so are its derivatives.
       if(m_objective.is_average())
-        f += unless_padding(j, e.value, FT(0.));
+        f += weighted(j, unless_padding(j, e.value, FT(0.)));
       else
       {
         const FT& weight = m_faces[j].weight;
         const FT first = linear_weight() + sharpness * weight, second = sharpness * m_faces[j].sharpness * weight;
-        f += value_of(j, e.value, weight);
+        f += weighted(j, value_of(j, e.value, weight));
         if constexpr(with_hessian)
         {
           exx = first * exx + second * ex * ex;
@@ -402,11 +418,11 @@ private:
         ex *= first;
         ey *= first;
       }
-      gx += ex;
-      gy += ey;
-      hxx += exx;
-      hxy += exy;
-      hyy += eyy;
+      gx += weighted(j, ex);
+      gy += weighted(j, ey);
+      hxx += weighted(j, exx);
+      hxy += weighted(j, exy);
+      hyy += weighted(j, eyy);
     }
     gradient = {gx, gy};
     hessian = {hxx, hxy, hyy};

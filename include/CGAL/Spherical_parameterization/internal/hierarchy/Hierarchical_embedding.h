@@ -30,6 +30,7 @@
 #include <CGAL/Spherical_parameterization/internal/mesh/Rest_triangle.h>
 #include <CGAL/Spherical_parameterization/internal/mesh/Vertex_rings.h>
 #include <CGAL/Spherical_parameterization/internal/mesh/mesh_measures.h>
+#include <CGAL/Spherical_parameterization/internal/policy_traits.h>
 #include <CGAL/Spherical_parameterization/internal/run/Run_control.h>
 #include <CGAL/Spherical_parameterization/internal/run/parallel.h>
 #include <CGAL/Spherical_parameterization/internal/simd/Vector_3.h>
@@ -281,7 +282,11 @@ bool embed_hierarchically(const Indexed_mesh& mesh, const Energy& energy, const 
   const auto embed = [&](double guard, const Sharpness& level_sharpness, const Rest_limits& limits,
                          std::size_t sweeps_factor) {
     // An attempt uses the hierarchy up, and a second one is rare.
-    Mesh_hierarchy hierarchy = Mesh_hierarchy::build(mesh.rings(), mesh.points(), execution);
+    Mesh_hierarchy hierarchy =
+        Mesh_hierarchy::build(mesh.rings(), mesh.points(),
+                              Follows_curvature<Energy>::value ? curvature_masses(mesh.rings(), mesh.points())
+                                                               : vertex_areas(mesh.rings(), mesh.points()),
+                              execution);
     control.check_clock();
     if(++report.number_of_attempts == 1)
     {

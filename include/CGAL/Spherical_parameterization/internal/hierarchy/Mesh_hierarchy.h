@@ -122,14 +122,16 @@ public:
     std::vector<Removed_vertex> removed; // empty at the coarsest level
   };
 
-  static Mesh_hierarchy build(const Vertex_rings& rings, const std::vector<Vector_3d>& points, Execution execution)
+  // `areas` are those that the vertices of the mesh stand for.
+  static Mesh_hierarchy build(const Vertex_rings& rings, const std::vector<Vector_3d>& points,
+                              std::vector<double> areas, Execution execution)
   {
     Mesh_hierarchy hierarchy(rings, execution);
     hierarchy.m_levels.emplace_back();
     Level& finest = hierarchy.m_levels.back();
     finest.vertices.resize(rings.number_of_vertices());
     std::iota(finest.vertices.begin(), finest.vertices.end(), 0u);
-    finest.areas = vertex_areas(rings, points);
+    finest.areas = std::move(areas);
     while(hierarchy.m_levels.back().vertices.size() > 4)
       hierarchy.coarsen(points);
     return hierarchy;

@@ -1,0 +1,84 @@
+// Copyright (c) 2026  The Spherical_parameterization authors.
+// All rights reserved.
+//
+// This file is part of the Spherical_parameterization package for CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Spherical_parameterization authors
+//
+
+#ifndef CGAL_SPHERICAL_PARAMETERIZATION_STRETCH_ENERGY_3_H
+#define CGAL_SPHERICAL_PARAMETERIZATION_STRETCH_ENERGY_3_H
+
+#include <CGAL/license/Spherical_parameterization.h>
+
+#include <CGAL/Spherical_parameterization/Energy_derivatives_3.h>
+#include <CGAL/Spherical_parameterization/internal/simd/Vector_3.h>
+
+/// \file Stretch_energy_3.h
+
+namespace CGAL {
+namespace Spherical_parameterization {
+
+/// \ingroup PkgSphericalParameterizationEnergies
+///
+/// The class `Stretch_energy_3` is the energy for maps through which a surface is sampled, for remeshes and geometry
+/// images:
+/// \f[ E = \sigma_1^{-2} + \sigma_2^{-2} + \varepsilon ( \sigma_1^2 + \sigma_2^2 ) = I d^{-2} + \varepsilon I. \f]
+///
+/// The first term is the squared stretch of the inverse map: how far apart on the surface samples come to lie that are
+/// next to each other on the sphere. The second one keeps images from growing. Faces count by their areas, so that the
+/// sum does not depend on how a flat face is split, and these areas are those of the surface times a density, larger where
+/// the surface is curved, so that more samples get there: they are to be as dense as the curvature to the power of 2/3,
+/// which makes the root mean square distance of surface and remesh least.
+///
+/// It is meant for a radius that is given: `Area_preserving_radius_3` goes with it, and a sharpness of 3.
+///
+/// \cgalModels{DistortionEnergy_3}
+///
+/// \sa `Symmetric_Dirichlet_energy_3`
+class Stretch_energy_3
+{
+public:
+  /// Faces count by their areas.
+  static constexpr bool weighs_faces_by_area = true;
+  /// The areas are larger where the surface is curved.
+  static constexpr bool follows_curvature = true;
+
+  /// constructs the energy with the share `epsilon` of the second term, greater than 0 and finite.
+  explicit Stretch_energy_3(double epsilon = 1e-3)
+    : m_epsilon(epsilon)
+  {}
+
+  /// returns whether the share is positive and finite.
+  bool is_valid() const { return internal::is_positive_and_finite(m_epsilon); }
+
+  /// returns the energy of a triangle with the invariants `i` and `d`, both positive.
+  template <class FT>
+  FT operator()(const FT& i, const FT& d) const
+  {
+    return i * (m_epsilon + 1. / (d * d));
+  }
+
+  /// returns the energy of a triangle with the invariants `i` and `d`, both positive, and its derivatives in them.
+  template <class FT>
+  Energy_derivatives_3<FT> derivatives(const FT& i, const FT& d) const
+  {
+    const FT inverse_d = 1. / d;
+    const FT inverse_d2 = inverse_d * inverse_d;
+    const FT inverse_d3 = inverse_d2 * inverse_d;
+    const FT slope = m_epsilon + inverse_d2;
+    return {i * slope, slope, -2. * i * inverse_d3, FT(0.), -2. * inverse_d3, 6. * i * inverse_d2 * inverse_d2};
+  }
+
+private:
+  double m_epsilon;
+};
+
+} // namespace Spherical_parameterization
+} // namespace CGAL
+
+#endif // CGAL_SPHERICAL_PARAMETERIZATION_STRETCH_ENERGY_3_H
