@@ -115,12 +115,10 @@ double share_of_cap(const Method& method, const Triangle_list& list)
   double cap = 0., all = 0.;
   for(const Triangle& t : list.triangles)
   {
-    const Coordinates p = difference(result.images[t[1]], result.images[t[0]]),
-                      q = difference(result.images[t[2]], result.images[t[0]]);
-    const double area = std::hypot(p[1] * q[2] - p[2] * q[1], p[2] * q[0] - p[0] * q[2], p[0] * q[1] - p[1] * q[0]);
-    all += area;
+    const double share = area(result.images[t[0]], result.images[t[1]], result.images[t[2]]);
+    all += share;
     if(list.points[t[0]][2] + list.points[t[1]][2] + list.points[t[2]][2] >= 6.)
-      cap += area;
+      cap += share;
   }
   return cap / all;
 }
@@ -131,13 +129,13 @@ TEST(Stretch_energy, hardly_depends_on_how_flat_faces_are_split)
   const Triangle_list whole = ellipsoid(1., 1., 4., 3), split = with_split_cap(whole);
   ASSERT_GT(split.points.size(), whole.points.size() + 50);
   const double share = share_of_cap(sampling(), whole);
-  EXPECT_NEAR(share_of_cap(sampling(), split) / share, 1., 0.03);
+  EXPECT_NEAR(share_of_cap(sampling(), split) / share, 1., 0.15); // 1.44 if each face counts the same
 }
 
 TEST(Stretch_energy, gives_samples_to_what_is_curved)
 {
   const Triangle_list list = ellipsoid(1., 1., 4., 3);
-  EXPECT_GT(share_of_cap(sampling(), list), 1.1 * share_of_cap(bijective(), list));
+  EXPECT_GT(share_of_cap(sampling(), list), 1.25 * share_of_cap(bijective(), list)); // 1.17 without the curvature
 }
 
 // Levels and radius follow the areas as well.

@@ -21,6 +21,7 @@ of `<cmath>`.
 \cgalHasModels{CGAL::Spherical_parameterization::Symmetric_Dirichlet_energy_3}
 \cgalHasModels{CGAL::Spherical_parameterization::Isometric_energy_3}
 \cgalHasModels{CGAL::Spherical_parameterization::Conformal_energy_3}
+\cgalHasModels{CGAL::Spherical_parameterization::Stretch_energy_3}
 \cgalHasModelsEnd
 
 \sa `CGAL::Spherical_parameterization::Bijective_low_distortion_parameterizer_3`
@@ -50,6 +51,14 @@ public:
   /// \name Optional Members
   /// A model need not have these.
   /// @{
+
+  /// If it is `true`, faces count by their areas on the surface: all sums and means over them have these as weights, also those of
+  /// the report. If not, or without it, each face counts the same.
+  static constexpr bool weighs_faces_by_area = false;
+
+  /// If it is `true`, the surface is stretched before it is mapped: areas are multiplied by a density, larger where the surface is
+  /// curved, and angles stay as they are. If not, or without it, faces have the areas of the surface.
+  static constexpr bool follows_curvature = false;
 
   /// returns whether the parameters of the energy are in their ranges. If not, a parameterizer returns `ERROR_WRONG_PARAMETER`.
   bool is_valid() const;

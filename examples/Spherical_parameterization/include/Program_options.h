@@ -190,7 +190,7 @@ private:
       ("prefer", word("WHAT"), "the lowest average distortion, the lowest worst, or a balance of both, the default: "
                                "average, balance or worst, which is sharpness 0, 20 or 40; --method hierarchical "
                                "prefers average, if nothing is given. Or sampling: samples that are even on the sphere "
-                               "describe the surface best; sharpness 3, --radius area and an energy of its own")
+                               "describe the surface best, with an energy of its own, sharpness 3, --radius area and --tolerance 1e-3")
       ("sharpness", word("B"), "anything between: 0 or more")
       ("s-first", word("S"), "the paper's schedule instead of a sharpness: exp(s E) with s from here, 0.1 ...")
       ("s-last", word("S"), "... to here, 10; the same as --s-first for a fixed s, as in AMIPS")
@@ -454,7 +454,8 @@ private:
   void read_limits()
   {
     const bool is_bld = method == "bld";
-    energy_tolerance = read_number("tolerance", 0., 1., "a number from 0 to 1", 2e-4);
+    // Samples do not tell whether the last of the sweeps have been made.
+    energy_tolerance = read_number("tolerance", 0., 1., "a number from 0 to 1", energy == "stretch" ? 1e-3 : 2e-4);
     radius_tolerance = energy_tolerance > 0. ? 1e-3 : 0.;
     if(has("tolerance"))
       describe("tolerance " + short_text(energy_tolerance));

@@ -42,24 +42,6 @@ bool is_valid_policy(const Policy& policy)
     return true;
 }
 
-template <class Energy, class = void>
-struct Weighs_faces_by_area : std::false_type
-{};
-
-// whether faces count by their areas on the surface; if an energy does not say so, each counts the same
-template <class Energy>
-struct Weighs_faces_by_area<Energy, std::enable_if_t<Energy::weighs_faces_by_area>> : std::true_type
-{};
-
-template <class Energy, class = void>
-struct Follows_curvature : std::false_type
-{};
-
-// whether the faces are given larger areas where the surface is curved; if an energy does not say so, they have their own
-template <class Energy>
-struct Follows_curvature<Energy, std::enable_if_t<Energy::follows_curvature>> : std::true_type
-{};
-
 template <class Policy, class = void>
 struct Has_next_phase : std::false_type
 {};

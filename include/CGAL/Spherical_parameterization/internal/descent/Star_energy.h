@@ -20,7 +20,7 @@
 #include <CGAL/Spherical_parameterization/internal/descent/Face_objective.h>
 #include <CGAL/Spherical_parameterization/internal/descent/Star_packets.h>
 #include <CGAL/Spherical_parameterization/internal/mesh/Rest_triangle.h>
-#include <CGAL/Spherical_parameterization/internal/policy_traits.h>
+#include <CGAL/Spherical_parameterization/internal/mesh/face_weights.h>
 #include <CGAL/Spherical_parameterization/internal/simd/Packed_double.h>
 #include <CGAL/Spherical_parameterization/internal/simd/Vector_3.h>
 

@@ -27,10 +27,10 @@
 #include <CGAL/Spherical_parameterization/internal/hierarchy/Mesh_hierarchy.h>
 #include <CGAL/Spherical_parameterization/internal/hierarchy/Star_kernel.h>
 #include <CGAL/Spherical_parameterization/internal/mesh/Indexed_mesh.h>
+#include <CGAL/Spherical_parameterization/internal/mesh/face_weights.h>
 #include <CGAL/Spherical_parameterization/internal/mesh/Rest_triangle.h>
 #include <CGAL/Spherical_parameterization/internal/mesh/Vertex_rings.h>
 #include <CGAL/Spherical_parameterization/internal/mesh/mesh_measures.h>
-#include <CGAL/Spherical_parameterization/internal/policy_traits.h>
 #include <CGAL/Spherical_parameterization/internal/run/Run_control.h>
 #include <CGAL/Spherical_parameterization/internal/run/parallel.h>
 #include <CGAL/Spherical_parameterization/internal/simd/Vector_3.h>
