@@ -26,7 +26,8 @@ namespace Spherical_parameterization {
 /// \ingroup PkgSphericalParameterizationEnergies
 ///
 /// The class `Stretch_energy_3` is the energy for maps through which a surface is sampled, for remeshes and geometry
-/// images:
+/// images.
+///
 /// \f[ E = \sigma_1^{-2} + \sigma_2^{-2} + \varepsilon ( \sigma_1^2 + \sigma_2^2 ) = I d^{-2} + \varepsilon I. \f]
 ///
 /// The first term is the squared stretch of the inverse map: how far apart on the surface samples come to lie that are
