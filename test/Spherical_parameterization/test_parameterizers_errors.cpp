@@ -69,8 +69,6 @@ TEST(Error_message, is_a_different_sentence_for_each_code)
     EXPECT_GT(std::string(message).size(), 20u);
     EXPECT_TRUE(messages.insert(message).second) << message;
   }
-  EXPECT_TRUE(
-      messages.insert(SP::get_error_message(static_cast<SP::Error_code>(SP::ERROR_INVALID_DIRECTION + 1))).second);
   std::set<std::string> reasons;
   for(int reason = SP::NOT_RUN; reason <= SP::NON_FINITE_ENERGY; ++reason)
     EXPECT_TRUE(reasons.insert(SP::get_stop_message(static_cast<SP::Stop_reason>(reason))).second);
