@@ -465,6 +465,8 @@ TEST_F(Program, takes_names_of_any_bytes)
   fs::copy_file(path("sphere.off"), path("in/" + long_name));
   EXPECT_EQ(run("in --output-folder out").status, 0);
   EXPECT_EQ(run("sphere.off -o " + std::string(251, 'y') + ".off").status, 0);
+  fs::copy_file(path("sphere.off"), path("in/" + std::string(251, 'z') + ".off")); // whose report has no name
+  expect_message("in --output-folder out --quiet", "zzz.json: cannot be written: File name too long");
 }
 
 TEST_F(Program, counts_faces_that_are_nearly_flat)
