@@ -202,7 +202,7 @@ private:
                                  "--energy conformal, with R = 1")
       ("tolerance", word("T"), "end when a sweep changes the objective by no more than this share, 2e-4; 0: when nothing "
                             "changes any more")
-      ("iterations", word("N"), "most sweeps over the mesh, if not given 220, as many times more as it has fewer than "
+      ("iterations", word("N"), "most sweeps over the mesh, if not given 250, as many times more as it has fewer than "
                                 "2000 vertices, 2000 with --paper; or most global steps, if not given 100, 500 with "
                                 "--method arap; 0 leaves the initial map")
       ("time-limit", word("SECONDS"), "sweep no longer than this on each mesh; the map reached is written")

@@ -171,7 +171,7 @@ public:
   /// computes a one-to-one map from `tmesh` to a sphere around the origin.
   ///
   /// The parameters are those of `CGAL::Spherical_parameterization::parameterize()`. The default of
-  /// `number_of_iterations` is 220, and for meshes below 2000 vertices as many times more as they are smaller.
+  /// `number_of_iterations` is 250, and for meshes below 2000 vertices as many times more as they are smaller.
   ///
   /// \return `OK`, or what is wrong with the mesh, see `find_defect()`; `ERROR_WRONG_PARAMETER` if `is_valid()` is
   ///         `false` or a negative `number_of_iterations` is given; what the initial parameterizer returns if it
