@@ -44,6 +44,7 @@
 #include <CGAL/Spherical_parameterization/Precomputed_parameterizer_3.h>
 #include <CGAL/Spherical_parameterization/Published_low_distortion_parameterizer_3.h>
 #include <CGAL/Spherical_parameterization/Sharpness.h>
+#include <CGAL/Spherical_parameterization/Sphere_domain_3.h>
 #include <CGAL/Spherical_parameterization/Sphere_locator_3.h>
 #include <CGAL/Spherical_parameterization/Stereographic_parameterizer_3.h>
 #include <CGAL/Spherical_parameterization/Stretch_energy_3.h>

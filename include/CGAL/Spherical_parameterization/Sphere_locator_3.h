@@ -15,18 +15,12 @@
 #include <CGAL/license/Spherical_parameterization.h>
 
 #include <CGAL/Spherical_parameterization/Error_code.h>
-#include <CGAL/Spherical_parameterization/Parameterization_report.h>
-#include <CGAL/Spherical_parameterization/internal/certificate/Bijectivity_certificate.h>
 #include <CGAL/Spherical_parameterization/internal/certificate/Orientation_about_origin_3.h>
-#include <CGAL/Spherical_parameterization/internal/mesh/Indexed_mesh.h>
-#include <CGAL/Spherical_parameterization/internal/read_mesh.h>
 #include <CGAL/Spherical_parameterization/internal/run/parallel.h>
+#include <CGAL/Spherical_parameterization/internal/sampling/Mesh_on_sphere.h>
 #include <CGAL/Spherical_parameterization/internal/sampling/Sphere_triangulation.h>
 
-#include <CGAL/Dynamic_property_map.h>
 #include <CGAL/Kernel_traits.h>
-#include <CGAL/boost/graph/helpers.h>
-#include <CGAL/boost/graph/properties.h>
 #include <CGAL/tags.h>
 
 #include <boost/graph/graph_traits.hpp>
@@ -34,9 +28,7 @@
 
 #include <array>
 #include <cstddef>
-#include <cstdint>
 #include <iterator>
-#include <limits>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -112,17 +104,15 @@ public:
   ///        `parameterize()` has returned `OK` for the map, or `is_bijective()` has returned `true`
   Sphere_locator_3(const TriangleMesh& tmesh, VertexSphereMap vertex_sphere_map, bool is_known_to_be_bijective = false)
   {
-    if(read(tmesh, vertex_sphere_map, is_known_to_be_bijective))
-      return;
-    // What is wrong with the mesh is told by the check that parameterize() makes.
-    m_triangulation = Triangulation();
-    m_faces.clear();
-    internal::Indexed_mesh mesh;
-    std::vector<typename boost::graph_traits<TriangleMesh>::vertex_descriptor> vertices_of_mesh;
-    Parameterization_report report;
-    m_error_code = internal::read_mesh(tmesh, vertex_sphere_map, mesh, vertices_of_mesh, report);
+    internal::Mesh_on_sphere<TriangleMesh, VertexSphereMap> mesh;
+    m_error_code =
+        mesh.read(tmesh, vertex_sphere_map, is_known_to_be_bijective, internal::execution_of<ConcurrencyTag>());
+    if(m_error_code == OK && !m_triangulation.assign(std::move(mesh.images), std::move(mesh.triangles)))
+      m_error_code = mesh.find_error(tmesh, vertex_sphere_map);
     if(m_error_code == OK)
-      m_error_code = ERROR_NO_1_TO_1_MAPPING;
+      m_faces = std::move(mesh.faces_of_mesh);
+    else
+      m_triangulation = Triangulation();
   }
 
   /// returns `OK`, or what is wrong with the mesh, see `find_defect()`; `ERROR_NON_FINITE_COORDINATE` if an image is
@@ -190,45 +180,6 @@ public:
   }
 
 private:
-  // Returns false if the mesh is no closed triangle mesh, or the map no bijection.
-  bool read(const TriangleMesh& tmesh, VertexSphereMap vertex_sphere_map, bool is_known_to_be_bijective)
-  {
-    if(num_halfedges(tmesh) >= (std::numeric_limits<std::uint32_t>::max)() / 2 || !CGAL::is_closed(tmesh) ||
-       !CGAL::is_triangle_mesh(tmesh))
-      return false;
-    const auto vertex_index = get(CGAL::dynamic_vertex_property_t<std::uint32_t>(), tmesh);
-    const auto face_index = get(CGAL::dynamic_face_property_t<std::uint32_t>(), tmesh);
-    std::vector<typename Exact_kernel::Point_3> points;
-    points.reserve(num_vertices(tmesh));
-    for(const auto v : vertices(tmesh))
-      if(halfedge(v, tmesh) != boost::graph_traits<TriangleMesh>::null_halfedge())
-      {
-        put(vertex_index, v, static_cast<std::uint32_t>(points.size()));
-        points.push_back(Selection::convert(get(vertex_sphere_map, v)));
-      }
-    m_faces.reserve(num_faces(tmesh));
-    for(const auto f : faces(tmesh))
-    {
-      put(face_index, f, static_cast<std::uint32_t>(m_faces.size()));
-      m_faces.push_back(f);
-    }
-    std::vector<internal::Linked_triangle> triangles;
-    triangles.reserve(m_faces.size());
-    for(const auto f : m_faces)
-    {
-      const auto h = halfedge(f, tmesh), next_h = next(h, tmesh), previous_h = next(next_h, tmesh);
-      triangles.push_back({{get(vertex_index, source(h, tmesh)), get(vertex_index, target(h, tmesh)),
-                            get(vertex_index, target(next_h, tmesh))},
-                           {get(face_index, face(opposite(next_h, tmesh), tmesh)),
-                            get(face_index, face(opposite(previous_h, tmesh), tmesh)),
-                            get(face_index, face(opposite(h, tmesh), tmesh))}});
-    }
-    return (is_known_to_be_bijective ||
-            internal::certify_bijectivity<Exact_kernel>(points, triangles, internal::execution_of<ConcurrencyTag>())
-                .is_bijective()) &&
-           m_triangulation.assign(std::move(points), std::move(triangles));
-  }
-
   template <class Point>
   static auto converted(const Point& direction)
   {

@@ -95,6 +95,9 @@ public:
     return is_covered;
   }
 
+  const std::vector<Point_3>& points() const { return m_points; }
+  const std::vector<Linked_triangle>& triangles() const { return m_triangles; }
+
   Place locate(const Point_3& q, Hint& hint) const
   {
     const std::uint32_t cell = m_grid.cell(approximate(q));

@@ -1,0 +1,205 @@
+// Copyright (c) 2026  The Spherical_parameterization authors.
+// All rights reserved.
+//
+// This file is part of the Spherical_parameterization package for CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Spherical_parameterization authors
+
+#ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_SAMPLING_SUBDIVIDED_SOLID_H
+#define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_SAMPLING_SUBDIVIDED_SOLID_H
+
+#include <CGAL/license/Spherical_parameterization.h>
+
+#include <CGAL/Spherical_parameterization/internal/simd/Vector_3.h>
+
+#include <CGAL/number_type_config.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace CGAL {
+namespace Spherical_parameterization {
+namespace internal {
+
+// A solid whose edges are divided into n, projected to the sphere. A vertex has the sum of the corners of its face, each
+// with a weight that depends on how many parts it is away from the corner: on an edge from a to b, weights[n - i] a +
+// weights[i] b. The faces of the solid have k corners each, 3 or 4.
+//
+// The vertices are numbered from those of the solid to those of the edges and those of the faces, row by row.
+template <std::size_t k>
+class Subdivided_solid
+{
+public:
+  using Index = std::uint32_t;
+  using Triangle = std::array<Index, 3>;
+  using Face = std::array<Index, k>;
+
+  Subdivided_solid(const std::vector<Vector_3d>& corners, const std::vector<Face>& faces,
+                   const std::vector<double>& weights)
+    : m_corners(corners)
+    , m_weights(weights)
+    , m_n(static_cast<Index>(weights.size() - 1))
+  {
+    for(const Vector_3d& corner : corners)
+      directions.push_back(normalized(corner));
+    for(const Face& face : faces)
+      for(std::size_t i = 0; i < k; ++i)
+        if(face[i] < face[(i + 1) % k]) // it is the other way round in the other face
+          add_edge({face[i], face[(i + 1) % k]});
+    for(const Face& face : faces)
+      subdivide(face);
+  }
+
+  std::vector<Vector_3d> directions; // of length 1
+  std::vector<Triangle> triangles;   // counterclockwise as seen from outside
+
+private:
+  struct Edge
+  {
+    std::array<Index, 2> ends;
+    Index first; // of its n - 1 vertices
+  };
+
+  Index add(const Vector_3d& direction)
+  {
+    directions.push_back(normalized(direction));
+    return static_cast<Index>(directions.size() - 1);
+  }
+
+  void add_edge(const std::array<Index, 2>& ends)
+  {
+    m_edges.push_back({ends, static_cast<Index>(directions.size())});
+    for(Index i = 1; i < m_n; ++i)
+      add(m_weights[m_n - i] * m_corners[ends[0]] + m_weights[i] * m_corners[ends[1]]);
+  }
+
+  // the vertex that is i parts from a
+  Index vertex_on_edge(Index a, Index b, Index i) const
+  {
+    if(i == 0 || i == m_n)
+      return i == 0 ? a : b;
+    const std::array<Index, 2> ends = {(std::min)(a, b), (std::max)(a, b)};
+    const auto edge = std::find_if(m_edges.begin(), m_edges.end(), [&](const Edge& e) { return e.ends == ends; });
+    return edge->first + (a < b ? i : m_n - i) - 1;
+  }
+
+  void subdivide(const std::array<Index, 3>& face)
+  {
+    const auto [a, b, c] = face;
+    std::vector<Index> last, row;
+    for(Index j = 0; j <= m_n; ++j)
+    {
+      const Index length = m_n - j;
+      row.clear();
+      for(Index i = 0; i <= length; ++i)
+        row.push_back(j == 0        ? vertex_on_edge(a, b, i)
+                      : i == 0      ? vertex_on_edge(a, c, j)
+                      : i == length ? vertex_on_edge(b, c, j)
+                                    : add(m_weights[length - i] * m_corners[a] + m_weights[i] * m_corners[b] +
+                                          m_weights[j] * m_corners[c]));
+      for(Index i = 0; j > 0 && i <= length; ++i)
+      {
+        triangles.push_back({last[i], last[i + 1], row[i]});
+        if(i < length)
+          triangles.push_back({last[i + 1], row[i + 1], row[i]});
+      }
+      last.swap(row);
+    }
+  }
+
+  void subdivide(const std::array<Index, 4>& face)
+  {
+    const auto [a, b, c, d] = face;
+    std::vector<Index> last, row;
+    for(Index j = 0; j <= m_n; ++j)
+    {
+      row.clear();
+      for(Index i = 0; i <= m_n; ++i)
+        row.push_back(j == 0     ? vertex_on_edge(a, b, i)
+                      : j == m_n ? vertex_on_edge(d, c, i)
+                      : i == 0   ? vertex_on_edge(a, d, j)
+                      : i == m_n
+                          ? vertex_on_edge(b, c, j)
+                          : add(m_weights[m_n - j] * (m_weights[m_n - i] * m_corners[a] + m_weights[i] * m_corners[b]) +
+                                m_weights[j] * (m_weights[m_n - i] * m_corners[d] + m_weights[i] * m_corners[c])));
+      for(Index i = 0; j > 0 && i < m_n; ++i)
+      {
+        triangles.push_back({last[i], last[i + 1], row[i + 1]});
+        triangles.push_back({last[i], row[i + 1], row[i]});
+      }
+      last.swap(row);
+    }
+  }
+
+  const std::vector<Vector_3d>& m_corners;
+  const std::vector<double>& m_weights;
+  Index m_n;
+  std::vector<Edge> m_edges;
+};
+
+// Weights that divide an edge between corners of length 1 into n arcs of the same angle.
+inline std::vector<double> weights_of_equal_arcs(double angle_of_edge, std::uint32_t n)
+{
+  std::vector<double> weights;
+  for(std::uint32_t i = 0; i <= n; ++i)
+    weights.push_back(std::sin(angle_of_edge * i / n));
+  return weights;
+}
+
+inline Subdivided_solid<3> subdivided_octahedron(std::uint32_t n)
+{
+  const std::vector<Vector_3d> corners = {{1., 0., 0.},  {0., 1., 0.},  {0., 0., 1.},
+                                          {-1., 0., 0.}, {0., -1., 0.}, {0., 0., -1.}};
+  return {corners,
+          {{0, 1, 2}, {1, 3, 2}, {3, 4, 2}, {4, 0, 2}, {1, 0, 5}, {3, 1, 5}, {4, 3, 5}, {0, 4, 5}},
+          weights_of_equal_arcs(CGAL_PI / 2., n)};
+}
+
+inline Subdivided_solid<3> subdivided_icosahedron(std::uint32_t n)
+{
+  std::vector<Vector_3d> corners = {{0., 0., 1.}};
+  for(const double z : {1., -1.})
+    for(int i = 0; i < 5; ++i) // five vertices around each pole, at a height of 1 / sqrt(5)
+    {
+      const double angle = (2 * i + (z < 0.)) * CGAL_PI / 5.;
+      corners.push_back({std::sqrt(0.8) * std::cos(angle), std::sqrt(0.8) * std::sin(angle), z * std::sqrt(0.2)});
+    }
+  corners.push_back({0., 0., -1.});
+  std::vector<std::array<std::uint32_t, 3>> faces;
+  for(std::uint32_t i = 0; i < 5; ++i)
+  {
+    const std::uint32_t next = (i + 1) % 5;
+    faces.push_back({0, 1 + i, 1 + next});
+    faces.push_back({1 + i, 6 + i, 1 + next});
+    faces.push_back({6 + i, 6 + next, 1 + next});
+    faces.push_back({6 + i, 11, 6 + next});
+  }
+  return {corners, faces, weights_of_equal_arcs(std::atan(2.), n)};
+}
+
+// On the faces of a cube, lines that are equally spaced in the angle about the axes give the most even squares.
+inline Subdivided_solid<4> subdivided_cube(std::uint32_t n)
+{
+  std::vector<Vector_3d> corners;
+  for(int i = 0; i < 8; ++i)
+    corners.push_back({i & 1 ? 1. : -1., i & 2 ? 1. : -1., i & 4 ? 1. : -1.});
+  std::vector<double> weights;
+  for(std::uint32_t i = 0; i <= n; ++i)
+    weights.push_back(1. + std::tan(CGAL_PI / 4. * (2. * i / n - 1.)));
+  weights.front() = 0.;
+  return {corners, {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}}, weights};
+}
+
+} // namespace internal
+} // namespace Spherical_parameterization
+} // namespace CGAL
+
+#endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_SAMPLING_SUBDIVIDED_SOLID_H
