@@ -43,7 +43,8 @@ enum Error_code
   ERROR_CANNOT_SOLVE_LINEAR_SYSTEM,       ///< The solver of a method that needs one has failed.
   ERROR_WRONG_PARAMETER,                  ///< A parameter is out of its range.
   ERROR_TOO_LARGE_MESH,                   ///< The mesh has 2<sup>31</sup> - 1 halfedges or more.
-  ERROR_INVALID_DIRECTION                 ///< A direction is zero, infinite or not a number.
+  ERROR_INVALID_DIRECTION,                ///< A direction is zero, infinite or not a number.
+  ERROR_INVALID_DOMAIN                    ///< The domain is no triangulation of the sphere.
 };
 
 /// \ingroup PkgSphericalParameterizationEnums
@@ -97,6 +98,9 @@ inline const char* get_error_message(Error_code error_code)
   case ERROR_INVALID_DIRECTION:
     return "A direction is zero, infinite or not a number, so that it leads nowhere: those without a face are meant; "
            "leave them out, or repair what computes them.";
+  case ERROR_INVALID_DOMAIN:
+    return "The domain is no triangulation of the sphere: its error_code() says what is wrong with what it was made "
+           "of.";
   }
   return "Unknown error code: it was not returned by this package.";
 }

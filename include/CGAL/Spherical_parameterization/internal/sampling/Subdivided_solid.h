@@ -29,8 +29,8 @@ namespace CGAL {
 namespace Spherical_parameterization {
 namespace internal {
 
-// A solid whose edges are divided into n, projected to the sphere. A vertex has the sum of the corners of its face, each
-// with a weight that depends on how many parts it is away from the corner: on an edge from a to b, weights[n - i] a +
+// A solid whose edges are divided into n, projected to the sphere. A vertex is the sum of the corners of its face, each
+// with a weight for how many of the parts it is away from the others: on an edge from a to b, it is weights[n - i] a +
 // weights[i] b. The faces of the solid have k corners each, 3 or 4.
 //
 // The vertices are numbered from those of the solid to those of the edges and those of the faces, row by row.

@@ -1,0 +1,175 @@
+// Copyright (c) 2026  The Spherical_parameterization authors.
+// All rights reserved.
+//
+// This file is part of the Spherical_parameterization package for CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Spherical_parameterization authors
+
+#ifndef CGAL_SPHERICAL_PARAMETERIZATION_REMESH_THROUGH_SPHERE_H
+#define CGAL_SPHERICAL_PARAMETERIZATION_REMESH_THROUGH_SPHERE_H
+
+#include <CGAL/license/Spherical_parameterization.h>
+
+#include <CGAL/Spherical_parameterization/Error_code.h>
+#include <CGAL/Spherical_parameterization/Sphere_domain_3.h>
+#include <CGAL/Spherical_parameterization/internal/run/parallel.h>
+#include <CGAL/Spherical_parameterization/internal/sampling/Added_triangles.h>
+#include <CGAL/Spherical_parameterization/internal/sampling/Mesh_on_sphere.h>
+#include <CGAL/Spherical_parameterization/internal/sampling/Property_carrier.h>
+#include <CGAL/Spherical_parameterization/internal/sampling/Sphere_triangulation.h>
+#include <CGAL/Spherical_parameterization/internal/sampling/Transfer_mixtures.h>
+#include <CGAL/Spherical_parameterization/internal/sampling/link_triangles.h>
+#include <CGAL/Spherical_parameterization/internal/sampling/surface_samples.h>
+#include <CGAL/Spherical_parameterization/internal/simd/Vector_3.h>
+
+#include <CGAL/Kernel_traits.h>
+#include <CGAL/Named_function_parameters.h>
+#include <CGAL/boost/graph/named_params_helper.h>
+#include <CGAL/boost/graph/properties.h>
+#include <CGAL/tags.h>
+
+#include <boost/graph/graph_traits.hpp>
+#include <boost/property_map/property_map.hpp>
+
+#include <algorithm>
+#include <cstddef>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+/// \file remesh_through_sphere.h
+
+namespace CGAL {
+namespace Spherical_parameterization {
+
+/// \ingroup PkgSphericalParameterizationSampling
+///
+/// samples a surface at the directions of a domain: makes a mesh that has the triangles of the domain, and its vertices at
+/// the places of the surface that have their directions, see `Sphere_locator_3`. So the connectivity is regular, if the
+/// domain is; the number of vertices is chosen; and the new mesh corresponds to the surface one-to-one by the sphere. It is
+/// close to it where samples are dense: maps made with `Stretch_energy_3` spread them most evenly over the surface.
+/// `measure_distance()` tells how close it is. Nothing excludes that it intersects itself where it is too coarse.
+///
+/// If both meshes are of class `Surface_mesh`, the properties of vertices and faces are carried over, too; see
+/// `transfer()`, which does it for others.
+///
+/// The running time is linear in the size of the mesh and the domain, but for what `Sphere_locator_3` says.
+///
+/// \tparam ConcurrencyTag enables sequential versus parallel algorithm. Possible values are `Sequential_tag`,
+///         `Parallel_tag`, and `Parallel_if_available_tag`. The result does not depend on it.
+/// \tparam TriangleMesh a model of `FaceListGraph`
+/// \tparam VertexSphereMap a model of `ReadablePropertyMap` with
+///         `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and `%Point_3` of a \cgal kernel as
+///         value type; its coordinates are of type `double` or `float`, or of an exact number type
+/// \tparam Remesh a model of `MutableFaceGraph`
+/// \tparam RemeshSphereMap a model of `WritablePropertyMap` with
+///         `boost::graph_traits<Remesh>::%vertex_descriptor` as key type and `%Point_3` of a \cgal kernel as value type
+/// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+/// \tparam RemeshNamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+///
+/// \param tmesh the surface, a closed triangle mesh of genus 0
+/// \param vertex_sphere_map its map to the sphere, a bijection, such as `parameterize()` makes
+/// \param domain what the sphere is sampled with
+/// \param remesh the new mesh is added to it, its vertices and faces in the order of the domain
+/// \param remesh_sphere_map receives the directions of the new vertices: the map of the new mesh to the sphere
+/// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
+/// \param np_remesh an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
+///
+/// \cgalNamedParamsBegin{Parameters of both meshes}
+///   \cgalParamNBegin{vertex_point_map}
+///     \cgalParamDescription{a property map associating points to the vertices}
+///     \cgalParamType{a class model of `ReadablePropertyMap` (`WritablePropertyMap` for `remesh`) with
+///                    `%Point_3` of a \cgal kernel as value type}
+///     \cgalParamDefault{`boost::get(CGAL::vertex_point, tmesh)`, and of `remesh`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{vertex_normal_map}
+///     \cgalParamDescription{of `remesh` only: a property map that receives the normals of the surface at the new
+///                           vertices, of length 1: those of its vertices, interpolated. The normal of a vertex is the
+///                           sum of those of its faces, weighted with their areas; it is 0 if they have no area.}
+///     \cgalParamType{a class model of `WritablePropertyMap` with `%Vector_3` of a \cgal kernel as value type}
+///     \cgalParamDefault{normals are not computed}
+///   \cgalParamNEnd
+/// \cgalNamedParamsEnd
+///
+/// \return `OK`; what is wrong with the mesh, see `find_defect()`, or with its map: `ERROR_NO_1_TO_1_MAPPING` if that is
+///         no bijection; or `ERROR_INVALID_DOMAIN` if `domain.error_code()` is not `OK`. Nothing is added then.
+///
+/// \sa `CGAL::Spherical_parameterization::transfer()`
+/// \sa `CGAL::Spherical_parameterization::measure_distance()`
+template <class ConcurrencyTag = Parallel_if_available_tag, class TriangleMesh, class VertexSphereMap, class Remesh,
+          class RemeshSphereMap, typename CGAL_NP_TEMPLATE_PARAMETERS_1, typename CGAL_NP_TEMPLATE_PARAMETERS_2>
+[[nodiscard]] Error_code remesh_through_sphere(const TriangleMesh& tmesh, VertexSphereMap vertex_sphere_map,
+                                               const Sphere_domain_3& domain, Remesh& remesh,
+                                               RemeshSphereMap remesh_sphere_map,
+                                               const CGAL_NP_CLASS_1& np = parameters::default_values(),
+                                               const CGAL_NP_CLASS_2& np_remesh = parameters::default_values())
+{
+  using Mesh_arrays = internal::Mesh_on_sphere<TriangleMesh, VertexSphereMap>;
+  using Exact_kernel = typename Mesh_arrays::Exact_kernel;
+  using FT = typename Exact_kernel::FT;
+  using parameters::choose_parameter;
+  using parameters::get_parameter;
+
+  if(domain.error_code() != OK)
+    return ERROR_INVALID_DOMAIN;
+  const internal::Execution execution = internal::execution_of<ConcurrencyTag>();
+  Mesh_arrays mesh;
+  if(const Error_code error = mesh.read(tmesh, vertex_sphere_map, false, execution))
+    return error;
+  const std::vector<internal::Vector_3d> points = internal::points_of<TriangleMesh>(
+      mesh.vertices_of_mesh,
+      choose_parameter(get_parameter(np, internal_np::vertex_point), get_const_property_map(vertex_point, tmesh)));
+  if(!std::all_of(points.begin(), points.end(), [](const internal::Vector_3d& p) { return internal::is_finite(p); }))
+    return ERROR_NON_FINITE_COORDINATE;
+  internal::Sphere_triangulation<Exact_kernel> triangulation;
+  triangulation.assign(std::move(mesh.images), std::move(mesh.triangles));
+
+  std::vector<typename Exact_kernel::Point_3> directions;
+  directions.reserve(domain.directions().size());
+  for(const auto& q : domain.directions())
+    directions.emplace_back(FT(q.x()), FT(q.y()), FT(q.z()));
+  const auto places = triangulation.locate(directions, execution);
+  const std::vector<internal::Linked_triangle> triangles =
+      internal::link_triangles(domain.triangles(), directions.size());
+  const internal::Added_triangles<Remesh> added(triangles, directions.size(), remesh);
+
+  const auto write = [&](const auto& map, const std::vector<internal::Vector_3d>& values) {
+    using Value = typename boost::property_traits<std::decay_t<decltype(map)>>::value_type;
+    using Value_FT = typename Kernel_traits<Value>::Kernel::FT;
+    for(std::size_t i = 0; i < values.size(); ++i)
+      put(map, added.vertices[i],
+          Value(static_cast<Value_FT>(values[i][0]), static_cast<Value_FT>(values[i][1]),
+                static_cast<Value_FT>(values[i][2])));
+  };
+  write(choose_parameter(get_parameter(np_remesh, internal_np::vertex_point), get_property_map(vertex_point, remesh)),
+        internal::interpolated(points, triangulation.triangles(), places, execution));
+  std::vector<internal::Vector_3d> images;
+  for(const auto& q : domain.directions())
+    images.push_back({q.x(), q.y(), q.z()});
+  write(remesh_sphere_map, images);
+  if constexpr(!parameters::is_default_parameter<CGAL_NP_CLASS_2, internal_np::vertex_normal_map_t>::value)
+  {
+    std::vector<internal::Vector_3d> normals = internal::interpolated(
+        internal::vertex_normals(points, triangulation.triangles()), triangulation.triangles(), places, execution);
+    internal::normalize(normals);
+    write(get_parameter(np_remesh, internal_np::vertex_normal_map), normals);
+  }
+
+  if constexpr(internal::are_surface_meshes<TriangleMesh, Remesh>)
+  {
+    internal::Transfer_mixtures<Exact_kernel> mixtures(triangulation, points, directions, triangles, execution);
+    internal::Property_carrier<TriangleMesh, Remesh, Exact_kernel> carrier(
+        {mesh.vertices_of_mesh, mesh.faces_of_mesh}, {added.vertices, added.faces}, mixtures, execution);
+    internal::carry_all_properties(carrier, tmesh, vertex_sphere_map, remesh, remesh_sphere_map);
+  }
+  return OK;
+}
+
+} // namespace Spherical_parameterization
+} // namespace CGAL
+
+#endif // CGAL_SPHERICAL_PARAMETERIZATION_REMESH_THROUGH_SPHERE_H
