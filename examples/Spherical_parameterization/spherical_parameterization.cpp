@@ -26,6 +26,7 @@ int map_to_sphere(const Program_options& options)
   try
   {
     run.map();
+    run.sample();
     run.write();
   }
   catch(const std::bad_alloc& error)

@@ -84,12 +84,7 @@ public:
     if(!defect.empty())
       throw Program_error(defect);
     const Polygon_soup soup = read_soup(path);
-    compare("vertices", path, soup.points.size(), m_mesh.number_of_vertices());
-    compare("faces", path, soup.polygons.size(), m_polygons.size());
-    for(std::size_t f = 0; f < m_polygons.size(); ++f)
-      if(!is_same(soup.polygons[f], m_polygons[f]))
-        throw Program_error(path, "is no map of this mesh: face " + std::to_string(f) +
-                                      " has other corners, or another orientation. (Faces are counted from 0.)");
+    check_faces_of(path, "is no map of this mesh", soup.points.size(), soup.polygons);
     const Sphere_map map = m_mesh.add_property_map<Vertex_index, Point_3>("v:initial").first;
     for(const Vertex_index v : m_mesh.vertices())
     {
@@ -111,6 +106,25 @@ public:
                       " such faces in total).\nTake another start, such as --initial harmonic. (Faces are counted "
                       "from 0.)");
     return map;
+  }
+
+  /// checks that the file `path` has as many vertices as this mesh, and the same faces.
+  ///
+  /// \throws Program_error with what the file `is`, and why
+  void check_faces_of(const std::string& path, const std::string& is, std::size_t n_vertices,
+                      const std::vector<Polygon>& polygons) const
+  {
+    const auto compare = [&](const std::string& what, std::size_t count, std::size_t expected) {
+      if(count != expected)
+        throw Program_error(path, is + ": it has " + std::to_string(count) + " " + what + ", the mesh has " +
+                                      std::to_string(expected));
+    };
+    compare("vertices", n_vertices, m_mesh.number_of_vertices());
+    compare("faces", polygons.size(), m_polygons.size());
+    for(std::size_t f = 0; f < m_polygons.size(); ++f)
+      if(!is_same(polygons[f], m_polygons[f]))
+        throw Program_error(path, is + ": face " + std::to_string(f) +
+                                      " has other corners, or another orientation. (Faces are counted from 0.)");
   }
 
 private:
@@ -217,13 +231,6 @@ private:
     return n_repeated == 0 ? ""
                            : "\n" + std::to_string(n_repeated) +
                                  " vertices repeat the position of another one: perhaps the faces do not share them.";
-  }
-
-  static void compare(const std::string& what, const std::string& path, std::size_t count, std::size_t expected)
-  {
-    if(count != expected)
-      throw Program_error(path, "is no map of this mesh: it has " + std::to_string(count) + " " + what +
-                                    ", the mesh has " + std::to_string(expected));
   }
 
   // returns whether both polygons are the same triangle, from any of its corners on

@@ -6,16 +6,13 @@
 #include "Output_file.h"
 #include "Output_files.h"
 #include "Program_options.h"
+#include "Remesh.h"
 #include "Run_report.h"
 #include "mesh_files.h"
 #include "read_soup.h"
 #include "run_method.h"
+#include "write_soup.h"
 
-#include <CGAL/IO/GOCAD.h>
-#include <CGAL/IO/OBJ.h>
-#include <CGAL/IO/OFF.h>
-#include <CGAL/IO/PLY.h>
-#include <CGAL/IO/io.h>
 #include <CGAL/Spherical_parameterization/measure_distortion.h>
 
 #include <algorithm>
@@ -46,7 +43,7 @@ public:
   Mesh_run(const Program_options& options, const File_names& names)
     : m_options(options)
     , m_names(names)
-    , m_files(names, options.start_file,
+    , m_files(names, options.other_inputs(),
               options.is_batch() ? Output_file::Policy::replace : Output_file::Policy::follow)
     , m_report(options, names.input)
   {}
@@ -73,6 +70,26 @@ public:
     m_report.result = run_method(m_options, *m_input, m_sphere);
   }
 
+  /// samples the surface, if that is wanted.
+  ///
+  /// \pre `map()` has returned
+  ///
+  /// \throws Program_error if the map is not one-to-one, or what the options name is not in order
+  void sample()
+  {
+    if(m_options.domain.empty())
+      return;
+    const double start = seconds_now();
+    if(!m_report.result.is_one_to_one)
+      throw Program_error(m_names.input,
+                          "the map is not one-to-one: the surface cannot be sampled by it.\n--method bld "
+                          "excludes that.");
+    m_remesh.emplace(m_options, *m_input, m_sphere);
+    m_report.remesh = Run_report::Remesh_figures{m_remesh->mesh().number_of_vertices(),
+                                                 m_remesh->mesh().number_of_faces(), m_remesh->distance};
+    m_report.seconds_for_sampling = seconds_now() - start;
+  }
+
   /// measures the map, and writes all files. They appear once all of them are complete.
   ///
   /// \pre `map()` has returned
@@ -88,9 +105,13 @@ public:
     m_report.seconds_for_measuring = seconds_now() - start;
     if(m_files.sphere)
     {
-      m_files.sphere->write([&](std::ostream& out) { write_sphere(out); });
+      m_files.sphere->write([&](std::ostream& out) {
+        write_soup(out, file_format(m_names.sphere), points_of(m_sphere), m_input->triangles());
+      });
       m_report.sphere_checksum = m_files.sphere->checksum();
     }
+    if(m_files.remesh)
+      m_files.remesh->write([&](std::ostream& out) { m_remesh->write(out, file_format(m_names.remesh)); });
     if(m_files.colored_surface)
       write_colors();
     m_report.seconds_for_output = seconds_now() - start - m_report.seconds_for_measuring;
@@ -153,27 +174,6 @@ private:
     return SP::measure_distortion(mesh(), scaled, m_distortions);
   }
 
-  // A stream tells whether the last byte has been written. Coordinates do not change if they are read again.
-  void write_sphere(std::ostream& out) const
-  {
-    constexpr int digits = 17;
-    const auto np = CGAL::parameters::stream_precision(digits);
-    const std::string format = file_format(m_names.sphere);
-    const std::vector<Point_3> points = points_of(m_sphere);
-    out.precision(digits);
-    if(format == ".off")
-      CGAL::IO::write_OFF(out, points, m_input->triangles(), np);
-    else if(format == ".obj")
-      CGAL::IO::write_OBJ(out, points, m_input->triangles(), np);
-    else if(format == ".ts")
-      CGAL::IO::write_GOCAD(out, points, m_input->triangles(), np);
-    else
-    {
-      CGAL::IO::set_binary_mode(out);
-      CGAL::IO::write_PLY(out, points, m_input->triangles(), np);
-    }
-  }
-
   void write_colors()
   {
     const bool is_conformal = m_options.is_conformal();
@@ -191,6 +191,7 @@ private:
   Output_files m_files;
   Run_report m_report;
   std::optional<Input_mesh> m_input;
+  std::optional<Remesh> m_remesh;
   Sphere_map m_sphere;
   Distortion_map m_distortions;
 };

@@ -21,14 +21,16 @@ public:
   ///
   /// \throws Program_error otherwise
   ///
-  /// \param start_file another input; empty if there is none
-  Output_files(const File_names& names, const std::string& start_file, Output_file::Policy policy)
+  /// \param other_inputs other files that are read
+  Output_files(const File_names& names, const Words& other_inputs, Output_file::Policy policy)
   {
     const auto add = [&](std::optional<Output_file>& file, const std::string& name) {
       m_wanted.push_back(&file.emplace(name, policy));
     };
     if(!names.sphere.empty())
       add(sphere, names.sphere);
+    if(!names.remesh.empty())
+      add(remesh, names.remesh);
     if(!names.colored.empty())
     {
       add(colored_surface, names.colored + "_surface.ply");
@@ -37,10 +39,12 @@ public:
     if(!names.json.empty())
       add(json, names.json);
 
+    Words inputs = other_inputs;
+    inputs.push_back(names.input);
     std::error_code ignored;
     for(auto file = m_wanted.begin(); file != m_wanted.end(); ++file)
     {
-      for(const std::string& input : {names.input, start_file})
+      for(const std::string& input : inputs)
         if(!std::filesystem::is_symlink((*file)->path(), ignored) &&
            std::filesystem::equivalent((*file)->path(), input, ignored))
           throw Program_error((*file)->name(), "would replace the input; choose another name");
@@ -74,7 +78,7 @@ public:
     return result;
   }
 
-  std::optional<Output_file> sphere, colored_surface, colored_sphere, json;
+  std::optional<Output_file> sphere, remesh, colored_surface, colored_sphere, json;
 
 private:
   std::vector<Output_file*> m_wanted;

@@ -9,6 +9,7 @@
 #include <CGAL/Spherical_parameterization/Fixed_radius_3.h>
 #include <CGAL/Spherical_parameterization/Optimal_radius_3.h>
 #include <CGAL/Spherical_parameterization/Sharpness.h>
+#include <CGAL/Spherical_parameterization/Sphere_domain_3.h>
 #include <CGAL/Spherical_parameterization/Two_phase_radius_3.h>
 
 #include <boost/program_options.hpp>
@@ -49,6 +50,7 @@ public:
     read_method();
     if(knows("initial"))
       read_initial();
+    read_sampling();
     if(knows("energy"))
       read_energy();
     if(knows("sharpness"))
@@ -93,13 +95,27 @@ none; 2, all have one, but some fold.
   /// returns whether there may be many meshes: the names of their files are made from those of the inputs.
   bool is_batch() const { return !output_folder.empty(); }
 
+  /// returns the names of the files that are read beside the meshes.
+  Words other_inputs() const
+  {
+    Words result;
+    for(const std::string& name : {start_file, domain_size == 0 ? domain : "", values_file, values_sphere})
+      if(!name.empty())
+        result.push_back(name);
+    return result;
+  }
+
   bool wants_help = false, wants_version = false, is_quiet = false;
-  Words inputs;              ///< meshes, and folders if there may be many
-  File_names file_names;     ///< of the one mesh, if there is only one
-  bool prints_json = false;  ///< whether its report is printed as JSON
-  std::string output_folder; ///< of the many, empty otherwise
-  std::string format;        ///< of all maps, empty if each has that of its input
-  bool is_resumed = false;   ///< whether meshes that are done are left out
+  Words inputs;                 ///< meshes, and folders if there may be many
+  File_names file_names;        ///< of the one mesh, if there is only one
+  bool prints_json = false;     ///< whether its report is printed as JSON
+  std::string domain;           ///< to sample by: a solid, or the name of a file; empty if no remesh is wanted
+  unsigned int domain_size = 0; ///< what the edges of the solid are divided into
+  std::string values_file;      ///< with the properties that the remesh gets; empty if there is none
+  std::string values_sphere;    ///< the map of that mesh, if it is not the input
+  std::string output_folder;    ///< of the many, empty otherwise
+  std::string format;           ///< of all maps, empty if each has that of its input
+  bool is_resumed = false;      ///< whether meshes that are done are left out
   std::string method = "bld";
   bool is_published = false;          ///< "bld" with the settings of the paper
   std::string start = "hierarchical"; ///< empty if the map to start from is in a file
@@ -169,6 +185,15 @@ private:
     options.add_options()
       ("output,o", word("SPHERE"), "write the sphere: the faces of INPUT, with the images of its vertices in the same "
                                    "order (0 0 0 for a vertex without a face) and 17 digits; .off, .obj, .ply or .ts")
+      ("remesh", word("DOMAIN=N"), "write the surface to -o instead, with other faces: those of an octahedron, a cube or an "
+                                   "icosahedron whose edges are divided into N, say octahedron=64, 4 N^2 + 2, "
+                                   "6 N^2 + 2 or 10 N^2 + 2 vertices; or FILE: those of a mesh of the sphere, such as "
+                                   "--sphere has written. --prefer is sampling if nothing else is given; a .ply "
+                                   "file has normals, too")
+      ("sphere", word("SPHERE"), "with --remesh, write the sphere here")
+      ("transfer", word("VALUES"), "with --remesh, carry over the properties of the vertices and faces of a .ply file that "
+                                   "has the faces of INPUT; whole numbers are labels, which are not averaged")
+      ("values-sphere", word("SPHERE"), "VALUES is another surface, and this its sphere")
       ("output-folder", word("FOLDER"), "map many meshes: each INPUT is a mesh, or a folder, which stands for the mesh "
                                         "files in it; write each sphere and its report to FOLDER, as NAME.off, say, "
                                         "and NAME.json")
@@ -360,10 +385,56 @@ private:
     describe(start.empty() ? "start from " + printable(start_file) : start + " start");
   }
 
+  // What is preferred decides on other settings, and what is sampled on that.
+  void read_sampling()
+  {
+    for(const char* option : {"sphere", "transfer"})
+      if(has(option) && !has("remesh"))
+        fail("--" + std::string(option) + " goes with --remesh" +
+             (option == std::string("sphere") ? "; without it, -o is the sphere" : ""));
+    if(has("values-sphere") && !has("transfer"))
+      fail("--values-sphere goes with --transfer");
+    if(has("remesh"))
+      read_domain();
+    values_file = text("transfer");
+    values_sphere = text("values-sphere");
+    if(has("transfer") && file_format(values_file) != ".ply")
+      refuse("transfer", "the name of a .ply file, which can hold properties");
+
+    bool is_plain = method == "bld" && !is_published;
+    for(const char* option : {"energy", "sharpness", "s-first", "s-last", "average-sweeps", "radius"})
+      is_plain = is_plain && !has(option);
+    preference = read_word("prefer", {"average", "balance", "worst", "sampling"},
+                           method == "hierarchical"    ? "average"
+                           : has("remesh") && is_plain ? "sampling"
+                                                       : "balance");
+  }
+
+  void read_domain()
+  {
+    const std::string value = text("remesh");
+    const std::size_t equals = value.find('=');
+    double n = 0.;
+    const bool is_solid =
+        is_among(value.substr(0, equals), {"octahedron", "cube", "icosahedron"}) && equals != std::string::npos;
+    if(is_solid && is_number(value.substr(equals + 1), n) && n >= 1 && n <= SP::Sphere_domain_3::max_subdivision &&
+       n == std::floor(n))
+    {
+      domain = value.substr(0, equals);
+      domain_size = static_cast<unsigned int>(n);
+    }
+    else if(!is_solid && std::filesystem::is_regular_file(value))
+      domain = value;
+    else
+      refuse("remesh", "octahedron=N, cube=N or icosahedron=N with a whole number N from 1 to " +
+                           std::to_string(SP::Sphere_domain_3::max_subdivision) +
+                           ", or the name of a file with a mesh of the sphere");
+  }
+
   void read_energy()
   {
     const bool is_usually_isometric = is_published || method == "hierarchical";
-    if(text("prefer") == "sampling")
+    if(preference == "sampling")
     {
       if(has("energy"))
         fail("--prefer sampling has an energy of its own: leave out --energy");
@@ -388,8 +459,6 @@ private:
     }
     if(has("average-sweeps"))
       fail("--average-sweeps goes with --s-first, --s-last or --paper");
-    const std::string usual = method == "hierarchical" ? "average" : "balance",
-                      preference = read_word("prefer", {"average", "balance", "worst", "sampling"}, usual);
     const double beta = read_number("sharpness", 0., max_sharpness, "a number from 0 to 1e6",
                                     preference == "average"    ? 0.
                                     : preference == "balance"  ? 20.
@@ -476,24 +545,30 @@ private:
   {
     is_quiet = has("quiet");
     const bool is_for_many = has("output-folder");
-    for(const char* option : {"output", "json", "colored", "output-folder"})
+    for(const char* option : {"output", "sphere", "transfer", "values-sphere", "json", "colored", "output-folder"})
       if(has(option) && text(option).empty())
         fail("--" + std::string(option) + " needs a name");
     for(const char* option : {"format", "resume"})
       if(has(option) && !is_for_many)
         fail("--" + std::string(option) + " goes with --output-folder");
+    if(has("remesh") && is_for_many)
+      fail("--remesh is for one mesh: leave out --output-folder");
     for(const char* option : {"output", "json", "colored"})
       if(has(option) && is_for_many)
         fail("--" + std::string(option) + " is for one mesh; with --output-folder, the sphere of each and its report " +
              "are written there");
-    file_names.sphere = text("output");
+    file_names.sphere = text(has("remesh") ? "sphere" : "output");
+    file_names.remesh = text(has("remesh") ? "output" : "");
     prints_json = text("json") == "-";
     file_names.json = prints_json ? "" : text("json");
     file_names.colored = text("colored");
     output_folder = text("output-folder");
     is_resumed = has("resume");
-    if(has("output") && !is_among(file_format(file_names.sphere), output_formats))
-      refuse("output", "a name that ends with one of " + list_of(output_formats));
+    for(const char* option : {"output", "sphere"})
+      if(has(option) && !is_among(file_format(text(option)), output_formats))
+        refuse(option, "a name that ends with one of " + list_of(output_formats));
+    if(has("transfer") && has("output") && file_format(file_names.remesh) != ".ply")
+      refuse("output", "the name of a .ply file, as other formats do not hold the properties of --transfer");
     if(has("format"))
     {
       const std::string extension = text("format");
@@ -504,6 +579,8 @@ private:
   }
 
   static constexpr double max_sharpness = 1e6;
+
+  std::string preference; // of --prefer
 
   boost::program_options::variables_map m_values;
 };

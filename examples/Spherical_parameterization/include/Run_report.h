@@ -10,8 +10,10 @@
 
 #include <CGAL/Spherical_parameterization/Distortion_summary.h>
 #include <CGAL/Spherical_parameterization/Parameterization_report.h>
+#include <CGAL/Spherical_parameterization/Surface_distance.h>
 #include <CGAL/version_macros.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <iomanip>
@@ -49,17 +51,26 @@ public:
   /// The reason to stop, as JSON tells it, of a run that was asked for its map before the method had come to its end.
   static constexpr const char* stop_reason_interrupted = "interrupted";
 
+  /// What is told of a remesh.
+  struct Remesh_figures
+  {
+    std::size_t number_of_vertices, number_of_faces;
+    SP::Surface_distance distance;
+  };
+
   Run_result result;
   SP::Distortion_summary distortion;
   /// with the radius of eq. 11, if the map is to the unit sphere, whatever the size of the surface
   std::optional<SP::Distortion_summary> balanced;
   double seconds_for_input = 0.; ///< reading and checking the file
   double seconds_for_measuring = 0.;
+  double seconds_for_sampling = 0.;
   double seconds_for_output = 0.;          ///< writing all files but that with this report
   Words files;                             ///< that were written
   File_stamp input_stamp;                  ///< of the file, before it was read
   File_stamp start_stamp;                  ///< of the file with the map to start from; empty if there is none
   std::optional<Checksum> sphere_checksum; ///< if it was written, and to an ordinary file
+  std::optional<Remesh_figures> remesh;
   /// the distortion with the darkest colour, and that with the lightest, if colours were written
   std::optional<std::array<double, 2>> color_range;
 
@@ -70,7 +81,8 @@ public:
 
   double seconds() const
   {
-    return seconds_for_input + result.report.seconds() + seconds_for_measuring + seconds_for_output;
+    return seconds_for_input + result.report.seconds() + seconds_for_measuring + seconds_for_sampling +
+           seconds_for_output;
   }
 
   void print(std::ostream& out) const
@@ -94,8 +106,8 @@ public:
         << fixed_text(run.seconds_for_hierarchy, 2) << " hierarchy + " << fixed_text(run.seconds_for_embedding, 2)
         << " initial map + " << fixed_text(run.seconds_for_optimization, 2) << " sweeps + "
         << fixed_text(run.seconds_for_certificate, 2) << " certificate + " << fixed_text(seconds_for_measuring, 2)
-        << " measuring + " << fixed_text(seconds_for_output, 2)
-        << " output\n\n            maximum     average   deviation\n";
+        << " measuring + " << (remesh ? fixed_text(seconds_for_sampling, 2) + " sampling + " : "")
+        << fixed_text(seconds_for_output, 2) << " output\n\n            maximum     average   deviation\n";
     print_line(out, "D_iso  ", distortion.isometric);
     print_line(out, "D_area ", distortion.area);
     print_line(out, "D_angle", distortion.angle);
@@ -108,6 +120,8 @@ public:
     out << distortion.number_of_inverted_faces << " inverted faces, " << distortion.number_of_degenerate_faces
         << " degenerate faces" << (distortion.number_of_degenerate_faces > 0 ? ", which are left out" : "") << "\n\n"
         << (result.is_one_to_one ? "Certified: the map is one-to-one." : "Not one-to-one: " + fault()) << '\n';
+    if(remesh)
+      print_remesh(out);
     for(const std::string& file : files)
       out << "Written:   " << printable(file) << '\n';
     if(color_range)
@@ -187,8 +201,22 @@ public:
                            .add("sweeps", run.seconds_for_optimization)
                            .add("certificate", run.seconds_for_certificate)
                            .add("measuring", seconds_for_measuring)
+                           .add("sampling", seconds_for_sampling)
                            .add("output", seconds_for_output)
                            .add("total", seconds()));
+    if(remesh)
+    {
+      const auto one_way = [](const SP::Surface_distance::One_way& of) {
+        return Json_object().add("root_mean_square", of.root_mean_square).add("maximum", of.maximum);
+      };
+      all.add("remesh", Json_object()
+                            .add("vertices", remesh->number_of_vertices)
+                            .add("faces", remesh->number_of_faces)
+                            .add("distance_from_surface", one_way(remesh->distance.from_first))
+                            .add("distance_to_surface", one_way(remesh->distance.from_second))
+                            .add("diagonal", remesh->distance.diagonal)
+                            .add("psnr", remesh->distance.psnr()));
+    }
     if(color_range)
       all.add("colors", Json_object()
                             .add("measure", color_name())
@@ -213,6 +241,19 @@ public:
   static constexpr const char* seal = ",\n  \"crc32\": ";
 
 private:
+  void print_remesh(std::ostream& out) const
+  {
+    constexpr int digits = 2;
+    const SP::Surface_distance& d = remesh->distance;
+    const auto larger = [&](double SP::Surface_distance::One_way::*value) {
+      return fixed_text((std::max)(d.from_first.*value, d.from_second.*value) / d.diagonal, digits, false);
+    };
+    out << "Remesh:    " << remesh->number_of_vertices << " vertices, " << remesh->number_of_faces
+        << " faces; it is off the surface by " << larger(&SP::Surface_distance::One_way::root_mean_square)
+        << " of its diagonal in the root mean square, " << fixed_text(d.psnr(), digits) << " dB, and by "
+        << larger(&SP::Surface_distance::One_way::maximum) << " at most\n";
+  }
+
   std::string fault() const
   {
     const std::size_t n = distortion.number_of_inverted_faces;

@@ -54,7 +54,7 @@ public:
   using Triangle = std::array<std::uint32_t, 3>;
 
   /// The largest number that edges can be divided into
-  static constexpr std::uint32_t max_subdivision = 8000;
+  static constexpr std::uint32_t max_subdivision = 5000;
 
   /// returns an octahedron whose edges are divided into `n`: \f$ 4 n^2 + 2 \f$ directions of length 1. The vertices of
   /// the octahedron are on the axes.

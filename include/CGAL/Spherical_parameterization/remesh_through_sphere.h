@@ -161,7 +161,7 @@ template <class ConcurrencyTag = Parallel_if_available_tag, class TriangleMesh, 
 
   if constexpr(internal::are_surface_meshes<TriangleMesh, Remesh>)
   {
-    internal::Transfer_mixtures<Exact_kernel> mixtures(triangulation, points, directions, triangles, execution);
+    internal::Transfer_mixtures<Exact_kernel> mixtures(triangulation, points, directions, triangles, execution, places);
     internal::Property_carrier<TriangleMesh, Remesh, Exact_kernel> carrier(
         {mesh.vertices_of_mesh, mesh.faces_of_mesh}, {added.vertices, added.faces}, mixtures, execution);
     internal::carry_all_properties(carrier, tmesh, vertex_sphere_map, remesh, remesh_sphere_map);

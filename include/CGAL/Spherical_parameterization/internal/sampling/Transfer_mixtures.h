@@ -29,6 +29,7 @@
 #include <cstdint>
 #include <memory>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -89,14 +90,16 @@ public:
   using Triangulation = Sphere_triangulation<K>;
   using Place = typename Triangulation::Place;
 
-  // The arguments have to live longer. `source_points` are those of the surface, for areas.
+  // The arguments have to live longer. `source_points` are those of the surface, for areas; `places` are those of the
+  // target's vertices in the source, if they are known.
   Transfer_mixtures(const Triangulation& source, const std::vector<Vector_3d>& source_points,
                     const std::vector<Point_3>& target_images, const std::vector<Linked_triangle>& target_triangles,
-                    const Execution& execution)
+                    const Execution& execution, std::vector<Place> places = {})
     : m_source(source)
     , m_images(target_images)
     , m_triangles(target_triangles)
     , m_execution(std::is_same<typename K::FT, double>::value ? execution : Execution())
+    , m_places(std::move(places))
   {
     for(const Linked_triangle& t : source.triangles())
       m_source_areas.push_back(
@@ -108,7 +111,9 @@ public:
   // the average of all vertices there, weighted with the area around them and with their coordinate for the vertex.
   Mixtures vertex_mixtures()
   {
-    const std::vector<Place> places = m_source.locate(m_images, m_execution);
+    if(m_places.empty())
+      m_places = m_source.locate(m_images, m_execution);
+    const std::vector<Place>& places = m_places;
     std::vector<double> areas(m_source.points().size(), 0.);
     for(std::size_t t = 0; t < m_source.triangles().size(); ++t)
       for(const std::uint32_t v : m_source.triangles()[t].vertices)
@@ -266,6 +271,7 @@ private:
   const std::vector<Point_3>& m_images;
   const std::vector<Linked_triangle>& m_triangles;
   Execution m_execution;
+  std::vector<Place> m_places;
   std::vector<double> m_source_areas; // doubled, of the faces
   Triangulation m_target;             // made if it is needed
   Orientation_about_origin_3<K> m_orientation;

@@ -1,0 +1,127 @@
+#ifndef CGAL_SPHERICAL_PARAMETERIZATION_EXAMPLES_REMESH_H
+#define CGAL_SPHERICAL_PARAMETERIZATION_EXAMPLES_REMESH_H
+
+#include "Input_mesh.h"
+#include "Polygon_soup.h"
+#include "Program_error.h"
+#include "Program_options.h"
+#include "mesh_files.h"
+#include "read_soup.h"
+#include "write_soup.h"
+
+#include <CGAL/IO/PLY.h>
+#include <CGAL/IO/io.h>
+#include <CGAL/Spherical_parameterization/Sphere_domain_3.h>
+#include <CGAL/Spherical_parameterization/measure_distance.h>
+#include <CGAL/Spherical_parameterization/remesh_through_sphere.h>
+#include <CGAL/Spherical_parameterization/transfer.h>
+
+#include <cstddef>
+#include <ostream>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace Program {
+
+/// The surface, sampled through its map to the sphere.
+class Remesh
+{
+public:
+  /// \throws Program_error if the domain, or what is to be carried over, is not in order
+  Remesh(const Program_options& options, Input_mesh& input, const Sphere_map& sphere)
+  {
+    m_images = m_mesh.add_property_map<Vertex_index, Point_3>("v:sphere").first;
+    const auto normals = m_mesh.add_property_map<Vertex_index, Kernel::Vector_3>("v:normal").first;
+    const SP::Sphere_domain_3 domain = find_domain(options);
+    const SP::Error_code error =
+        SP::remesh_through_sphere(input.mesh(), sphere, domain, m_mesh, m_images, CGAL::parameters::default_values(),
+                                  CGAL::parameters::vertex_normal_map(normals));
+    if(error != SP::OK)
+      throw Program_error(input.name() + ": " + SP::get_error_message(error));
+    if(!options.values_file.empty())
+      carry_values(options, input, sphere);
+    distance = SP::measure_distance(input.mesh(), m_mesh);
+  }
+
+  SP::Surface_distance distance; ///< from the surface and back
+
+  const Mesh& mesh() const { return m_mesh; }
+
+  /// writes the mesh; normals and properties are for PLY files only.
+  void write(std::ostream& out, const std::string& format) const
+  {
+    if(format == ".ply")
+    {
+      CGAL::IO::set_binary_mode(out);
+      CGAL::IO::write_PLY(out, m_mesh, CGAL::parameters::stream_precision(17));
+      return;
+    }
+    std::vector<Polygon> triangles;
+    triangles.reserve(m_mesh.number_of_faces());
+    for(const Mesh::Face_index f : m_mesh.faces())
+    {
+      const Mesh::Halfedge_index h = m_mesh.halfedge(f);
+      triangles.emplace_back();
+      for(const Vertex_index v : {m_mesh.source(h), m_mesh.target(h), m_mesh.target(m_mesh.next(h))})
+        triangles.back().push_back(v);
+    }
+    write_soup(out, format, std::vector<Point_3>(m_mesh.points().begin(), m_mesh.points().end()), triangles);
+  }
+
+private:
+  static SP::Sphere_domain_3 find_domain(const Program_options& options)
+  {
+    const unsigned int n = options.domain_size;
+    if(options.domain == "octahedron")
+      return SP::Sphere_domain_3::octahedron(n);
+    if(options.domain == "cube")
+      return SP::Sphere_domain_3::cube(n);
+    if(options.domain == "icosahedron")
+      return SP::Sphere_domain_3::icosahedron(n);
+    Input_mesh mesh(options.domain, read_soup(options.domain));
+    SP::Sphere_domain_3 domain(mesh.mesh(), mesh.mesh().points());
+    if(domain.error_code() == SP::ERROR_NO_1_TO_1_MAPPING)
+      throw Program_error(options.domain, "is no mesh of the sphere to sample by: not all of its faces are positively "
+                                          "oriented as seen from the origin, or they do not cover the sphere once");
+    if(domain.error_code() != SP::OK)
+      throw Program_error(mesh.find_defect());
+    return domain;
+  }
+
+  // The readers of this program look at positions and faces only: they make sure that the file is in order before that
+  // of CGAL, which knows all properties, reads it.
+  void carry_values(const Program_options& options, Input_mesh& input, const Sphere_map& sphere)
+  {
+    const std::string& name = options.values_file;
+    const bool is_of_input = options.values_sphere.empty();
+    Input_mesh checked(name, read_soup(name));
+    if(is_of_input)
+      input.check_faces_of(name, "has no values for this mesh", checked.mesh().number_of_vertices(),
+                           checked.triangles());
+    Mesh values;
+    std::istringstream in(read_file(name));
+    std::string comments;
+    if(!CGAL::IO::read_PLY(in, values, comments) ||
+       values.number_of_vertices() != checked.mesh().number_of_vertices() ||
+       values.number_of_faces() != checked.triangles().size())
+      throw Program_error(name, "its properties cannot be read");
+    auto normals = values.add_property_map<Vertex_index, Kernel::Vector_3>("v:normal").first;
+    values.remove_property_map(normals); // the remesh has those of the surface
+
+    const Sphere_map values_sphere = values.add_property_map<Vertex_index, Point_3>("v:sphere").first;
+    const Sphere_map images = is_of_input ? sphere : checked.read_map(options.values_sphere);
+    for(const Vertex_index v : values.vertices())
+      values_sphere[v] = images[v];
+    const SP::Error_code error = SP::transfer(values, values_sphere, m_mesh, m_images);
+    if(error != SP::OK)
+      throw Program_error(name, SP::get_error_message(error));
+  }
+
+  Mesh m_mesh;
+  Sphere_map m_images;
+};
+
+} // namespace Program
+
+#endif // CGAL_SPHERICAL_PARAMETERIZATION_EXAMPLES_REMESH_H
