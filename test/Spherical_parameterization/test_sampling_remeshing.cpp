@@ -1,0 +1,576 @@
+// The domains triangulate the sphere; what is sampled through them, or carried from mesh to mesh, is what the rules of the
+// documentation say, and distances are those of surfaces for which they are known.
+
+#include <CGAL/Spherical_parameterization/Sphere_domain_3.h>
+#include <CGAL/Spherical_parameterization/measure_distance.h>
+#include <CGAL/Spherical_parameterization/remesh_through_sphere.h>
+#include <CGAL/Spherical_parameterization/transfer.h>
+
+#include "judge.h"
+#include "methods.h"
+#include "random_meshes.h"
+
+#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
+#include <CGAL/Polyhedron_3.h>
+#include <CGAL/Simple_cartesian.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+using namespace test;
+
+namespace {
+
+using Epeck = CGAL::Exact_predicates_exact_constructions_kernel;
+using Vertex_index = Mesh::Vertex_index;
+using Face_index = Mesh::Face_index;
+using Images_of_mesh = Mesh::Property_map<Vertex_index, Point_3>;
+using Domain = SP::Sphere_domain_3;
+
+Coordinates coordinates(const Point_3& p)
+{
+  return {p.x(), p.y(), p.z()};
+}
+
+// the triangles of a domain, whose points are its directions
+Triangle_list list_of(const Domain& domain)
+{
+  Triangle_list result;
+  for(const Point_3& p : domain.directions())
+    result.points.push_back(coordinates(p));
+  for(const Domain::Triangle& t : domain.triangles())
+    result.triangles.push_back({t[0], t[1], t[2]});
+  return result;
+}
+
+// A mesh with a map to the sphere, as a property of its vertices.
+struct Mapped_mesh
+{
+  Mapped_mesh(const Triangle_list& surface, const Images& images)
+    : mesh(make(surface))
+    , sphere(mesh.add_property_map<Vertex_index, Point_3>("v:sphere").first)
+  {
+    for(const Vertex_index v : mesh.vertices())
+      sphere[v] = Point_3(images[v][0], images[v][1], images[v][2]);
+  }
+  explicit Mapped_mesh(const Triangle_list& surface)
+    : Mapped_mesh(surface, surface.points)
+  {}
+
+  template <class Index, class T>
+  auto add(const std::string& name)
+  {
+    return mesh.add_property_map<Index, T>(name).first;
+  }
+
+  Mesh mesh;
+  Images_of_mesh sphere;
+};
+
+Mapped_mesh ellipsoid_on_sphere(unsigned int subdivisions)
+{
+  return {scaled(icosphere(subdivisions), 3., 2., 1.), icosphere(subdivisions).points};
+}
+
+struct Remesh
+{
+  explicit Remesh(const Mapped_mesh& source, const Domain& domain)
+    : sphere(mesh.add_property_map<Vertex_index, Point_3>("v:sphere").first)
+    , error(SP::remesh_through_sphere(source.mesh, source.sphere, domain, mesh, sphere))
+  {}
+
+  Mesh mesh;
+  Images_of_mesh sphere;
+  SP::Error_code error;
+};
+
+struct Solid
+{
+  Domain (*make)(std::uint32_t);
+  std::size_t factor; // of n^2 in the number of vertices
+  double evenness;    // the largest area over the smallest one that is documented
+};
+const std::array<Solid, 3> solids = {
+    {{&Domain::octahedron, 4, 1.8}, {&Domain::cube, 6, 1.7}, {&Domain::icosahedron, 10, 1.2}}};
+
+TEST(Domains, triangulate_the_sphere_evenly)
+{
+  for(const Solid& solid : solids)
+    for(const std::uint32_t n : {1u, 2u, 3u, 10u, 33u})
+    {
+      SCOPED_TRACE(std::to_string(solid.factor) + " " + std::to_string(n));
+      const Domain domain = solid.make(n);
+      ASSERT_EQ(domain.error_code(), SP::OK);
+      const Triangle_list list = list_of(domain);
+      EXPECT_EQ(list.points.size(), solid.factor * n * n + 2);
+      EXPECT_EQ(list.triangles.size(), 2 * solid.factor * n * n);
+      const Mesh mesh = make(list);
+      EXPECT_TRUE(SP::is_bijective(mesh, mesh.points()));
+      double min = 1e9, max = 0.;
+      for(const Triangle& t : list.triangles)
+      {
+        const double a = area(list.points[t[0]], list.points[t[1]], list.points[t[2]]);
+        min = (std::min)(min, a);
+        max = (std::max)(max, a);
+      }
+      EXPECT_LE(max / min, solid.evenness);
+      for(const Coordinates& p : list.points)
+        EXPECT_NEAR(norm(p), 1., 1e-15);
+    }
+}
+
+// An octahedron's edge from the x-axis to the y-axis
+TEST(Domains, have_edges_of_equal_arcs)
+{
+  const Triangle_list list = list_of(Domain::octahedron(5));
+  for(int i = 0; i <= 5; ++i)
+  {
+    const Coordinates expected = {std::cos(i * pi / 10.), std::sin(i * pi / 10.), 0.};
+    EXPECT_TRUE(std::any_of(list.points.begin(), list.points.end(), [&](const Coordinates& p) {
+      return distance(p, expected) < 1e-15;
+    })) << i;
+  }
+}
+
+TEST(Domains, are_divided_into_one_or_more)
+{
+  for(const Solid& solid : solids)
+    for(const std::uint32_t n : {0u, Domain::max_subdivision + 1})
+    {
+      EXPECT_EQ(solid.make(n).error_code(), SP::ERROR_WRONG_PARAMETER);
+      EXPECT_TRUE(solid.make(n).directions().empty());
+    }
+}
+
+TEST(Domains, of_meshes_are_bijections)
+{
+  const Mapped_mesh mapped = ellipsoid_on_sphere(1);
+  const Domain domain(mapped.mesh, mapped.sphere);
+  EXPECT_EQ(domain.error_code(), SP::OK);
+  EXPECT_EQ(list_of(domain).points, icosphere(1).points);
+  EXPECT_EQ(list_of(domain).triangles, triangles(mapped.mesh));
+
+  Triangle_list folded = icosphere(1);
+  std::swap(folded.points[0], folded.points[1]);
+  const Mesh folded_mesh = make(folded), torus_mesh = make(torus(5, 5));
+  EXPECT_EQ(Domain(folded_mesh, folded_mesh.points()).error_code(), SP::ERROR_NO_1_TO_1_MAPPING);
+  EXPECT_EQ(Domain(torus_mesh, torus_mesh.points()).error_code(), SP::ERROR_NO_TOPOLOGICAL_SPHERE);
+  EXPECT_TRUE(Domain(torus_mesh, torus_mesh.points()).triangles().empty());
+}
+
+TEST(Remeshing, by_the_mesh_itself_is_the_identity)
+{
+  const Mapped_mesh source(scaled(random_stacked_sphere(200, 1), 1., 2., 3.), random_stacked_sphere(200, 1).points);
+  const Remesh remesh(source, Domain(source.mesh, source.sphere));
+  ASSERT_EQ(remesh.error, SP::OK);
+  EXPECT_EQ(points(remesh.mesh), points(source.mesh));
+  EXPECT_EQ(triangles(remesh.mesh), triangles(source.mesh));
+  EXPECT_TRUE(std::equal(source.sphere.begin(), source.sphere.end(), remesh.sphere.begin(), remesh.sphere.end()));
+}
+
+// A surface that is an affine image of the polyhedron that it is mapped to: each sample is known.
+TEST(Remeshing, has_its_vertices_where_the_directions_lead)
+{
+  const Mapped_mesh source = ellipsoid_on_sphere(2);
+  for(const Solid& solid : solids)
+  {
+    const Domain domain = solid.make(9);
+    const Remesh remesh(source, domain);
+    ASSERT_EQ(remesh.error, SP::OK);
+    EXPECT_TRUE(CGAL::is_valid_polygon_mesh(remesh.mesh));
+    EXPECT_TRUE(CGAL::is_closed(remesh.mesh));
+    EXPECT_EQ(triangles(remesh.mesh), list_of(domain).triangles);
+    for(const Vertex_index v : remesh.mesh.vertices())
+    {
+      EXPECT_EQ(remesh.sphere[v], domain.directions()[v]);
+      const Coordinates q = coordinates(domain.directions()[v]), p = coordinates(remesh.mesh.point(v));
+      const Coordinates image = {p[0] / 3., p[1] / 2., p[2]};
+      EXPECT_LT(norm(cross(image, q)), 1e-15);
+      EXPECT_GT(dot(image, q), 0.9); // the polyhedron is near the unit sphere
+    }
+  }
+}
+
+TEST(Remeshing, gives_normals_of_the_surface)
+{
+  const Mapped_mesh source(icosphere(4));
+  Mesh remesh;
+  auto sphere = remesh.add_property_map<Vertex_index, Point_3>("v:sphere").first;
+  auto normals = remesh.add_property_map<Vertex_index, Kernel::Vector_3>("v:normal").first;
+  ASSERT_EQ(SP::remesh_through_sphere(source.mesh, source.sphere, Domain::cube(5), remesh, sphere,
+                                      CGAL::parameters::default_values(), CGAL::parameters::vertex_normal_map(normals)),
+            SP::OK);
+  for(const Vertex_index v : remesh.vertices())
+  {
+    EXPECT_NEAR(normals[v].squared_length(), 1., 1e-14);
+    EXPECT_GT(normals[v] * (sphere[v] - CGAL::ORIGIN), 0.9995);
+  }
+}
+
+// Other meshes and kernels, points that are not the mesh's own, and a mesh that has something already.
+TEST(Remeshing, adds_to_any_mesh)
+{
+  const Triangle_list list = icosphere(1);
+  const auto exact = make_mesh<CGAL::Surface_mesh<Epeck::Point_3>>(list);
+  CGAL::Polyhedron_3<Kernel> polyhedron = make_mesh<CGAL::Polyhedron_3<Kernel>>(tetrahedron());
+  std::map<CGAL::Polyhedron_3<Kernel>::Vertex_handle, CGAL::Simple_cartesian<float>::Point_3> sphere;
+  const auto moved = [](const Epeck::Point_3& p) { return p + Epeck::Vector_3(5, 0, 0); };
+  std::map<CGAL::Surface_mesh<Epeck::Point_3>::Vertex_index, Epeck::Point_3> moved_points;
+  for(const auto v : exact.vertices())
+    moved_points[v] = moved(exact.point(v));
+  ASSERT_EQ(SP::remesh_through_sphere(exact, exact.points(), Domain::octahedron(2), polyhedron,
+                                      boost::make_assoc_property_map(sphere),
+                                      CGAL::parameters::vertex_point_map(boost::make_assoc_property_map(moved_points))),
+            SP::OK);
+  EXPECT_EQ(polyhedron.size_of_vertices(), 4u + 18u);
+  EXPECT_EQ(polyhedron.size_of_facets(), 4u + 32u);
+  EXPECT_TRUE(polyhedron.is_valid());
+  EXPECT_TRUE(polyhedron.is_closed());
+  ASSERT_EQ(sphere.size(), 18u);
+  for(const auto& [vertex, direction] : sphere)
+  {
+    const auto p = vertex->point();
+    EXPECT_LT(distance({p.x() - 5., p.y(), p.z()}, {direction.x(), direction.y(), direction.z()}), 0.21);
+  }
+}
+
+TEST(Remeshing, is_the_same_in_any_number_of_threads)
+{
+  Mapped_mesh source = ellipsoid_on_sphere(3);
+  auto value = source.add<Vertex_index, double>("v:value");
+  for(const Vertex_index v : source.mesh.vertices())
+    value[v] = source.mesh.point(v).x();
+  const Domain domain = Domain::octahedron(60);
+  const Remesh parallel(source, domain);
+  Mesh sequential;
+  auto sphere = sequential.add_property_map<Vertex_index, Point_3>("v:sphere").first;
+  ASSERT_EQ(SP::remesh_through_sphere<CGAL::Sequential_tag>(source.mesh, source.sphere, domain, sequential, sphere),
+            SP::OK);
+  EXPECT_EQ(points(parallel.mesh), points(sequential));
+  const auto a = sequential.property_map<Vertex_index, double>("v:value").first;
+  const auto b = parallel.mesh.property_map<Vertex_index, double>("v:value").first;
+  EXPECT_TRUE(std::equal(a.begin(), a.end(), b.begin(), b.end()));
+}
+
+TEST(Remeshing, refuses_what_is_no_bijection)
+{
+  Mapped_mesh source = ellipsoid_on_sphere(1);
+  const auto expect = [&](const Domain& domain, SP::Error_code error) {
+    const Remesh remesh(source, domain);
+    EXPECT_EQ(remesh.error, error);
+    EXPECT_EQ(remesh.mesh.number_of_vertices(), 0u);
+  };
+  expect(Domain::cube(0), SP::ERROR_INVALID_DOMAIN);
+  expect(Domain(Mesh(), Mesh().points()), SP::ERROR_INVALID_DOMAIN);
+  std::swap(source.sphere[Vertex_index(0)], source.sphere[Vertex_index(1)]);
+  expect(Domain::cube(1), SP::ERROR_NO_1_TO_1_MAPPING);
+  std::swap(source.sphere[Vertex_index(0)], source.sphere[Vertex_index(1)]);
+  source.mesh.point(Vertex_index(3)) = Point_3(0., std::numeric_limits<double>::quiet_NaN(), 0.);
+  expect(Domain::cube(1), SP::ERROR_NON_FINITE_COORDINATE);
+  CGAL::Euler::remove_face(source.mesh.halfedge(Face_index(0)), source.mesh);
+  expect(Domain::cube(1), SP::ERROR_NON_CLOSED_MESH);
+}
+
+template <class Index, class T, class Make>
+void fill(Mapped_mesh& source, const std::string& name, const Make& make_value)
+{
+  auto map = source.add<Index, T>(name);
+  std::size_t i = 0;
+  for(auto&& value : map)
+    value = make_value(i++);
+}
+
+template <class Index, class T>
+void expect_same(const Mesh& a, const Mesh& b, const std::string& name)
+{
+  SCOPED_TRACE(name);
+  ASSERT_TRUE((b.property_map<Index, T>(name).second));
+  const auto from = a.property_map<Index, T>(name).first, to = b.property_map<Index, T>(name).first;
+  EXPECT_TRUE(std::equal(from.begin(), from.end(), to.begin(), to.end()));
+}
+
+TEST(Transfer, from_a_mesh_to_itself_changes_no_bit_of_any_type)
+{
+  Mapped_mesh source(random_stacked_sphere(100, 1)), target(random_stacked_sphere(100, 1));
+  const auto x = [](std::size_t i) { return std::sin(static_cast<double>(i)); };
+  const auto byte = [](std::size_t i) { return static_cast<unsigned char>(37 * i); };
+  using Pair = std::array<double, 2>;
+  fill<Vertex_index, double>(source, "v:double", x);
+  fill<Vertex_index, float>(source, "v:float", [&](std::size_t i) { return static_cast<float>(x(i)); });
+  fill<Vertex_index, bool>(source, "v:bool", [&](std::size_t i) { return x(i) > 0.; });
+  fill<Vertex_index, std::string>(source, "v:string", [](std::size_t i) { return std::to_string(i); });
+  fill<Vertex_index, CGAL::IO::Color>(
+      source, "v:color", [&](std::size_t i) { return CGAL::IO::Color(byte(i), byte(i + 1), 7, byte(i + 2)); });
+  fill<Vertex_index, Kernel::Vector_3>(source, "v:vector",
+                                       [&](std::size_t i) { return Kernel::Vector_3(x(i), 1., 2.); });
+  fill<Vertex_index, Kernel::Point_2>(source, "v:uv", [&](std::size_t i) { return Kernel::Point_2(x(i), 3.); });
+  fill<Vertex_index, Pair>(source, "v:array", [&](std::size_t i) { return Pair{x(i), x(i + 1)}; });
+  fill<Vertex_index, std::vector<double>>(source, "v:series",
+                                          [&](std::size_t i) { return std::vector<double>(5, x(i)); });
+  fill<Face_index, int>(source, "f:label", [](std::size_t i) { return static_cast<int>(i); });
+  fill<Face_index, double>(source, "f:double", x);
+  ASSERT_EQ(SP::transfer(source.mesh, source.sphere, target.mesh, target.sphere), SP::OK);
+  expect_same<Vertex_index, double>(source.mesh, target.mesh, "v:double");
+  expect_same<Vertex_index, float>(source.mesh, target.mesh, "v:float");
+  expect_same<Vertex_index, bool>(source.mesh, target.mesh, "v:bool");
+  expect_same<Vertex_index, std::string>(source.mesh, target.mesh, "v:string");
+  expect_same<Vertex_index, CGAL::IO::Color>(source.mesh, target.mesh, "v:color");
+  expect_same<Vertex_index, Kernel::Vector_3>(source.mesh, target.mesh, "v:vector");
+  expect_same<Vertex_index, Kernel::Point_2>(source.mesh, target.mesh, "v:uv");
+  expect_same<Vertex_index, Pair>(source.mesh, target.mesh, "v:array");
+  expect_same<Vertex_index, std::vector<double>>(source.mesh, target.mesh, "v:series");
+  expect_same<Face_index, int>(source.mesh, target.mesh, "f:label");
+  expect_same<Face_index, double>(source.mesh, target.mesh, "f:double");
+}
+
+TEST(Transfer, leaves_points_and_spheres)
+{
+  const Mapped_mesh source = ellipsoid_on_sphere(1);
+  Mapped_mesh target(icosphere(2));
+  ASSERT_EQ(SP::transfer(source.mesh, source.sphere, target.mesh, target.sphere), SP::OK);
+  EXPECT_EQ(points(target.mesh), icosphere(2).points);
+  EXPECT_EQ(images(target.mesh, target.sphere), icosphere(2).points);
+}
+
+// What each element of the target takes over, by the rules of the documentation, with places from the locator.
+class Rules
+{
+public:
+  Rules(const Mapped_mesh& source, const Mapped_mesh& target)
+    : m_source(source)
+    , m_target(target)
+    , m_in_source(source.mesh, source.sphere)
+    , m_in_target(target.mesh, target.sphere)
+    , m_areas(source.mesh.number_of_vertices(), 0.)
+  {
+    for(const Face_index f : source.mesh.faces())
+      for(const Vertex_index v : CGAL::vertices_around_face(source.mesh.halfedge(f), source.mesh))
+        m_areas[v] += area_of(f);
+  }
+
+  // the weights of the source's vertices
+  std::map<std::size_t, double> of_vertex(Vertex_index v) const
+  {
+    const std::map<std::size_t, double> interpolation = weights(m_source.mesh, m_in_source.locate(m_target.sphere[v]));
+    std::map<std::size_t, double> average;
+    for(const Vertex_index s : m_source.mesh.vertices())
+    {
+      const auto hats = weights(m_target.mesh, m_in_target.locate(m_source.sphere[s]));
+      const auto hat = hats.find(v);
+      if(hat != hats.end())
+        average[s] = hat->second * m_areas[s];
+    }
+    return std::all_of(interpolation.begin(), interpolation.end(),
+                       [&](const auto& w) { return average.count(w.first) > 0; })
+               ? average
+               : interpolation;
+  }
+
+  std::map<std::size_t, double> of_face(Face_index f) const
+  {
+    const Face_index found = m_in_source.locate(center(m_target, f)).first;
+    if(m_in_target.locate(center(m_source, found)).first != f)
+      return {{found, 1.}};
+    std::map<std::size_t, double> average;
+    for(const Face_index s : m_source.mesh.faces())
+      if(m_in_target.locate(center(m_source, s)).first == f)
+        average[s] = area_of(s);
+    return average;
+  }
+
+private:
+  using Locator = SP::Sphere_locator_3<Mesh, Images_of_mesh>;
+
+  static std::map<std::size_t, double> weights(const Mesh& mesh, const Locator::Face_location& location)
+  {
+    std::map<std::size_t, double> result;
+    auto h = mesh.halfedge(location.first);
+    for(const double w : location.second)
+    {
+      if(w > 0.)
+        result[mesh.source(h)] = w;
+      h = mesh.next(h);
+    }
+    return result;
+  }
+
+  static Point_3 center(const Mapped_mesh& m, Face_index f)
+  {
+    Coordinates sum = {0., 0., 0.};
+    for(const auto h : CGAL::halfedges_around_face(m.mesh.halfedge(f), m.mesh))
+    {
+      const Coordinates p = coordinates(m.sphere[m.mesh.source(h)]);
+      sum = combination(1., sum, 1. / norm(p), p);
+    }
+    return Point_3(sum[0], sum[1], sum[2]);
+  }
+
+  double area_of(Face_index f) const
+  {
+    const auto h = m_source.mesh.halfedge(f);
+    const auto p = [&](Mesh::Halfedge_index k) { return coordinates(m_source.mesh.point(m_source.mesh.target(k))); };
+    return area(p(h), p(m_source.mesh.next(h)), p(m_source.mesh.prev(h)));
+  }
+
+  const Mapped_mesh& m_source;
+  const Mapped_mesh& m_target;
+  Locator m_in_source, m_in_target;
+  std::vector<double> m_areas;
+};
+
+bool has_most_weight(int label, const std::map<std::size_t, double>& weights)
+{
+  std::array<double, 3> sums = {0., 0., 0.};
+  for(const auto& [s, w] : weights)
+    sums[s % 3] += w;
+  return sums.at(static_cast<std::size_t>(label)) >= *std::max_element(sums.begin(), sums.end()) - 1e-12;
+}
+
+double mean(const std::map<std::size_t, double>& weights)
+{
+  double sum = 0., weight = 0.;
+  for(const auto& [s, w] : weights)
+  {
+    sum += w * std::sin(static_cast<double>(s));
+    weight += w;
+  }
+  return sum / weight;
+}
+
+// turned by some angles, so that what is compared does not hang on how a centre on an edge is rounded
+Triangle_list turned(Triangle_list list)
+{
+  for(std::size_t axis = 0; axis < 2; ++axis)
+    for(Coordinates& p : list.points)
+    {
+      double &x = p[(axis + 1) % 3], &y = p[(axis + 2) % 3];
+      const double old_x = x;
+      x = std::cos(0.3) * x - std::sin(0.3) * y;
+      y = std::sin(0.3) * old_x + std::cos(0.3) * y;
+    }
+  return list;
+}
+
+TEST(Transfer, follows_its_rules_to_coarser_and_finer_meshes)
+{
+  const Triangle_list uneven = with_slivers(random_stacked_sphere(150, 3), 5, 1e-3);
+  const std::vector<Triangle_list> lists = {octahedron(), icosphere(1), uneven, bumpy_sphere(3), suspension(40)};
+  for(const Triangle_list& from : lists)
+    for(const Triangle_list& to : lists)
+    {
+      SCOPED_TRACE(std::to_string(from.points.size()) + " to " + std::to_string(to.points.size()));
+      Mapped_mesh source(scaled(from, 1., 1., 2.), from.points), target(turned(to));
+      fill<Vertex_index, double>(source, "v:x", [](std::size_t i) { return std::sin(static_cast<double>(i)); });
+      fill<Vertex_index, int>(source, "v:label", [](std::size_t i) { return static_cast<int>(i % 3); });
+      fill<Face_index, double>(source, "f:x", [](std::size_t i) { return std::sin(static_cast<double>(i)); });
+      fill<Face_index, int>(source, "f:label", [](std::size_t i) { return static_cast<int>(i % 3); });
+      ASSERT_EQ(SP::transfer(source.mesh, source.sphere, target.mesh, target.sphere), SP::OK);
+      const auto x = target.add<Vertex_index, double>("v:x");
+      const auto label = target.add<Vertex_index, int>("v:label");
+      const auto face_x = target.add<Face_index, double>("f:x");
+      const auto face_label = target.add<Face_index, int>("f:label");
+      const Rules rules(source, target);
+      for(const Vertex_index v : target.mesh.vertices())
+      {
+        const auto weights = rules.of_vertex(v);
+        ASSERT_NEAR(x[v], mean(weights), 1e-12) << v;
+        ASSERT_TRUE(has_most_weight(label[v], weights)) << v;
+      }
+      for(const Face_index f : target.mesh.faces())
+      {
+        const auto weights = rules.of_face(f);
+        ASSERT_NEAR(face_x[f], mean(weights), 1e-12) << f;
+        ASSERT_TRUE(has_most_weight(face_label[f], weights)) << f;
+      }
+    }
+}
+
+// To maps of other types and of other meshes, in one call.
+TEST(Transfer, takes_pairs_of_maps)
+{
+  Mapped_mesh source(icosphere(1));
+  fill<Vertex_index, float>(source, "v:x", [](std::size_t) { return 0.25f; });
+  fill<Face_index, short>(source, "f:label", [](std::size_t) { return static_cast<short>(7); });
+  CGAL::Polyhedron_3<Kernel> target = make_mesh<CGAL::Polyhedron_3<Kernel>>(octahedron());
+  std::map<CGAL::Polyhedron_3<Kernel>::Vertex_handle, double> x;
+  std::map<CGAL::Polyhedron_3<Kernel>::Facet_handle, int> label;
+  ASSERT_EQ(SP::transfer(source.mesh, source.sphere, target, get(CGAL::vertex_point, target),
+                         std::pair(source.add<Vertex_index, float>("v:x"), boost::make_assoc_property_map(x)),
+                         std::pair(source.add<Face_index, short>("f:label"), boost::make_assoc_property_map(label))),
+            SP::OK);
+  EXPECT_EQ(x.size(), 6u);
+  EXPECT_EQ(label.size(), 8u);
+  for(const auto& [v, value] : x)
+    EXPECT_DOUBLE_EQ(value, 0.25);
+  for(const auto& [f, value] : label)
+    EXPECT_EQ(value, 7);
+}
+
+// Where a value is missing, nothing but what depends on it is lost.
+TEST(Transfer, of_values_that_are_not_numbers_stays_where_it_is)
+{
+  Mapped_mesh source(octahedron()), target(list_of(Domain::octahedron(2)));
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  fill<Vertex_index, double>(source, "v:x", [&](std::size_t i) { return i == 0 ? nan : 1.; });
+  ASSERT_EQ(SP::transfer(source.mesh, source.sphere, target.mesh, target.sphere), SP::OK);
+  const auto x = target.add<Vertex_index, double>("v:x");
+  for(const Vertex_index v : target.mesh.vertices())
+    EXPECT_EQ(std::isnan(x[v]), coordinates(target.sphere[v])[0] > 0.) << v;
+}
+
+TEST(Transfer, refuses_what_is_no_bijection)
+{
+  Mapped_mesh good(icosphere(1)), folded(icosphere(1)), open(icosphere(1));
+  fill<Vertex_index, double>(good, "v:x", [](std::size_t) { return 1.; });
+  fill<Vertex_index, double>(folded, "v:x", [](std::size_t) { return 2.; });
+  std::swap(folded.sphere[Vertex_index(0)], folded.sphere[Vertex_index(1)]);
+  CGAL::Euler::remove_face(open.mesh.halfedge(Face_index(0)), open.mesh);
+  EXPECT_EQ(SP::transfer(good.mesh, good.sphere, folded.mesh, folded.sphere), SP::ERROR_NO_1_TO_1_MAPPING);
+  EXPECT_EQ(SP::transfer(folded.mesh, folded.sphere, good.mesh, good.sphere), SP::ERROR_NO_1_TO_1_MAPPING);
+  EXPECT_EQ(SP::transfer(good.mesh, good.sphere, open.mesh, open.sphere), SP::ERROR_NON_CLOSED_MESH);
+  EXPECT_EQ(SP::transfer(open.mesh, open.sphere, good.mesh, good.sphere), SP::ERROR_NON_CLOSED_MESH);
+  const auto x = good.add<Vertex_index, double>("v:x");
+  EXPECT_TRUE(std::all_of(x.begin(), x.end(), [](double value) { return value == 1.; }));
+}
+
+TEST(Distance, between_spheres_is_that_of_their_radii)
+{
+  const Mesh small = make(icosphere(5)), large = make(scaled(icosphere(5), 1.1, 1.1, 1.1));
+  const SP::Surface_distance distance = SP::measure_distance(small, large);
+  EXPECT_NEAR(distance.from_first.root_mean_square, 0.1, 1e-3);
+  EXPECT_NEAR(distance.from_second.maximum, 0.1, 1e-3);
+  EXPECT_NEAR(distance.diagonal, std::sqrt(12.), 1e-2);
+  EXPECT_NEAR(distance.psnr(), 20. * std::log10(std::sqrt(12.) / 0.1), 0.1);
+}
+
+// Of the larger surface, only a part is near the smaller one: it takes both ways to see that.
+TEST(Distance, is_measured_both_ways)
+{
+  const Mesh one = make(icosphere(2)), two = make(disjoint_union(icosphere(2), scaled(icosphere(2), 3., 3., 3.)));
+  const SP::Surface_distance distance = SP::measure_distance(one, two);
+  EXPECT_NEAR(distance.from_first.maximum, 0., 1e-12);
+  EXPECT_NEAR(distance.from_second.maximum, 2., 0.1);
+  EXPECT_NEAR(distance.from_second.root_mean_square, 2. * std::sqrt(0.9), 0.1);
+}
+
+// Faces without an area are left out; a mesh of nothing else has no distance.
+TEST(Distance, with_flat_faces)
+{
+  const Mesh sphere = make(icosphere(2)), slivers = make(with_slivers(icosphere(2), 40, 0.)),
+             flat = make(scaled(icosphere(0), 1., 0., 0.));
+  EXPECT_NEAR(SP::measure_distance(sphere, slivers).from_first.maximum, 0., 1e-12);
+  EXPECT_EQ(SP::measure_distance(sphere, flat).from_first.maximum, 0.);
+  EXPECT_EQ(SP::measure_distance(flat, sphere).diagonal, 0.);
+}
+
+} // namespace
