@@ -371,6 +371,47 @@ std::size_t locate_range(Situation& s, Execution execution, benchmark::State&)
                                           : locate_range<CGAL::Parallel_if_available_tag>(s);
 }
 
+// A million samples, to which three values are carried over. The domain is made before.
+constexpr std::uint32_t division = 500;
+constexpr const char* carried_values[] = {"v:first", "v:second", "v:third"};
+
+template <class ConcurrencyTag>
+std::size_t remesh(Situation& s)
+{
+  static const SP::Sphere_domain_3 domain = SP::Sphere_domain_3::octahedron(division);
+  for(const char* name : carried_values)
+    s.tmesh.add_property_map<Mesh::Vertex_index, double>(name);
+  Mesh result;
+  const auto sphere = result.add_property_map<Mesh::Vertex_index, Kernel::Point_3>("v:sphere").first;
+  check(SP::remesh_through_sphere<ConcurrencyTag>(s.tmesh, s.sphere, domain, result, sphere));
+  for(const char* name : carried_values)
+  {
+    auto map = s.tmesh.add_property_map<Mesh::Vertex_index, double>(name).first;
+    s.tmesh.remove_property_map(map);
+  }
+  return domain.directions().size();
+}
+
+std::size_t remesh(Situation& s, Execution execution, benchmark::State&)
+{
+  return execution.run == Execution().run ? remesh<CGAL::Sequential_tag>(s)
+                                          : remesh<CGAL::Parallel_if_available_tag>(s);
+}
+
+// What it takes of that to build the mesh, with its properties.
+std::size_t build_remesh(Situation&, Execution, benchmark::State&)
+{
+  static const SP::Sphere_domain_3 domain = SP::Sphere_domain_3::octahedron(division);
+  static const std::vector<internal::Linked_triangle> triangles =
+      internal::link_triangles(domain.triangles(), domain.directions().size());
+  Mesh result;
+  result.add_property_map<Mesh::Vertex_index, Kernel::Point_3>("v:sphere");
+  for(const char* name : carried_values)
+    result.add_property_map<Mesh::Vertex_index, double>(name);
+  const internal::Added_triangles<Mesh> added(triangles, domain.directions().size(), result);
+  return added.vertices.size();
+}
+
 // What the locator is compared with.
 std::size_t locate_by_rays(Situation& s, Execution, benchmark::State&)
 {
@@ -598,7 +639,9 @@ void add_benchmarks()
                        {"location_random", locate_random, false},
                        {"location_coherent", locate_coherent, false},
                        {"location_range", locate_range, true},
-                       {"location_by_rays", locate_by_rays, false}};
+                       {"location_by_rays", locate_by_rays, false},
+                       {"remesh", remesh, true},
+                       {"remesh_building", build_remesh, false}};
 
   add("sweep", [](benchmark::State& state) {
     run(state, sweep, Execution());

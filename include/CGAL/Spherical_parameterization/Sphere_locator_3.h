@@ -107,8 +107,12 @@ public:
     internal::Mesh_on_sphere<TriangleMesh, VertexSphereMap> mesh;
     m_error_code =
         mesh.read(tmesh, vertex_sphere_map, is_known_to_be_bijective, internal::execution_of<ConcurrencyTag>());
-    if(m_error_code == OK && !m_triangulation.assign(std::move(mesh.images), std::move(mesh.triangles)))
-      m_error_code = mesh.find_error(tmesh, vertex_sphere_map);
+    if(m_error_code == OK)
+    {
+      m_triangulation.assign(std::move(mesh.images), std::move(mesh.triangles));
+      if(!m_triangulation.make_grid())
+        m_error_code = mesh.find_error(tmesh, vertex_sphere_map);
+    }
     if(m_error_code == OK)
       m_faces = std::move(mesh.faces_of_mesh);
     else

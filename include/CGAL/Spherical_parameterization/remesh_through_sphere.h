@@ -125,43 +125,41 @@ template <class ConcurrencyTag = Parallel_if_available_tag, class TriangleMesh, 
       choose_parameter(get_parameter(np, internal_np::vertex_point), get_const_property_map(vertex_point, tmesh)));
   if(!std::all_of(points.begin(), points.end(), [](const internal::Vector_3d& p) { return internal::is_finite(p); }))
     return ERROR_NON_FINITE_COORDINATE;
-  internal::Sphere_triangulation<Exact_kernel> triangulation;
-  triangulation.assign(std::move(mesh.images), std::move(mesh.triangles));
-
+  internal::Sphere_triangulation<Exact_kernel> source, target;
+  source.assign(std::move(mesh.images), std::move(mesh.triangles));
+  source.make_grid();
   std::vector<typename Exact_kernel::Point_3> directions;
   directions.reserve(domain.directions().size());
   for(const auto& q : domain.directions())
     directions.emplace_back(FT(q.x()), FT(q.y()), FT(q.z()));
-  const auto places = triangulation.locate(directions, execution);
-  const std::vector<internal::Linked_triangle> triangles =
-      internal::link_triangles(domain.triangles(), directions.size());
-  const internal::Added_triangles<Remesh> added(triangles, directions.size(), remesh);
+  target.assign(std::move(directions), internal::link_triangles(domain.triangles(), domain.directions().size()));
+  const auto places = source.locate(target.points(), execution);
+  const internal::Added_triangles<Remesh> added(target.triangles(), places.size(), remesh);
 
-  const auto write = [&](const auto& map, const std::vector<internal::Vector_3d>& values) {
+  const auto write = [&](const auto& map, const auto& value_of) { // value_of(i)[k] is coordinate k at vertex i
     using Value = typename boost::property_traits<std::decay_t<decltype(map)>>::value_type;
     using Value_FT = typename Kernel_traits<Value>::Kernel::FT;
-    for(std::size_t i = 0; i < values.size(); ++i)
+    for(std::size_t i = 0; i < places.size(); ++i)
+    {
+      const auto value = value_of(i);
       put(map, added.vertices[i],
-          Value(static_cast<Value_FT>(values[i][0]), static_cast<Value_FT>(values[i][1]),
-                static_cast<Value_FT>(values[i][2])));
+          Value(static_cast<Value_FT>(value[0]), static_cast<Value_FT>(value[1]), static_cast<Value_FT>(value[2])));
+    }
   };
   write(choose_parameter(get_parameter(np_remesh, internal_np::vertex_point), get_property_map(vertex_point, remesh)),
-        internal::interpolated(points, triangulation.triangles(), places, execution));
-  std::vector<internal::Vector_3d> images;
-  for(const auto& q : domain.directions())
-    images.push_back({q.x(), q.y(), q.z()});
-  write(remesh_sphere_map, images);
+        [&](std::size_t i) { return internal::interpolated(points, source.triangles(), places[i]); });
+  write(remesh_sphere_map, [&](std::size_t i) { return domain.directions()[i]; });
   if constexpr(!parameters::is_default_parameter<CGAL_NP_CLASS_2, internal_np::vertex_normal_map_t>::value)
   {
-    std::vector<internal::Vector_3d> normals = internal::interpolated(
-        internal::vertex_normals(points, triangulation.triangles()), triangulation.triangles(), places, execution);
-    internal::normalize(normals);
-    write(get_parameter(np_remesh, internal_np::vertex_normal_map), normals);
+    const std::vector<internal::Vector_3d> normals = internal::vertex_normals(points, source.triangles());
+    write(get_parameter(np_remesh, internal_np::vertex_normal_map), [&](std::size_t i) {
+      return internal::normalized_or_zero(internal::interpolated(normals, source.triangles(), places[i]));
+    });
   }
 
   if constexpr(internal::are_surface_meshes<TriangleMesh, Remesh>)
   {
-    internal::Transfer_mixtures<Exact_kernel> mixtures(triangulation, points, directions, triangles, execution, places);
+    const internal::Transfer_mixtures<Exact_kernel> mixtures(source, points, target, places, execution);
     internal::Property_carrier<TriangleMesh, Remesh, Exact_kernel> carrier(
         {mesh.vertices_of_mesh, mesh.faces_of_mesh}, {added.vertices, added.faces}, mixtures, execution);
     internal::carry_all_properties(carrier, tmesh, vertex_sphere_map, remesh, remesh_sphere_map);

@@ -54,7 +54,7 @@ public:
   };
 
   Property_carrier(const Elements<SourceMesh>& source, const Elements<TargetMesh>& target,
-                   Transfer_mixtures<K>& mixtures, const Execution& execution)
+                   const Transfer_mixtures<K>& mixtures, const Execution& execution)
     : m_source(source)
     , m_target(target)
     , m_mixtures(mixtures)
@@ -105,7 +105,7 @@ private:
 
   Elements<SourceMesh> m_source;
   Elements<TargetMesh> m_target;
-  Transfer_mixtures<K>& m_mixtures;
+  const Transfer_mixtures<K>& m_mixtures;
   Execution m_execution;
   std::optional<Mixtures> m_vertex_mixtures, m_face_mixtures; // made when they are needed
 };
@@ -145,12 +145,14 @@ Error_code carry_properties(const SourceMesh& source, const SourceSphereMap& sou
   Target target_arrays;
   if(const Error_code error = target_arrays.read(target, target_sphere, false, execution))
     return error;
-  Sphere_triangulation<Exact_kernel> triangulation;
-  triangulation.assign(std::move(source_arrays.images), std::move(source_arrays.triangles));
+  Sphere_triangulation<Exact_kernel> source_triangulation, target_triangulation;
+  source_triangulation.assign(std::move(source_arrays.images), std::move(source_arrays.triangles));
+  target_triangulation.assign(std::move(target_arrays.images), std::move(target_arrays.triangles));
+  source_triangulation.make_grid();
   const std::vector<Vector_3d> points =
       points_of<SourceMesh>(source_arrays.vertices_of_mesh, get(vertex_point, source));
-  Transfer_mixtures<Exact_kernel> mixtures(triangulation, points, target_arrays.images, target_arrays.triangles,
-                                           execution);
+  const auto places = source_triangulation.locate(target_triangulation.points(), execution);
+  const Transfer_mixtures<Exact_kernel> mixtures(source_triangulation, points, target_triangulation, places, execution);
   Property_carrier<SourceMesh, TargetMesh, Exact_kernel> carrier(
       {source_arrays.vertices_of_mesh, source_arrays.faces_of_mesh},
       {target_arrays.vertices_of_mesh, target_arrays.faces_of_mesh}, mixtures, execution);

@@ -46,9 +46,9 @@ struct Linked_triangle
   std::uint32_t operator[](std::size_t i) const { return vertices[i]; }
 };
 
-// The images of a mesh on the sphere, a bijection, as flat arrays in which the triangle of a direction is found: from
-// the cell of a grid to a triangle that contains the centre of the cell, and from there by a walk, exactly. All
-// triangles contain their boundaries; of those that contain a direction, the first one owns it.
+// The images of a mesh on the sphere, a bijection, as flat arrays in which the triangle of a direction is found by a
+// walk, exactly, from a triangle nearby: one that contains the centre of the cell of a grid, or any that the caller
+// knows. All triangles contain their boundaries; of those that contain a direction, the first one owns it.
 //
 // `K` is a kernel with exact predicates.
 template <class K>
@@ -73,8 +73,7 @@ public:
     std::uint32_t cell = none, triangle = 0;
   };
 
-  // Returns false if a direction is in no triangle: the map is no bijection.
-  bool assign(std::vector<Point_3> points, std::vector<Linked_triangle> triangles)
+  void assign(std::vector<Point_3> points, std::vector<Linked_triangle> triangles)
   {
     m_points = std::move(points);
     m_triangles = std::move(triangles);
@@ -82,7 +81,11 @@ public:
     for(std::uint32_t t = 0; t < m_triangles.size(); ++t)
       for(const std::uint32_t v : m_triangles[t].vertices)
         m_first_triangles[v] = (std::min)(m_first_triangles[v], t);
+  }
 
+  // Makes the grid. Returns false if a direction is in no triangle: the map is no bijection.
+  bool make_grid()
+  {
     const auto n = static_cast<std::uint32_t>(std::sqrt(static_cast<double>(m_triangles.size())));
     m_grid = Octahedral_grid(n);
     m_starts.assign(m_grid.number_of_cells(), none);
@@ -98,6 +101,14 @@ public:
   const std::vector<Point_3>& points() const { return m_points; }
   const std::vector<Linked_triangle>& triangles() const { return m_triangles; }
 
+  // Locates a direction from a triangle that is next to it, or not far from it, without a grid.
+  Place locate_from(std::uint32_t start, const Point_3& q) const
+  {
+    Found found;
+    return find(q, start, found) ? owner(q, found) : Place();
+  }
+
+  // The other functions need the grid.
   Place locate(const Point_3& q, Hint& hint) const
   {
     const std::uint32_t cell = m_grid.cell(approximate(q));

@@ -14,22 +14,17 @@
 
 #include <CGAL/license/Spherical_parameterization.h>
 
-#include <CGAL/Spherical_parameterization/internal/certificate/Orientation_about_origin_3.h>
 #include <CGAL/Spherical_parameterization/internal/run/parallel.h>
 #include <CGAL/Spherical_parameterization/internal/sampling/Sphere_triangulation.h>
 #include <CGAL/Spherical_parameterization/internal/sampling/mixed_value.h>
 #include <CGAL/Spherical_parameterization/internal/simd/Vector_3.h>
 
-#include <CGAL/enum.h>
 #include <CGAL/number_utils.h>
 
-#include <array>
-#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <type_traits>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -90,176 +85,157 @@ public:
   using Triangulation = Sphere_triangulation<K>;
   using Place = typename Triangulation::Place;
 
-  // The arguments have to live longer. `source_points` are those of the surface, for areas; `places` are those of the
-  // target's vertices in the source, if they are known.
+  // The arguments have to live longer. The source has a grid. `source_points` are those of the surface, for areas;
+  // `places` are those of the target's vertices in the source.
   Transfer_mixtures(const Triangulation& source, const std::vector<Vector_3d>& source_points,
-                    const std::vector<Point_3>& target_images, const std::vector<Linked_triangle>& target_triangles,
-                    const Execution& execution, std::vector<Place> places = {})
+                    const Triangulation& target, const std::vector<Place>& places, const Execution& execution)
     : m_source(source)
-    , m_images(target_images)
-    , m_triangles(target_triangles)
-    , m_execution(std::is_same<typename K::FT, double>::value ? execution : Execution())
-    , m_places(std::move(places))
+    , m_target(target)
+    , m_places(places)
+    , m_execution(execution)
   {
     for(const Linked_triangle& t : source.triangles())
       m_source_areas.push_back(
           length(cross(source_points[t[1]] - source_points[t[0]], source_points[t[2]] - source_points[t[0]])));
+    locate_source_vertices();
   }
 
   // A vertex of the target has the interpolated value of its place in the source. Where the target is coarser, that
   // would leave out most values: if all vertices that would be interpolated are inside the star of the vertex, it has
   // the average of all vertices there, weighted with the area around them and with their coordinate for the vertex.
-  Mixtures vertex_mixtures()
+  Mixtures vertex_mixtures() const
   {
-    if(m_places.empty())
-      m_places = m_source.locate(m_images, m_execution);
-    const std::vector<Place>& places = m_places;
+    const std::size_t n = m_target.points().size();
     std::vector<double> areas(m_source.points().size(), 0.);
     for(std::size_t t = 0; t < m_source.triangles().size(); ++t)
       for(const std::uint32_t v : m_source.triangles()[t].vertices)
         areas[v] += m_source_areas[t];
-
-    std::vector<std::uint32_t> first_triangles(m_images.size());
-    for(std::uint32_t t = 0; t < m_triangles.size(); ++t)
-      for(const std::uint32_t v : m_triangles[t].vertices)
-        first_triangles[v] = t;
-    const auto corners_are_in_star = [&](std::size_t v) {
-      const Linked_triangle& corners = m_source.triangles()[places[v].triangle];
-      for(std::size_t i = 0; i < 3; ++i)
-        if(places[v].coordinates[i] != 0 &&
-           !is_in_star(static_cast<std::uint32_t>(v), first_triangles[v], m_source.points()[corners[i]]))
-          return false;
-      return true;
+    const auto for_each_in_stars = [&](const auto& f) { // calls f(vertex of the target, vertex of the source, weight)
+      for(std::uint32_t s = 0; s < m_source_places.size(); ++s)
+        for(std::size_t i = 0; i < 3; ++i)
+          if(m_source_places[s].coordinates[i] != 0)
+            f(m_target.triangles()[m_source_places[s].triangle][i], s,
+              areas[s] * CGAL::to_double(m_source_places[s].coordinates[i]));
     };
-    std::vector<double> sums(m_images.size(), 0.); // of the weights of those that have an average
-    std::vector<Place> source_places;
-    if(is_true_for_any(m_images.size(), corners_are_in_star))
-    {
-      source_places = locate_in_target(m_source.points());
-      for_each_hat(source_places, areas, [&](std::uint32_t v, const Mixture_term& term) { sums[v] += term.weight; });
-      for(std::size_t v = 0; v < m_images.size(); ++v)
-        if(sums[v] > 0. && !corners_are_in_star(v))
+    std::vector<double> sums(n, 0.);
+    for_each_in_stars([&](std::uint32_t v, std::uint32_t, double weight) { sums[v] += weight; });
+
+    std::vector<std::uint32_t> counts(n, 0);
+    for_each_block(m_execution, 0, n, transfer_block_size, [&](std::size_t begin, std::size_t end) {
+      for(std::size_t v = begin; v < end; ++v)
+      {
+        if(sums[v] > 0. && !has_average(v))
           sums[v] = 0.;
-    }
-
-    std::vector<std::uint32_t> counts(m_images.size(), 0);
-    const auto for_each_term = [&](const auto& f) {
-      for(std::size_t v = 0; v < m_images.size(); ++v)
         for(std::size_t i = 0; i < 3 && !(sums[v] > 0.); ++i)
-          if(places[v].coordinates[i] != 0)
-            f(static_cast<std::uint32_t>(v),
-              Mixture_term{m_source.triangles()[places[v].triangle][i], CGAL::to_double(places[v].coordinates[i])});
-      for_each_hat(source_places, areas, [&](std::uint32_t v, const Mixture_term& term) {
-        if(sums[v] > 0.)
-          f(v, term);
-      });
-    };
-    for_each_term([&](std::uint32_t v, const Mixture_term&) { ++counts[v]; });
+          counts[v] += m_places[v].coordinates[i] != 0;
+      }
+    });
+    for_each_in_stars([&](std::uint32_t v, std::uint32_t, double weight) { counts[v] += sums[v] > 0. && weight > 0.; });
     Mixtures result(counts);
-    for_each_term([&](std::uint32_t v, const Mixture_term& term) { result.add(v, term); });
+    for_each_block(m_execution, 0, n, transfer_block_size, [&](std::size_t begin, std::size_t end) {
+      for(std::size_t v = begin; v < end; ++v)
+        for(std::size_t i = 0; i < 3 && !(sums[v] > 0.); ++i)
+          if(m_places[v].coordinates[i] != 0)
+            result.add(v, {m_source.triangles()[m_places[v].triangle][i], CGAL::to_double(m_places[v].coordinates[i])});
+    });
+    for_each_in_stars([&](std::uint32_t v, std::uint32_t s, double weight) {
+      if(sums[v] > 0. && weight > 0.)
+        result.add(v, {s, weight});
+    });
     return result;
   }
 
   // A face of the target has the value of the face of the source that its centre is in; if the centre of that one is in
   // the face of the target as well, the average of all whose centres are, weighted with their areas.
-  Mixtures face_mixtures()
+  Mixtures face_mixtures() const
   {
-    const std::vector<Point_3> centers = centers_of(m_images, m_triangles),
-                               source_centers = centers_of(m_source.points(), m_source.triangles());
-    const std::vector<Place> places = m_source.locate(centers, m_execution);
-    std::vector<Place> source_places;
-    if(is_true_for_any(m_triangles.size(), [&](std::size_t f) {
-         const Linked_triangle& t = m_triangles[f];
-         const Point_3& q = source_centers[places[f].triangle];
-         return side(t, 0, q) != NEGATIVE && side(t, 1, q) != NEGATIVE && side(t, 2, q) != NEGATIVE;
-       }))
-      source_places = locate_in_target(source_centers);
-
-    std::vector<double> sums(m_triangles.size(), 0.);
+    const std::size_t n = m_target.triangles().size();
+    const std::vector<Place> places = m_source.locate(centers_of(m_target), m_execution);
+    const std::vector<Point_3> source_centers = centers_of(m_source);
+    std::vector<std::uint32_t> source_places;
+    for(std::size_t s = 0; s < source_centers.size(); ++s)
+    {
+      const std::uint32_t start = m_source_places[m_source.triangles()[s][0]].triangle;
+      source_places.push_back(m_target.locate_from(start, source_centers[s]).triangle);
+    }
+    std::vector<double> sums(n, 0.);
     for(std::size_t s = 0; s < source_places.size(); ++s)
-      sums[source_places[s].triangle] += m_source_areas[s];
-    for(std::size_t f = 0; f < m_triangles.size(); ++f)
-      if(sums[f] > 0. && source_places[places[f].triangle].triangle != f)
+      sums[source_places[s]] += m_source_areas[s];
+    std::vector<std::uint32_t> counts(n, 0);
+    for(std::size_t f = 0; f < n; ++f)
+    {
+      if(source_places[places[f].triangle] != f)
         sums[f] = 0.;
-
-    std::vector<std::uint32_t> counts(m_triangles.size(), 0);
-    const auto for_each_term = [&](const auto& function) {
-      for(std::uint32_t f = 0; f < m_triangles.size(); ++f)
-        if(!(sums[f] > 0.))
-          function(f, Mixture_term{places[f].triangle, 1.});
-      for(std::uint32_t s = 0; s < source_places.size(); ++s)
-        if(sums[source_places[s].triangle] > 0. && m_source_areas[s] > 0.)
-          function(source_places[s].triangle, Mixture_term{s, m_source_areas[s]});
-    };
-    for_each_term([&](std::uint32_t f, const Mixture_term&) { ++counts[f]; });
+      counts[f] += !(sums[f] > 0.);
+    }
+    for(std::size_t s = 0; s < source_places.size(); ++s)
+      counts[source_places[s]] += sums[source_places[s]] > 0. && m_source_areas[s] > 0.;
     Mixtures result(counts);
-    for_each_term([&](std::uint32_t f, const Mixture_term& term) { result.add(f, term); });
+    for(std::size_t f = 0; f < n; ++f)
+      if(!(sums[f] > 0.))
+        result.add(f, {places[f].triangle, 1.});
+    for(std::uint32_t s = 0; s < source_places.size(); ++s)
+      if(sums[source_places[s]] > 0. && m_source_areas[s] > 0.)
+        result.add(source_places[s], {s, m_source_areas[s]});
     return result;
   }
 
 private:
-  Sign side(const Linked_triangle& t, std::size_t i, const Point_3& q) const
+  // whether all vertices of the source that would be interpolated are inside the star of a vertex of the target
+  bool has_average(std::size_t v) const
   {
-    return m_orientation(m_images[t[(i + 1) % 3]], m_images[t[(i + 2) % 3]], q);
-  }
-
-  // whether a direction is in the inside of the triangles around vertex v, of which one is given
-  bool is_in_star(std::uint32_t v, std::uint32_t first_triangle, const Point_3& q) const
-  {
-    std::uint32_t current = first_triangle;
-    do
-    {
-      const Linked_triangle& t = m_triangles[current];
-      const std::size_t i = t[0] == v ? 0 : t[1] == v ? 1 : 2, j = (i + 1) % 3;
-      if(side(t, j, q) != NEGATIVE && side(t, (i + 2) % 3, q) != NEGATIVE && side(t, i, q) == POSITIVE)
-        return true;
-      current = t.neighbors[j];
-    } while(current != first_triangle);
-    return false;
-  }
-
-  template <class Predicate>
-  bool is_true_for_any(std::size_t n, const Predicate& predicate) const
-  {
-    std::atomic<bool> result(false);
-    for_each_block(m_execution, 0, n, transfer_block_size, [&](std::size_t begin, std::size_t end) {
-      for(std::size_t i = begin; i < end && !result.load(std::memory_order_relaxed); ++i)
-        if(predicate(i))
-          result.store(true, std::memory_order_relaxed);
-    });
-    return result;
-  }
-
-  std::vector<Place> locate_in_target(const std::vector<Point_3>& directions)
-  {
-    if(m_target.triangles().empty())
-      m_target.assign(m_images, m_triangles);
-    return m_target.locate(directions, m_execution);
-  }
-
-  // Calls f(v, term) for each vertex v of the target and each vertex of the source in its star.
-  template <class Function>
-  void for_each_hat(const std::vector<Place>& source_places, const std::vector<double>& areas, const Function& f) const
-  {
-    for(std::uint32_t s = 0; s < source_places.size(); ++s)
-      for(std::size_t i = 0; i < 3; ++i)
+    for(std::size_t i = 0; i < 3; ++i)
+      if(m_places[v].coordinates[i] != 0)
       {
-        const double weight = CGAL::to_double(source_places[s].coordinates[i]) * areas[s];
-        if(weight > 0.)
-          f(m_triangles[source_places[s].triangle][i], Mixture_term{s, weight});
+        const Place& place = m_source_places[m_source.triangles()[m_places[v].triangle][i]];
+        const Linked_triangle& t = m_target.triangles()[place.triangle];
+        const std::size_t corner = t[0] == v ? 0 : t[1] == v ? 1 : 2;
+        if(t[corner] != v || place.coordinates[corner] == 0)
+          return false;
       }
+    return true;
   }
 
-  static std::vector<Point_3> centers_of(const std::vector<Point_3>& images,
-                                         const std::vector<Linked_triangle>& triangles)
+  // Finds the places of the source's vertices in the target, each by a walk from a neighbour's.
+  void locate_source_vertices()
+  {
+    const std::vector<Linked_triangle>& triangles = m_source.triangles();
+    m_source_places.resize(m_source.points().size());
+    std::vector<bool> is_reached(triangles.size(), false);
+    std::vector<std::uint32_t> stack = {0};
+    std::uint32_t near = 0;
+    is_reached[0] = true;
+    while(!stack.empty())
+    {
+      const Linked_triangle& t = triangles[stack.back()];
+      stack.pop_back();
+      for(const std::uint32_t v : t.vertices) // of which two have been located, but in the first triangle
+        if(m_source_places[v].triangle != Triangulation::none)
+          near = m_source_places[v].triangle;
+      for(const std::uint32_t v : t.vertices)
+        if(m_source_places[v].triangle == Triangulation::none)
+        {
+          m_source_places[v] = m_target.locate_from(near, m_source.points()[v]);
+          near = m_source_places[v].triangle;
+        }
+      for(const std::uint32_t neighbor : t.neighbors)
+        if(!is_reached[neighbor])
+        {
+          is_reached[neighbor] = true;
+          stack.push_back(neighbor);
+        }
+    }
+  }
+
+  static std::vector<Point_3> centers_of(const Triangulation& triangulation)
   {
     const auto direction = [&](std::uint32_t v) {
-      const Point_3& p = images[v];
+      const Point_3& p = triangulation.points()[v];
       return normalized(Vector_3d{CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z())});
     };
     std::vector<Point_3> result;
-    result.reserve(triangles.size());
-    for(const Linked_triangle& t : triangles)
+    result.reserve(triangulation.triangles().size());
+    for(const Linked_triangle& t : triangulation.triangles())
     {
       const Vector_3d center = direction(t[0]) + direction(t[1]) + direction(t[2]);
       result.emplace_back(center[0], center[1], center[2]);
@@ -268,13 +244,11 @@ private:
   }
 
   const Triangulation& m_source;
-  const std::vector<Point_3>& m_images;
-  const std::vector<Linked_triangle>& m_triangles;
+  const Triangulation& m_target;
+  const std::vector<Place>& m_places;
   Execution m_execution;
-  std::vector<Place> m_places;
+  std::vector<Place> m_source_places; // of its vertices, in the target
   std::vector<double> m_source_areas; // doubled, of the faces
-  Triangulation m_target;             // made if it is needed
-  Orientation_about_origin_3<K> m_orientation;
 };
 
 } // namespace internal

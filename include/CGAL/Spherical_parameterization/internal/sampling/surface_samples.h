@@ -14,13 +14,11 @@
 
 #include <CGAL/license/Spherical_parameterization.h>
 
-#include <CGAL/Spherical_parameterization/internal/run/parallel.h>
 #include <CGAL/Spherical_parameterization/internal/sampling/Sphere_triangulation.h>
 #include <CGAL/Spherical_parameterization/internal/simd/Vector_3.h>
 
 #include <CGAL/number_utils.h>
 
-#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -28,31 +26,20 @@ namespace CGAL {
 namespace Spherical_parameterization {
 namespace internal {
 
-// what the vertices have, interpolated at places
+// what the vertices have, interpolated at a place
 template <class Place>
-std::vector<Vector_3d> interpolated(const std::vector<Vector_3d>& values, const std::vector<Linked_triangle>& triangles,
-                                    const std::vector<Place>& places, const Execution& execution)
+Vector_3d interpolated(const std::vector<Vector_3d>& values, const std::vector<Linked_triangle>& triangles,
+                       const Place& place)
 {
-  constexpr std::size_t block_size = 4096;
-  std::vector<Vector_3d> result(places.size());
-  for_each_block(execution, 0, places.size(), block_size, [&](std::size_t begin, std::size_t end) {
-    for(std::size_t k = begin; k < end; ++k)
-    {
-      const Linked_triangle& t = triangles[places[k].triangle];
-      const auto& w = places[k].coordinates;
-      result[k] = CGAL::to_double(w[0]) * values[t[0]] + CGAL::to_double(w[1]) * values[t[1]] +
-                  CGAL::to_double(w[2]) * values[t[2]];
-    }
-  });
-  return result;
+  const Linked_triangle& t = triangles[place.triangle];
+  const auto& w = place.coordinates;
+  return CGAL::to_double(w[0]) * values[t[0]] + CGAL::to_double(w[1]) * values[t[1]] +
+         CGAL::to_double(w[2]) * values[t[2]];
 }
 
-// the same vectors with length 1, but for those without a length
-inline void normalize(std::vector<Vector_3d>& vectors)
+inline Vector_3d normalized_or_zero(const Vector_3d& v)
 {
-  for(Vector_3d& v : vectors)
-    if(length(v) > 0.)
-      v = normalized(v);
+  return length(v) > 0. ? normalized(v) : v;
 }
 
 // the normals of the vertices: sums of those of the faces, weighted with their areas
@@ -66,7 +53,8 @@ inline std::vector<Vector_3d> vertex_normals(const std::vector<Vector_3d>& point
     for(const std::uint32_t v : t.vertices)
       result[v] = result[v] + normal;
   }
-  normalize(result);
+  for(Vector_3d& normal : result)
+    normal = normalized_or_zero(normal);
   return result;
 }
 
