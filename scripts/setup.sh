@@ -9,15 +9,16 @@
 
 [ $# -eq 0 ] || [ "$*" = --tests ] || fail "Usage: scripts/setup.sh [--tests]"
 
-packages=(g++ make cmake libcgal-dev libcgal-demo libboost-program-options-dev libtbb-dev libeigen3-dev)
+packages=(g++ make cmake libcgal-dev libcgal-demo libboost-program-options-dev libtbb-dev libeigen3-dev
+  libpng-dev libopenexr-dev)
 components=(CGAL Boost TBB Eigen3)
-wanted="a C++17 compiler, CMake 3.18, CGAL 5.5, Boost.Program_options, TBB and Eigen"
+wanted="a C++17 compiler, CMake 3.18, CGAL 5.5, Boost.Program_options, TBB, Eigen, libpng and OpenEXR 3"
 if [ "${1-}" = --tests ]; then
   packages+=(git libgtest-dev libbenchmark-dev clang libclang-rt-dev llvm clang-format-14)
   packages+=(python3-numpy python3-matplotlib)
   packages+=(doxygen texlive-binaries libjs-mathjax fonts-mathjax linkchecker)
   components+=(GTest benchmark)
-  wanted="a C++17 compiler, CMake 3.18, CGAL 5.5, Boost.Program_options, TBB, Eigen, GoogleTest, Google Benchmark, Clang"
+  wanted="a C++17 compiler, CMake 3.18, CGAL 5.5, Boost.Program_options, TBB, Eigen, libpng, OpenEXR 3, GoogleTest, Google Benchmark, Clang"
   wanted+=" with its sanitizers, clang-format 14, Python with numpy and matplotlib, doxygen 1.9.4, BibTeX and LinkChecker"
 fi
 

@@ -13,6 +13,7 @@
 #include "run_method.h"
 #include "write_soup.h"
 
+#include <CGAL/Spherical_parameterization/measure_distance.h>
 #include <CGAL/Spherical_parameterization/measure_distortion.h>
 
 #include <algorithm>
@@ -77,16 +78,24 @@ public:
   /// \throws Program_error if the map is not one-to-one, or what the options name is not in order
   void sample()
   {
-    if(m_options.domain.empty())
+    if(m_options.domain.empty() && m_options.image_size == 0)
       return;
     const double start = seconds_now();
     if(!m_report.result.is_one_to_one)
-      throw Program_error(m_names.input,
-                          "the map is not one-to-one: the surface cannot be sampled by it.\n--method bld "
-                          "excludes that.");
-    m_remesh.emplace(m_options, *m_input, m_sphere);
-    m_report.remesh = Run_report::Remesh_figures{m_remesh->mesh().number_of_vertices(),
-                                                 m_remesh->mesh().number_of_faces(), m_remesh->distance};
+      throw Program_error(
+          m_names.input,
+          "the map is not one-to-one: the surface cannot be sampled by it.\n--method bld excludes that.");
+    if(!m_options.domain.empty())
+    {
+      m_remesh.emplace(*m_input, m_sphere, Remesh::find_domain(m_options));
+      if(!m_options.values_file.empty())
+        m_remesh->carry_values(m_options, *m_input, m_sphere);
+      m_report.remesh =
+          Run_report::Remesh_figures{m_remesh->mesh().number_of_vertices(), m_remesh->mesh().number_of_faces(),
+                                     SP::measure_distance(mesh(), m_remesh->mesh())};
+    }
+    if(m_options.image_size > 0)
+      m_image.emplace(*m_input, m_sphere, SP::Sphere_domain_3::octahedron((m_options.image_size - 1) / 2));
     m_report.seconds_for_sampling = seconds_now() - start;
   }
 
@@ -112,6 +121,12 @@ public:
     }
     if(m_files.remesh)
       m_files.remesh->write([&](std::ostream& out) { m_remesh->write(out, file_format(m_names.remesh)); });
+    if(m_files.image)
+    {
+      const std::string format = file_format(m_names.image);
+      m_files.image->write([&](std::ostream& out) { m_image->write_image(out, format, false); });
+      m_files.image_of_normals->write([&](std::ostream& out) { m_image->write_image(out, format, true); });
+    }
     if(m_files.colored_surface)
       write_colors();
     m_report.seconds_for_output = seconds_now() - start - m_report.seconds_for_measuring;
@@ -191,7 +206,7 @@ private:
   Output_files m_files;
   Run_report m_report;
   std::optional<Input_mesh> m_input;
-  std::optional<Remesh> m_remesh;
+  std::optional<Remesh> m_remesh, m_image;
   Sphere_map m_sphere;
   Distortion_map m_distortions;
 };

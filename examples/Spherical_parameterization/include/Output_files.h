@@ -31,6 +31,12 @@ public:
       add(sphere, names.sphere);
     if(!names.remesh.empty())
       add(remesh, names.remesh);
+    if(!names.image.empty())
+    {
+      const std::filesystem::path path(names.image);
+      add(image, names.image);
+      add(image_of_normals, (path.parent_path() / path.stem()).string() + "_normals" + path.extension().string());
+    }
     if(!names.colored.empty())
     {
       add(colored_surface, names.colored + "_surface.ply");
@@ -78,7 +84,7 @@ public:
     return result;
   }
 
-  std::optional<Output_file> sphere, remesh, colored_surface, colored_sphere, json;
+  std::optional<Output_file> sphere, remesh, image, image_of_normals, colored_surface, colored_sphere, json;
 
 private:
   std::vector<Output_file*> m_wanted;

@@ -111,6 +111,7 @@ none; 2, all have one, but some fold.
   bool prints_json = false;     ///< whether its report is printed as JSON
   std::string domain;           ///< to sample by: a solid, or the name of a file; empty if no remesh is wanted
   unsigned int domain_size = 0; ///< what the edges of the solid are divided into
+  unsigned int image_size = 0;  ///< pixels in a row of the geometry image; 0 if none is wanted
   std::string values_file;      ///< with the properties that the remesh gets; empty if there is none
   std::string values_sphere;    ///< the map of that mesh, if it is not the input
   std::string output_folder;    ///< of the many, empty otherwise
@@ -194,6 +195,10 @@ private:
       ("transfer", word("VALUES"), "with --remesh, carry over the properties of the vertices and faces of a .ply file that "
                                    "has the faces of INPUT; whole numbers are labels, which are not averaged")
       ("values-sphere", word("SPHERE"), "VALUES is another surface, and this its sphere")
+      ("geometry-image", word("FILE"), "write the surface as an image, .png with 16 bits or .exr with 32: an octahedron that "
+                                       "is unfolded to a square, with points as colours; and its normals to FILE_normals. "
+                                       "--prefer is sampling if nothing else is given")
+      ("image-size", word("N"), "pixels in each of its rows and columns, odd; 257")
       ("output-folder", word("FOLDER"), "map many meshes: each INPUT is a mesh, or a folder, which stands for the mesh "
                                         "files in it; write each sphere and its report to FOLDER, as NAME.off, say, "
                                         "and NAME.json")
@@ -392,6 +397,10 @@ private:
       if(has(option) && !has("remesh"))
         fail("--" + std::string(option) + " goes with --remesh" +
              (option == std::string("sphere") ? "; without it, -o is the sphere" : ""));
+    if(has("image-size") && !has("geometry-image"))
+      fail("--image-size goes with --geometry-image");
+    if(has("geometry-image"))
+      read_image();
     if(has("values-sphere") && !has("transfer"))
       fail("--values-sphere goes with --transfer");
     if(has("remesh"))
@@ -401,13 +410,24 @@ private:
     if(has("transfer") && file_format(values_file) != ".ply")
       refuse("transfer", "the name of a .ply file, which can hold properties");
 
+    const bool samples = has("remesh") || has("geometry-image");
     bool is_plain = method == "bld" && !is_published;
     for(const char* option : {"energy", "sharpness", "s-first", "s-last", "average-sweeps", "radius"})
       is_plain = is_plain && !has(option);
     preference = read_word("prefer", {"average", "balance", "worst", "sampling"},
-                           method == "hierarchical"    ? "average"
-                           : has("remesh") && is_plain ? "sampling"
-                                                       : "balance");
+                           method == "hierarchical" ? "average"
+                           : samples && is_plain    ? "sampling"
+                                                    : "balance");
+  }
+
+  void read_image()
+  {
+    image_size = read_count("image-size", 3, 257);
+    if(image_size % 2 == 0 || image_size > 2 * SP::Sphere_domain_3::max_subdivision + 1)
+      refuse("image-size", "an odd number from 3 to " + std::to_string(2 * SP::Sphere_domain_3::max_subdivision + 1));
+    file_names.image = text("geometry-image");
+    if(!is_among(file_format(file_names.image), {".png", ".exr"}))
+      refuse("geometry-image", "a name that ends with .png or .exr");
   }
 
   void read_domain()
@@ -551,8 +571,9 @@ private:
     for(const char* option : {"format", "resume"})
       if(has(option) && !is_for_many)
         fail("--" + std::string(option) + " goes with --output-folder");
-    if(has("remesh") && is_for_many)
-      fail("--remesh is for one mesh: leave out --output-folder");
+    for(const char* option : {"remesh", "geometry-image"})
+      if(has(option) && is_for_many)
+        fail("--" + std::string(option) + " is for one mesh: leave out --output-folder");
     for(const char* option : {"output", "json", "colored"})
       if(has(option) && is_for_many)
         fail("--" + std::string(option) + " is for one mesh; with --output-folder, the sphere of each and its report " +

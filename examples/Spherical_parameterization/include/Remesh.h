@@ -9,10 +9,16 @@
 #include "read_soup.h"
 #include "write_soup.h"
 
+#ifdef PROGRAM_WRITES_EXR
+#include <CGAL/Spherical_parameterization/IO/EXR_geometry_image.h>
+#endif
+#ifdef PROGRAM_WRITES_PNG
+#include <CGAL/Spherical_parameterization/IO/PNG_geometry_image.h>
+#endif
+
 #include <CGAL/IO/PLY.h>
 #include <CGAL/IO/io.h>
 #include <CGAL/Spherical_parameterization/Sphere_domain_3.h>
-#include <CGAL/Spherical_parameterization/measure_distance.h>
 #include <CGAL/Spherical_parameterization/remesh_through_sphere.h>
 #include <CGAL/Spherical_parameterization/transfer.h>
 
@@ -28,23 +34,17 @@ namespace Program {
 class Remesh
 {
 public:
-  /// \throws Program_error if the domain, or what is to be carried over, is not in order
-  Remesh(const Program_options& options, Input_mesh& input, const Sphere_map& sphere)
+  /// \throws Program_error if the domain is not in order
+  Remesh(Input_mesh& input, const Sphere_map& sphere, const SP::Sphere_domain_3& domain)
+    : m_images(m_mesh.add_property_map<Vertex_index, Point_3>("v:sphere").first)
+    , m_normals(m_mesh.add_property_map<Vertex_index, Kernel::Vector_3>("v:normal").first)
   {
-    m_images = m_mesh.add_property_map<Vertex_index, Point_3>("v:sphere").first;
-    const auto normals = m_mesh.add_property_map<Vertex_index, Kernel::Vector_3>("v:normal").first;
-    const SP::Sphere_domain_3 domain = find_domain(options);
     const SP::Error_code error =
         SP::remesh_through_sphere(input.mesh(), sphere, domain, m_mesh, m_images, CGAL::parameters::default_values(),
-                                  CGAL::parameters::vertex_normal_map(normals));
+                                  CGAL::parameters::vertex_normal_map(m_normals));
     if(error != SP::OK)
       throw Program_error(input.name() + ": " + SP::get_error_message(error));
-    if(!options.values_file.empty())
-      carry_values(options, input, sphere);
-    distance = SP::measure_distance(input.mesh(), m_mesh);
   }
-
-  SP::Surface_distance distance; ///< from the surface and back
 
   const Mesh& mesh() const { return m_mesh; }
 
@@ -69,7 +69,22 @@ public:
     write_soup(out, format, std::vector<Point_3>(m_mesh.points().begin(), m_mesh.points().end()), triangles);
   }
 
-private:
+  /// writes a geometry image of the points, or of the normals; as an OpenEXR file or a PNG file.
+  ///
+  /// \throws Program_error if that fails
+  void write_image(std::ostream& out, const std::string& format, bool shows_normals) const
+  {
+    std::ostringstream file; // OpenEXR goes back in what it has written
+    const SP::Error_code error =
+        shows_normals ? write_image(file, format, m_normals) : write_image(file, format, m_mesh.points());
+    if(error != SP::OK)
+      throw Program_error(SP::get_error_message(error));
+    out << file.str();
+  }
+
+  /// returns the domain that the options name.
+  ///
+  /// \throws Program_error if it is a file that is not in order
   static SP::Sphere_domain_3 find_domain(const Program_options& options)
   {
     const unsigned int n = options.domain_size;
@@ -89,8 +104,12 @@ private:
     return domain;
   }
 
-  // The readers of this program look at positions and faces only: they make sure that the file is in order before that
-  // of CGAL, which knows all properties, reads it.
+  /// carries over the properties of a file.
+  ///
+  /// The readers of this program look at positions and faces only: they make sure that the file is in order before that
+  /// of CGAL, which knows all properties, reads it.
+  ///
+  /// \throws Program_error if the file, or the sphere of its surface, is not in order
   void carry_values(const Program_options& options, Input_mesh& input, const Sphere_map& sphere)
   {
     const std::string& name = options.values_file;
@@ -118,8 +137,25 @@ private:
       throw Program_error(name, SP::get_error_message(error));
   }
 
+private:
+  template <class Map>
+  SP::Error_code write_image([[maybe_unused]] std::ostream& out, const std::string& format,
+                             [[maybe_unused]] const Map& map) const
+  {
+#ifdef PROGRAM_WRITES_EXR
+    if(format == ".exr")
+      return SP::write_EXR_geometry_image(out, m_mesh, map);
+#endif
+#ifdef PROGRAM_WRITES_PNG
+    if(format == ".png")
+      return SP::write_PNG_geometry_image(out, m_mesh, map);
+#endif
+    throw Program_error("this program was built without the library that writes " + format + " files");
+  }
+
   Mesh m_mesh;
   Sphere_map m_images;
+  Mesh::Property_map<Vertex_index, Kernel::Vector_3> m_normals;
 };
 
 } // namespace Program

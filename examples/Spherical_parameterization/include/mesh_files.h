@@ -47,8 +47,8 @@ inline std::string list_of(const Words& words, const std::string& last_separator
 struct File_names
 {
   std::string input;
-  std::string sphere, remesh, json; ///< empty if not wanted
-  std::string colored;              ///< what the names of the coloured meshes begin with, empty if they are not wanted
+  std::string sphere, remesh, image, json; ///< empty if not wanted
+  std::string colored; ///< what the names of the coloured meshes begin with, empty if they are not wanted
 };
 
 /// The size of a file and when it was last changed: what tells, as for many build tools, whether it is as it was.

@@ -44,7 +44,12 @@ enum Error_code
   ERROR_WRONG_PARAMETER,                  ///< A parameter is out of its range.
   ERROR_TOO_LARGE_MESH,                   ///< The mesh has 2<sup>31</sup> - 1 halfedges or more.
   ERROR_INVALID_DIRECTION,                ///< A direction is zero, infinite or not a number.
-  ERROR_INVALID_DOMAIN                    ///< The domain is no triangulation of the sphere.
+  ERROR_INVALID_DOMAIN,                   ///< The domain is no triangulation of the sphere.
+  ERROR_NO_GEOMETRY_IMAGE_MESH,           ///< The mesh has not the vertices of a geometry image.
+  ERROR_CANNOT_WRITE_FILE,                ///< A file could not be written.
+  ERROR_INVALID_IMAGE_FILE,               ///< A file is damaged, or no geometry image.
+  ERROR_INVALID_IMAGE_SIZE,               ///< A geometry image has a size that none has.
+  ERROR_NON_MATCHING_BOUNDARY             ///< Pixels of a geometry image that are the same vertex differ.
 };
 
 /// \ingroup PkgSphericalParameterizationEnums
@@ -101,6 +106,22 @@ inline const char* get_error_message(Error_code error_code)
   case ERROR_INVALID_DOMAIN:
     return "The domain is no triangulation of the sphere: its error_code() says what is wrong with what it was made "
            "of.";
+  case ERROR_NO_GEOMETRY_IMAGE_MESH:
+    return "The mesh has not the vertices of a geometry image: it has to be a remesh over an octahedron or a cube "
+           "whose "
+           "edges are divided.";
+  case ERROR_CANNOT_WRITE_FILE:
+    return "The file cannot be written: perhaps there is no space left.";
+  case ERROR_INVALID_IMAGE_FILE:
+    return "The file is damaged, or no geometry image of this package: a PNG file has to have 16 bits per component "
+           "and "
+           "the texts Minimum and Maximum, an OpenEXR file the channels R, G and B.";
+  case ERROR_INVALID_IMAGE_SIZE:
+    return "The image has not the size of a geometry image: it has to be a square with an odd number of pixels in each "
+           "row, or six squares in a column, with three components.";
+  case ERROR_NON_MATCHING_BOUNDARY:
+    return "The boundary of the geometry image does not match: pixels that are the same vertex of the mesh differ, so "
+           "that the surface would not be closed.";
   }
   return "Unknown error code: it was not returned by this package.";
 }

@@ -60,19 +60,28 @@ public:
   /// the octahedron are on the axes.
   ///
   /// \param n from 1 to `max_subdivision`
-  static Sphere_domain_3 octahedron(std::uint32_t n) { return make(n, internal::subdivided_octahedron); }
+  static Sphere_domain_3 octahedron(std::uint32_t n)
+  {
+    return make<internal::Subdivided_solid<3>>(n, internal::subdivided_octahedron);
+  }
 
   /// returns a cube whose edges are divided into `n`: \f$ 6 n^2 + 2 \f$ directions of length 1. The faces of the cube are
   /// orthogonal to the axes, and each of their squares consists of two triangles.
   ///
   /// \param n from 1 to `max_subdivision`
-  static Sphere_domain_3 cube(std::uint32_t n) { return make(n, internal::subdivided_cube); }
+  static Sphere_domain_3 cube(std::uint32_t n)
+  {
+    return make<internal::Subdivided_solid<4>>(n, internal::subdivided_cube);
+  }
 
   /// returns an icosahedron whose edges are divided into `n`: \f$ 10 n^2 + 2 \f$ directions of length 1. Two vertices of
   /// the icosahedron are on the z-axis, and one is in the plane of the x-axis and the z-axis.
   ///
   /// \param n from 1 to `max_subdivision`
-  static Sphere_domain_3 icosahedron(std::uint32_t n) { return make(n, internal::subdivided_icosahedron); }
+  static Sphere_domain_3 icosahedron(std::uint32_t n)
+  {
+    return make<internal::Subdivided_solid<3>>(n, internal::subdivided_icosahedron);
+  }
 
   /// makes a domain of a mesh and a map to the sphere; vertices without faces are left out. Coordinates of an exact
   /// number type are rounded.

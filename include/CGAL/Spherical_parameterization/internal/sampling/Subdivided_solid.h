@@ -154,13 +154,16 @@ inline std::vector<double> weights_of_equal_arcs(double angle_of_edge, std::uint
   return weights;
 }
 
-inline Subdivided_solid<3> subdivided_octahedron(std::uint32_t n)
+inline Subdivided_solid<3> subdivided_octahedron(const std::vector<double>& weights)
 {
   const std::vector<Vector_3d> corners = {{1., 0., 0.},  {0., 1., 0.},  {0., 0., 1.},
                                           {-1., 0., 0.}, {0., -1., 0.}, {0., 0., -1.}};
-  return {corners,
-          {{0, 1, 2}, {1, 3, 2}, {3, 4, 2}, {4, 0, 2}, {1, 0, 5}, {3, 1, 5}, {4, 3, 5}, {0, 4, 5}},
-          weights_of_equal_arcs(CGAL_PI / 2., n)};
+  return {corners, {{0, 1, 2}, {1, 3, 2}, {3, 4, 2}, {4, 0, 2}, {1, 0, 5}, {3, 1, 5}, {4, 3, 5}, {0, 4, 5}}, weights};
+}
+
+inline Subdivided_solid<3> subdivided_octahedron(std::uint32_t n)
+{
+  return subdivided_octahedron(weights_of_equal_arcs(CGAL_PI / 2., n));
 }
 
 inline Subdivided_solid<3> subdivided_icosahedron(std::uint32_t n)
@@ -185,17 +188,26 @@ inline Subdivided_solid<3> subdivided_icosahedron(std::uint32_t n)
   return {corners, faces, weights_of_equal_arcs(std::atan(2.), n)};
 }
 
-// On the faces of a cube, lines that are equally spaced in the angle about the axes give the most even squares.
-inline Subdivided_solid<4> subdivided_cube(std::uint32_t n)
+// Bit k of the number of a corner tells the sign of its coordinate k.
+constexpr std::array<std::array<std::uint32_t, 4>, 6> cube_faces = {
+    {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}}};
+
+inline Subdivided_solid<4> subdivided_cube(const std::vector<double>& weights)
 {
   std::vector<Vector_3d> corners;
   for(int i = 0; i < 8; ++i)
     corners.push_back({i & 1 ? 1. : -1., i & 2 ? 1. : -1., i & 4 ? 1. : -1.});
+  return {corners, {cube_faces.begin(), cube_faces.end()}, weights};
+}
+
+// On the faces of a cube, lines that are equally spaced in the angle about the axes give the most even squares.
+inline Subdivided_solid<4> subdivided_cube(std::uint32_t n)
+{
   std::vector<double> weights;
   for(std::uint32_t i = 0; i <= n; ++i)
     weights.push_back(1. + std::tan(CGAL_PI / 4. * (2. * i / n - 1.)));
   weights.front() = 0.;
-  return {corners, {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}}, weights};
+  return subdivided_cube(weights);
 }
 
 } // namespace internal

@@ -1,0 +1,214 @@
+// Copyright (c) 2026  The Spherical_parameterization authors.
+// All rights reserved.
+//
+// This file is part of the Spherical_parameterization package for CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Spherical_parameterization authors
+
+#ifndef CGAL_SPHERICAL_PARAMETERIZATION_IO_EXR_GEOMETRY_IMAGE_H
+#define CGAL_SPHERICAL_PARAMETERIZATION_IO_EXR_GEOMETRY_IMAGE_H
+
+#include <CGAL/license/Spherical_parameterization.h>
+
+#include <CGAL/Spherical_parameterization/Error_code.h>
+#include <CGAL/Spherical_parameterization/internal/sampling/Geometry_image.h>
+#include <CGAL/Spherical_parameterization/internal/sampling/Geometry_image_layout.h>
+
+#include <ImathBox.h>
+#include <ImfChannelList.h>
+#include <ImfFrameBuffer.h>
+#include <ImfHeader.h>
+#include <ImfIO.h>
+#include <ImfInputFile.h>
+#include <ImfOutputFile.h>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <exception>
+#include <istream>
+#include <ostream>
+#include <stdexcept>
+#include <vector>
+
+/// \file EXR_geometry_image.h
+
+namespace CGAL {
+namespace Spherical_parameterization {
+namespace internal {
+
+class Exr_output : public Imf::OStream
+{
+public:
+  explicit Exr_output(std::ostream& out)
+    : Imf::OStream("")
+    , m_out(out)
+    , m_begin(out.tellp())
+  {}
+  void write(const char* data, int n) override
+  {
+    if(!m_out.write(data, n))
+      throw std::runtime_error("");
+  }
+  std::uint64_t tellp() override { return static_cast<std::uint64_t>(m_out.tellp() - m_begin); }
+  void seekp(std::uint64_t position) override { m_out.seekp(m_begin + static_cast<std::streamoff>(position)); }
+
+private:
+  std::ostream& m_out;
+  std::streampos m_begin;
+};
+
+class Exr_input : public Imf::IStream
+{
+public:
+  explicit Exr_input(std::istream& in)
+    : Imf::IStream("")
+    , m_in(in)
+    , m_begin(in.tellg())
+  {}
+  bool read(char* data, int n) override
+  {
+    if(!m_in.read(data, n))
+      throw std::runtime_error("");
+    return true;
+  }
+  std::uint64_t tellg() override { return static_cast<std::uint64_t>(m_in.tellg() - m_begin); }
+  void seekg(std::uint64_t position) override { m_in.seekg(m_begin + static_cast<std::streamoff>(position)); }
+  void clear() override { m_in.clear(); }
+
+private:
+  std::istream& m_in;
+  std::streampos m_begin;
+};
+
+constexpr std::array<const char*, 3> exr_channels = {"R", "G", "B"};
+
+// Returns false if the stream does not take the file.
+inline bool write_exr(std::ostream& out, const Geometry_image& image)
+try
+{
+  std::vector<float> pixels(image.values.begin(), image.values.end());
+  Imf::Header header(static_cast<int>(image.width), static_cast<int>(image.height));
+  Imf::FrameBuffer buffer;
+  for(std::size_t i = 0; i < image.number_of_components; ++i)
+  {
+    const char* const name = image.number_of_components == 3 ? exr_channels[i] : "Y";
+    header.channels().insert(name, Imf::Channel(Imf::FLOAT));
+    const std::size_t stride = sizeof(float) * image.number_of_components;
+    buffer.insert(name, Imf::Slice(Imf::FLOAT, reinterpret_cast<char*>(&pixels[i]), stride, stride * image.width));
+  }
+  Exr_output stream(out);
+  {
+    Imf::OutputFile file(stream, header);
+    file.setFrameBuffer(buffer);
+    file.writePixels(static_cast<int>(image.height));
+  }
+  return out.good();
+}
+catch(const std::bad_alloc&)
+{
+  throw;
+}
+catch(const std::exception&)
+{
+  return false;
+}
+
+// What is read of the file is at most what there is: a size that it claims costs no memory.
+inline Error_code read_exr(std::istream& in, Geometry_image& image)
+try
+{
+  Exr_input stream(in);
+  Imf::InputFile file(stream);
+  const Imath::Box2i window = file.header().dataWindow();
+  image.width = static_cast<std::size_t>(window.max.x - window.min.x + 1);
+  image.height = static_cast<std::size_t>(window.max.y - window.min.y + 1);
+  if(!Geometry_image_layout::of_size(image.width, image.height))
+    return ERROR_INVALID_IMAGE_SIZE;
+  std::vector<float> row(3 * image.width);
+  for(int y = window.min.y; y <= window.max.y; ++y)
+  {
+    Imf::FrameBuffer buffer;
+    for(std::size_t i = 0; i < 3; ++i)
+    {
+      if(!file.header().channels().findChannel(exr_channels[i]))
+        return ERROR_INVALID_IMAGE_FILE;
+      constexpr std::size_t stride = 3 * sizeof(float);
+      char* const base = reinterpret_cast<char*>(&row[i]) - window.min.x * static_cast<std::ptrdiff_t>(stride);
+      buffer.insert(exr_channels[i], Imf::Slice(Imf::FLOAT, base, stride, 0));
+    }
+    file.setFrameBuffer(buffer);
+    file.readPixels(y);
+    image.values.insert(image.values.end(), row.begin(), row.end());
+  }
+  return OK;
+}
+catch(const std::bad_alloc&)
+{
+  throw;
+}
+catch(const std::exception&)
+{
+  return ERROR_INVALID_IMAGE_FILE;
+}
+
+} // namespace internal
+
+/// \ingroup PkgSphericalParameterizationSampling
+///
+/// writes a property of the vertices of a remesh as a <em>geometry image</em>, as `write_PNG_geometry_image()` does, but to an
+/// OpenEXR file with floating-point numbers of 32 bits, as they are: points or vectors in the channels R, G and B, numbers
+/// in the channel Y.
+///
+/// This header needs the library OpenEXR, version 3, and is not among those that `CGAL/spherical_parameterization.h` includes.
+///
+/// \tparam TriangleMesh a model of `VertexListGraph`
+/// \tparam VertexMap a model of `ReadablePropertyMap` with
+///         `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and as value type `%Point_3` or `%Vector_3` of a
+///         \cgal kernel, or a type of numbers
+///
+/// \param out the file, in binary mode; it has to be one in which positions can be set
+/// \param remesh a mesh that has been made by `remesh_through_sphere()` with `Sphere_domain_3::octahedron()` or
+///        `Sphere_domain_3::cube()`
+/// \param map what is to be written: the points, say, or the normals
+///
+/// \return `OK`; `ERROR_NO_GEOMETRY_IMAGE_MESH` if the mesh has not as many vertices as one of these domains;
+///         `ERROR_NON_FINITE_COORDINATE`; or `ERROR_CANNOT_WRITE_FILE`
+template <class TriangleMesh, class VertexMap>
+[[nodiscard]] Error_code write_EXR_geometry_image(std::ostream& out, const TriangleMesh& remesh, VertexMap map)
+{
+  internal::Geometry_image image;
+  if(const Error_code error = internal::make_geometry_image(remesh, map, image))
+    return error;
+  return internal::write_exr(out, image) ? OK : ERROR_CANNOT_WRITE_FILE;
+}
+
+/// \ingroup PkgSphericalParameterizationSampling
+///
+/// adds the mesh to `tmesh` whose points a file of `write_EXR_geometry_image()` holds: closed, with the connectivity of the
+/// domain, and with the coordinates that were written, rounded to `float`.
+///
+/// \tparam TriangleMesh a model of `MutableFaceGraph` with an internal vertex point property map
+///
+/// \param in the file, in binary mode
+/// \param tmesh receives the mesh
+///
+/// \return `OK`; `ERROR_INVALID_IMAGE_FILE` if the file is damaged, or has not the channels R, G and B;
+///         `ERROR_INVALID_IMAGE_SIZE` if it has other sizes than these images; `ERROR_NON_FINITE_COORDINATE`; or
+///         `ERROR_NON_MATCHING_BOUNDARY` if pixels differ that are the same vertex. Nothing is added then.
+template <class TriangleMesh>
+[[nodiscard]] Error_code read_EXR_geometry_image(std::istream& in, TriangleMesh& tmesh)
+{
+  internal::Geometry_image image;
+  const Error_code error = internal::read_exr(in, image);
+  return error == OK ? internal::add_mesh_of_geometry_image(image, tmesh) : error;
+}
+
+} // namespace Spherical_parameterization
+} // namespace CGAL
+
+#endif // CGAL_SPHERICAL_PARAMETERIZATION_IO_EXR_GEOMETRY_IMAGE_H

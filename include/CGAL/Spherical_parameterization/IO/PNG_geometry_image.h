@@ -1,0 +1,332 @@
+// Copyright (c) 2026  The Spherical_parameterization authors.
+// All rights reserved.
+//
+// This file is part of the Spherical_parameterization package for CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Spherical_parameterization authors
+
+#ifndef CGAL_SPHERICAL_PARAMETERIZATION_IO_PNG_GEOMETRY_IMAGE_H
+#define CGAL_SPHERICAL_PARAMETERIZATION_IO_PNG_GEOMETRY_IMAGE_H
+
+#include <CGAL/license/Spherical_parameterization.h>
+
+#include <CGAL/Spherical_parameterization/Error_code.h>
+#include <CGAL/Spherical_parameterization/Sphere_domain_3.h>
+#include <CGAL/Spherical_parameterization/internal/sampling/Geometry_image.h>
+
+#include <png.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <csetjmp>
+#include <cstddef>
+#include <cstdint>
+#include <ios>
+#include <istream>
+#include <limits>
+#include <locale>
+#include <ostream>
+#include <sstream>
+#include <string>
+#include <vector>
+
+/// \file PNG_geometry_image.h
+
+namespace CGAL {
+namespace Spherical_parameterization {
+namespace internal {
+
+// The range of the values of an image, for each of its components.
+struct Value_range
+{
+  std::vector<double> minimum, maximum;
+
+  explicit Value_range(const Geometry_image& image)
+    : minimum(image.values.begin(), image.values.begin() + static_cast<std::ptrdiff_t>(image.number_of_components))
+    , maximum(minimum)
+  {
+    for(std::size_t k = 0; k < image.values.size(); ++k)
+    {
+      double &min = minimum[k % minimum.size()], &max = maximum[k % maximum.size()];
+      min = (std::min)(min, image.values[k]);
+      max = (std::max)(max, image.values[k]);
+    }
+  }
+};
+
+// What libpng works with. It leaves its functions by longjmp() where something is wrong, so that no object with a
+// destructor may be made in a function that calls them: all are members here.
+class Png_file
+{
+public:
+  static constexpr double max_code = 65535.; // of 16 bits
+
+  ~Png_file()
+  {
+    if(m_is_written)
+      png_destroy_write_struct(&m_png, &m_info);
+    else
+      png_destroy_read_struct(&m_png, &m_info, nullptr);
+  }
+  Png_file(const Png_file&) = delete;
+  Png_file& operator=(const Png_file&) = delete;
+
+  explicit Png_file(std::ostream& out)
+    : m_is_written(true)
+    , m_out(&out)
+  {
+    m_png = png_create_write_struct(PNG_LIBPNG_VER_STRING, nullptr, leave, ignore);
+    m_info = m_png ? png_create_info_struct(m_png) : nullptr;
+  }
+  explicit Png_file(std::istream& in)
+    : m_in(&in)
+  {
+    m_png = png_create_read_struct(PNG_LIBPNG_VER_STRING, nullptr, leave, ignore);
+    m_info = m_png ? png_create_info_struct(m_png) : nullptr;
+  }
+
+  // Returns false if the stream does not take the file.
+  bool write(const Geometry_image& image)
+  {
+    if(!m_info)
+      return false;
+    const Value_range range(image);
+    m_texts = {text_of(range.minimum), text_of(range.maximum)};
+    m_row.resize(2 * image.width * image.number_of_components);
+    return write_header(image) && write_rows(image, range) && m_out->good();
+  }
+
+  // Returns false if the stream holds no such file.
+  bool read(Geometry_image& image)
+  {
+    if(!m_info || !read_header())
+      return false;
+    image.width = png_get_image_width(m_png, m_info);
+    image.height = png_get_image_height(m_png, m_info);
+    image.number_of_components = png_get_channels(m_png, m_info);
+    const bool is_of_16_bits =
+        png_get_bit_depth(m_png, m_info) == 16 && png_get_interlace_type(m_png, m_info) == PNG_INTERLACE_NONE;
+    std::vector<double> minimum, maximum;
+    if(!is_of_16_bits || !read_text("Minimum", image.number_of_components, minimum) ||
+       !read_text("Maximum", image.number_of_components, maximum))
+      return false;
+    m_row.resize(2 * image.width * image.number_of_components);
+    for(std::size_t row = 0; row < image.height; ++row) // so that no more is kept than there is in the stream
+    {
+      if(!read_row())
+        return false;
+      for(std::size_t k = 0; k < m_row.size(); k += 2)
+      {
+        const std::size_t i = k / 2 % minimum.size();
+        const double t = (256. * m_row[k] + m_row[k + 1]) / max_code;
+        image.values.push_back((1. - t) * minimum[i] + t * maximum[i]);
+      }
+    }
+    return true;
+  }
+
+private:
+  static std::string text_of(const std::vector<double>& values)
+  {
+    std::ostringstream text;
+    text.imbue(std::locale::classic());
+    text.precision(std::numeric_limits<double>::max_digits10);
+    for(std::size_t i = 0; i < values.size(); ++i)
+      text << (i == 0 ? "" : " ") << values[i];
+    return text.str();
+  }
+
+  bool read_text(const std::string& key, std::size_t n, std::vector<double>& values)
+  {
+    png_textp texts = nullptr;
+    const int n_texts = png_get_text(m_png, m_info, &texts, nullptr);
+    for(int k = 0; k < n_texts; ++k)
+      if(texts[k].key == key)
+      {
+        std::istringstream text(texts[k].text);
+        text.imbue(std::locale::classic());
+        double value = 0.;
+        while(values.size() < n && text >> value)
+          values.push_back(value);
+        return values.size() == n;
+      }
+    return false;
+  }
+
+  bool write_header(const Geometry_image& image)
+  {
+    if(setjmp(png_jmpbuf(m_png)))
+      return false;
+    png_set_write_fn(m_png, this, put, flush);
+    png_set_IHDR(m_png, m_info, static_cast<png_uint_32>(image.width), static_cast<png_uint_32>(image.height), 16,
+                 image.number_of_components == 3 ? PNG_COLOR_TYPE_RGB : PNG_COLOR_TYPE_GRAY, PNG_INTERLACE_NONE,
+                 PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
+    png_text texts[2] = {};
+    for(std::size_t k = 0; k < 2; ++k)
+    {
+      texts[k].compression = PNG_TEXT_COMPRESSION_NONE;
+      texts[k].key = k == 0 ? m_minimum : m_maximum;
+      texts[k].text = &m_texts[k][0];
+      texts[k].text_length = m_texts[k].size();
+    }
+    png_set_text(m_png, m_info, texts, 2);
+    png_write_info(m_png, m_info);
+    return true;
+  }
+
+  bool write_rows(const Geometry_image& image, const Value_range& range)
+  {
+    if(setjmp(png_jmpbuf(m_png)))
+      return false;
+    for(std::size_t row = 0; row < image.height; ++row)
+    {
+      encode(&image.values[row * m_row.size() / 2], range);
+      png_write_row(m_png, m_row.data());
+    }
+    png_write_end(m_png, nullptr);
+    return true;
+  }
+
+  void encode(const double* values, const Value_range& range)
+  {
+    for(std::size_t k = 0; k < m_row.size() / 2; ++k)
+    {
+      const double min = range.minimum[k % range.minimum.size()], max = range.maximum[k % range.maximum.size()];
+      const double t = max > min ? values[k] / (max - min) - min / (max - min) : 0.;
+      const auto code = static_cast<std::uint32_t>(std::lround(max_code * (std::min)((std::max)(t, 0.), 1.)));
+      m_row[2 * k] = static_cast<png_byte>(code >> 8);
+      m_row[2 * k + 1] = static_cast<png_byte>(code & 0xFF);
+    }
+  }
+
+  bool read_header()
+  {
+    if(setjmp(png_jmpbuf(m_png)))
+      return false;
+    png_set_read_fn(m_png, this, get);
+    constexpr png_uint_32 max_width = 2 * Sphere_domain_3::max_subdivision + 1;
+    png_set_user_limits(m_png, max_width, 6 * max_width);
+    png_read_info(m_png, m_info);
+    return true;
+  }
+
+  bool read_row()
+  {
+    if(setjmp(png_jmpbuf(m_png)))
+      return false;
+    png_read_row(m_png, m_row.data(), nullptr);
+    return true;
+  }
+
+  [[noreturn]] static void leave(png_structp png, png_const_charp) { png_longjmp(png, 1); }
+  static void ignore(png_structp, png_const_charp) {}
+  // A stream that throws sets its state before.
+  static void put(png_structp png, png_bytep data, std::size_t n)
+  {
+    std::ostream& out = *static_cast<Png_file*>(png_get_io_ptr(png))->m_out;
+    try
+    {
+      out.write(reinterpret_cast<const char*>(data), static_cast<std::streamsize>(n));
+    }
+    catch(const std::ios_base::failure&)
+    {}
+  }
+  static void flush(png_structp) {}
+  static void get(png_structp png, png_bytep data, std::size_t n)
+  {
+    if(!is_read(*static_cast<Png_file*>(png_get_io_ptr(png))->m_in, data, n))
+      png_error(png, "");
+  }
+  static bool is_read(std::istream& in, png_bytep data, std::size_t n)
+  {
+    try
+    {
+      return !in.read(reinterpret_cast<char*>(data), static_cast<std::streamsize>(n)).fail();
+    }
+    catch(const std::ios_base::failure&)
+    {
+      return false;
+    }
+  }
+
+  bool m_is_written = false;
+  std::ostream* m_out = nullptr;
+  std::istream* m_in = nullptr;
+  png_structp m_png = nullptr;
+  png_infop m_info = nullptr;
+  std::vector<png_byte> m_row;
+  std::array<std::string, 2> m_texts;
+  char m_minimum[8] = "Minimum", m_maximum[8] = "Maximum"; // keys of the texts
+};
+
+} // namespace internal
+
+/// \ingroup PkgSphericalParameterizationSampling
+///
+/// writes a property of the vertices of a remesh as a <em>geometry image</em> \cgalCite{cgal:ph-spr-03}, a PNG file with
+/// 16 bits per component: points or vectors as red, green and blue, numbers as grey.
+///
+/// - A mesh over `Sphere_domain_3::octahedron(n)` becomes \f$ 2 n + 1 \f$ times \f$ 2 n + 1 \f$ pixels: the octahedron is
+///   cut open from its lowest vertex, and unfolded to a square. The highest vertex is in the middle, the lowest one in all
+///   four corners, and x and y grow to the right and downwards. The halves of each side are the same edge, so that pixels
+///   that are at the same distance from the middle of a side are equal.
+/// - A mesh over `Sphere_domain_3::cube(n)` becomes six tiles of \f$ n + 1 \f$ times \f$ n + 1 \f$ pixels, one below the
+///   other: the faces at the lowest and highest z, y and x.
+///
+/// The code \f$ c \f$ of a component stands for the value \f$ m + (M - m) c / 65535 \f$. The numbers \f$ m \f$ and
+/// \f$ M \f$, one for each component, are in the texts of the file with the keys `Minimum` and `Maximum`, with all
+/// digits: of points, these are the corners of the bounding box.
+///
+/// This header needs libpng, and is not among those that `CGAL/spherical_parameterization.h` includes.
+///
+/// \tparam TriangleMesh a model of `VertexListGraph`
+/// \tparam VertexMap a model of `ReadablePropertyMap` with
+///         `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and as value type `%Point_3` or `%Vector_3` of a
+///         \cgal kernel, or a type of numbers
+///
+/// \param out the file, in binary mode
+/// \param remesh a mesh that has been made by `remesh_through_sphere()` with one of these domains
+/// \param map what is to be written: the points, say, or the normals
+///
+/// \return `OK`; `ERROR_NO_GEOMETRY_IMAGE_MESH` if the mesh has not as many vertices as one of these domains;
+///         `ERROR_NON_FINITE_COORDINATE`; or `ERROR_CANNOT_WRITE_FILE`
+template <class TriangleMesh, class VertexMap>
+[[nodiscard]] Error_code write_PNG_geometry_image(std::ostream& out, const TriangleMesh& remesh, VertexMap map)
+{
+  internal::Geometry_image image;
+  if(const Error_code error = internal::make_geometry_image(remesh, map, image))
+    return error;
+  return internal::Png_file(out).write(image) ? OK : ERROR_CANNOT_WRITE_FILE;
+}
+
+/// \ingroup PkgSphericalParameterizationSampling
+///
+/// adds the mesh to `tmesh` whose points a file of `write_PNG_geometry_image()` holds: closed, with the connectivity of the
+/// domain, and each coordinate within half a code of what was written.
+///
+/// \tparam TriangleMesh a model of `MutableFaceGraph` with an internal vertex point property map
+///
+/// \param in the file, in binary mode
+/// \param tmesh receives the mesh
+///
+/// \return `OK`; `ERROR_INVALID_IMAGE_FILE` if the file is damaged, is no PNG file with 16 bits, or lacks the texts;
+///         `ERROR_INVALID_IMAGE_SIZE` if it has other sizes than these images, or one component;
+///         `ERROR_NON_FINITE_COORDINATE`; or `ERROR_NON_MATCHING_BOUNDARY` if pixels differ that are the same vertex.
+///         Nothing is added then.
+template <class TriangleMesh>
+[[nodiscard]] Error_code read_PNG_geometry_image(std::istream& in, TriangleMesh& tmesh)
+{
+  internal::Geometry_image image;
+  return internal::Png_file(in).read(image) ? internal::add_mesh_of_geometry_image(image, tmesh)
+                                            : ERROR_INVALID_IMAGE_FILE;
+}
+
+} // namespace Spherical_parameterization
+} // namespace CGAL
+
+#endif // CGAL_SPHERICAL_PARAMETERIZATION_IO_PNG_GEOMETRY_IMAGE_H

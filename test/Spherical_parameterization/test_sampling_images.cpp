@@ -1,0 +1,280 @@
+// A geometry image has the layout of its documentation, and gives the mesh back that it was made of; what is damaged gives
+// an error and no mesh.
+
+#include "methods.h"
+
+#include <CGAL/Spherical_parameterization/remesh_through_sphere.h>
+
+#ifdef TEST_PNG
+#include <CGAL/Spherical_parameterization/IO/PNG_geometry_image.h>
+#endif
+#ifdef TEST_EXR
+#include <CGAL/Spherical_parameterization/IO/EXR_geometry_image.h>
+#endif
+#include <CGAL/Spherical_parameterization/internal/sampling/Geometry_image_layout.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <fstream>
+#include <limits>
+#include <set>
+#include <sstream>
+#include <string>
+#include <utility>
+#include <vector>
+
+using namespace test;
+
+namespace {
+
+using Layout = SP::internal::Geometry_image_layout;
+using Vertex_index = Mesh::Vertex_index;
+
+std::set<std::array<std::uint32_t, 2>> edges_of(const SP::Sphere_domain_3& domain)
+{
+  std::set<std::array<std::uint32_t, 2>> result;
+  for(const auto& t : domain.triangles())
+    for(std::size_t i = 0; i < 3; ++i)
+      result.insert({t[i], t[(i + 1) % 3]});
+  return result;
+}
+
+// Pixels that are next to each other show vertices with an edge, and each vertex is shown.
+void expect_regular(const Layout& layout, std::size_t tile_height)
+{
+  const auto edges = edges_of(layout.domain());
+  const auto& v = layout.vertices();
+  for(std::size_t k = 0; k < v.size(); ++k)
+  {
+    EXPECT_TRUE((k + 1) % layout.width() == 0 || edges.count({v[k], v[k + 1]}) > 0) << k;
+    EXPECT_TRUE(k / layout.width() % tile_height + 1 == tile_height || edges.count({v[k], v[k + layout.width()]}) > 0)
+        << k;
+  }
+  EXPECT_EQ(std::set<std::uint32_t>(v.begin(), v.end()).size(), layout.domain().directions().size());
+}
+
+TEST(Layout, of_an_octahedron)
+{
+  for(const std::size_t n : {1u, 2u, 5u})
+  {
+    const std::size_t last = 2 * n;
+    const Layout layout = Layout::of_size(last + 1, last + 1).value();
+    EXPECT_EQ(layout.height(), layout.width());
+    expect_regular(layout, last + 1);
+    const auto direction = [&](std::size_t column, std::size_t row) {
+      return layout.domain().directions()[layout.vertices()[row * layout.width() + column]];
+    };
+    EXPECT_LT(CGAL::squared_distance(direction(n, n), Point_3(0, 0, 1)), 1e-30);
+    EXPECT_LT(CGAL::squared_distance(direction(last, n), Point_3(1, 0, 0)), 1e-30);
+    EXPECT_LT(CGAL::squared_distance(direction(n, last), Point_3(0, 1, 0)), 1e-30);
+    EXPECT_LT(CGAL::squared_distance(direction(last, 0), Point_3(0, 0, -1)), 1e-30);
+    for(std::size_t i = 0; i <= last; ++i)
+      for(const std::size_t side : {std::size_t(0), last})
+      {
+        EXPECT_EQ(direction(i, side), direction(last - i, side));
+        EXPECT_EQ(direction(side, i), direction(side, last - i));
+      }
+  }
+}
+
+TEST(Layout, of_a_cube)
+{
+  for(const std::size_t n : {1u, 2u, 5u})
+  {
+    const Layout layout = Layout::of_size(n + 1, 6 * (n + 1)).value();
+    expect_regular(layout, n + 1);
+    for(std::size_t k = 0; k < layout.vertices().size(); ++k)
+    {
+      const Point_3 p = layout.domain().directions()[layout.vertices()[k]];
+      const std::size_t face = k / (n + 1) / (n + 1), axis = 2 - face / 2;
+      EXPECT_GE((face % 2 == 0 ? -1. : 1.) * p[static_cast<int>(axis)], 1. / std::sqrt(3.) - 1e-15) << k;
+    }
+  }
+}
+
+TEST(Layout, of_sizes_that_no_image_has)
+{
+  for(const auto& [width, height] : std::vector<std::pair<std::size_t, std::size_t>>{
+          {0, 0}, {1, 1}, {1, 6}, {2, 2}, {4, 4}, {5, 6}, {3, 9}, {10003, 10003}, {5002, 6 * 5002}})
+    EXPECT_FALSE(Layout::of_size(width, height)) << width << ' ' << height;
+  for(const std::size_t n : {0u, 1u, 2u, 3u, 7u, 19u})
+    EXPECT_FALSE(Layout::of_vertices(n)) << n;
+}
+
+// A surface over a domain: a sphere that is stretched and moved.
+struct Sampled
+{
+  explicit Sampled(const SP::Sphere_domain_3& domain)
+    : sphere(remesh.add_property_map<Vertex_index, Point_3>("v:sphere").first)
+    , normals(remesh.add_property_map<Vertex_index, Kernel::Vector_3>("v:normal").first)
+    , heights(remesh.add_property_map<Vertex_index, float>("v:height").first)
+  {
+    const Mesh surface = make(scaled(icosphere(3), 3., 2., 1e-3)), images = make(icosphere(3));
+    EXPECT_EQ(SP::remesh_through_sphere(surface, images.points(), domain, remesh, sphere,
+                                        CGAL::parameters::default_values(),
+                                        CGAL::parameters::vertex_normal_map(normals)),
+              SP::OK);
+    for(const Vertex_index v : remesh.vertices())
+    {
+      remesh.point(v) = remesh.point(v) + Kernel::Vector_3(100., -5., 0.);
+      heights[v] = static_cast<float>(remesh.point(v).y());
+    }
+  }
+
+  Mesh remesh;
+  Mesh::Property_map<Vertex_index, Point_3> sphere;
+  Mesh::Property_map<Vertex_index, Kernel::Vector_3> normals;
+  Mesh::Property_map<Vertex_index, float> heights;
+};
+
+// A format: how its files are written and read, and how far a coordinate may move, over the size of the box.
+template <class Write, class Read>
+struct Format
+{
+  Write write;
+  Read read;
+  Coordinates tolerance;
+};
+template <class Write, class Read>
+Format(Write, Read, Coordinates) -> Format<Write, Read>;
+
+template <class F>
+void expect_round_trip(const F& format)
+{
+  for(const SP::Sphere_domain_3& domain : {SP::Sphere_domain_3::octahedron(1), SP::Sphere_domain_3::octahedron(8),
+                                           SP::Sphere_domain_3::cube(1), SP::Sphere_domain_3::cube(5)})
+  {
+    const Sampled sampled(domain);
+    std::stringstream file;
+    ASSERT_EQ(format.write(file, sampled.remesh, sampled.remesh.points()), SP::OK);
+    Mesh again = make(tetrahedron());
+    ASSERT_EQ(format.read(file, again), SP::OK);
+    ASSERT_EQ(again.number_of_vertices(), 4 + sampled.remesh.number_of_vertices());
+    EXPECT_TRUE(CGAL::is_closed(again));
+    EXPECT_TRUE(CGAL::is_valid_polygon_mesh(again));
+    std::vector<Triangle> expected = triangles(make(tetrahedron()));
+    for(const Triangle& t : triangles(sampled.remesh))
+      expected.push_back({t[0] + 4, t[1] + 4, t[2] + 4});
+    EXPECT_EQ(triangles(again), expected);
+    for(const Vertex_index v : sampled.remesh.vertices())
+      for(int k = 0; k < 3; ++k)
+        ASSERT_NEAR(again.point(Vertex_index(v + 4))[k], sampled.remesh.point(v)[k],
+                    format.tolerance[static_cast<std::size_t>(k)]);
+  }
+}
+
+template <class F>
+void expect_errors(const F& format)
+{
+  const Sampled sampled(SP::Sphere_domain_3::octahedron(3));
+  Mesh mesh;
+  std::stringstream file;
+  ASSERT_EQ(format.write(file, sampled.remesh, sampled.remesh.points()), SP::OK);
+  const std::string content = file.str();
+  for(std::size_t n = 0; n + 20 < content.size(); n += 7) // what comes last need not be read
+  {
+    std::istringstream part(content.substr(0, n));
+    EXPECT_EQ(format.read(part, mesh), SP::ERROR_INVALID_IMAGE_FILE) << n;
+  }
+  for(std::size_t n = 0; n < content.size(); ++n) // which may go unnoticed, or be a size
+  {
+    std::string damaged = content;
+    damaged[n] = static_cast<char>(damaged[n] ^ 0x55);
+    std::istringstream in(damaged);
+    Mesh any;
+    if(format.read(in, any) == SP::OK)
+      EXPECT_TRUE(CGAL::is_closed(any)) << n;
+    else
+      EXPECT_EQ(any.number_of_vertices(), 0u) << n;
+  }
+
+  // Numbers alone are no surface.
+  std::stringstream grey;
+  ASSERT_EQ(format.write(grey, sampled.remesh, sampled.heights), SP::OK);
+  EXPECT_NE(format.read(grey, mesh), SP::OK);
+  EXPECT_EQ(mesh.number_of_vertices(), 0u);
+
+  std::ofstream nowhere;
+  EXPECT_EQ(format.write(nowhere, sampled.remesh, sampled.normals), SP::ERROR_CANNOT_WRITE_FILE);
+  const Mesh other = make(icosphere(0));
+  std::stringstream empty;
+  EXPECT_EQ(format.write(empty, other, other.points()), SP::ERROR_NO_GEOMETRY_IMAGE_MESH);
+  Sampled infinite(SP::Sphere_domain_3::octahedron(3));
+  infinite.remesh.point(Vertex_index(5)) = Point_3(0., std::numeric_limits<double>::infinity(), 0.);
+  EXPECT_EQ(format.write(empty, infinite.remesh, infinite.remesh.points()), SP::ERROR_NON_FINITE_COORDINATE);
+  EXPECT_TRUE(empty.str().empty());
+}
+
+template <class F, class Write_image>
+void expect_errors_of_images(const F& format, const Write_image& write_image)
+{
+  const auto expect = [&](const SP::internal::Geometry_image& image, SP::Error_code error) {
+    std::stringstream file;
+    ASSERT_TRUE(write_image(file, image));
+    Mesh mesh;
+    EXPECT_EQ(format.read(file, mesh), error);
+    EXPECT_EQ(mesh.number_of_vertices(), 0u);
+  };
+  expect({4, 4, 3, std::vector<double>(48, 1.)}, SP::ERROR_INVALID_IMAGE_SIZE);
+  expect({3, 5, 3, std::vector<double>(45, 1.)}, SP::ERROR_INVALID_IMAGE_SIZE);
+  SP::internal::Geometry_image image = {3, 3, 3, std::vector<double>(27, 1.)};
+  image.values[1] = 0.;
+  expect(image, SP::ERROR_NON_MATCHING_BOUNDARY);
+}
+
+#ifdef TEST_PNG
+const Format png = {[](auto& out, const auto&... arguments) { return SP::write_PNG_geometry_image(out, arguments...); },
+                    [](auto& in, Mesh& mesh) { return SP::read_PNG_geometry_image(in, mesh); },
+                    Coordinates{6.01 / 65535. / 2., 4.01 / 65535. / 2., 2.01e-3 / 65535. / 2.}};
+
+TEST(Png_image, gives_the_mesh_back)
+{
+  expect_round_trip(png);
+}
+
+TEST(Png_image, is_refused_if_it_is_none)
+{
+  expect_errors(png);
+  expect_errors_of_images(png, [](std::ostream& out, const SP::internal::Geometry_image& image) {
+    return SP::internal::Png_file(out).write(image);
+  });
+}
+
+// Normals and numbers, whose range is in the file.
+TEST(Png_image, has_the_range_in_its_texts)
+{
+  const Sampled sampled(SP::Sphere_domain_3::octahedron(2));
+  std::stringstream points, heights;
+  ASSERT_EQ(png.write(points, sampled.remesh, sampled.remesh.points()), SP::OK);
+  EXPECT_NE(points.str().find("tEXtMinimum"), std::string::npos);
+  EXPECT_NE(points.str().find("tEXtMaximum"), std::string::npos);
+  ASSERT_EQ(png.write(heights, sampled.remesh, sampled.heights), SP::OK);
+  EXPECT_NE(heights.str().find(std::string("Minimum\0-7", 10)), std::string::npos);
+}
+#endif
+
+#ifdef TEST_EXR
+const Format exr = {[](auto& out, const auto&... arguments) { return SP::write_EXR_geometry_image(out, arguments...); },
+                    [](auto& in, Mesh& mesh) { return SP::read_EXR_geometry_image(in, mesh); },
+                    Coordinates{103. * 6e-8, 7. * 6e-8, 1e-3 * 6e-8}};
+
+TEST(Exr_image, gives_the_mesh_back)
+{
+  expect_round_trip(exr);
+}
+
+TEST(Exr_image, is_refused_if_it_is_none)
+{
+  expect_errors(exr);
+  expect_errors_of_images(exr, [](std::ostream& out, const SP::internal::Geometry_image& image) {
+    return SP::internal::write_exr(out, image);
+  });
+}
+#endif
+
+} // namespace
