@@ -20,6 +20,7 @@
 #include <CGAL/Spherical_parameterization/Parameterization_report.h>
 #include <CGAL/Spherical_parameterization/Sharpness.h>
 #include <CGAL/Spherical_parameterization/Symmetric_Dirichlet_energy_3.h>
+#include <CGAL/Spherical_parameterization/internal/check_arguments.h>
 #include <CGAL/Spherical_parameterization/internal/descent/Vertex_step.h>
 #include <CGAL/Spherical_parameterization/internal/policy_traits.h>
 #include <CGAL/Spherical_parameterization/internal/run_descent.h>
@@ -183,33 +184,38 @@ public:
   Error_code parameterize(const TriangleMesh& tmesh, VertexSphereMap vertex_sphere_map,
                           const CGAL_NP_CLASS& np = parameters::default_values())
   {
-    m_report = Parameterization_report();
-    constexpr std::size_t by_size = (std::numeric_limits<std::size_t>::max)();
-    std::size_t max_sweeps = by_size;
-    if(!is_valid() || !internal::read_number_of_iterations(np, max_sweeps))
+    if constexpr(internal::check_settings<Energy, Radius>())
+    {
+      m_report = Parameterization_report();
+      constexpr std::size_t by_size = (std::numeric_limits<std::size_t>::max)();
+      std::size_t max_sweeps = by_size;
+      if(!is_valid() || !internal::read_number_of_iterations(np, max_sweeps))
+        return ERROR_WRONG_PARAMETER;
+      return internal::run_parameterization<ConcurrencyTag>(
+          tmesh, vertex_sphere_map, np, m_report, internal::Guarantee::ONE_TO_ONE, [&](auto& run) {
+            if(max_sweeps == by_size)
+              max_sweeps = internal::default_number_of_sweeps(run.mesh.number_of_vertices());
+            const auto improve = [&](auto& initial_parameterizer) {
+              return internal::run_descent<internal::Newton_step>(initial_parameterizer, m_energy, m_radius,
+                                                                  m_sharpness, m_settings, max_sweeps, run);
+            };
+            if constexpr(std::is_same<InitialParameterizer, Default>::value)
+            {
+              // Where the radius is free, the areas are right from the beginning. Else they may have far to go, which they do on
+              // coarse levels.
+              constexpr std::size_t sweeps_per_level = std::is_same<Radius, Default>::value ? 14 : 20;
+              auto hierarchical = Hierarchical_parameterizer_3<>()
+                                      .energy(m_energy)
+                                      .sharpness(m_sharpness)
+                                      .sweeps_per_level(sweeps_per_level);
+              return improve(hierarchical);
+            }
+            else
+              return improve(m_initial_parameterizer);
+          });
+    }
+    else
       return ERROR_WRONG_PARAMETER;
-    return internal::run_parameterization<ConcurrencyTag>(
-        tmesh, vertex_sphere_map, np, m_report, internal::Guarantee::ONE_TO_ONE, [&](auto& run) {
-          if(max_sweeps == by_size)
-            max_sweeps = internal::default_number_of_sweeps(run.mesh.number_of_vertices());
-          const auto improve = [&](auto& initial_parameterizer) {
-            return internal::run_descent<internal::Newton_step>(initial_parameterizer, m_energy, m_radius, m_sharpness,
-                                                                m_settings, max_sweeps, run);
-          };
-          if constexpr(std::is_same<InitialParameterizer, Default>::value)
-          {
-            // Where the radius is free, the areas are right from the beginning. Else they may have far to go, which they do on
-            // coarse levels.
-            constexpr std::size_t sweeps_per_level = std::is_same<Radius, Default>::value ? 14 : 20;
-            auto hierarchical = Hierarchical_parameterizer_3<>()
-                                    .energy(m_energy)
-                                    .sharpness(m_sharpness)
-                                    .sweeps_per_level(sweeps_per_level);
-            return improve(hierarchical);
-          }
-          else
-            return improve(m_initial_parameterizer);
-        });
   }
 
   /// returns what the last run did.

@@ -19,6 +19,7 @@
 #include <CGAL/Spherical_parameterization/Isometric_energy_3.h>
 #include <CGAL/Spherical_parameterization/Parameterization_report.h>
 #include <CGAL/Spherical_parameterization/Sharpness.h>
+#include <CGAL/Spherical_parameterization/internal/check_arguments.h>
 #include <CGAL/Spherical_parameterization/internal/hierarchy/Hierarchical_embedding.h>
 #include <CGAL/Spherical_parameterization/internal/policy_traits.h>
 #include <CGAL/Spherical_parameterization/internal/run_parameterization.h>
@@ -117,17 +118,22 @@ public:
   Error_code parameterize(const TriangleMesh& tmesh, VertexSphereMap vertex_sphere_map,
                           const CGAL_NP_CLASS& np = parameters::default_values())
   {
-    m_report = Parameterization_report();
-    if(!is_valid())
+    if constexpr(internal::check_energy<Energy>())
+    {
+      m_report = Parameterization_report();
+      if(!is_valid())
+        return ERROR_WRONG_PARAMETER;
+      return internal::run_parameterization<ConcurrencyTag>(
+          tmesh, vertex_sphere_map, np, m_report, internal::Guarantee::ONE_TO_ONE, [&](auto& run) {
+            run.control.on_initialization_begin(run.mesh.number_of_vertices());
+            if(!embed(run, true))
+              return ERROR_INSUFFICIENT_PRECISION;
+            run.control.on_initialization_end();
+            return OK;
+          });
+    }
+    else
       return ERROR_WRONG_PARAMETER;
-    return internal::run_parameterization<ConcurrencyTag>(
-        tmesh, vertex_sphere_map, np, m_report, internal::Guarantee::ONE_TO_ONE, [&](auto& run) {
-          run.control.on_initialization_begin(run.mesh.number_of_vertices());
-          if(!embed(run, true))
-            return ERROR_INSUFFICIENT_PRECISION;
-          run.control.on_initialization_end();
-          return OK;
-        });
   }
 
   /// returns what the last run did. The reason for its end is `CONVERGED` if the mesh has fewer than 500 vertices and

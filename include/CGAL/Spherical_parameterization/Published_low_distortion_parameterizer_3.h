@@ -23,6 +23,7 @@
 #include <CGAL/Spherical_parameterization/Parameterization_report.h>
 #include <CGAL/Spherical_parameterization/Sharpness.h>
 #include <CGAL/Spherical_parameterization/Two_phase_radius_3.h>
+#include <CGAL/Spherical_parameterization/internal/check_arguments.h>
 #include <CGAL/Spherical_parameterization/internal/descent/Vertex_step.h>
 #include <CGAL/Spherical_parameterization/internal/policy_traits.h>
 #include <CGAL/Spherical_parameterization/internal/run_descent.h>
@@ -122,15 +123,21 @@ public:
   Error_code parameterize(const TriangleMesh& tmesh, VertexSphereMap vertex_sphere_map,
                           const CGAL_NP_CLASS& np = parameters::default_values())
   {
-    m_report = Parameterization_report();
-    std::size_t max_sweeps = 2000;
-    if(!is_valid() || !internal::read_number_of_iterations(np, max_sweeps))
+    if constexpr(internal::check_settings<Isometric_energy_3, Radius>())
+    {
+      m_report = Parameterization_report();
+      std::size_t max_sweeps = 2000;
+      if(!is_valid() || !internal::read_number_of_iterations(np, max_sweeps))
+        return ERROR_WRONG_PARAMETER;
+      return internal::run_parameterization<ConcurrencyTag>(
+          tmesh, vertex_sphere_map, np, m_report, internal::Guarantee::ONE_TO_ONE, [&](auto& run) {
+            return internal::run_descent<internal::Gradient_step>(m_initial_parameterizer, Isometric_energy_3(),
+                                                                  m_radius, m_sharpness, {1e-5, 1e-3, false},
+                                                                  max_sweeps, run);
+          });
+    }
+    else
       return ERROR_WRONG_PARAMETER;
-    return internal::run_parameterization<ConcurrencyTag>(
-        tmesh, vertex_sphere_map, np, m_report, internal::Guarantee::ONE_TO_ONE, [&](auto& run) {
-          return internal::run_descent<internal::Gradient_step>(m_initial_parameterizer, Isometric_energy_3(), m_radius,
-                                                                m_sharpness, {1e-5, 1e-3, false}, max_sweeps, run);
-        });
   }
 
   /// returns what the last run did.

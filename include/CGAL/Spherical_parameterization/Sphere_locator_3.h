@@ -15,6 +15,7 @@
 #include <CGAL/license/Spherical_parameterization.h>
 
 #include <CGAL/Spherical_parameterization/Error_code.h>
+#include <CGAL/Spherical_parameterization/internal/check_arguments.h>
 #include <CGAL/Spherical_parameterization/internal/certificate/Orientation_about_origin_3.h>
 #include <CGAL/Spherical_parameterization/internal/run/parallel.h>
 #include <CGAL/Spherical_parameterization/internal/sampling/Mesh_on_sphere.h>
@@ -74,6 +75,7 @@ namespace Spherical_parameterization {
 template <class TriangleMesh, class VertexSphereMap, class ConcurrencyTag = Parallel_if_available_tag>
 class Sphere_locator_3
 {
+  static_assert(internal::check_mesh_and_readable_map<TriangleMesh, VertexSphereMap>());
   using Selection = internal::Exact_predicates_kernel_of_map<VertexSphereMap>;
   using Exact_kernel = typename Selection::type;
   using Triangulation = internal::Sphere_triangulation<Exact_kernel>;

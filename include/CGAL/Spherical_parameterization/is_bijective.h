@@ -14,6 +14,7 @@
 
 #include <CGAL/license/Spherical_parameterization.h>
 
+#include <CGAL/Spherical_parameterization/internal/check_arguments.h>
 #include <CGAL/Spherical_parameterization/internal/certificate/Bijectivity_certificate.h>
 #include <CGAL/Spherical_parameterization/internal/certificate/Orientation_about_origin_3.h>
 #include <CGAL/Spherical_parameterization/internal/run/parallel.h>
@@ -89,42 +90,47 @@ template <class ConcurrencyTag = Parallel_if_available_tag, class TriangleMesh, 
 bool is_bijective(const TriangleMesh& tmesh, VertexSphereMap vertex_sphere_map,
                   const CGAL_NP_CLASS& np = parameters::default_values())
 {
-  using Selection = internal::Exact_predicates_kernel_of_map<VertexSphereMap>;
-  using Exact_kernel = typename Selection::type;
-  using Point_3 = typename Exact_kernel::Point_3;
-
-  if(!CGAL::is_closed(tmesh) || !CGAL::is_triangle_mesh(tmesh))
-    return false;
-
-  // By default not the indices that the mesh may have itself: if they were not valid, they would have to be written.
-  const auto index_map = parameters::choose_parameter(parameters::get_parameter(np, internal_np::vertex_index),
-                                                      get(CGAL::dynamic_vertex_property_t<std::size_t>(), tmesh));
-  if constexpr(parameters::is_default_parameter<CGAL_NP_CLASS, internal_np::vertex_index_t>::value)
+  if constexpr(internal::check_mesh_and_readable_map<TriangleMesh, VertexSphereMap>())
   {
-    std::size_t n = 0;
+    using Selection = internal::Exact_predicates_kernel_of_map<VertexSphereMap>;
+    using Exact_kernel = typename Selection::type;
+    using Point_3 = typename Exact_kernel::Point_3;
+
+    if(!CGAL::is_closed(tmesh) || !CGAL::is_triangle_mesh(tmesh))
+      return false;
+
+    // By default not the indices that the mesh may have itself: if they were not valid, they would have to be written.
+    const auto index_map = parameters::choose_parameter(parameters::get_parameter(np, internal_np::vertex_index),
+                                                        get(CGAL::dynamic_vertex_property_t<std::size_t>(), tmesh));
+    if constexpr(parameters::is_default_parameter<CGAL_NP_CLASS, internal_np::vertex_index_t>::value)
+    {
+      std::size_t n = 0;
+      for(const auto v : vertices(tmesh))
+        put(index_map, v, n++);
+    }
+
+    std::vector<Point_3> points(num_vertices(tmesh), Point_3(ORIGIN));
     for(const auto v : vertices(tmesh))
-      put(index_map, v, n++);
-  }
+    {
+      if(halfedge(v, tmesh) != boost::graph_traits<TriangleMesh>::null_halfedge())
+        points[static_cast<std::size_t>(get(index_map, v))] = Selection::convert(get(vertex_sphere_map, v));
+    }
 
-  std::vector<Point_3> points(num_vertices(tmesh), Point_3(ORIGIN));
-  for(const auto v : vertices(tmesh))
-  {
-    if(halfedge(v, tmesh) != boost::graph_traits<TriangleMesh>::null_halfedge())
-      points[static_cast<std::size_t>(get(index_map, v))] = Selection::convert(get(vertex_sphere_map, v));
-  }
+    std::vector<std::array<std::size_t, 3>> triangles;
+    triangles.reserve(num_faces(tmesh));
+    for(const auto f : faces(tmesh))
+    {
+      const auto h = halfedge(f, tmesh);
+      triangles.push_back({static_cast<std::size_t>(get(index_map, source(h, tmesh))),
+                           static_cast<std::size_t>(get(index_map, target(h, tmesh))),
+                           static_cast<std::size_t>(get(index_map, target(next(h, tmesh), tmesh)))});
+    }
 
-  std::vector<std::array<std::size_t, 3>> triangles;
-  triangles.reserve(num_faces(tmesh));
-  for(const auto f : faces(tmesh))
-  {
-    const auto h = halfedge(f, tmesh);
-    triangles.push_back({static_cast<std::size_t>(get(index_map, source(h, tmesh))),
-                         static_cast<std::size_t>(get(index_map, target(h, tmesh))),
-                         static_cast<std::size_t>(get(index_map, target(next(h, tmesh), tmesh)))});
+    return internal::certify_bijectivity<Exact_kernel>(points, triangles, internal::execution_of<ConcurrencyTag>())
+        .is_bijective();
   }
-
-  return internal::certify_bijectivity<Exact_kernel>(points, triangles, internal::execution_of<ConcurrencyTag>())
-      .is_bijective();
+  else
+    return false;
 }
 
 } // namespace Spherical_parameterization

@@ -17,6 +17,7 @@
 
 #include <CGAL/Spherical_parameterization/Distortion_summary.h>
 #include <CGAL/Spherical_parameterization/Error_code.h>
+#include <CGAL/Spherical_parameterization/internal/check_arguments.h>
 #include <CGAL/Spherical_parameterization/internal/certificate/Orientation_about_origin_3.h>
 #include <CGAL/Spherical_parameterization/internal/mesh/Triangle_stretch.h>
 #include <CGAL/Spherical_parameterization/internal/run/parallel.h>
@@ -222,49 +223,54 @@ Distortion_summary measure_distortion(const TriangleMesh& tmesh, VertexSphereMap
                                       FaceDistortionMap face_distortion_map,
                                       const CGAL_NP_CLASS& np = parameters::default_values())
 {
-  using parameters::choose_parameter;
-  using parameters::get_parameter;
-
-  Distortion_summary summary;
-  if(!CGAL::is_triangle_mesh(tmesh))
+  if constexpr(internal::check_mesh_and_readable_map<TriangleMesh, VertexSphereMap>())
   {
-    summary.error = ERROR_NON_TRIANGULAR_MESH;
+    using parameters::choose_parameter;
+    using parameters::get_parameter;
+
+    Distortion_summary summary;
+    if(!CGAL::is_triangle_mesh(tmesh))
+    {
+      summary.error = ERROR_NON_TRIANGULAR_MESH;
+      return summary;
+    }
+    internal::Statistics_accumulator isometric, area, angle, radius;
+    for(const auto v : vertices(tmesh))
+      if(halfedge(v, tmesh) != boost::graph_traits<TriangleMesh>::null_halfedge())
+      {
+        const auto& p = get(vertex_sphere_map, v);
+        radius.add(std::hypot(CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z())));
+      }
+    summary.radius = radius.average();
+
+    std::vector<char> is_degenerate;
+    const std::vector<Face_distortion> distortions = internal::distortions_of_faces(
+        tmesh,
+        choose_parameter(get_parameter(np, internal_np::vertex_point), get_const_property_map(vertex_point, tmesh)),
+        vertex_sphere_map, is_degenerate, internal::execution_of<ConcurrencyTag>());
+    summary.number_of_faces = distortions.size();
+    std::size_t k = 0;
+    for(const auto f : faces(tmesh))
+    {
+      const Face_distortion& distortion = distortions[k];
+      summary.number_of_inverted_faces += distortion.is_inverted;
+      if(is_degenerate[k++])
+        ++summary.number_of_degenerate_faces;
+      else
+      {
+        isometric.add(distortion.isometric);
+        area.add(distortion.area);
+        angle.add(distortion.angle);
+      }
+      put(face_distortion_map, f, distortion);
+    }
+    summary.isometric = isometric.statistics();
+    summary.area = area.statistics();
+    summary.angle = angle.statistics();
     return summary;
   }
-  internal::Statistics_accumulator isometric, area, angle, radius;
-  for(const auto v : vertices(tmesh))
-    if(halfedge(v, tmesh) != boost::graph_traits<TriangleMesh>::null_halfedge())
-    {
-      const auto& p = get(vertex_sphere_map, v);
-      radius.add(std::hypot(CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z())));
-    }
-  summary.radius = radius.average();
-
-  std::vector<char> is_degenerate;
-  const std::vector<Face_distortion> distortions = internal::distortions_of_faces(
-      tmesh,
-      choose_parameter(get_parameter(np, internal_np::vertex_point), get_const_property_map(vertex_point, tmesh)),
-      vertex_sphere_map, is_degenerate, internal::execution_of<ConcurrencyTag>());
-  summary.number_of_faces = distortions.size();
-  std::size_t k = 0;
-  for(const auto f : faces(tmesh))
-  {
-    const Face_distortion& distortion = distortions[k];
-    summary.number_of_inverted_faces += distortion.is_inverted;
-    if(is_degenerate[k++])
-      ++summary.number_of_degenerate_faces;
-    else
-    {
-      isometric.add(distortion.isometric);
-      area.add(distortion.area);
-      angle.add(distortion.angle);
-    }
-    put(face_distortion_map, f, distortion);
-  }
-  summary.isometric = isometric.statistics();
-  summary.area = area.statistics();
-  summary.angle = angle.statistics();
-  return summary;
+  else
+    return Distortion_summary();
 }
 
 #ifndef DOXYGEN_RUNNING

@@ -114,7 +114,7 @@ template <class ConcurrencyTag, class TriangleMesh, class VertexSphereMap, class
 Error_code run_parameterization(const TriangleMesh& tmesh, VertexSphereMap vertex_sphere_map, const NamedParameters& np,
                                 Parameterization_report& report, Guarantee guarantee, const Compute& compute)
 {
-  if constexpr(!check_mesh_and_map<TriangleMesh, VertexSphereMap>())
+  if constexpr(!check_run<TriangleMesh, VertexSphereMap, NamedParameters>())
     return ERROR_WRONG_PARAMETER;
   else
   {
@@ -175,17 +175,26 @@ Error_code compute_initial_map(Parameterizer& parameterizer, Run& run)
 
   const auto map = get(CGAL::dynamic_vertex_property_t<Point_3>(), run.tmesh);
   Initial_map_visitor visitor(run.control);
-  const Error_code error = parameterizer.template parameterize<typename Run::Concurrency_tag>(
-      run.tmesh, map, parameters::vertex_point_map(run.vertex_point_map).visitor(std::ref(visitor)));
-  if(error == ERROR_NO_1_TO_1_MAPPING)
-    return ERROR_INVALID_INITIAL_PARAMETERIZATION; // the caller's own map is untouched
-  if(error != OK)
-    return error;
-  // The sweeps compute with rounding, so a face that is positive by less than that would not be safe with them.
-  const bool is_safe = read_map(run.mesh, run.vertices_of_mesh, map, run.positions, run.execution) &&
-                       are_safely_positive(run.mesh.rings(), run.positions);
-  run.control.report().seconds_for_embedding = run.control.lap();
-  return is_safe ? OK : ERROR_INVALID_INITIAL_PARAMETERIZATION;
+  const auto np = parameters::vertex_point_map(run.vertex_point_map).visitor(std::ref(visitor));
+  constexpr bool is_parameterizer = Is_parameterizer<Parameterizer, std::decay_t<decltype(run.tmesh)>,
+                                                     std::decay_t<decltype(map)>, std::decay_t<decltype(np)>>::value;
+  static_assert(is_parameterizer, "The setting initial_parameterizer has to be a model of SphericalParameterizer_3: "
+                                  "Precomputed_parameterizer_3(map) for a map.");
+  if constexpr(is_parameterizer)
+  {
+    const Error_code error = parameterizer.template parameterize<typename Run::Concurrency_tag>(run.tmesh, map, np);
+    if(error == ERROR_NO_1_TO_1_MAPPING)
+      return ERROR_INVALID_INITIAL_PARAMETERIZATION; // the caller's own map is untouched
+    if(error != OK)
+      return error;
+    // The sweeps compute with rounding, so a face that is positive by less than that would not be safe with them.
+    const bool is_safe = read_map(run.mesh, run.vertices_of_mesh, map, run.positions, run.execution) &&
+                         are_safely_positive(run.mesh.rings(), run.positions);
+    run.control.report().seconds_for_embedding = run.control.lap();
+    return is_safe ? OK : ERROR_INVALID_INITIAL_PARAMETERIZATION;
+  }
+  else
+    return ERROR_WRONG_PARAMETER;
 }
 
 // Makes the map that a method starts from, and tells the visitor of it.
