@@ -573,4 +573,43 @@ TEST(Distance, with_flat_faces)
   EXPECT_EQ(SP::measure_distance(flat, sphere).diagonal, 0.);
 }
 
+// Exact predicates throw for NaN and end the process for infinity.
+TEST(Distance, of_what_is_not_finite_is_not_a_number)
+{
+  const Mesh sphere = make(icosphere(1));
+  for(const double x : {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()})
+  {
+    Mesh broken = sphere;
+    broken.point(Vertex_index(7)) = Point_3(0., x, 0.);
+    const SP::Surface_distance to = SP::measure_distance(sphere, broken), from = SP::measure_distance(broken, sphere);
+    for(const double d : {to.from_first.maximum, to.from_second.root_mean_square, from.from_first.root_mean_square,
+                          from.from_second.maximum, from.diagonal})
+      EXPECT_TRUE(std::isnan(d));
+  }
+}
+
+TEST(Distance, does_not_depend_on_the_unit)
+{
+  const Mesh one = make(icosphere(1)), two = make(scaled(icosphere(1), 1.5, 1.5, 1.5));
+  const SP::Surface_distance distance = SP::measure_distance(one, two, 100);
+  for(const int exponent : {-1060, -500, 500, 1022})
+  {
+    const double unit = std::scalbn(1., exponent), tolerance = exponent == -1060 ? 1e-3 : 1e-12;
+    const SP::Surface_distance other =
+        SP::measure_distance(make(scaled(icosphere(1), unit, unit, unit)),
+                             make(scaled(icosphere(1), 1.5 * unit, 1.5 * unit, 1.5 * unit)), 100);
+    EXPECT_NEAR(other.from_first.root_mean_square / unit, distance.from_first.root_mean_square, tolerance);
+    EXPECT_NEAR(other.from_second.maximum / unit, distance.from_second.maximum, tolerance);
+    EXPECT_NEAR(other.psnr(), distance.psnr(), 0.1);
+  }
+}
+
+TEST(Distance, without_samples_is_zero)
+{
+  const Mesh small = make(icosphere(1)), large = make(scaled(icosphere(1), 2., 2., 2.));
+  const SP::Surface_distance distance = SP::measure_distance(small, large, 0);
+  EXPECT_EQ(distance.from_first.root_mean_square, 0.);
+  EXPECT_EQ(distance.from_second.maximum, 0.);
+}
+
 } // namespace

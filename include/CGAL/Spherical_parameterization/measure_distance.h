@@ -16,6 +16,7 @@
 
 #include <CGAL/Spherical_parameterization/Surface_distance.h>
 #include <CGAL/Spherical_parameterization/internal/run/parallel.h>
+#include <CGAL/Spherical_parameterization/internal/simd/Vector_3.h>
 
 #include <CGAL/AABB_traits.h>
 #include <CGAL/AABB_tree.h>
@@ -43,28 +44,59 @@ namespace Spherical_parameterization {
 
 namespace internal {
 
-// The triangles of a surface, but for those without an area, whose places are in their neighbours.
+// The corners of the faces of a mesh.
+template <class TriangleMesh, class VertexPointMap>
+std::vector<std::array<Vector_3d, 3>> corners_of_faces(const TriangleMesh& tmesh, const VertexPointMap& vpm)
+{
+  std::vector<std::array<Vector_3d, 3>> result;
+  result.reserve(num_faces(tmesh));
+  for(const auto f : faces(tmesh))
+  {
+    result.emplace_back();
+    auto h = halfedge(f, tmesh);
+    for(Vector_3d& corner : result.back())
+    {
+      const auto& p = get(vpm, source(h, tmesh));
+      corner = {CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z())};
+      h = next(h, tmesh);
+    }
+  }
+  return result;
+}
+
+// The largest absolute value of the coordinates, or infinity if one of them is not finite.
+inline double largest_coordinate(const std::vector<std::array<Vector_3d, 3>>& corners)
+{
+  double result = 0.;
+  for(const std::array<Vector_3d, 3>& triangle : corners)
+    for(const Vector_3d& p : triangle)
+    {
+      if(!is_finite(p))
+        return std::numeric_limits<double>::infinity();
+      result = (std::max)({result, std::abs(p[0]), std::abs(p[1]), std::abs(p[2])});
+    }
+  return result;
+}
+
+// The triangles of a surface, but for those without an area, whose places are in their neighbours. Its unit is 2 to the
+// power of `exponent`, in which all coordinates are below 1: the fourth power of a length must neither overflow nor
+// underflow, as the predicates of the tree throw for NaN, and end the process for infinity.
 class Triangle_set
 {
 public:
   using Kernel = Exact_predicates_inexact_constructions_kernel;
   using Point_3 = Kernel::Point_3;
 
-  template <class TriangleMesh, class VertexPointMap>
-  Triangle_set(const TriangleMesh& tmesh, const VertexPointMap& vpm)
+  Triangle_set(const std::vector<std::array<Vector_3d, 3>>& corners, int exponent)
   {
-    for(const auto f : faces(tmesh))
+    constexpr double min_squared_area = 1e-200;
+    const auto point = [&](const Vector_3d& p) {
+      return Point_3(std::scalbn(p[0], -exponent), std::scalbn(p[1], -exponent), std::scalbn(p[2], -exponent));
+    };
+    for(const std::array<Vector_3d, 3>& t : corners)
     {
-      std::array<Point_3, 3> corners;
-      auto h = halfedge(f, tmesh);
-      for(Point_3& corner : corners)
-      {
-        const auto& p = get(vpm, source(h, tmesh));
-        corner = Point_3(CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z()));
-        h = next(h, tmesh);
-      }
-      const Kernel::Triangle_3 triangle(corners[0], corners[1], corners[2]);
-      if(!triangle.is_degenerate())
+      const Kernel::Triangle_3 triangle(point(t[0]), point(t[1]), point(t[2]));
+      if(triangle.squared_area() > min_squared_area && !triangle.is_degenerate())
         m_triangles.push_back(triangle);
     }
     double area = 0.;
@@ -107,7 +139,7 @@ public:
 
   Surface_distance::One_way distance_to(const Triangle_set& other, std::size_t n, const Execution& execution) const
   {
-    if(m_triangles.empty() || other.m_triangles.empty())
+    if(m_triangles.empty() || other.m_triangles.empty() || n == 0)
       return {};
     constexpr std::size_t block_size = 256;
     std::vector<double> distances(n);
@@ -140,7 +172,8 @@ private:
 ///
 /// measures how far two surfaces are apart, such as a surface and its remesh: from places of each, spread evenly over its
 /// area, to the nearest places of the other one. The places are always the same for the same meshes. Faces without an area
-/// are left out.
+/// are left out, and those that are less than 1e-100 times the square of the largest coordinate. Coordinates of any
+/// magnitude are treated alike.
 ///
 /// The running time is \f$ O((n + k) \log n) \f$ for `n` faces and `k` places, as a rule.
 ///
@@ -151,7 +184,7 @@ private:
 /// \tparam NamedParameters1 a sequence of \ref bgl_namedparameters "Named Parameters"
 /// \tparam NamedParameters2 a sequence of \ref bgl_namedparameters "Named Parameters"
 ///
-/// \param tmesh1 a triangle mesh, with finite coordinates
+/// \param tmesh1 a triangle mesh
 /// \param tmesh2 another one
 /// \param number_of_samples the number of places of each
 /// \param np1 an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
@@ -165,7 +198,8 @@ private:
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
-/// \return the distances both ways; 0 if one of the meshes has no face with an area
+/// \return the distances both ways; 0 if one of the meshes has no face with an area, or if there are no samples; not a
+///         number if a coordinate is infinite or not a number
 ///
 /// \sa `CGAL::Spherical_parameterization::remesh_through_sphere()`
 template <class ConcurrencyTag = Parallel_if_available_tag, class TriangleMesh1, class TriangleMesh2,
@@ -177,13 +211,27 @@ Surface_distance measure_distance(const TriangleMesh1& tmesh1, const TriangleMes
 {
   using parameters::choose_parameter;
   using parameters::get_parameter;
-  const internal::Triangle_set first(tmesh1, choose_parameter(get_parameter(np1, internal_np::vertex_point),
-                                                              get_const_property_map(vertex_point, tmesh1)));
-  const internal::Triangle_set second(tmesh2, choose_parameter(get_parameter(np2, internal_np::vertex_point),
-                                                               get_const_property_map(vertex_point, tmesh2)));
+  const auto corners1 =
+      internal::corners_of_faces(tmesh1, choose_parameter(get_parameter(np1, internal_np::vertex_point),
+                                                          get_const_property_map(vertex_point, tmesh1)));
+  const auto corners2 =
+      internal::corners_of_faces(tmesh2, choose_parameter(get_parameter(np2, internal_np::vertex_point),
+                                                          get_const_property_map(vertex_point, tmesh2)));
+  const double size = (std::max)(internal::largest_coordinate(corners1), internal::largest_coordinate(corners2));
+  if(!internal::is_finite(size))
+  {
+    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+    return {{nan, nan}, {nan, nan}, nan};
+  }
+  int exponent = 0;
+  std::frexp(size, &exponent);
+  const internal::Triangle_set first(corners1, exponent), second(corners2, exponent);
   const internal::Execution execution = internal::execution_of<ConcurrencyTag>();
-  return {first.distance_to(second, number_of_samples, execution),
-          second.distance_to(first, number_of_samples, execution), first.diagonal()};
+  const auto distance = [&](const internal::Triangle_set& from, const internal::Triangle_set& to) {
+    const Surface_distance::One_way d = from.distance_to(to, number_of_samples, execution);
+    return Surface_distance::One_way{std::scalbn(d.root_mean_square, exponent), std::scalbn(d.maximum, exponent)};
+  };
+  return {distance(first, second), distance(second, first), std::scalbn(first.diagonal(), exponent)};
 }
 
 } // namespace Spherical_parameterization
