@@ -29,6 +29,7 @@ FIGURES = {  # by the names of their functions: the file, and the models that ar
     "sharpness": ("sharpness.jpg", ("hand",)),
     "radius_rules": ("radius_rules.png", ("hand",)),
     "conformal": ("conformal.jpg", ("bunny",)),
+    "remesh": ("remesh.jpg", ("coarse bunny",)),
     "texture": ("texture.jpg", ("horse",)),
     "methods": ("methods.jpg", ("buddha", "coarse bunny", "hand", "cow")),
 }

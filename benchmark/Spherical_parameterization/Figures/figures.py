@@ -2,22 +2,27 @@
 
 from __future__ import annotations
 
+import tempfile
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Callable
 
 import numpy as np
 from matplotlib.ticker import NullLocator
+from measuring.commands import run_command
 from measuring.maps import Statistics
-from measuring.meshes import FORMATS, MeshFile
+from measuring.meshes import FORMATS, Mesh, MeshFile, read_mesh
 from measuring.pictures import SAMPLES, Paint, Scale, paint, turned_like, view_of_surface
 from measuring.runs import Program, Run
+from PIL import Image
 from patterns import Globe, planet, squares
 from sheet import SMALL_TEXT, TEXT_COLOR, Sheet
 
 SCALE = Scale(1.0, 8.0)  # of all figures, so that equal colours mean the same in each
 ISOMETRIC_LABEL, ANGLE_LABEL = "$D_{\\mathrm{iso}}$", "$D_{\\mathrm{angle}}$"
 EDGE_WIDTH = 1.0  # pixels
+PLAIN_COLOR = (0.82, 0.86, 0.92)
+DIVISION = 32  # of the edges of the octahedron that is sampled
 
 PREFERENCES = ("average", "balance", "worst")
 # The hues of the scale of the distortion, and ways to draw a line that differ without colours.
@@ -69,6 +74,17 @@ class Mapped:
         return paint(self._images, self._faces, view, size, colors_of, self._images, edge_width)
 
 
+@dataclass(frozen=True)
+class Sampled:
+    """A model, and what it is sampled to."""
+
+    model: Model
+    mesh: Mesh
+    remesh: Mesh
+    points: Image.Image
+    normals: Image.Image
+
+
 class Session:
     """The program, and the meshes of a folder, or one `mesh` in the place of all."""
 
@@ -91,6 +107,18 @@ class Session:
         if not run.has_map:
             raise SystemExit(f"{run.mesh.path}: there is no map to draw. {run.message}")
         return Mapped(MODELS[name], run)
+
+    def sample(self, name: str) -> Sampled:
+        """Remeshes a model over an octahedron, and makes a geometry image of it."""
+        file = self.file_of(name)
+        with tempfile.TemporaryDirectory() as folder:
+            remesh, image = Path(folder) / "remesh.off", Path(folder) / "image.png"
+            options = ["--remesh", f"octahedron={DIVISION}", "-o", remesh, "--geometry-image", image, "--quiet"]
+            outcome = run_command([self._program.path, file.path, *options])
+            if outcome.status != 0:
+                raise SystemExit(outcome.message)
+            images = [Image.open(path).convert("RGB") for path in (image, image.with_stem("image_normals"))]
+            return Sampled(MODELS[name], file.mesh, read_mesh(remesh), *images)
 
 
 def opening(session: Session, name: str) -> Sheet:
@@ -147,6 +175,21 @@ def distortion(session: Session, *names: str) -> Sheet:
         sheet.text(x + 0.5 * width, 668, mapped.title)
         sheet.text(x + 0.5 * width, 710, _extremes(mapped.run.distortion.isometric))
     sheet.color_bar(400, 758, 600, SCALE, ISOMETRIC_LABEL)
+    return sheet
+
+
+def remesh(session: Session, name: str) -> Sheet:
+    """A surface, a remesh over an octahedron, and the geometry image of its points and normals."""
+    sampled, sheet = session.sample(name), session.sheet(1400, 420)
+    for x, mesh, text in ((5, sampled.mesh, "the mesh"), (355, sampled.remesh, "its remesh")):
+        view = view_of_surface(sampled.mesh.vertices, sampled.model.direction, sampled.model.up)
+        colors = np.full((len(mesh.faces), 3), PLAIN_COLOR)
+        sheet.place(paint(mesh.vertices, mesh.faces, view, sheet.pixels(340), colors, edge_width=EDGE_WIDTH), x, 5)
+        sheet.text(x + 170, 385, text)
+    for x, image, text in ((720, sampled.points, "its geometry image"), (1070, sampled.normals, "the normals")):
+        size = (sheet.pixels(310), sheet.pixels(310))
+        sheet.place(np.asarray(image.resize(size, Image.Resampling.BICUBIC)) / 255.0, x, 20)
+        sheet.text(x + 155, 385, text)
     return sheet
 
 
