@@ -15,20 +15,17 @@
 
 #include <CGAL/license/Spherical_parameterization.h>
 
-#include <CGAL/Spherical_parameterization/Default_visitor.h>
 #include <CGAL/Spherical_parameterization/Energy_derivatives_3.h>
 #include <CGAL/Spherical_parameterization/Face_range_3.h>
 
 #include <CGAL/Default.h>
 #include <CGAL/Kernel_traits.h>
-#include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/properties.h>
 #include <CGAL/tags.h>
 
 #include <boost/graph/graph_traits.hpp>
 #include <boost/property_map/property_map.hpp>
 
-#include <cstddef>
 #include <type_traits>
 #include <utility>
 
@@ -132,74 +129,6 @@ constexpr bool check_mesh_and_readable_map()
       return has_points && has_vertices;
     }
   }
-  return false;
-}
-
-template <class Visitor, class = void>
-struct Is_visitor : std::false_type
-{};
-
-template <class Visitor>
-struct Is_visitor<Visitor, std::void_t<decltype(std::declval<Visitor&>().on_initialization_begin(std::size_t())),
-                                       decltype(std::declval<Visitor&>().on_level(std::size_t())),
-                                       decltype(std::declval<Visitor&>().on_initialization_end()),
-                                       decltype(std::declval<Visitor&>().after_iteration(std::size_t(), 0., 0.)),
-                                       decltype(std::declval<Visitor&>().on_optimization_end())>>
-  : std::is_convertible<decltype(std::declval<Visitor&>().go_further(std::size_t(), 0.)), bool>
-{};
-
-// for a mesh that is one; without the parameter, the mesh has to have points of its own
-template <class TriangleMesh, class NamedParameters>
-constexpr bool check_vertex_point_map()
-{
-  if constexpr(!parameters::is_default_parameter<NamedParameters, internal_np::vertex_point_t>::value)
-  {
-    using Map = std::decay_t<decltype(parameters::get_parameter(std::declval<const NamedParameters&>(),
-                                                                internal_np::vertex_point))>;
-    if constexpr(Is_property_map<Map>::value)
-    {
-      using Traits = boost::property_traits<Map>;
-      constexpr bool has_points = Is_point_3<typename Traits::value_type>::value;
-      constexpr bool has_vertices = std::is_convertible<typename boost::graph_traits<TriangleMesh>::vertex_descriptor,
-                                                        typename Traits::key_type>::value;
-      static_assert(has_points && has_vertices,
-                    "The named parameter vertex_point_map has to be a property map for the vertices of the mesh that "
-                    "holds points: Point_3 of a CGAL kernel.");
-      return has_points && has_vertices;
-    }
-    else
-    {
-      static_assert(Is_property_map<Map>::value,
-                    "The named parameter vertex_point_map has to be a property map: of the pair that "
-                    "add_property_map() returns, it is .first; of an std::map, boost::make_assoc_property_map() makes "
-                    "one.");
-      return false;
-    }
-  }
-  return true;
-}
-
-// for the parameterizers
-template <class TriangleMesh, class VertexSphereMap, class NamedParameters>
-constexpr bool check_run()
-{
-  if constexpr(check_mesh<TriangleMesh>())
-    if constexpr(check_map<TriangleMesh, VertexSphereMap>())
-    {
-      using Visitor =
-          std::remove_reference_t<typename internal_np::Lookup_named_param_def<internal_np::visitor_t, NamedParameters,
-                                                                               Default_visitor>::reference>;
-      using Time = typename internal_np::Lookup_named_param_def<internal_np::maximum_running_time_t, NamedParameters,
-                                                                double>::type;
-      constexpr bool is_visitor = Is_visitor<Visitor>::value;
-      static_assert(
-          is_visitor,
-          "The named parameter visitor has to be a model of SphericalParameterizationVisitor, such as a class "
-          "derived from Default_visitor, or std::ref() of one.");
-      constexpr bool is_time = std::is_convertible<Time, double>::value;
-      static_assert(is_time, "The named parameter maximum_running_time has to be a number, the seconds.");
-      return is_visitor && is_time && check_vertex_point_map<TriangleMesh, NamedParameters>();
-    }
   return false;
 }
 
