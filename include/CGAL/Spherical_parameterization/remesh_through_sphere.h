@@ -68,8 +68,8 @@ namespace Spherical_parameterization {
 /// \tparam Remesh a model of `MutableFaceGraph`
 /// \tparam RemeshSphereMap a model of `WritablePropertyMap` with
 ///         `boost::graph_traits<Remesh>::%vertex_descriptor` as key type and `%Point_3` of a \cgal kernel as value type
-/// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
-/// \tparam RemeshNamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+/// \tparam NamedParameters1 a sequence of \ref bgl_namedparameters "Named Parameters"
+/// \tparam NamedParameters2 a sequence of \ref bgl_namedparameters "Named Parameters"
 ///
 /// \param tmesh the surface, a closed triangle mesh of genus 0
 /// \param vertex_sphere_map its map to the sphere, a bijection, such as `parameterize()` makes
@@ -79,7 +79,7 @@ namespace Spherical_parameterization {
 /// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
 /// \param np_remesh an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
 ///
-/// \cgalNamedParamsBegin{Parameters of both meshes}
+/// \cgalNamedParamsBegin
 ///   \cgalParamNBegin{vertex_point_map}
 ///     \cgalParamDescription{a property map associating points to the vertices}
 ///     \cgalParamType{a class model of `ReadablePropertyMap` (`WritablePropertyMap` for `remesh`) with

@@ -97,6 +97,9 @@ template <class ConcurrencyTag = Parallel_if_available_tag, class SourceMesh, cl
 /// mesh's points, `std::array<double, 2>`, `std::array<double, 3>` or `std::vector<double>`. The target gets properties
 /// of the same names, in the place of those that it has if they are of the same type. The points of the meshes stay as
 /// they are, and so do `source_sphere` and `target_sphere` if they are property maps of the meshes.
+///
+/// \tparam SourcePoint `%Point_3` of a \cgal kernel
+/// \tparam TargetPoint `%Point_3` of a \cgal kernel
 template <class ConcurrencyTag = Parallel_if_available_tag, class SourcePoint, class SourceSphereMap, class TargetPoint,
           class TargetSphereMap>
 [[nodiscard]] Error_code transfer(const Surface_mesh<SourcePoint>& source, SourceSphereMap source_sphere,
