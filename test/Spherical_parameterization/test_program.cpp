@@ -281,6 +281,85 @@ TEST_F(Program, starts_from_a_map)
   expect_refused("sphere.off -o result.off --initial mirrored.off", "one-to-one");
 }
 
+// The program's --remesh and the same in two runs, over a solid and over the sphere that it has written.
+TEST_F(Program, remeshes_through_the_sphere)
+{
+  Outcome outcome = run("sphere.off --remesh octahedron=4 -o remesh.off --sphere map.off --json result.json");
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_NE(outcome.out.find("Remesh:    66 vertices, 128 faces"), std::string::npos) << outcome.out;
+  EXPECT_EQ(content(path("remesh.off")).substr(0, 12), "OFF\n66 128 0");
+  EXPECT_EQ(content(path("map.off")).substr(0, 13), "OFF\n162 320 0");
+  const boost::property_tree::ptree report = json();
+  EXPECT_NE(report.get<std::string>("method").find("stretch energy"), std::string::npos);
+  EXPECT_EQ(report.get<std::size_t>("remesh.vertices"), 66u);
+  EXPECT_GT(report.get<double>("remesh.psnr"), 35.);
+  EXPECT_LT(report.get<double>("remesh.distance_from_surface.maximum"), 0.2);
+
+  outcome = run("sphere.off --initial map.off --iterations 0 --remesh map.off -o same.off");
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_EQ(content(path("same.off")).substr(0, 13), "OFF\n162 320 0");
+  EXPECT_EQ(run("sphere.off --remesh map.off").status, 0); // tells the distance alone
+}
+
+TEST_F(Program, carries_values_over)
+{
+  std::ostringstream ply;
+  const test_meshes::Triangle_list list = test_meshes::icosphere(2);
+  ply << "ply\nformat ascii 1.0\nelement vertex " << list.points.size()
+      << "\nproperty double x\nproperty double y\nproperty double z\nproperty float height\nproperty int label\n"
+         "element face "
+      << list.triangles.size() << "\nproperty list uchar int vertex_indices\nend_header\n";
+  for(const auto& p : list.points)
+    ply << p[0] << ' ' << p[1] << ' ' << p[2] << ' ' << p[2] << " 7\n";
+  for(const auto& t : list.triangles)
+    ply << "3 " << t[0] << ' ' << t[1] << ' ' << t[2] << '\n';
+  write("values.ply", ply.str());
+  write_off("other.off", test_meshes::icosphere(1));
+  const auto expect_values = [&](const std::string& arguments) {
+    const Outcome outcome = run(arguments + " -o result.ply --quiet");
+    ASSERT_EQ(outcome.status, 0) << outcome.err;
+    const std::string header = content(path("result.ply")).substr(0, 400);
+    for(const char* property : {"property double nx", "property float height", "property int label"})
+      EXPECT_NE(header.find(property), std::string::npos) << property;
+    fs::remove(path("result.ply"));
+  };
+  expect_values("sphere.off --remesh cube=3 --transfer values.ply");
+  expect_values("other.off --remesh cube=3 --transfer values.ply --values-sphere sphere.off");
+  expect_refused("other.off --remesh cube=3 -o result.ply --transfer values.ply", "has no values for this mesh");
+  expect_refused("other.off --remesh cube=3 -o result.ply --transfer values.ply --values-sphere other.off",
+                 "is no map of this mesh");
+  expect_refused("sphere.off --remesh cube=3 -o result.ply --transfer missing.ply", "No such file");
+  EXPECT_FALSE(fs::exists(path("result.ply")));
+}
+
+TEST_F(Program, writes_geometry_images)
+{
+  for(const char* format : {"png", "exr"})
+  {
+    const Outcome outcome = run(std::string("sphere.off --geometry-image image.") + format + " --image-size 9");
+    if(outcome.status == 1 && outcome.err.find("was built without the library") != std::string::npos)
+      continue;
+    ASSERT_EQ(outcome.status, 0) << outcome.err;
+    for(const char* name : {"image.", "image_normals."})
+    {
+      const std::string begin = content(path(std::string(name) + format)).substr(0, 4);
+      EXPECT_EQ(begin, format == std::string("png") ? "\x89PNG" : "v/1\x01") << name;
+    }
+  }
+}
+
+// What is wrong with the domain or the map is told before anything is written.
+TEST_F(Program, samples_by_spheres_only)
+{
+  write_off("torus.off", test_meshes::torus(6, 6));
+  write_off("far.off", test_meshes::scaled(test_meshes::icosphere(1), 1., 1., 0.));
+  expect_refused("sphere.off --remesh torus.off -o result.off", "genus");
+  expect_refused("sphere.off --remesh far.off -o result.off", "is no mesh of the sphere to sample by");
+  expect_refused("sphere.off --remesh missing.off -o result.off", "or the name of a file");
+  expect_refused("sphere.off --remesh cube=2 -o result.off --sphere result.off", "written twice");
+  expect_refused("sphere.off --remesh cube=2 --output-folder out", "leave out --output-folder");
+}
+
 TEST_F(Program, refuses_bad_values_with_the_good_ones)
 {
   const std::vector<std::pair<const char*, const char*>> table = {
@@ -312,6 +391,14 @@ TEST_F(Program, refuses_bad_values_with_the_good_ones)
       {"--time-limit -1", "from 2.3e-308 to 1.7e308"},
       {"--time-limit 1e-320", "from 2.3e-308 to 1.7e308"},
       {"--threads 0", "a whole number from 1"},
+      {"--remesh octahedron=0", "a whole number N from 1 to 5000"},
+      {"--remesh octahedron=1.5", "a whole number N from 1 to 5000"},
+      {"--remesh octahedron=1e9", "a whole number N from 1 to 5000"},
+      {"--remesh prism=3", "octahedron=N, cube=N or icosahedron=N"},
+      {"--remesh cube=2 --transfer sphere.off", "the name of a .ply file"},
+      {"--geometry-image image.gif", ".png or .exr"},
+      {"--geometry-image image.png --image-size 64", "an odd number from 3 to 10001"},
+      {"--geometry-image image.png --image-size 1", "a whole number from 3"},
       {"--unknown", "unknown"},
   };
   for(const auto& [arguments, valid] : table)
@@ -343,6 +430,11 @@ TEST_F(Program, refuses_options_that_would_be_ignored)
       {"--paper --sharpness 1", "--initial, --s-first"},
       {"--method harmonic --tolerance 0", "--tolerance goes with --method bld"},
       {"--paper --tolerance 0", "--initial, --s-first"},
+      {"--sphere result2.off", "--sphere goes with --remesh"},
+      {"--transfer values.ply", "--transfer goes with --remesh"},
+      {"--image-size 65", "--image-size goes with --geometry-image"},
+      {"--remesh cube=2 --values-sphere sphere.off", "--values-sphere goes with --transfer"},
+      {"--remesh cube=2 --transfer values.ply", "the name of a .ply file, as other formats"},
   };
   for(const auto& [arguments, valid] : table)
     expect_refused(std::string("sphere.off -o result.off --json result.json ") + arguments, valid);
