@@ -20,6 +20,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <fstream>
 #include <limits>
 #include <set>
@@ -274,6 +275,19 @@ TEST(Exr_image, is_refused_if_it_is_none)
   expect_errors_of_images(exr, [](std::ostream& out, const SP::internal::Geometry_image& image) {
     return SP::internal::write_exr(out, image);
   });
+
+  // A size that is only claimed costs no memory.
+  const Sampled sampled(SP::Sphere_domain_3::octahedron(3));
+  std::stringstream file;
+  ASSERT_EQ(exr.write(file, sampled.remesh, sampled.remesh.points()), SP::OK);
+  std::string content = file.str();
+  const std::string key = std::string("dataWindow") + '\0' + "box2i" + '\0';
+  const std::int32_t last = 10000;
+  for(const std::size_t i : {2u, 3u}) // the largest column and row
+    std::memcpy(&content[content.find(key) + key.size() + 4 * (1 + i)], &last, 4);
+  std::istringstream in(content);
+  Mesh mesh;
+  EXPECT_EQ(exr.read(in, mesh), SP::ERROR_INVALID_IMAGE_FILE);
 }
 #endif
 

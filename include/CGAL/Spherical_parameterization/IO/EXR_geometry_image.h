@@ -118,7 +118,7 @@ catch(const std::exception&)
   return false;
 }
 
-// What is read of the file is at most what there is: a size that it claims costs no memory.
+// What is kept is at most what there is: a size that a file only claims costs no memory.
 inline Error_code read_exr(std::istream& in, Geometry_image& image)
 try
 {
@@ -129,6 +129,8 @@ try
   image.height = static_cast<std::size_t>(window.max.y - window.min.y + 1);
   if(!Geometry_image_layout::of_size(image.width, image.height))
     return ERROR_INVALID_IMAGE_SIZE;
+  if(!file.isComplete())
+    return ERROR_INVALID_IMAGE_FILE;
   std::vector<float> row(3 * image.width);
   for(int y = window.min.y; y <= window.max.y; ++y)
   {
