@@ -212,6 +212,7 @@ private:
     constexpr png_uint_32 max_width = 2 * Sphere_domain_3::max_subdivision + 1;
     png_set_user_limits(m_png, max_width, 6 * max_width);
     png_set_chunk_malloc_max(m_png, 1000000); // bytes: the texts are short
+    png_set_benign_errors(m_png, 0);          // or that limit would be a warning
     png_read_info(m_png, m_info);
     return true;
   }
