@@ -1,26 +1,16 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/boost/graph/IO/polygon_mesh_io.h>
-#include <CGAL/number_type_config.h>
 #include <CGAL/spherical_parameterization.h>
 
-#include <array>
-#include <cmath>
-#include <cstddef>
 #include <cstdlib>
-#include <fstream>
+#include <iostream>
 #include <string>
 
 namespace SP = CGAL::Spherical_parameterization;
 
-using Mesh = CGAL::Surface_mesh<CGAL::Exact_predicates_inexact_constructions_kernel::Point_3>;
-using Point_3 = Mesh::Point;
-
-// Longitude and latitude, each from 0 to 1: where an image of the whole globe shows the point.
-std::array<double, 2> texture_coordinates(const Point_3& p)
-{
-  return {0.5 + std::atan2(p.y(), p.x()) / (2. * CGAL_PI), 0.5 + std::atan2(p.z(), std::hypot(p.x(), p.y())) / CGAL_PI};
-}
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
 
 int main(int argc, char** argv)
 {
@@ -29,30 +19,20 @@ int main(int argc, char** argv)
   Mesh mesh;
   if(!CGAL::IO::read_polygon_mesh(filename, mesh))
     return EXIT_FAILURE;
+  auto sphere = mesh.add_property_map<Mesh::Vertex_index, Kernel::Point_3>("v:sphere").first;
+  SP::Error_code error = SP::parameterize(mesh, sphere);
 
-  auto sphere = mesh.add_property_map<Mesh::Vertex_index, Point_3>("v:sphere").first;
-  if(SP::parameterize(mesh, sphere) != SP::OK)
-    return EXIT_FAILURE;
-
-  std::ofstream out("textured.obj");
-  out.precision(17);
-  for(const Mesh::Vertex_index v : mesh.vertices())
-    out << "v " << mesh.point(v) << '\n';
-
-  // Each corner of a face has coordinates of its own, as a face across the date line has to go on
-  // beyond 0 or 1. The texture has to be repeated in the first direction.
-  std::size_t n_corners = 0;
-  for(const Mesh::Face_index f : mesh.faces())
+  // The north pole is in the direction of the y-axis of the sphere, the middle of the image in that of the z-axis.
+  Mesh textured;
+  auto uv = textured.add_property_map<Mesh::Halfedge_index, Kernel::Point_2>("h:uv").first;
+  if(error == SP::OK)
+    error = SP::compute_texture_coordinates(mesh, sphere, textured, uv, {0., 1., 0.}, {0., 0., 1.});
+  if(error != SP::OK)
   {
-    const double longitude = texture_coordinates(sphere[target(halfedge(f, mesh), mesh)])[0];
-    std::string face = "f";
-    for(const Mesh::Vertex_index v : vertices_around_face(halfedge(f, mesh), mesh))
-    {
-      const std::array<double, 2> uv = texture_coordinates(sphere[v]);
-      out << "vt " << uv[0] - std::round(uv[0] - longitude) << ' ' << uv[1] << '\n';
-      face += ' ' + std::to_string(v.idx() + 1) + '/' + std::to_string(++n_corners);
-    }
-    out << face << '\n';
+    std::cerr << SP::get_error_message(error) << std::endl;
+    return EXIT_FAILURE;
   }
-  return out ? EXIT_SUCCESS : EXIT_FAILURE;
+
+  std::cout << num_vertices(textured) - num_vertices(mesh) << " vertices are new" << std::endl;
+  return SP::write_OBJ("textured.obj", textured, uv) ? EXIT_SUCCESS : EXIT_FAILURE;
 }

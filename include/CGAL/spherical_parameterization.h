@@ -51,6 +51,7 @@
 #include <CGAL/Spherical_parameterization/Surface_distance.h>
 #include <CGAL/Spherical_parameterization/Symmetric_Dirichlet_energy_3.h>
 #include <CGAL/Spherical_parameterization/Two_phase_radius_3.h>
+#include <CGAL/Spherical_parameterization/compute_texture_coordinates.h>
 #include <CGAL/Spherical_parameterization/find_defect.h>
 #include <CGAL/Spherical_parameterization/is_bijective.h>
 #include <CGAL/Spherical_parameterization/measure_distance.h>
@@ -58,6 +59,7 @@
 #include <CGAL/Spherical_parameterization/parameterize.h>
 #include <CGAL/Spherical_parameterization/remesh_through_sphere.h>
 #include <CGAL/Spherical_parameterization/transfer.h>
+#include <CGAL/Spherical_parameterization/write_OBJ.h>
 
 #endif // C++17
 
