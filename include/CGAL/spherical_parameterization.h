@@ -37,6 +37,7 @@
 #include <CGAL/Spherical_parameterization/Fixed_radius_3.h>
 #include <CGAL/Spherical_parameterization/Harmonic_parameterizer_3.h>
 #include <CGAL/Spherical_parameterization/Hierarchical_parameterizer_3.h>
+#include <CGAL/Spherical_parameterization/IO/write_OBJ.h>
 #include <CGAL/Spherical_parameterization/Isometric_energy_3.h>
 #include <CGAL/Spherical_parameterization/Mesh_defect.h>
 #include <CGAL/Spherical_parameterization/Optimal_radius_3.h>
@@ -59,7 +60,6 @@
 #include <CGAL/Spherical_parameterization/parameterize.h>
 #include <CGAL/Spherical_parameterization/remesh_through_sphere.h>
 #include <CGAL/Spherical_parameterization/transfer.h>
-#include <CGAL/Spherical_parameterization/write_OBJ.h>
 
 #endif // C++17
 

@@ -2,7 +2,7 @@
 
 #include <CGAL/Spherical_parameterization/Sphere_locator_3.h>
 #include <CGAL/Spherical_parameterization/compute_texture_coordinates.h>
-#include <CGAL/Spherical_parameterization/write_OBJ.h>
+#include <CGAL/Spherical_parameterization/IO/write_OBJ.h>
 
 #include "methods.h"
 #include "random_meshes.h"
@@ -21,6 +21,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <fstream>
 #include <limits>
 #include <set>
 #include <sstream>
@@ -363,7 +364,7 @@ TEST(Obj_file, holds_the_mesh_and_each_coordinate_once)
   const Textured<Mesh> textured(mesh, mesh.points(), {{1., 2., 3.}, {3., 1., 2.}});
   std::stringstream file;
   file.precision(3);
-  ASSERT_TRUE(SP::write_OBJ(file, textured.mesh, textured.uv));
+  ASSERT_EQ(SP::write_OBJ(file, textured.mesh, textured.uv), SP::OK);
   EXPECT_EQ(file.precision(), 3);
 
   std::vector<Point_3> points;
@@ -405,13 +406,11 @@ TEST(Obj_file, that_cannot_be_written_is_told)
 {
   const Mesh mesh = make(octahedron());
   const Textured<Mesh> textured(mesh, mesh.points(), Axes());
-  EXPECT_FALSE(SP::write_OBJ("no_folder/textured.obj", textured.mesh, textured.uv));
-  std::ostringstream bad;
-  bad.setstate(std::ios::badbit);
-  EXPECT_FALSE(SP::write_OBJ(bad, textured.mesh, textured.uv));
-#ifdef __linux__
-  EXPECT_FALSE(SP::write_OBJ("/dev/full", textured.mesh, textured.uv));
-#endif
+  for(const char* name : {"no_folder/textured.obj", "/dev/full"})
+  {
+    std::ofstream file(name);
+    EXPECT_EQ(SP::write_OBJ(file, textured.mesh, textured.uv), SP::ERROR_CANNOT_WRITE_FILE);
+  }
 }
 
 } // namespace

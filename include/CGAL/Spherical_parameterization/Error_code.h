@@ -43,7 +43,7 @@ enum Error_code
   ERROR_CANNOT_SOLVE_LINEAR_SYSTEM,       ///< The solver of a method that needs one has failed.
   ERROR_WRONG_PARAMETER,                  ///< A parameter is out of its range.
   ERROR_TOO_LARGE_MESH,                   ///< The mesh has 2<sup>31</sup> - 1 halfedges or more.
-  ERROR_INVALID_DIRECTION,                ///< A direction is zero, infinite or not a number.
+  ERROR_INVALID_DIRECTION,                ///< A direction is zero or not finite, or two are parallel.
   ERROR_INVALID_DOMAIN,                   ///< The domain is no triangulation of the sphere.
   ERROR_NO_GEOMETRY_IMAGE_MESH,           ///< The mesh has not the vertices of a geometry image.
   ERROR_CANNOT_WRITE_FILE,                ///< A file could not be written.
@@ -101,8 +101,9 @@ inline const char* get_error_message(Error_code error_code)
   case ERROR_TOO_LARGE_MESH:
     return "The mesh has more than 700 million faces, which is what 32-bit indices can hold: simplify it first.";
   case ERROR_INVALID_DIRECTION:
-    return "A direction is zero, infinite or not a number, so that it leads nowhere: those without a face are meant; "
-           "leave them out, or repair what computes them.";
+    return "A direction is zero, infinite or not a number, so that it leads nowhere, or a zero meridian is parallel to "
+           "the axis of the poles: of those that are located, the ones without a face are meant; leave them out, or "
+           "repair what computes them.";
   case ERROR_INVALID_DOMAIN:
     return "The domain is no triangulation of the sphere: its error_code() says what is wrong with what it was made "
            "of.";

@@ -9,10 +9,12 @@
 //
 // Author(s)     : The Spherical_parameterization authors
 
-#ifndef CGAL_SPHERICAL_PARAMETERIZATION_WRITE_OBJ_H
-#define CGAL_SPHERICAL_PARAMETERIZATION_WRITE_OBJ_H
+#ifndef CGAL_SPHERICAL_PARAMETERIZATION_IO_WRITE_OBJ_H
+#define CGAL_SPHERICAL_PARAMETERIZATION_IO_WRITE_OBJ_H
 
 #include <CGAL/license/Spherical_parameterization.h>
+
+#include <CGAL/Spherical_parameterization/Error_code.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/iterator.h>
@@ -24,11 +26,8 @@
 #include <boost/unordered_map.hpp>
 
 #include <cstddef>
-#include <fstream>
 #include <limits>
-#include <locale>
 #include <ostream>
-#include <string>
 #include <utility>
 #include <vector>
 
@@ -41,14 +40,13 @@ namespace Spherical_parameterization {
 ///
 /// writes a mesh with texture coordinates in the OBJ format: vertices (`v`) and faces (`f`) in the order of the mesh, and
 /// texture coordinates (`vt`), each of them once. Numbers have 17 digits, so that reading them gives the same doubles.
-/// Programs such as Blender and MeshLab show an image on the surface where it belongs, whether they repeat or clamp it.
 ///
 /// \tparam Graph a model of `FaceListGraph`
 /// \tparam HalfedgeTextureMap a model of `ReadablePropertyMap` with
 ///         `boost::graph_traits<Graph>::%halfedge_descriptor` as key type and `%Point_2` of a \cgal kernel as value type
 /// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 ///
-/// \param os the stream; its formatting flags and locale should be those of a new stream in the "C" locale
+/// \param out the file; a stream with the classic locale and formatting flags, which are those it has by default
 /// \param g the mesh
 /// \param halfedge_texture_map for a halfedge, the texture coordinates of its target in its face, such as
 ///        `compute_texture_coordinates()` makes
@@ -62,15 +60,17 @@ namespace Spherical_parameterization {
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
-/// \return whether all has been written
+/// \return `OK`, or `ERROR_CANNOT_WRITE_FILE` if not all has been written
+///
+/// \sa `CGAL::Spherical_parameterization::compute_texture_coordinates()`
 template <class Graph, class HalfedgeTextureMap, typename CGAL_NP_TEMPLATE_PARAMETERS>
-bool write_OBJ(std::ostream& os, const Graph& g, HalfedgeTextureMap halfedge_texture_map,
-               const CGAL_NP_CLASS& np = parameters::default_values())
+[[nodiscard]] Error_code write_OBJ(std::ostream& out, const Graph& g, HalfedgeTextureMap halfedge_texture_map,
+                                   const CGAL_NP_CLASS& np = parameters::default_values())
 {
   const auto point_map = parameters::choose_parameter(parameters::get_parameter(np, internal_np::vertex_point),
                                                       get_const_property_map(vertex_point, g));
-  const boost::io::ios_precision_saver saver(os);
-  os.precision(std::numeric_limits<double>::max_digits10);
+  const boost::io::ios_precision_saver saver(out);
+  out.precision(std::numeric_limits<double>::max_digits10);
 
   const auto vertex_number = get(CGAL::dynamic_vertex_property_t<std::size_t>(), g);
   std::size_t n_vertices = 0;
@@ -78,7 +78,7 @@ bool write_OBJ(std::ostream& os, const Graph& g, HalfedgeTextureMap halfedge_tex
   {
     put(vertex_number, v, ++n_vertices);
     const auto& p = get(point_map, v);
-    os << "v " << CGAL::to_double(p.x()) << ' ' << CGAL::to_double(p.y()) << ' ' << CGAL::to_double(p.z()) << '\n';
+    out << "v " << CGAL::to_double(p.x()) << ' ' << CGAL::to_double(p.y()) << ' ' << CGAL::to_double(p.z()) << '\n';
   }
 
   boost::unordered_map<std::pair<double, double>, std::size_t> numbers;
@@ -90,43 +90,22 @@ bool write_OBJ(std::ostream& os, const Graph& g, HalfedgeTextureMap halfedge_tex
       const std::pair<double, double> uv(CGAL::to_double(p.x()), CGAL::to_double(p.y()));
       const auto [entry, is_new] = numbers.emplace(uv, numbers.size() + 1);
       if(is_new)
-        os << "vt " << uv.first << ' ' << uv.second << '\n';
+        out << "vt " << uv.first << ' ' << uv.second << '\n';
       corners.push_back(entry->second);
     }
 
   auto corner = corners.begin();
   for(const auto f : faces(g))
   {
-    os << 'f';
+    out << 'f';
     for(const auto h : halfedges_around_face(halfedge(f, g), g))
-      os << ' ' << get(vertex_number, target(h, g)) << '/' << *corner++;
-    os << '\n';
+      out << ' ' << get(vertex_number, target(h, g)) << '/' << *corner++;
+    out << '\n';
   }
-  return !os.flush().fail();
-}
-
-/// \ingroup PkgSphericalParameterizationSampling
-///
-/// writes the same to a file. If the file cannot be written to its end, such as on a full disk, what has been written
-/// remains.
-///
-/// \param filename the name of the file
-/// \param g the mesh
-/// \param halfedge_texture_map the texture coordinates
-/// \param np the same named parameters
-///
-/// \return whether all has been written
-template <class Graph, class HalfedgeTextureMap, typename CGAL_NP_TEMPLATE_PARAMETERS>
-bool write_OBJ(const std::string& filename, const Graph& g, HalfedgeTextureMap halfedge_texture_map,
-               const CGAL_NP_CLASS& np = parameters::default_values())
-{
-  std::ofstream os;
-  os.imbue(std::locale::classic());
-  os.open(filename);
-  return write_OBJ(os, g, halfedge_texture_map, np);
+  return out.flush() ? OK : ERROR_CANNOT_WRITE_FILE;
 }
 
 } // namespace Spherical_parameterization
 } // namespace CGAL
 
-#endif // CGAL_SPHERICAL_PARAMETERIZATION_WRITE_OBJ_H
+#endif // CGAL_SPHERICAL_PARAMETERIZATION_IO_WRITE_OBJ_H
