@@ -242,7 +242,7 @@ TEST(Texture_coordinates, are_those_of_the_surface)
   {
     const Triangle_list sphere = rounded(list);
     SCOPED_TRACE(sphere.points.size());
-    for(const Axes& axes : axes_of(sphere, test_scale::number_of(1, 50)))
+    for(const Axes& axes : axes_of(sphere, test_scale::number_of(1, 10)))
     {
       SCOPED_TRACE(::testing::PrintToString(axes.north) + ::testing::PrintToString(axes.zero));
       expect_right(bent(sphere), sphere.points, axes);
@@ -255,7 +255,7 @@ TEST(Texture_coordinates, are_those_of_the_surface_where_poles_are_on_edges_but_
   for(const Triangle_list& sphere : spheres())
   {
     SCOPED_TRACE(sphere.points.size());
-    for(const Axes& axes : axes_of(sphere, test_scale::number_of(1, 50)))
+    for(const Axes& axes : axes_of(sphere, test_scale::number_of(1, 10)))
     {
       SCOPED_TRACE(::testing::PrintToString(axes.north) + ::testing::PrintToString(axes.zero));
       expect_right(bent(sphere), sphere.points, axes, 1e-9);

@@ -77,20 +77,20 @@ namespace Spherical_parameterization {
 /// \tparam HalfedgeTextureMap a model of `WritablePropertyMap` with
 ///         `boost::graph_traits<TexturedMesh>::%halfedge_descriptor` as key type and `%Point_2` of a \cgal kernel as value
 ///         type
-/// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
-/// \tparam TexturedNamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+/// \tparam NamedParameters1 a sequence of \ref bgl_namedparameters "Named Parameters"
+/// \tparam NamedParameters2 a sequence of \ref bgl_namedparameters "Named Parameters"
 ///
 /// \param tmesh the surface, a closed triangle mesh of genus 0
 /// \param vertex_sphere_map its map to the sphere, a bijection, such as `parameterize()` makes
 /// \param textured_mesh the surface is added to it: its vertices that have faces, in their order, and then new ones
 /// \param halfedge_texture_map receives the texture coordinates: for a halfedge, those of its target in its face
 /// \param north_pole the direction of the north pole, at any distance from the origin
-/// \param zero_meridian any direction on the zero meridian, or between it and the north pole's axis; not parallel to
-///        `north_pole`, not even up to rounding
+/// \param zero_meridian a direction in the half plane that the axis of the poles bounds and the zero meridian is in; it need not
+///        be orthogonal to `north_pole`, but not parallel to it, not even up to rounding
 /// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
 /// \param np_textured an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
 ///
-/// \cgalNamedParamsBegin{Parameters of both meshes}
+/// \cgalNamedParamsBegin
 ///   \cgalParamNBegin{vertex_point_map}
 ///     \cgalParamDescription{a property map associating points to the vertices}
 ///     \cgalParamType{a class model of `ReadablePropertyMap` (`WritablePropertyMap` for `textured_mesh`) with

@@ -103,7 +103,7 @@ public:
       return site(place(p), exact(p));
   }
 
-  // The middle of the arc between two places, if that does not cross the seam and has no end at a pole.
+  // The middle of the arc between two places, if that does not cross the seam.
   static Crossing middle(const Site& a, const Site& b)
   {
     const Vector_3d d = a.direction + b.direction;
@@ -114,7 +114,12 @@ public:
                         : is_b_on_plane && !is_a_on_plane ? a.place
                         : is_a_on_plane                   ? (d[0] < 0. ? Place::seam : Place::zero_meridian)
                                                           : (d[1] < 0. ? Place::west : Place::east);
-    return {share, site(place, normalized(d), share * b.distance * length(d))};
+    Crossing result = {share, site(place, normalized(d), share * b.distance * length(d))};
+    const Vector_3d& e = result.site.direction;
+    constexpr double min_distance = 1e-9; // from a pole; below it, rounding decides about the longitude
+    if(has_longitude(a.place) && has_longitude(b.place) && std::hypot(e[0], e[1]) < min_distance)
+      result.site.u = 0.5 * (a.u + b.u);
+    return result;
   }
 
   // Where the edge from a to b meets the seam or a pole between its ends, if it does.
@@ -177,6 +182,8 @@ private:
       return half == POSITIVE ? Place::zero_meridian : Place::seam;
     return m_orientation(p, m_zero, m_east) == POSITIVE ? Place::north_pole : Place::south_pole;
   }
+
+  static bool has_longitude(Place place) { return place != Place::seam && !is_pole(place); }
 
   static bool is_on_plane(Place place) { return place != Place::east && place != Place::west; }
 
