@@ -50,6 +50,7 @@
 #include <CGAL/Spherical_parameterization/Stereographic_parameterizer_3.h>
 #include <CGAL/Spherical_parameterization/Stretch_energy_3.h>
 #include <CGAL/Spherical_parameterization/Surface_distance.h>
+#include <CGAL/Spherical_parameterization/Surface_overlay_3.h>
 #include <CGAL/Spherical_parameterization/Symmetric_Dirichlet_energy_3.h>
 #include <CGAL/Spherical_parameterization/Two_phase_radius_3.h>
 #include <CGAL/Spherical_parameterization/compute_texture_coordinates.h>
@@ -57,6 +58,8 @@
 #include <CGAL/Spherical_parameterization/is_bijective.h>
 #include <CGAL/Spherical_parameterization/measure_distance.h>
 #include <CGAL/Spherical_parameterization/measure_distortion.h>
+#include <CGAL/Spherical_parameterization/measure_distortion_between.h>
+#include <CGAL/Spherical_parameterization/overlay.h>
 #include <CGAL/Spherical_parameterization/parameterize.h>
 #include <CGAL/Spherical_parameterization/remesh_through_sphere.h>
 #include <CGAL/Spherical_parameterization/transfer.h>

@@ -19,6 +19,7 @@
 #include <CGAL/Spherical_parameterization/internal/sampling/Added_triangles.h>
 #include <CGAL/Spherical_parameterization/internal/sampling/Geographic_frame.h>
 #include <CGAL/Spherical_parameterization/internal/sampling/Mesh_on_sphere.h>
+#include <CGAL/Spherical_parameterization/internal/sampling/Property_carrier.h>
 #include <CGAL/Spherical_parameterization/internal/sampling/Seam_cut.h>
 #include <CGAL/Spherical_parameterization/internal/simd/Vector_3.h>
 
@@ -32,6 +33,7 @@
 
 #include <boost/property_map/property_map.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <type_traits>
@@ -129,15 +131,9 @@ template <class ConcurrencyTag = Parallel_if_available_tag, class TriangleMesh, 
     return error;
   const auto point_map =
       choose_parameter(get_parameter(np, internal_np::vertex_point), get_const_property_map(vertex_point, tmesh));
-  std::vector<internal::Vector_3d> points;
-  points.reserve(mesh.vertices_of_mesh.size());
-  for(const auto v : mesh.vertices_of_mesh)
-  {
-    const auto& p = get(point_map, v);
-    points.push_back({CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z())});
-    if(!internal::is_finite(points.back()))
-      return ERROR_NON_FINITE_COORDINATE;
-  }
+  const std::vector<internal::Vector_3d> points = internal::points_of<TriangleMesh>(mesh.vertices_of_mesh, point_map);
+  if(!std::all_of(points.begin(), points.end(), [](const internal::Vector_3d& p) { return internal::is_finite(p); }))
+    return ERROR_NON_FINITE_COORDINATE;
 
   const auto new_point_map = choose_parameter(get_parameter(np_textured, internal_np::vertex_point),
                                               get_property_map(vertex_point, textured_mesh));

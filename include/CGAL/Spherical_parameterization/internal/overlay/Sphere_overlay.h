@@ -1,0 +1,405 @@
+// Copyright (c) 2026  The Spherical_parameterization authors.
+// All rights reserved.
+//
+// This file is part of the Spherical_parameterization package for CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Spherical_parameterization authors
+
+#ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_OVERLAY_SPHERE_OVERLAY_H
+#define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_OVERLAY_SPHERE_OVERLAY_H
+
+#include <CGAL/license/Spherical_parameterization.h>
+
+#include <CGAL/Spherical_parameterization/internal/overlay/Perturbed_orientation.h>
+#include <CGAL/Spherical_parameterization/internal/run/parallel.h>
+#include <CGAL/Spherical_parameterization/internal/sampling/Sphere_triangulation.h>
+
+#include <CGAL/enum.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Spherical_parameterization {
+namespace internal {
+
+// A side of a triangle is numbered 3 t + i if it is opposite to vertex i of triangle t, from vertex i + 1 to vertex
+// i + 2. An edge has the number of its side in the triangle with the smaller number.
+class Triangle_sides
+{
+public:
+  using Index = std::uint32_t;
+
+  explicit Triangle_sides(const std::vector<Linked_triangle>& triangles)
+    : m_triangles(&triangles)
+  {}
+
+  std::size_t size() const { return 3 * m_triangles->size(); }
+  Index source(std::size_t side) const { return (*m_triangles)[side / 3][(side % 3 + 1) % 3]; }
+  Index target(std::size_t side) const { return (*m_triangles)[side / 3][(side % 3 + 2) % 3]; }
+  Index triangle(std::size_t side) const { return static_cast<Index>(side / 3); }
+  Index opposite_triangle(std::size_t side) const { return (*m_triangles)[side / 3].neighbors[side % 3]; }
+
+  std::size_t opposite(std::size_t side) const
+  {
+    const Index t = opposite_triangle(side);
+    const std::array<Index, 3>& back = (*m_triangles)[t].neighbors;
+    return 3 * std::size_t(t) + (back[0] == side / 3 ? 0 : back[1] == side / 3 ? 1 : 2);
+  }
+
+  bool is_edge(std::size_t side) const { return triangle(side) < opposite_triangle(side); }
+  std::size_t edge(std::size_t side) const { return is_edge(side) ? side : opposite(side); }
+
+private:
+  const std::vector<Linked_triangle>* m_triangles;
+};
+
+// The common refinement of two triangulations of the sphere, exact but for ties, which are broken as if the points of the
+// first one were perturbed; see Perturbed_orientation. The vertices are those of the first triangulation, those of the
+// second one, and the crossings of their edges, in the order along the edges of the first.
+template <class K>
+class Sphere_overlay
+{
+public:
+  using Index = std::uint32_t;
+  using Point_3 = typename K::Point_3;
+  using Triangulation = Sphere_triangulation<K>;
+
+  // the part of a triangle of the first triangulation that is in one of the second: a convex polygon
+  struct Cell
+  {
+    std::array<Index, 2> parents;
+    std::size_t end; // of its corners, which are counterclockwise
+  };
+
+  struct Crossing
+  {
+    std::array<std::size_t, 2> edges;
+  };
+
+  // Returns false if the certificate fails: both traces find the same crossings, every cell is one polygon, and V - E + F
+  // = 2. The triangulations have to be bijections, and to live longer.
+  bool assign(const Triangulation& first, const Triangulation& second, const Execution& execution)
+  {
+    m_n_first = static_cast<Index>(first.points().size());
+    m_n_second = static_cast<Index>(second.points().size());
+    const auto of_first = [this](const Point_3& p, const Point_3& q, const Point_3& r) {
+      return m_orientation.of_first_edge(p, q, r);
+    };
+    const auto of_second = [this](const Point_3& p, const Point_3& q, const Point_3& r) {
+      return m_orientation.of_second_edge(p, q, r);
+    };
+    m_places_of_first = locate_vertices(first, second, of_second);
+    m_places_of_second = locate_vertices(second, first, of_first);
+    const Traces traces_of_first = trace_edges(first, second, m_places_of_first, of_first, execution),
+                 traces_of_second = trace_edges(second, first, m_places_of_second, of_second, execution);
+    std::vector<Index> crossings_of_second; // in the order along the edges of the second triangulation
+    if(!match(traces_of_first, traces_of_second, crossings_of_second))
+      return false;
+    return make_cells(first, second, traces_of_first, traces_of_second, crossings_of_second, execution);
+  }
+
+  std::size_t number_of_vertices() const { return std::size_t(m_n_first) + m_n_second + m_crossings.size(); }
+
+  // the triangles of the other triangulation that vertices are in
+  const std::vector<Index>& places_of_first() const { return m_places_of_first; }
+  const std::vector<Index>& places_of_second() const { return m_places_of_second; }
+
+  const std::vector<Crossing>& crossings() const { return m_crossings; }
+  const std::vector<Cell>& cells() const { return m_cells; }
+
+  // the corners of all cells
+  const std::vector<Index>& corners() const { return m_corners; }
+
+private:
+  // For each edge of a triangulation, by its number, the edges of the other one that it crosses, in order, and the
+  // triangles that it runs through, one more.
+  struct Traces
+  {
+    std::vector<std::size_t> ends; // of the crossed edges; those of the triangles are larger by the number of the edges
+    std::vector<std::size_t> crossed;
+    std::vector<Index> triangles;
+    std::vector<Index> edges; // that there are, in order
+  };
+
+  // a part of an edge, seen from the cell on its left
+  struct Part
+  {
+    std::array<Index, 2> parents;
+    Index source, target;
+  };
+
+  // the triangles of `in` that the vertices of `of` are in, each found by a walk from that of a neighbour
+  template <class Side>
+  static std::vector<Index> locate_vertices(const Triangulation& of, const Triangulation& in, const Side& side)
+  {
+    constexpr Index none = Triangulation::none;
+    std::vector<Index> places(of.points().size(), none);
+    std::vector<bool> is_reached(of.triangles().size(), false);
+    std::vector<Index> stack = {0};
+    Index near = 0;
+    is_reached[0] = true;
+    while(!stack.empty())
+    {
+      const Linked_triangle& t = of.triangles()[stack.back()];
+      stack.pop_back();
+      for(const Index v : t.vertices)
+        if(places[v] != none)
+          near = places[v];
+      for(const Index v : t.vertices)
+        if(places[v] == none)
+          near = places[v] = locate(of.points()[v], in, near, side);
+      for(const Index neighbor : t.neighbors)
+        if(!is_reached[neighbor])
+        {
+          is_reached[neighbor] = true;
+          stack.push_back(neighbor);
+        }
+    }
+    return places;
+  }
+
+  template <class Side>
+  static Index locate(const Point_3& q, const Triangulation& in, Index start, const Side& side)
+  {
+    const std::vector<Linked_triangle>& triangles = in.triangles();
+    const auto is_inside = [&](Index t, std::size_t i) {
+      return side(in.points()[triangles[t][(i + 1) % 3]], in.points()[triangles[t][(i + 2) % 3]], q) == POSITIVE;
+    };
+    // As in Sphere_triangulation: with a random order of the edges, a walk leaves a circle sooner or later.
+    Index current = start;
+    std::uint32_t random = 0;
+    for(std::size_t n = 0; n <= triangles.size(); ++n)
+    {
+      random = 1664525u * random + 1013904223u;
+      std::size_t i = (3 * (random >> 16)) >> 16, n_tested = 0;
+      while(n_tested < 3 && is_inside(current, i))
+      {
+        i = (i + 1) % 3;
+        ++n_tested;
+      }
+      if(n_tested == 3)
+        return current;
+      current = triangles[current].neighbors[i];
+    }
+    for(Index t = 0; t < triangles.size(); ++t)
+      if(is_inside(t, 0) && is_inside(t, 1) && is_inside(t, 2))
+        return t;
+    return 0; // never, in a bijection; the certificate would fail
+  }
+
+  // An edge enters a triangle from one with which it shares a side, and leaves it by the side whose source is on its right
+  // and whose target is on its left: which one, the side of one vertex decides.
+  template <class Side>
+  static Traces trace_edges(const Triangulation& of, const Triangulation& in, const std::vector<Index>& places,
+                            const Side& side, const Execution& execution)
+  {
+    constexpr std::size_t block_size = 1024;
+    const Triangle_sides edges(of.triangles()), sides(in.triangles());
+    Traces result;
+    for(std::size_t e = 0; e < edges.size(); ++e)
+      if(edges.is_edge(e))
+        result.edges.push_back(static_cast<Index>(e));
+    const std::size_t n = result.edges.size();
+    struct Block
+    {
+      std::vector<std::size_t> counts, crossed;
+      std::vector<Index> triangles;
+    };
+    std::vector<Block> blocks((n + block_size - 1) / block_size);
+    for_each_block(execution, 0, n, block_size, [&](std::size_t begin, std::size_t end) {
+      Block& block = blocks[begin / block_size];
+      for(std::size_t k = begin; k < end; ++k)
+      {
+        const std::size_t e = result.edges[k];
+        const Point_3 &p = of.points()[edges.source(e)], &q = of.points()[edges.target(e)];
+        const Index last = places[edges.target(e)];
+        Index current = places[edges.source(e)];
+        const std::size_t old_size = block.crossed.size();
+        block.triangles.push_back(current);
+        const auto is_left = [&](Index v) { return side(p, q, in.points()[v]) == POSITIVE; };
+        std::size_t exit = 0;
+        if(current != last)
+        {
+          const Linked_triangle& t = in.triangles()[current];
+          const std::array<bool, 3> left = {is_left(t[0]), is_left(t[1]), is_left(t[2])};
+          while(exit < 3 && !(left[(exit + 2) % 3] && !left[(exit + 1) % 3]))
+            ++exit;
+          if(exit == 3)
+            exit = 0; // never
+        }
+        while(current != last && block.crossed.size() - old_size < sides.size())
+        {
+          const std::size_t s = 3 * std::size_t(current) + exit;
+          block.crossed.push_back(sides.edge(s));
+          const std::size_t entry = sides.opposite(s);
+          current = static_cast<Index>(entry / 3);
+          block.triangles.push_back(current);
+          // The next side starts on the right and ends at the apex, the one after it ends on the left.
+          exit = (entry % 3 + (is_left(in.triangles()[current][entry % 3]) ? 1 : 2)) % 3;
+        }
+        block.counts.push_back(block.crossed.size() - old_size);
+      }
+    });
+    result.ends.reserve(n);
+    for(const Block& block : blocks)
+    {
+      for(const std::size_t count : block.counts)
+        result.ends.push_back((result.ends.empty() ? 0 : result.ends.back()) + count);
+      result.crossed.insert(result.crossed.end(), block.crossed.begin(), block.crossed.end());
+      result.triangles.insert(result.triangles.end(), block.triangles.begin(), block.triangles.end());
+    }
+    return result;
+  }
+
+  // Numbers the crossings in the order along the edges of the first triangulation, and finds the numbers of those along
+  // the edges of the second one. Two arcs of less than half a circle cross once at most. Returns false if the traces
+  // differ.
+  bool match(const Traces& first, const Traces& second, std::vector<Index>& crossings_of_second)
+  {
+    if(first.crossed.size() != second.crossed.size() ||
+       first.crossed.size() + m_n_first + m_n_second >= (std::numeric_limits<Index>::max)())
+      return false;
+    struct Place
+    {
+      std::size_t first_edge, second_edge;
+      Index number;
+    };
+    const auto places = [](const Traces& traces, bool is_first) {
+      std::vector<Place> result;
+      result.reserve(traces.crossed.size());
+      Index number = 0;
+      for(std::size_t k = 0; k < traces.edges.size(); ++k)
+        for(; number < traces.ends[k]; ++number)
+        {
+          const std::size_t e = traces.edges[k], f = traces.crossed[number];
+          result.push_back({is_first ? e : f, is_first ? f : e, number});
+        }
+      return result;
+    };
+    const auto by_edges = [](const Place& a, const Place& b) {
+      return a.first_edge != b.first_edge ? a.first_edge < b.first_edge : a.second_edge < b.second_edge;
+    };
+    std::vector<Place> of_first = places(first, true), of_second = places(second, false);
+    m_crossings.clear();
+    for(const Place& place : of_first)
+      m_crossings.push_back({{place.first_edge, place.second_edge}});
+    std::sort(of_first.begin(), of_first.end(), by_edges);
+    std::sort(of_second.begin(), of_second.end(), by_edges);
+    crossings_of_second.resize(of_second.size());
+    for(std::size_t k = 0; k < of_first.size(); ++k)
+    {
+      if(by_edges(of_first[k], of_second[k]) || by_edges(of_second[k], of_first[k]))
+        return false;
+      crossings_of_second[of_second[k].number] = of_first[k].number;
+    }
+    return true;
+  }
+
+  bool make_cells(const Triangulation& first, const Triangulation& second, const Traces& traces_of_first,
+                  const Traces& traces_of_second, const std::vector<Index>& crossings_of_second,
+                  const Execution& execution)
+  {
+    std::vector<Part> parts;
+    const std::size_t n_edges = traces_of_first.edges.size() + traces_of_second.edges.size();
+    parts.reserve(2 * (n_edges + 2 * m_crossings.size()));
+    const auto add_parts = [&](const Triangulation& of, const Traces& traces, std::size_t which, Index first_vertex,
+                               const auto& crossing) {
+      const Triangle_sides edges(of.triangles());
+      std::size_t k = 0; // of the crossings
+      for(std::size_t j = 0; j < traces.edges.size(); ++j)
+      {
+        const std::size_t e = traces.edges[j];
+        Index source = first_vertex + edges.source(e);
+        for(bool is_last = false; !is_last;)
+        {
+          is_last = k == traces.ends[j];
+          const Index target = is_last ? first_vertex + edges.target(e) : m_n_first + m_n_second + crossing(k);
+          Part part;
+          part.parents[1 - which] = traces.triangles[k + j];
+          part.parents[which] = edges.triangle(e);
+          part.source = source;
+          part.target = target;
+          parts.push_back(part);
+          part.parents[which] = edges.opposite_triangle(e);
+          std::swap(part.source, part.target);
+          parts.push_back(part);
+          source = target;
+          k += !is_last;
+        }
+      }
+    };
+    add_parts(first, traces_of_first, 0, 0, [](std::size_t k) { return static_cast<Index>(k); });
+    add_parts(second, traces_of_second, 1, m_n_first, [&](std::size_t k) { return crossings_of_second[k]; });
+
+    // Buckets for the triangles of the first triangulation, sorted by those of the second
+    const std::size_t n = first.triangles().size();
+    std::vector<std::size_t> begins(n + 1, 0);
+    for(const Part& part : parts)
+      ++begins[part.parents[0] + 1];
+    for(std::size_t t = 0; t < n; ++t)
+      begins[t + 1] += begins[t];
+    std::vector<std::size_t> ends = begins;
+    std::vector<Part> sorted(parts.size());
+    for(const Part& part : parts)
+      sorted[ends[part.parents[0]]++] = part;
+    constexpr std::size_t block_size = 256;
+    for_each_block(execution, 0, n, block_size, [&](std::size_t begin, std::size_t end) {
+      for(std::size_t t = begin; t < end; ++t)
+        std::sort(sorted.begin() + static_cast<std::ptrdiff_t>(begins[t]),
+                  sorted.begin() + static_cast<std::ptrdiff_t>(begins[t + 1]), [](const Part& a, const Part& b) {
+                    return a.parents[1] != b.parents[1] ? a.parents[1] < b.parents[1] : a.source < b.source;
+                  });
+    });
+    m_cells.clear();
+    m_corners.clear();
+    m_corners.reserve(sorted.size());
+    for(std::size_t begin = 0, end = 0; begin < sorted.size(); begin = end)
+    {
+      while(end < sorted.size() && sorted[end].parents == sorted[begin].parents)
+        ++end;
+      if(!add_cell(&sorted[begin], end - begin))
+        return false;
+    }
+    const std::size_t n_parts = parts.size() / 2;
+    return number_of_vertices() + m_cells.size() == n_parts + 2;
+  }
+
+  // Chains the parts around a cell.
+  bool add_cell(const Part* parts, std::size_t n)
+  {
+    Index corner = parts[0].source;
+    for(std::size_t k = 0; k < n; ++k)
+    {
+      m_corners.push_back(corner);
+      const Part* const next = std::find_if(parts, parts + n, [&](const Part& part) { return part.source == corner; });
+      if(next == parts + n || (k + 1 < n && next->target == parts[0].source))
+        return false;
+      corner = next->target;
+    }
+    m_cells.push_back({parts[0].parents, m_corners.size()});
+    return n >= 3 && corner == parts[0].source;
+  }
+
+  Perturbed_orientation<K> m_orientation;
+  Index m_n_first = 0, m_n_second = 0;
+  std::vector<Index> m_places_of_first, m_places_of_second;
+  std::vector<Crossing> m_crossings;
+  std::vector<Cell> m_cells;
+  std::vector<Index> m_corners;
+};
+
+} // namespace internal
+} // namespace Spherical_parameterization
+} // namespace CGAL
+
+#endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_OVERLAY_SPHERE_OVERLAY_H

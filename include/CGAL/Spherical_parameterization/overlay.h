@@ -1,0 +1,151 @@
+// Copyright (c) 2026  The Spherical_parameterization authors.
+// All rights reserved.
+//
+// This file is part of the Spherical_parameterization package for CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Spherical_parameterization authors
+
+#ifndef CGAL_SPHERICAL_PARAMETERIZATION_OVERLAY_H
+#define CGAL_SPHERICAL_PARAMETERIZATION_OVERLAY_H
+
+#include <CGAL/license/Spherical_parameterization.h>
+
+#include <CGAL/Spherical_parameterization/Error_code.h>
+#include <CGAL/Spherical_parameterization/Surface_overlay_3.h>
+#include <CGAL/Spherical_parameterization/internal/overlay/Sphere_overlay.h>
+#include <CGAL/Spherical_parameterization/internal/overlay/crossing_places.h>
+#include <CGAL/Spherical_parameterization/internal/run/parallel.h>
+#include <CGAL/Spherical_parameterization/internal/sampling/Mesh_on_sphere.h>
+#include <CGAL/Spherical_parameterization/internal/sampling/Property_carrier.h>
+#include <CGAL/Spherical_parameterization/internal/sampling/Sphere_triangulation.h>
+#include <CGAL/Spherical_parameterization/internal/sampling/surface_samples.h>
+#include <CGAL/Spherical_parameterization/internal/simd/Vector_3.h>
+
+#include <CGAL/boost/graph/properties.h>
+#include <CGAL/tags.h>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+/// \file overlay.h
+
+namespace CGAL {
+namespace Spherical_parameterization {
+
+/// \ingroup PkgSphericalParameterizationSurfaces
+///
+/// makes the common refinement of two surfaces that have maps to the same sphere. Composed, the maps are one between the
+/// surfaces, and the refinement is where both are linear: its cells are the parts of the sphere that are in the image of one
+/// face of each. The map is projective between the two faces of a cell; on each of the triangles that it is divided into, it
+/// is taken as affine.
+///
+/// The connectivity is exact: the places of vertices in the faces of the other mesh, and which edges cross, are decided by
+/// exact predicates on the points as they are in the maps. Ties, such as a vertex on an edge, or equal meshes, are broken as
+/// if the first sphere were moved by an infinitesimal linear map; then triangles have no area, but are where they belong.
+/// The result is certified: the edges of both meshes, traced through the other one, cross the same edges; the parts of edges
+/// around each cell are one polygon; and Euler's formula holds. Points of crossings are rounded.
+///
+/// The running time is \f$ O(n \log n) \f$ for `n` faces and crossings. Long and narrow faces have many; so have vertices of
+/// high degree that coincide, \f$ d^2 / 2 \f$ for a degree of \f$ d \f$ of both.
+///
+/// \tparam ConcurrencyTag enables sequential versus parallel algorithm. Possible values are `Sequential_tag`,
+///         `Parallel_tag`, and `Parallel_if_available_tag`. The result does not depend on it.
+/// \tparam TriangleMesh1 a model of `FaceListGraph` with an internal vertex point property map
+/// \tparam VertexSphereMap1 a model of `ReadablePropertyMap` with
+///         `boost::graph_traits<TriangleMesh1>::%vertex_descriptor` as key type and `%Point_3` of a \cgal kernel with
+///         coordinates of type `double` or `float` as value type
+/// \tparam TriangleMesh2 a model of `FaceListGraph` with an internal vertex point property map
+/// \tparam VertexSphereMap2 the same for it
+///
+/// \param tmesh1 the first surface
+/// \param vertex_sphere_map1 the images of its vertices, at any distance from the origin
+/// \param tmesh2 the second surface
+/// \param vertex_sphere_map2 the images of its vertices, at any distance from the origin
+/// \param result receives the refinement
+///
+/// \return `OK`; or what is wrong with the first mesh, or else the second one, see `find_defect()`, or with its map:
+///         `ERROR_NO_1_TO_1_MAPPING` if that is no bijection. The result is as it was then.
+///
+/// \sa `CGAL::Spherical_parameterization::measure_distortion_between()`
+template <class ConcurrencyTag = Parallel_if_available_tag, class TriangleMesh1, class VertexSphereMap1,
+          class TriangleMesh2, class VertexSphereMap2>
+[[nodiscard]] Error_code overlay(const TriangleMesh1& tmesh1, VertexSphereMap1 vertex_sphere_map1,
+                                 const TriangleMesh2& tmesh2, VertexSphereMap2 vertex_sphere_map2,
+                                 Surface_overlay_3<TriangleMesh1, TriangleMesh2>& result)
+{
+  using Arrays1 = internal::Mesh_on_sphere<TriangleMesh1, VertexSphereMap1>;
+  using Arrays2 = internal::Mesh_on_sphere<TriangleMesh2, VertexSphereMap2>;
+  using K = typename Arrays1::Exact_kernel;
+  static_assert(std::is_same<typename K::FT, double>::value && std::is_same<K, typename Arrays2::Exact_kernel>::value,
+                "The coordinates of both maps to the sphere have to be of type double or float.");
+  using Overlay = Surface_overlay_3<TriangleMesh1, TriangleMesh2>;
+
+  const internal::Execution execution = internal::execution_of<ConcurrencyTag>();
+  Arrays1 arrays1;
+  Arrays2 arrays2;
+  if(const Error_code error = arrays1.read(tmesh1, vertex_sphere_map1, false, execution))
+    return error;
+  if(const Error_code error = arrays2.read(tmesh2, vertex_sphere_map2, false, execution))
+    return error;
+  const std::vector<internal::Vector_3d> points1 =
+      internal::points_of<TriangleMesh1>(arrays1.vertices_of_mesh, get(vertex_point, tmesh1));
+  const std::vector<internal::Vector_3d> points2 =
+      internal::points_of<TriangleMesh2>(arrays2.vertices_of_mesh, get(vertex_point, tmesh2));
+  internal::Sphere_triangulation<K> sphere1, sphere2;
+  sphere1.assign(std::move(arrays1.images), std::move(arrays1.triangles));
+  sphere2.assign(std::move(arrays2.images), std::move(arrays2.triangles));
+
+  internal::Sphere_overlay<K> cells;
+  if(!cells.assign(sphere1, sphere2, execution))
+    return ERROR_NO_1_TO_1_MAPPING; // never, for two bijections
+
+  Overlay overlay;
+  const auto add_point = [&](const internal::Vector_3d& p, const internal::Vector_3d& q) {
+    overlay.points.push_back(
+        {typename Overlay::Point_3(p[0], p[1], p[2]), typename Overlay::Point_3(q[0], q[1], q[2])});
+  };
+  overlay.points.reserve(cells.number_of_vertices());
+  for(std::size_t v = 0; v < points1.size(); ++v)
+    add_point(points1[v], internal::interpolated(points2, sphere2.triangles(),
+                                                 sphere2.locate_from(cells.places_of_first()[v], sphere1.points()[v])));
+  for(std::size_t v = 0; v < points2.size(); ++v)
+    add_point(internal::interpolated(points1, sphere1.triangles(),
+                                     sphere1.locate_from(cells.places_of_second()[v], sphere2.points()[v])),
+              points2[v]);
+  const internal::Triangle_sides sides1(sphere1.triangles()), sides2(sphere2.triangles());
+  for(const auto& crossing : cells.crossings())
+  {
+    const std::size_t e = crossing.edges[0], f = crossing.edges[1];
+    const auto [s, t] = internal::crossing_places(internal::coordinates_of(sphere1.points()[sides1.source(e)]),
+                                                  internal::coordinates_of(sphere1.points()[sides1.target(e)]),
+                                                  internal::coordinates_of(sphere2.points()[sides2.source(f)]),
+                                                  internal::coordinates_of(sphere2.points()[sides2.target(f)]));
+    add_point(internal::point_on_edge(points1[sides1.source(e)], points1[sides1.target(e)], s),
+              internal::point_on_edge(points2[sides2.source(f)], points2[sides2.target(f)], t));
+  }
+  std::size_t begin = 0;
+  for(const auto& cell : cells.cells())
+  {
+    for(std::size_t k = begin + 2; k < cell.end; ++k)
+    {
+      overlay.triangles.push_back({cells.corners()[begin], cells.corners()[k - 1], cells.corners()[k]});
+      overlay.faces.emplace_back(arrays1.faces_of_mesh[cell.parents[0]], arrays2.faces_of_mesh[cell.parents[1]]);
+    }
+    begin = cell.end;
+  }
+  result = std::move(overlay);
+  return OK;
+}
+
+} // namespace Spherical_parameterization
+} // namespace CGAL
+
+#endif // CGAL_SPHERICAL_PARAMETERIZATION_OVERLAY_H
