@@ -146,7 +146,7 @@ private:
     std::vector<Index> places(of.points().size(), none);
     std::vector<bool> is_reached(of.triangles().size(), false);
     std::vector<Index> stack = {0};
-    Index near = 0;
+    Index nearby = 0;
     is_reached[0] = true;
     while(!stack.empty())
     {
@@ -154,10 +154,10 @@ private:
       stack.pop_back();
       for(const Index v : t.vertices)
         if(places[v] != none)
-          near = places[v];
+          nearby = places[v];
       for(const Index v : t.vertices)
         if(places[v] == none)
-          near = places[v] = locate(of.points()[v], in, near, side);
+          nearby = places[v] = locate(of.points()[v], in, nearby, side);
       for(const Index neighbor : t.neighbors)
         if(!is_reached[neighbor])
         {

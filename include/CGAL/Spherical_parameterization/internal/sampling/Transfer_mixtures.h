@@ -203,7 +203,7 @@ private:
     m_source_places.resize(m_source.points().size());
     std::vector<bool> is_reached(triangles.size(), false);
     std::vector<std::uint32_t> stack = {0};
-    std::uint32_t near = 0;
+    std::uint32_t nearby = 0;
     is_reached[0] = true;
     while(!stack.empty())
     {
@@ -211,12 +211,12 @@ private:
       stack.pop_back();
       for(const std::uint32_t v : t.vertices) // of which two have been located, but in the first triangle
         if(m_source_places[v].triangle != Triangulation::none)
-          near = m_source_places[v].triangle;
+          nearby = m_source_places[v].triangle;
       for(const std::uint32_t v : t.vertices)
         if(m_source_places[v].triangle == Triangulation::none)
         {
-          m_source_places[v] = m_target.locate_from(near, m_source.points()[v]);
-          near = m_source_places[v].triangle;
+          m_source_places[v] = m_target.locate_from(nearby, m_source.points()[v]);
+          nearby = m_source_places[v].triangle;
         }
       for(const std::uint32_t neighbor : t.neighbors)
         if(!is_reached[neighbor])
