@@ -11,7 +11,7 @@ import numpy as np
 from matplotlib.ticker import NullLocator
 from measuring.commands import run_command
 from measuring.maps import Statistics
-from measuring.meshes import FORMATS, Mesh, MeshFile, read_mesh
+from measuring.meshes import FORMATS, Mesh, MeshFile, read_mesh, write_mesh
 from measuring.pictures import SAMPLES, Paint, Scale, paint, turned_like, view_of_surface
 from measuring.runs import Program, Run
 from PIL import Image
@@ -21,7 +21,6 @@ from sheet import SMALL_TEXT, TEXT_COLOR, Sheet
 SCALE = Scale(1.0, 8.0)  # of all figures, so that equal colours mean the same in each
 ISOMETRIC_LABEL, ANGLE_LABEL = "$D_{\\mathrm{iso}}$", "$D_{\\mathrm{angle}}$"
 EDGE_WIDTH = 1.0  # pixels
-PLAIN_COLOR = (0.82, 0.86, 0.92)
 DIVISION = 32  # of the edges of the octahedron that is sampled
 
 PREFERENCES = ("average", "balance", "worst")
@@ -80,7 +79,9 @@ class Sampled:
 
     model: Model
     mesh: Mesh
+    values: np.ndarray  # a measurement at each vertex: the distance from the middle
     remesh: Mesh
+    carried_values: np.ndarray
     points: Image.Image
     normals: Image.Image
 
@@ -111,14 +112,36 @@ class Session:
     def sample(self, name: str) -> Sampled:
         """Remeshes a model over an octahedron, and makes a geometry image of it."""
         file = self.file_of(name)
+        points = file.mesh.vertices
+        values = np.linalg.norm(points - points.mean(axis=0), axis=1)
         with tempfile.TemporaryDirectory() as folder:
-            remesh, image = Path(folder) / "remesh.off", Path(folder) / "image.png"
-            options = ["--remesh", f"octahedron={DIVISION}", "-o", remesh, "--geometry-image", image, "--quiet"]
+            measured, remesh, image = (Path(folder) / name for name in ("values.ply", "remesh.ply", "image.png"))
+            _write_values(measured, file.mesh, values)
+            options = ["--remesh", f"octahedron={DIVISION}", "-o", remesh, "--transfer", measured]
+            options += ["--geometry-image", image, "--quiet"]
             outcome = run_command([self._program.path, file.path, *options])
             if outcome.status != 0:
                 raise SystemExit(outcome.message)
             images = [Image.open(path).convert("RGB") for path in (image, image.with_stem("image_normals"))]
-            return Sampled(MODELS[name], file.mesh, read_mesh(remesh), *images)
+            return Sampled(MODELS[name], file.mesh, values, read_mesh(remesh), _read_values(remesh), *images)
+
+
+def _write_values(path: Path, mesh: Mesh, values: np.ndarray) -> None:
+    write_mesh(path, mesh)
+    head, _, body = path.read_text(encoding="ascii").partition("element face")
+    faces, _, numbers = body.partition("end_header\n")
+    lines = numbers.splitlines()
+    for v, value in enumerate(values):
+        lines[v] += f" {value:.17g}"
+    path.write_text(f"{head}property double value\nelement face{faces}end_header\n" + "\n".join(lines) + "\n")
+
+
+def _read_values(path: Path) -> np.ndarray:
+    """The last property of the vertices of a file of the program, all of whose properties are doubles."""
+    head, _, body = path.read_bytes().partition(b"end_header\n")
+    vertices = head.partition(b"element vertex ")[2].partition(b"element face")[0].split(b"\n")
+    count, width = int(vertices[0]), sum(line.startswith(b"property double") for line in vertices)
+    return np.frombuffer(body, "<f8", count * width).reshape(count, width)[:, -1]
 
 
 def opening(session: Session, name: str) -> Sheet:
@@ -179,11 +202,16 @@ def distortion(session: Session, *names: str) -> Sheet:
 
 
 def remesh(session: Session, name: str) -> Sheet:
-    """A surface, a remesh over an octahedron, and the geometry image of its points and normals."""
+    """A surface with a measurement, a remesh over an octahedron that has it, too, and the geometry image."""
     sampled, sheet = session.sample(name), session.sheet(1400, 420)
-    for x, mesh, text in ((5, sampled.mesh, "the mesh"), (355, sampled.remesh, "its remesh")):
+    scale = Scale(sampled.values.min(), sampled.values.max())
+    parts = (
+        (5, sampled.mesh, sampled.values, "a measurement"),
+        (355, sampled.remesh, sampled.carried_values, "on the remesh"),
+    )
+    for x, mesh, values, text in parts:
         view = view_of_surface(sampled.mesh.vertices, sampled.model.direction, sampled.model.up)
-        colors = np.full((len(mesh.faces), 3), PLAIN_COLOR)
+        colors = scale.of_faces(values[mesh.faces].mean(axis=1), np.zeros(len(mesh.faces), bool))
         sheet.place(paint(mesh.vertices, mesh.faces, view, sheet.pixels(340), colors, edge_width=EDGE_WIDTH), x, 5)
         sheet.text(x + 170, 385, text)
     for x, image, text in ((720, sampled.points, "its geometry image"), (1070, sampled.normals, "the normals")):
