@@ -203,6 +203,22 @@ TEST(Overlay, is_the_same_in_any_number_of_threads)
   EXPECT_EQ(parallel.faces, sequential.faces);
 }
 
+TEST(Overlay, does_not_depend_on_the_length_of_directions)
+{
+  const Triangle_list list1 = icosphere(2), list2 = tilted(icosphere(2));
+  const Mesh mesh1 = make(list1), mesh2 = make(list2);
+  const Overlay expected = overlay_of(mesh1, list1, mesh2, list2);
+  for(const int exponent : {-300, 300})
+  {
+    const double s = std::ldexp(1., exponent);
+    const Overlay overlay = overlay_of(mesh1, scaled(list1, s, s, s), mesh2, scaled(list2, s, s, s));
+    ASSERT_EQ(overlay.triangles, expected.triangles);
+    for(std::size_t v = 0; v < expected.points.size(); ++v)
+      for(const std::size_t surface : {0u, 1u})
+        ASSERT_LT(CGAL::squared_distance(overlay.points[v][surface], expected.points[v][surface]), 1e-20);
+  }
+}
+
 TEST(Overlay, of_what_is_no_bijection_is_refused)
 {
   Triangle_list folded = icosphere(1);

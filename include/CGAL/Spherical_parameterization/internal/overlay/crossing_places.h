@@ -19,6 +19,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 
 namespace CGAL {
 namespace Spherical_parameterization {
@@ -44,11 +45,26 @@ inline double place_on_edge(const Vector_3d& p, const Vector_3d& q, const Vector
   return place > 0. ? (std::min)(place, 1.) : 0.;
 }
 
+// Scales an edge by a power of two, which is exact, so that products of its coordinates neither overflow nor underflow.
+inline void scale_to_unit(Vector_3d& p, Vector_3d& q)
+{
+  double max = 0.;
+  for(std::size_t k = 0; k < 3; ++k)
+    max = (std::max)({max, std::abs(p[k]), std::abs(q[k])});
+  const int exponent = std::ilogb(max);
+  for(std::size_t k = 0; k < 3; ++k)
+  {
+    p[k] = std::scalbn(p[k], -exponent);
+    q[k] = std::scalbn(q[k], -exponent);
+  }
+}
+
 // Where two edges cross, from 0 to 1 on each: the numbers s and t for which (1 - s) a1 + s a2 and (1 - t) b1 + t b2 have one
 // direction. Edges that are next to each other over a length have no one place, but one that they share.
-inline std::array<double, 2> crossing_places(const Vector_3d& a1, const Vector_3d& a2, const Vector_3d& b1,
-                                             const Vector_3d& b2)
+inline std::array<double, 2> crossing_places(Vector_3d a1, Vector_3d a2, Vector_3d b1, Vector_3d b2)
 {
+  scale_to_unit(a1, a2);
+  scale_to_unit(b1, b2);
   const Vector_3d n = cross(b1, b2);
   const double d1 = std::abs(dot(n, a1)), d2 = std::abs(dot(n, a2)); // on two sides, but for ties and rounding
   const double s = d1 + d2 > 0. ? d1 / (d1 + d2) : 0.5;
