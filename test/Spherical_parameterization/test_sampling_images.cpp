@@ -246,6 +246,20 @@ TEST(Png_image, is_refused_if_it_is_none)
   });
 }
 
+// The width of the range is beyond that of numbers.
+TEST(Png_image, holds_the_largest_numbers)
+{
+  Sampled sampled(SP::Sphere_domain_3::octahedron(1));
+  constexpr double max = (std::numeric_limits<double>::max)();
+  for(const Vertex_index v : sampled.remesh.vertices())
+    sampled.remesh.point(v) = Point_3(v == Vertex_index(0) ? -max : max, 0., 0.);
+  std::stringstream file;
+  ASSERT_EQ(png.write(file, sampled.remesh, sampled.remesh.points()), SP::OK);
+  Mesh again;
+  ASSERT_EQ(png.read(file, again), SP::OK);
+  EXPECT_EQ(points(again), points(sampled.remesh));
+}
+
 // Normals and numbers, whose range is in the file.
 TEST(Png_image, has_the_range_in_its_texts)
 {
@@ -275,6 +289,11 @@ TEST(Exr_image, is_refused_if_it_is_none)
   expect_errors_of_images(exr, [](std::ostream& out, const SP::internal::Geometry_image& image) {
     return SP::internal::write_exr(out, image);
   });
+
+  Sampled large(SP::Sphere_domain_3::octahedron(1));
+  large.remesh.point(Vertex_index(0)) = Point_3(1e39, 0., 0.); // for a float
+  std::stringstream nothing;
+  EXPECT_EQ(exr.write(nothing, large.remesh, large.remesh.points()), SP::ERROR_NON_FINITE_COORDINATE);
 
   // A size that is only claimed costs no memory.
   const Sampled sampled(SP::Sphere_domain_3::octahedron(3));

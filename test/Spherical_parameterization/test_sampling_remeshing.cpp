@@ -539,6 +539,9 @@ TEST(Transfer, refuses_what_is_no_bijection)
   EXPECT_EQ(SP::transfer(folded.mesh, folded.sphere, good.mesh, good.sphere), SP::ERROR_NO_1_TO_1_MAPPING);
   EXPECT_EQ(SP::transfer(good.mesh, good.sphere, open.mesh, open.sphere), SP::ERROR_NON_CLOSED_MESH);
   EXPECT_EQ(SP::transfer(open.mesh, open.sphere, good.mesh, good.sphere), SP::ERROR_NON_CLOSED_MESH);
+  Mapped_mesh infinite(icosphere(1));
+  infinite.mesh.point(Vertex_index(3)) = Point_3(0., std::numeric_limits<double>::quiet_NaN(), 0.);
+  EXPECT_EQ(SP::transfer(infinite.mesh, infinite.sphere, good.mesh, good.sphere), SP::ERROR_NON_FINITE_COORDINATE);
   const auto x = good.add<Vertex_index, double>("v:x");
   EXPECT_TRUE(std::all_of(x.begin(), x.end(), [](double value) { return value == 1.; }));
 }

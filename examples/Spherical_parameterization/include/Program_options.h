@@ -435,6 +435,7 @@ private:
     const std::string value = text("remesh");
     const std::size_t equals = value.find('=');
     double n = 0.;
+    std::error_code ignored;
     const bool is_solid =
         is_among(value.substr(0, equals), {"octahedron", "cube", "icosahedron"}) && equals != std::string::npos;
     if(is_solid && is_number(value.substr(equals + 1), n) && n >= 1 && n <= SP::Sphere_domain_3::max_subdivision &&
@@ -443,7 +444,7 @@ private:
       domain = value.substr(0, equals);
       domain_size = static_cast<unsigned int>(n);
     }
-    else if(!is_solid && std::filesystem::is_regular_file(value))
+    else if(!is_solid && std::filesystem::is_regular_file(value, ignored))
       domain = value;
     else
       refuse("remesh", "octahedron=N, cube=N or icosahedron=N with a whole number N from 1 to " +

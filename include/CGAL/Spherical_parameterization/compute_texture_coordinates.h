@@ -19,7 +19,6 @@
 #include <CGAL/Spherical_parameterization/internal/sampling/Added_triangles.h>
 #include <CGAL/Spherical_parameterization/internal/sampling/Geographic_frame.h>
 #include <CGAL/Spherical_parameterization/internal/sampling/Mesh_on_sphere.h>
-#include <CGAL/Spherical_parameterization/internal/sampling/Property_carrier.h>
 #include <CGAL/Spherical_parameterization/internal/sampling/Seam_cut.h>
 #include <CGAL/Spherical_parameterization/internal/simd/Vector_3.h>
 
@@ -33,7 +32,6 @@
 
 #include <boost/property_map/property_map.hpp>
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <type_traits>
@@ -131,21 +129,20 @@ template <class ConcurrencyTag = Parallel_if_available_tag, class TriangleMesh, 
     return error;
   const auto point_map =
       choose_parameter(get_parameter(np, internal_np::vertex_point), get_const_property_map(vertex_point, tmesh));
-  const std::vector<internal::Vector_3d> points = internal::points_of<TriangleMesh>(mesh.vertices_of_mesh, point_map);
-  if(!std::all_of(points.begin(), points.end(), [](const internal::Vector_3d& p) { return internal::is_finite(p); }))
-    return ERROR_NON_FINITE_COORDINATE;
+  if(const Error_code error = mesh.read_points(point_map))
+    return error;
 
   const auto new_point_map = choose_parameter(get_parameter(np_textured, internal_np::vertex_point),
                                               get_property_map(vertex_point, textured_mesh));
   using Point_3 = typename boost::property_traits<std::decay_t<decltype(point_map)>>::value_type;
   using New_point_3 = typename boost::property_traits<std::decay_t<decltype(new_point_map)>>::value_type;
   using New_FT = typename Kernel_traits<New_point_3>::Kernel::FT;
-  const internal::Added_triangles<TexturedMesh> added(mesh.triangles, points.size(), textured_mesh);
+  const internal::Added_triangles<TexturedMesh> added(mesh.triangles, mesh.points.size(), textured_mesh);
   const Cartesian_converter<typename Kernel_traits<Point_3>::Kernel, typename Kernel_traits<New_point_3>::Kernel>
       convert;
-  for(std::size_t v = 0; v < points.size(); ++v)
+  for(std::size_t v = 0; v < mesh.points.size(); ++v)
     put(new_point_map, added.vertices[v], convert(get(point_map, mesh.vertices_of_mesh[v])));
-  const internal::Seam_cut<TexturedMesh, Exact_kernel> cut(frame, mesh.images, mesh.triangles, points, added,
+  const internal::Seam_cut<TexturedMesh, Exact_kernel> cut(frame, mesh.images, mesh.triangles, mesh.points, added,
                                                            textured_mesh);
   cut.for_each_new_vertex([&](const auto v, const internal::Vector_3d& p) {
     put(new_point_map, v, New_point_3(static_cast<New_FT>(p[0]), static_cast<New_FT>(p[1]), static_cast<New_FT>(p[2])));

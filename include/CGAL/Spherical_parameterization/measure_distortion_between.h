@@ -79,7 +79,7 @@ struct Distortion_between
 /// \param smallest_area triangles with less than this share of the area on one of the surfaces are left out, and counted:
 ///        of those that ties or rounding make, nothing can be said
 ///
-/// \return the distortion; all 0 if a surface has no area
+/// \return the distortion; all measures are 0 if a surface has no area, or if all triangles are left out
 template <class TriangleMesh1, class TriangleMesh2>
 Distortion_between measure_distortion_between(const Surface_overlay_3<TriangleMesh1, TriangleMesh2>& overlay,
                                               double smallest_area = 1e-10)
@@ -131,6 +131,8 @@ Distortion_between measure_distortion_between(const Surface_overlay_3<TriangleMe
     add(result.angle, stretch.angle(), w1, w2);
     add(result.energy, 0.5 * stretch.angle() * stretch.area(), w1, w2); // (I / d) (d + 1 / d) / 2
   }
+  if(!(weights[0] > 0.))
+    return result;
   for(auto* statistics : {&result.isometric, &result.area, &result.angle, &result.energy})
   {
     statistics->average_over_first /= weights[0];

@@ -20,7 +20,6 @@
 #include <CGAL/Spherical_parameterization/internal/overlay/crossing_places.h>
 #include <CGAL/Spherical_parameterization/internal/run/parallel.h>
 #include <CGAL/Spherical_parameterization/internal/sampling/Mesh_on_sphere.h>
-#include <CGAL/Spherical_parameterization/internal/sampling/Property_carrier.h>
 #include <CGAL/Spherical_parameterization/internal/sampling/Sphere_triangulation.h>
 #include <CGAL/Spherical_parameterization/internal/sampling/surface_samples.h>
 #include <CGAL/Spherical_parameterization/internal/simd/Vector_3.h>
@@ -95,10 +94,11 @@ template <class ConcurrencyTag = Parallel_if_available_tag, class TriangleMesh1,
     return error;
   if(const Error_code error = arrays2.read(tmesh2, vertex_sphere_map2, false, execution))
     return error;
-  const std::vector<internal::Vector_3d> points1 =
-      internal::points_of<TriangleMesh1>(arrays1.vertices_of_mesh, get(vertex_point, tmesh1));
-  const std::vector<internal::Vector_3d> points2 =
-      internal::points_of<TriangleMesh2>(arrays2.vertices_of_mesh, get(vertex_point, tmesh2));
+  if(const Error_code error = arrays1.read_points(get(vertex_point, tmesh1)))
+    return error;
+  if(const Error_code error = arrays2.read_points(get(vertex_point, tmesh2)))
+    return error;
+  const std::vector<internal::Vector_3d>&points1 = arrays1.points, &points2 = arrays2.points;
   internal::Sphere_triangulation<K> sphere1, sphere2;
   sphere1.assign(std::move(arrays1.images), std::move(arrays1.triangles));
   sphere2.assign(std::move(arrays2.images), std::move(arrays2.triangles));
@@ -123,7 +123,7 @@ template <class ConcurrencyTag = Parallel_if_available_tag, class TriangleMesh1,
   const internal::Triangle_sides sides1(sphere1.triangles()), sides2(sphere2.triangles());
   for(const auto& crossing : cells.crossings())
   {
-    const std::size_t e = crossing.edges[0], f = crossing.edges[1];
+    const std::size_t e = crossing[0], f = crossing[1];
     const auto [s, t] = internal::crossing_places(internal::coordinates_of(sphere1.points()[sides1.source(e)]),
                                                   internal::coordinates_of(sphere1.points()[sides1.target(e)]),
                                                   internal::coordinates_of(sphere2.points()[sides2.source(f)]),

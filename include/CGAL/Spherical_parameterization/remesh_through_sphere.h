@@ -35,7 +35,6 @@
 #include <boost/graph/graph_traits.hpp>
 #include <boost/property_map/property_map.hpp>
 
-#include <algorithm>
 #include <cstddef>
 #include <type_traits>
 #include <utility>
@@ -120,11 +119,9 @@ template <class ConcurrencyTag = Parallel_if_available_tag, class TriangleMesh, 
   Mesh_arrays mesh;
   if(const Error_code error = mesh.read(tmesh, vertex_sphere_map, false, execution))
     return error;
-  const std::vector<internal::Vector_3d> points = internal::points_of<TriangleMesh>(
-      mesh.vertices_of_mesh,
-      choose_parameter(get_parameter(np, internal_np::vertex_point), get_const_property_map(vertex_point, tmesh)));
-  if(!std::all_of(points.begin(), points.end(), [](const internal::Vector_3d& p) { return internal::is_finite(p); }))
-    return ERROR_NON_FINITE_COORDINATE;
+  if(const Error_code error = mesh.read_points(
+         choose_parameter(get_parameter(np, internal_np::vertex_point), get_const_property_map(vertex_point, tmesh))))
+    return error;
   internal::Sphere_triangulation<Exact_kernel> source, target;
   source.assign(std::move(mesh.images), std::move(mesh.triangles));
   source.make_grid();
@@ -147,11 +144,11 @@ template <class ConcurrencyTag = Parallel_if_available_tag, class TriangleMesh, 
     }
   };
   write(choose_parameter(get_parameter(np_remesh, internal_np::vertex_point), get_property_map(vertex_point, remesh)),
-        [&](std::size_t i) { return internal::interpolated(points, source.triangles(), places[i]); });
+        [&](std::size_t i) { return internal::interpolated(mesh.points, source.triangles(), places[i]); });
   write(remesh_sphere_map, [&](std::size_t i) { return domain.directions()[i]; });
   if constexpr(!parameters::is_default_parameter<CGAL_NP_CLASS_2, internal_np::vertex_normal_map_t>::value)
   {
-    const std::vector<internal::Vector_3d> normals = internal::vertex_normals(points, source.triangles());
+    const std::vector<internal::Vector_3d> normals = internal::vertex_normals(mesh.points, source.triangles());
     write(get_parameter(np_remesh, internal_np::vertex_normal_map), [&](std::size_t i) {
       return internal::normalized_or_zero(internal::interpolated(normals, source.triangles(), places[i]));
     });
@@ -159,7 +156,7 @@ template <class ConcurrencyTag = Parallel_if_available_tag, class TriangleMesh, 
 
   if constexpr(internal::are_surface_meshes<TriangleMesh, Remesh>)
   {
-    const internal::Transfer_mixtures<Exact_kernel> mixtures(source, points, target, places, execution);
+    const internal::Transfer_mixtures<Exact_kernel> mixtures(source, mesh.points, target, places, execution);
     internal::Property_carrier<TriangleMesh, Remesh, Exact_kernel> carrier(
         {mesh.vertices_of_mesh, mesh.faces_of_mesh}, {added.vertices, added.faces}, mixtures, execution);
     internal::carry_all_properties(carrier, tmesh, vertex_sphere_map, remesh, remesh_sphere_map);

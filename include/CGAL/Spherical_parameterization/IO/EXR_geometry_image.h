@@ -27,10 +27,13 @@
 #include <ImfOutputFile.h>
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <exception>
 #include <istream>
+#include <limits>
+#include <new>
 #include <ostream>
 #include <stdexcept>
 #include <vector>
@@ -179,13 +182,16 @@ catch(const std::exception&)
 /// \param map what is to be written: the points, say, or the normals
 ///
 /// \return `OK`; `ERROR_NO_GEOMETRY_IMAGE_MESH` if the mesh has not as many vertices as one of these domains;
-///         `ERROR_NON_FINITE_COORDINATE`; or `ERROR_CANNOT_WRITE_FILE`
+///         `ERROR_NON_FINITE_COORDINATE`, also of what is beyond the range of `float`; or `ERROR_CANNOT_WRITE_FILE`
 template <class TriangleMesh, class VertexMap>
 [[nodiscard]] Error_code write_EXR_geometry_image(std::ostream& out, const TriangleMesh& remesh, VertexMap map)
 {
   internal::Geometry_image image;
   if(const Error_code error = internal::make_geometry_image(remesh, map, image))
     return error;
+  for(const double x : image.values)
+    if(std::abs(x) > (std::numeric_limits<float>::max)())
+      return ERROR_NON_FINITE_COORDINATE;
   return internal::write_exr(out, image) ? OK : ERROR_CANNOT_WRITE_FILE;
 }
 

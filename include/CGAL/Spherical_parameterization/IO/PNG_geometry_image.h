@@ -197,7 +197,8 @@ private:
     for(std::size_t k = 0; k < m_row.size() / 2; ++k)
     {
       const double min = range.minimum[k % range.minimum.size()], max = range.maximum[k % range.maximum.size()];
-      const double t = max > min ? values[k] / (max - min) - min / (max - min) : 0.;
+      const double t =
+          max > min ? (0.5 * values[k] - 0.5 * min) / (0.5 * max - 0.5 * min) : 0.; // which cannot overflow
       const auto code = static_cast<std::uint32_t>(std::lround(max_code * (std::min)((std::max)(t, 0.), 1.)));
       m_row[2 * k] = static_cast<png_byte>(code >> 8);
       m_row[2 * k + 1] = static_cast<png_byte>(code & 0xFF);

@@ -84,6 +84,19 @@ constexpr bool check_mesh()
   return Is_mesh<TriangleMesh>::value;
 }
 
+// for a mesh and a property map that are ones
+template <class TriangleMesh, class VertexSphereMap>
+constexpr bool check_images()
+{
+  using Traits = boost::property_traits<VertexSphereMap>;
+  constexpr bool has_points = Is_point_3<typename Traits::value_type>::value;
+  constexpr bool has_vertices = std::is_convertible<typename boost::graph_traits<TriangleMesh>::vertex_descriptor,
+                                                    typename Traits::key_type>::value;
+  static_assert(has_points, "The property map for the images has to hold points: Point_3 of a CGAL kernel.");
+  static_assert(has_vertices, "The property map for the images has to be one for the vertices of the mesh.");
+  return has_points && has_vertices;
+}
+
 // for a mesh that is one
 template <class TriangleMesh, class VertexSphereMap>
 constexpr bool check_map()
@@ -94,16 +107,10 @@ constexpr bool check_map()
                 "boost::make_assoc_property_map() makes one.");
   if constexpr(Is_property_map<VertexSphereMap>::value)
   {
-    using Traits = boost::property_traits<VertexSphereMap>;
-    constexpr bool has_points = Is_point_3<typename Traits::value_type>::value;
-    constexpr bool has_vertices = std::is_convertible<typename boost::graph_traits<TriangleMesh>::vertex_descriptor,
-                                                      typename Traits::key_type>::value;
-    constexpr bool is_writable =
-        std::is_convertible<typename Traits::category, boost::writable_property_map_tag>::value;
-    static_assert(has_points, "The property map for the images has to hold points: Point_3 of a CGAL kernel.");
-    static_assert(has_vertices, "The property map for the images has to be one for the vertices of the mesh.");
+    constexpr bool is_writable = std::is_convertible<typename boost::property_traits<VertexSphereMap>::category,
+                                                     boost::writable_property_map_tag>::value;
     static_assert(is_writable, "The property map for the images has to be writable.");
-    return has_points && has_vertices && is_writable;
+    return check_images<TriangleMesh, VertexSphereMap>() && is_writable;
   }
   return false;
 }
@@ -119,15 +126,7 @@ constexpr bool check_mesh_and_readable_map()
                   "add_property_map() returns, it is .first; of an std::map, boost::make_assoc_property_map() makes "
                   "one.");
     if constexpr(Is_property_map<VertexSphereMap>::value)
-    {
-      using Traits = boost::property_traits<VertexSphereMap>;
-      constexpr bool has_points = Is_point_3<typename Traits::value_type>::value;
-      constexpr bool has_vertices = std::is_convertible<typename boost::graph_traits<TriangleMesh>::vertex_descriptor,
-                                                        typename Traits::key_type>::value;
-      static_assert(has_points, "The property map with the images has to hold points: Point_3 of a CGAL kernel.");
-      static_assert(has_vertices, "The property map with the images has to be one for the vertices of the mesh.");
-      return has_points && has_vertices;
-    }
+      return check_images<TriangleMesh, VertexSphereMap>();
   }
   return false;
 }

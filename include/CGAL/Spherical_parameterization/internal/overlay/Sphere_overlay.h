@@ -52,8 +52,7 @@ public:
   std::size_t opposite(std::size_t side) const
   {
     const Index t = opposite_triangle(side);
-    const std::array<Index, 3>& back = (*m_triangles)[t].neighbors;
-    return 3 * std::size_t(t) + (back[0] == side / 3 ? 0 : back[1] == side / 3 ? 1 : 2);
+    return 3 * std::size_t(t) + (*m_triangles)[t].side_of(triangle(side));
   }
 
   bool is_edge(std::size_t side) const { return triangle(side) < opposite_triangle(side); }
@@ -81,10 +80,7 @@ public:
     std::size_t end; // of its corners, which are counterclockwise
   };
 
-  struct Crossing
-  {
-    std::array<std::size_t, 2> edges;
-  };
+  using Crossing = std::array<std::size_t, 2>; // an edge of each triangulation
 
   // Returns false if the certificate fails: both traces find the same crossings, every cell is one polygon, and V - E + F
   // = 2. The triangulations have to be bijections, and to live longer.
@@ -100,6 +96,10 @@ public:
     };
     m_places_of_first = locate_vertices(first, second, of_second);
     m_places_of_second = locate_vertices(second, first, of_first);
+    constexpr Index none = Triangulation::none;
+    if(std::count(m_places_of_first.begin(), m_places_of_first.end(), none) > 0 ||
+       std::count(m_places_of_second.begin(), m_places_of_second.end(), none) > 0)
+      return false;
     const Traces traces_of_first = trace_edges(first, second, m_places_of_first, of_first, execution),
                  traces_of_second = trace_edges(second, first, m_places_of_second, of_second, execution);
     std::vector<Index> crossings_of_second; // in the order along the edges of the second triangulation
@@ -142,59 +142,11 @@ private:
   template <class Side>
   static std::vector<Index> locate_vertices(const Triangulation& of, const Triangulation& in, const Side& side)
   {
-    constexpr Index none = Triangulation::none;
-    std::vector<Index> places(of.points().size(), none);
-    std::vector<bool> is_reached(of.triangles().size(), false);
-    std::vector<Index> stack = {0};
-    Index nearby = 0;
-    is_reached[0] = true;
-    while(!stack.empty())
-    {
-      const Linked_triangle& t = of.triangles()[stack.back()];
-      stack.pop_back();
-      for(const Index v : t.vertices)
-        if(places[v] != none)
-          nearby = places[v];
-      for(const Index v : t.vertices)
-        if(places[v] == none)
-          nearby = places[v] = locate(of.points()[v], in, nearby, side);
-      for(const Index neighbor : t.neighbors)
-        if(!is_reached[neighbor])
-        {
-          is_reached[neighbor] = true;
-          stack.push_back(neighbor);
-        }
-    }
+    std::vector<Index> places(of.points().size());
+    visit_from_neighbors(of.triangles(), places.size(), Triangulation::none, [&](Index v, Index w) {
+      places[v] = in.triangle_from(w == Triangulation::none ? 0 : places[w], of.points()[v], side);
+    });
     return places;
-  }
-
-  template <class Side>
-  static Index locate(const Point_3& q, const Triangulation& in, Index start, const Side& side)
-  {
-    const std::vector<Linked_triangle>& triangles = in.triangles();
-    const auto is_inside = [&](Index t, std::size_t i) {
-      return side(in.points()[triangles[t][(i + 1) % 3]], in.points()[triangles[t][(i + 2) % 3]], q) == POSITIVE;
-    };
-    // As in Sphere_triangulation: with a random order of the edges, a walk leaves a circle sooner or later.
-    Index current = start;
-    std::uint32_t random = 0;
-    for(std::size_t n = 0; n <= triangles.size(); ++n)
-    {
-      random = 1664525u * random + 1013904223u;
-      std::size_t i = (3 * (random >> 16)) >> 16, n_tested = 0;
-      while(n_tested < 3 && is_inside(current, i))
-      {
-        i = (i + 1) % 3;
-        ++n_tested;
-      }
-      if(n_tested == 3)
-        return current;
-      current = triangles[current].neighbors[i];
-    }
-    for(Index t = 0; t < triangles.size(); ++t)
-      if(is_inside(t, 0) && is_inside(t, 1) && is_inside(t, 2))
-        return t;
-    return 0; // never, in a bijection; the certificate would fail
   }
 
   // An edge enters a triangle from one with which it shares a side, and leaves it by the side whose source is on its right
@@ -292,7 +244,7 @@ private:
     std::vector<Place> of_first = places(first, true), of_second = places(second, false);
     m_crossings.clear();
     for(const Place& place : of_first)
-      m_crossings.push_back({{place.first_edge, place.second_edge}});
+      m_crossings.push_back({place.first_edge, place.second_edge});
     std::sort(of_first.begin(), of_first.end(), by_edges);
     std::sort(of_second.begin(), of_second.end(), by_edges);
     crossings_of_second.resize(of_second.size());

@@ -54,11 +54,9 @@ struct Added_triangles
       for(std::size_t i = 0; i < 3; ++i)
         if(const std::uint32_t s = triangles[t].neighbors[i]; t < s)
         {
-          const auto& back = triangles[s].neighbors;
-          const std::size_t j = back[0] == t ? 0 : back[1] == t ? 1 : 2;
           const auto h = halfedge(add_edge(tmesh), tmesh);
           halfedges[3 * t + i] = h;
-          halfedges[3 * s + j] = opposite(h, tmesh);
+          halfedges[3 * s + triangles[s].side_of(t)] = opposite(h, tmesh);
         }
 
     faces.reserve(triangles.size());

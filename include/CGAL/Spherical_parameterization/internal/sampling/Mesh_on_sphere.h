@@ -22,10 +22,12 @@
 #include <CGAL/Spherical_parameterization/internal/read_mesh.h>
 #include <CGAL/Spherical_parameterization/internal/run/parallel.h>
 #include <CGAL/Spherical_parameterization/internal/sampling/Sphere_triangulation.h>
+#include <CGAL/Spherical_parameterization/internal/simd/Vector_3.h>
 
 #include <CGAL/Dynamic_property_map.h>
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/properties.h>
+#include <CGAL/number_utils.h>
 
 #include <boost/graph/graph_traits.hpp>
 #include <boost/property_map/property_map.hpp>
@@ -51,6 +53,7 @@ struct Mesh_on_sphere
   std::vector<face_descriptor> faces_of_mesh;
   std::vector<typename Exact_kernel::Point_3> images;
   std::vector<Linked_triangle> triangles;
+  std::vector<Vector_3d> points; // of the surface
 
   // Copies the mesh and checks that the map is a bijection, unless that is known.
   Error_code read(const TriangleMesh& tmesh, const VertexSphereMap& vertex_sphere_map, bool is_known_to_be_bijective,
@@ -62,6 +65,21 @@ struct Mesh_on_sphere
     copy(tmesh, vertex_sphere_map);
     if(!is_known_to_be_bijective && !certify_bijectivity<Exact_kernel>(images, triangles, execution).is_bijective())
       return find_error(tmesh, vertex_sphere_map);
+    return OK;
+  }
+
+  // Copies the points of the surface, once the mesh has been read.
+  template <class VertexPointMap>
+  Error_code read_points(const VertexPointMap& vpm)
+  {
+    points.reserve(vertices_of_mesh.size());
+    for(const auto v : vertices_of_mesh)
+    {
+      const auto& p = get(vpm, v);
+      points.push_back({CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z())});
+      if(!is_finite(points.back()))
+        return ERROR_NON_FINITE_COORDINATE;
+    }
     return OK;
   }
 

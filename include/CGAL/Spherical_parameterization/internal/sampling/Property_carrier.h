@@ -24,7 +24,6 @@
 #include <CGAL/IO/Color.h>
 #include <CGAL/Kernel_traits.h>
 #include <CGAL/Surface_mesh/Surface_mesh_fwd.h>
-#include <CGAL/number_utils.h>
 
 #include <boost/graph/graph_traits.hpp>
 #include <boost/property_map/property_map.hpp>
@@ -110,21 +109,6 @@ private:
   std::optional<Mixtures> m_vertex_mixtures, m_face_mixtures; // made when they are needed
 };
 
-// the points of the surface, for areas
-template <class TriangleMesh, class VertexPointMap>
-std::vector<Vector_3d> points_of(const std::vector<typename boost::graph_traits<TriangleMesh>::vertex_descriptor>& list,
-                                 const VertexPointMap& vpm)
-{
-  std::vector<Vector_3d> result;
-  result.reserve(list.size());
-  for(const auto v : list)
-  {
-    const auto& p = get(vpm, v);
-    result.push_back({CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z())});
-  }
-  return result;
-}
-
 // Reads both meshes and calls carry(carrier).
 template <class ConcurrencyTag, class SourceMesh, class SourceSphereMap, class TargetMesh, class TargetSphereMap,
           class Carry>
@@ -142,6 +126,8 @@ Error_code carry_properties(const SourceMesh& source, const SourceSphereMap& sou
   Source source_arrays;
   if(const Error_code error = source_arrays.read(source, source_sphere, false, execution))
     return error;
+  if(const Error_code error = source_arrays.read_points(get(vertex_point, source)))
+    return error;
   Target target_arrays;
   if(const Error_code error = target_arrays.read(target, target_sphere, false, execution))
     return error;
@@ -149,10 +135,9 @@ Error_code carry_properties(const SourceMesh& source, const SourceSphereMap& sou
   source_triangulation.assign(std::move(source_arrays.images), std::move(source_arrays.triangles));
   target_triangulation.assign(std::move(target_arrays.images), std::move(target_arrays.triangles));
   source_triangulation.make_grid();
-  const std::vector<Vector_3d> points =
-      points_of<SourceMesh>(source_arrays.vertices_of_mesh, get(vertex_point, source));
   const auto places = source_triangulation.locate(target_triangulation.points(), execution);
-  const Transfer_mixtures<Exact_kernel> mixtures(source_triangulation, points, target_triangulation, places, execution);
+  const Transfer_mixtures<Exact_kernel> mixtures(source_triangulation, source_arrays.points, target_triangulation,
+                                                 places, execution);
   Property_carrier<SourceMesh, TargetMesh, Exact_kernel> carrier(
       {source_arrays.vertices_of_mesh, source_arrays.faces_of_mesh},
       {target_arrays.vertices_of_mesh, target_arrays.faces_of_mesh}, mixtures, execution);

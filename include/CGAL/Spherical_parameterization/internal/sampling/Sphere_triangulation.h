@@ -44,7 +44,50 @@ struct Linked_triangle
   std::array<std::uint32_t, 3> vertices, neighbors;
 
   std::uint32_t operator[](std::size_t i) const { return vertices[i]; }
+
+  // which corner has this vertex, or is opposite to this neighbour; the last one if none of the others
+  std::size_t corner_of(std::uint32_t vertex) const
+  {
+    return vertices[0] == vertex ? 0 : vertices[1] == vertex ? 1 : 2;
+  }
+  std::size_t side_of(std::uint32_t triangle) const
+  {
+    return neighbors[0] == triangle ? 0 : neighbors[1] == triangle ? 1 : 2;
+  }
 };
+
+// Calls visit(v, w) for each vertex of a closed connected mesh with n vertices, where w is a vertex next to v that has been
+// visited before, and `none` for the first one: so that what is known of w helps with v.
+template <class Visit>
+void visit_from_neighbors(const std::vector<Linked_triangle>& triangles, std::size_t n, std::uint32_t none,
+                          const Visit& visit)
+{
+  std::vector<bool> is_reached(triangles.size(), false), is_visited(n, false);
+  std::vector<std::uint32_t> stack = {0};
+  is_reached[0] = true;
+  std::uint32_t visited = none;
+  while(!stack.empty())
+  {
+    const Linked_triangle& t = triangles[stack.back()];
+    stack.pop_back();
+    for(const std::uint32_t v : t.vertices)
+      if(is_visited[v])
+        visited = v;
+    for(const std::uint32_t v : t.vertices)
+      if(!is_visited[v])
+      {
+        visit(v, visited);
+        is_visited[v] = true;
+        visited = v;
+      }
+    for(const std::uint32_t neighbor : t.neighbors)
+      if(!is_reached[neighbor])
+      {
+        is_reached[neighbor] = true;
+        stack.push_back(neighbor);
+      }
+  }
+}
 
 // The images of a mesh on the sphere, a bijection, as flat arrays in which the triangle of a direction is found by a
 // walk, exactly, from a triangle nearby: one that contains the centre of the cell of a grid, or any that the caller
@@ -108,6 +151,14 @@ public:
     return find(q, start, found) ? owner(q, found) : Place();
   }
 
+  // The same by another predicate, orientation(a, b, q) for an edge from a to b; returns no more than the triangle.
+  template <class Orientation>
+  std::uint32_t triangle_from(std::uint32_t start, const Point_3& q, const Orientation& orientation) const
+  {
+    Found found;
+    return find(q, start, found, orientation) ? found.triangle : none;
+  }
+
   // The other functions need the grid.
   Place locate(const Point_3& q, Hint& hint) const
   {
@@ -162,21 +213,25 @@ private:
 
   static constexpr std::size_t successor(std::size_t i) { return i < 2 ? i + 1 : 0; }
 
-  Sign side(const Linked_triangle& t, std::size_t i, const Point_3& q) const
+  template <class Orientation>
+  Sign side(const Linked_triangle& t, std::size_t i, const Point_3& q, const Orientation& orientation) const
   {
     const std::size_t j = successor(i);
-    return m_orientation(m_points[t[j]], m_points[t[successor(j)]], q);
+    return orientation(m_points[t[j]], m_points[t[successor(j)]], q);
   }
 
-  bool find(const Point_3& q, std::uint32_t start, Found& found) const
+  bool find(const Point_3& q, std::uint32_t start, Found& found) const { return find(q, start, found, m_orientation); }
+  template <class Orientation>
+  bool find(const Point_3& q, std::uint32_t start, Found& found, const Orientation& orientation) const
   {
-    return walk(q, start, found) || search(q, found);
+    return walk(q, start, found, orientation) || search(q, found, orientation);
   }
 
   // Walks from triangle to triangle, across any edge that the direction is on the other side of. A walk that always
   // tries the edges in the same order may go round in circles; with a random order, it leaves them sooner or later. It
   // gives up after as many steps as there are triangles.
-  bool walk(const Point_3& q, std::uint32_t start, Found& found) const
+  template <class Orientation>
+  bool walk(const Point_3& q, std::uint32_t start, Found& found, const Orientation& orientation) const
   {
     std::uint32_t current = start, previous = none, random = 0;
     for(std::size_t n = 0; n <= m_triangles.size(); ++n)
@@ -186,7 +241,7 @@ private:
       std::size_t i = (3 * (random >> 16)) >> 16, n_tested = 0;
       for(; n_tested < 3; ++n_tested, i = successor(i))
       {
-        found.sides[i] = t.neighbors[i] == previous ? POSITIVE : side(t, i, q);
+        found.sides[i] = t.neighbors[i] == previous ? POSITIVE : side(t, i, q, orientation);
         if(found.sides[i] == NEGATIVE)
           break;
       }
@@ -201,12 +256,13 @@ private:
     return false;
   }
 
-  bool search(const Point_3& q, Found& found) const
+  template <class Orientation>
+  bool search(const Point_3& q, Found& found, const Orientation& orientation) const
   {
     for(std::uint32_t k = 0; k < m_triangles.size(); ++k)
     {
       const Linked_triangle& t = m_triangles[k];
-      found = {k, {side(t, 0, q), side(t, 1, q), side(t, 2, q)}};
+      found = {k, {side(t, 0, q, orientation), side(t, 1, q, orientation), side(t, 2, q, orientation)}};
       if(std::count(found.sides.begin(), found.sides.end(), NEGATIVE) == 0)
         return true;
     }

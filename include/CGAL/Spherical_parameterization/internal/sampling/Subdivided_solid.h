@@ -23,6 +23,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -42,13 +43,12 @@ public:
   using Triangle = std::array<Index, 3>;
   using Face = std::array<Index, k>;
 
-  Subdivided_solid(const std::vector<Vector_3d>& corners, const std::vector<Face>& faces,
-                   const std::vector<double>& weights)
-    : m_corners(corners)
-    , m_weights(weights)
-    , m_n(static_cast<Index>(weights.size() - 1))
+  Subdivided_solid(std::vector<Vector_3d> corners, const std::vector<Face>& faces, std::vector<double> weights)
+    : m_corners(std::move(corners))
+    , m_weights(std::move(weights))
+    , m_n(static_cast<Index>(m_weights.size() - 1))
   {
-    for(const Vector_3d& corner : corners)
+    for(const Vector_3d& corner : m_corners)
       directions.push_back(normalized(corner));
     for(const Face& face : faces)
       for(std::size_t i = 0; i < k; ++i)
@@ -139,8 +139,8 @@ private:
     }
   }
 
-  const std::vector<Vector_3d>& m_corners;
-  const std::vector<double>& m_weights;
+  std::vector<Vector_3d> m_corners;
+  std::vector<double> m_weights;
   Index m_n;
   std::vector<Edge> m_edges;
 };

@@ -189,7 +189,7 @@ private:
       {
         const Place& place = m_source_places[m_source.triangles()[m_places[v].triangle][i]];
         const Linked_triangle& t = m_target.triangles()[place.triangle];
-        const std::size_t corner = t[0] == v ? 0 : t[1] == v ? 1 : 2;
+        const std::size_t corner = t.corner_of(static_cast<std::uint32_t>(v));
         if(t[corner] != v || place.coordinates[corner] == 0)
           return false;
       }
@@ -199,32 +199,13 @@ private:
   // Finds the places of the source's vertices in the target, each by a walk from a neighbour's.
   void locate_source_vertices()
   {
-    const std::vector<Linked_triangle>& triangles = m_source.triangles();
-    m_source_places.resize(m_source.points().size());
-    std::vector<bool> is_reached(triangles.size(), false);
-    std::vector<std::uint32_t> stack = {0};
-    std::uint32_t nearby = 0;
-    is_reached[0] = true;
-    while(!stack.empty())
-    {
-      const Linked_triangle& t = triangles[stack.back()];
-      stack.pop_back();
-      for(const std::uint32_t v : t.vertices) // of which two have been located, but in the first triangle
-        if(m_source_places[v].triangle != Triangulation::none)
-          nearby = m_source_places[v].triangle;
-      for(const std::uint32_t v : t.vertices)
-        if(m_source_places[v].triangle == Triangulation::none)
-        {
-          m_source_places[v] = m_target.locate_from(nearby, m_source.points()[v]);
-          nearby = m_source_places[v].triangle;
-        }
-      for(const std::uint32_t neighbor : t.neighbors)
-        if(!is_reached[neighbor])
-        {
-          is_reached[neighbor] = true;
-          stack.push_back(neighbor);
-        }
-    }
+    const std::vector<Point_3>& points = m_source.points();
+    m_source_places.resize(points.size());
+    visit_from_neighbors(m_source.triangles(), points.size(), Triangulation::none,
+                         [&](std::uint32_t v, std::uint32_t w) {
+                           const std::uint32_t start = w == Triangulation::none ? 0 : m_source_places[w].triangle;
+                           m_source_places[v] = m_target.locate_from(start, points[v]);
+                         });
   }
 
   static std::vector<Point_3> centers_of(const Triangulation& triangulation)

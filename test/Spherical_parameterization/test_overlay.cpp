@@ -229,6 +229,10 @@ TEST(Overlay, of_what_is_no_bijection_is_refused)
   EXPECT_EQ(SP::overlay(bad, bad.points(), good, good.points(), overlay), SP::ERROR_NO_1_TO_1_MAPPING);
   EXPECT_EQ(SP::overlay(good, good.points(), torus_mesh, torus_mesh.points(), overlay),
             SP::ERROR_NO_TOPOLOGICAL_SPHERE);
+  Mesh infinite = good;
+  infinite.point(Mesh::Vertex_index(3)) = Point_3(0., std::numeric_limits<double>::infinity(), 0.);
+  EXPECT_EQ(SP::overlay(good, good.points(), infinite, Point_map(infinite, icosphere(1).points), overlay),
+            SP::ERROR_NON_FINITE_COORDINATE);
   EXPECT_TRUE(overlay.points.empty());
 }
 
@@ -244,6 +248,15 @@ TEST(Distortion_between, a_surface_and_itself_is_none)
     EXPECT_NEAR(distortion.isometric.average_over_second, 1., 1e-9);
     EXPECT_GT(distortion.number_of_slivers, 0u);
   }
+}
+
+TEST(Distortion_between, slivers_alone_is_none)
+{
+  const Triangle_list list = icosphere(1);
+  const Mesh mesh = make(list);
+  const SP::Distortion_between distortion = SP::measure_distortion_between(overlay_of(mesh, list, mesh, list), 1.);
+  EXPECT_EQ(distortion.number_of_slivers, distortion.number_of_triangles);
+  EXPECT_EQ(distortion.energy.average_over_first, 0.);
 }
 
 // One surface, stretched: all triangles have the same distortion, as the mesh is mapped by one affinity.
