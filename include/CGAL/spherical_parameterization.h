@@ -45,6 +45,7 @@
 #include <CGAL/Spherical_parameterization/Precomputed_parameterizer_3.h>
 #include <CGAL/Spherical_parameterization/Published_low_distortion_parameterizer_3.h>
 #include <CGAL/Spherical_parameterization/Sharpness.h>
+#include <CGAL/Spherical_parameterization/Sphere_alignment_3.h>
 #include <CGAL/Spherical_parameterization/Sphere_domain_3.h>
 #include <CGAL/Spherical_parameterization/Sphere_locator_3.h>
 #include <CGAL/Spherical_parameterization/Stereographic_parameterizer_3.h>
@@ -53,6 +54,7 @@
 #include <CGAL/Spherical_parameterization/Surface_overlay_3.h>
 #include <CGAL/Spherical_parameterization/Symmetric_Dirichlet_energy_3.h>
 #include <CGAL/Spherical_parameterization/Two_phase_radius_3.h>
+#include <CGAL/Spherical_parameterization/align_spheres.h>
 #include <CGAL/Spherical_parameterization/compute_texture_coordinates.h>
 #include <CGAL/Spherical_parameterization/find_defect.h>
 #include <CGAL/Spherical_parameterization/is_bijective.h>

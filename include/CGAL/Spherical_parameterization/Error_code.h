@@ -49,7 +49,8 @@ enum Error_code
   ERROR_CANNOT_WRITE_FILE,                ///< A file could not be written.
   ERROR_INVALID_IMAGE_FILE,               ///< A file is damaged, or no geometry image.
   ERROR_INVALID_IMAGE_SIZE,               ///< A geometry image has a size that none has.
-  ERROR_NON_MATCHING_BOUNDARY             ///< Pixels of a geometry image that are the same vertex differ.
+  ERROR_NON_MATCHING_BOUNDARY,            ///< Pixels of a geometry image that are the same vertex differ.
+  ERROR_UNDETERMINED_ROTATION             ///< Landmarks do not determine a rotation.
 };
 
 /// \ingroup PkgSphericalParameterizationEnums
@@ -123,6 +124,10 @@ inline const char* get_error_message(Error_code error_code)
   case ERROR_NON_MATCHING_BOUNDARY:
     return "The boundary of the geometry image does not match: pixels that are the same vertex of the mesh differ, so "
            "that the surface would not be closed.";
+  case ERROR_UNDETERMINED_ROTATION:
+    return "The landmarks do not determine a rotation: at least two are needed whose directions are neither the same "
+           "nor "
+           "opposite, on both spheres.";
   }
   return "Unknown error code: it was not returned by this package.";
 }
