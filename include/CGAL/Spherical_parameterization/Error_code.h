@@ -50,7 +50,8 @@ enum Error_code
   ERROR_INVALID_IMAGE_FILE,               ///< A file is damaged, or no geometry image.
   ERROR_INVALID_IMAGE_SIZE,               ///< A geometry image has a size that none has.
   ERROR_NON_MATCHING_BOUNDARY,            ///< Pixels of a geometry image that are the same vertex differ.
-  ERROR_UNDETERMINED_ROTATION             ///< Landmarks do not determine a rotation.
+  ERROR_UNDETERMINED_ROTATION,            ///< Landmarks do not determine a rotation.
+  ERROR_INVALID_LANDMARK                  ///< A landmark is no vertex of a face, or a vertex has two.
 };
 
 /// \ingroup PkgSphericalParameterizationEnums
@@ -128,6 +129,8 @@ inline const char* get_error_message(Error_code error_code)
     return "The landmarks do not determine a rotation: at least two are needed whose directions are neither the same "
            "nor "
            "opposite, on both spheres.";
+  case ERROR_INVALID_LANDMARK:
+    return "A landmark is no vertex of a face of its mesh, or a vertex has two landmarks: each is to be given once.";
   }
   return "Unknown error code: it was not returned by this package.";
 }

@@ -21,7 +21,6 @@
 #include <CGAL/Spherical_parameterization/internal/alignment/Surface_alignment.h>
 #include <CGAL/Spherical_parameterization/internal/run/parallel.h>
 #include <CGAL/Spherical_parameterization/internal/sampling/Mesh_on_sphere.h>
-#include <CGAL/Spherical_parameterization/internal/sampling/Property_carrier.h>
 #include <CGAL/Spherical_parameterization/internal/sampling/Sphere_triangulation.h>
 #include <CGAL/Spherical_parameterization/internal/simd/Vector_3.h>
 
@@ -58,9 +57,8 @@ Error_code read_samples(const Sphere_grid& grid, const TriangleMesh& tmesh, cons
   Arrays arrays;
   if(const Error_code error = arrays.read(tmesh, vertex_sphere_map, false, execution))
     return error;
-  const std::vector<Vector_3d> points = points_of<TriangleMesh>(arrays.vertices_of_mesh, get(vertex_point, tmesh));
-  if(!std::all_of(points.begin(), points.end(), [](const Vector_3d& p) { return is_finite(p); }))
-    return ERROR_NON_FINITE_COORDINATE;
+  if(const Error_code error = arrays.read_points(get(vertex_point, tmesh)))
+    return error;
   std::vector<Surface_alignment::Channel> features;
   [[maybe_unused]] const auto read = [&](const auto& map) {
     features.emplace_back();
@@ -74,7 +72,7 @@ Error_code read_samples(const Sphere_grid& grid, const TriangleMesh& tmesh, cons
   Sphere_triangulation<typename Arrays::Exact_kernel> images;
   images.assign(std::move(arrays.images), std::move(arrays.triangles));
   images.make_grid();
-  samples = Surface_alignment::samples_of(grid, images, points, features, execution);
+  samples = Surface_alignment::samples_of(grid, images, arrays.points, features, execution);
   return OK;
 }
 

@@ -68,41 +68,21 @@ struct Distortion_between
   std::size_t number_of_slivers = 0;   ///< Those that are left out because they are too small
 };
 
-/// \ingroup PkgSphericalParameterizationSurfaces
-///
-/// measures the distortion of the map between two surfaces, in each triangle of their common refinement.
-///
-/// \tparam TriangleMesh1 the type of the first surface
-/// \tparam TriangleMesh2 the type of the second one
-///
-/// \param overlay the refinement, made by `overlay()`
-/// \param smallest_area triangles with less than this share of the area on one of the surfaces are left out, and counted:
-///        of those that ties or rounding make, nothing can be said
-///
-/// \return the distortion; all measures are 0 if a surface has no area, or if all triangles are left out
-template <class TriangleMesh1, class TriangleMesh2>
-Distortion_between measure_distortion_between(const Surface_overlay_3<TriangleMesh1, TriangleMesh2>& overlay,
-                                              double smallest_area = 1e-10)
+namespace internal {
+
+// The same of n triangles: corners(k, surface) are those of triangle k.
+template <class Corners>
+Distortion_between distortion_between(std::size_t n, double smallest_area, const Corners& corners)
 {
-  using Corners = std::array<internal::Vector_3d, 3>;
-  const auto corners = [&](const std::array<std::uint32_t, 3>& t, std::size_t surface) -> Corners {
-    Corners result;
-    for(std::size_t i = 0; i < 3; ++i)
-    {
-      const auto& p = overlay.points[t[i]][surface];
-      result[i] = {p.x(), p.y(), p.z()};
-    }
-    return result;
-  };
   Distortion_between result;
-  result.number_of_triangles = overlay.triangles.size();
+  result.number_of_triangles = n;
   std::array<std::vector<double>, 2> areas;
   std::array<double, 2> sums = {0., 0.};
-  for(const auto& t : overlay.triangles)
-    for(std::size_t k = 0; k < 2; ++k)
+  for(std::size_t surface = 0; surface < 2; ++surface)
+    for(std::size_t k = 0; k < n; ++k)
     {
-      areas[k].push_back(internal::triangle_area(corners(t, k)));
-      sums[k] += areas[k].back();
+      areas[surface].push_back(triangle_area(corners(k, surface)));
+      sums[surface] += areas[surface].back();
     }
   if(!(sums[0] > 0.) || !(sums[1] > 0.))
     return result;
@@ -114,11 +94,10 @@ Distortion_between measure_distortion_between(const Surface_overlay_3<TriangleMe
     statistics.average_over_first += weight1 * value;
     statistics.average_over_second += weight2 * value;
   };
-  for(std::size_t k = 0; k < overlay.triangles.size(); ++k)
+  for(std::size_t k = 0; k < n; ++k)
   {
     const double w1 = areas[0][k] / sums[0], w2 = areas[1][k] / sums[1];
-    const internal::Triangle_stretch stretch(internal::scaled_edges(corners(overlay.triangles[k], 0), 1.),
-                                             internal::scaled_edges(corners(overlay.triangles[k], 1), factor));
+    const Triangle_stretch stretch(scaled_edges(corners(k, 0), 1.), scaled_edges(corners(k, 1), factor));
     if(!(w1 > smallest_area) || !(w2 > smallest_area) || stretch.is_degenerate())
     {
       ++result.number_of_slivers;
@@ -139,6 +118,35 @@ Distortion_between measure_distortion_between(const Surface_overlay_3<TriangleMe
     statistics->average_over_second /= weights[1];
   }
   return result;
+}
+
+} // namespace internal
+
+/// \ingroup PkgSphericalParameterizationSurfaces
+///
+/// measures the distortion of the map between two surfaces, in each triangle of their common refinement.
+///
+/// \tparam TriangleMesh1 the type of the first surface
+/// \tparam TriangleMesh2 the type of the second one
+///
+/// \param overlay the refinement, made by `overlay()`
+/// \param smallest_area triangles with less than this share of the area on one of the surfaces are left out, and counted:
+///        of those that ties or rounding make, nothing can be said
+///
+/// \return the distortion; all measures are 0 if a surface has no area, or if all triangles are left out
+template <class TriangleMesh1, class TriangleMesh2>
+Distortion_between measure_distortion_between(const Surface_overlay_3<TriangleMesh1, TriangleMesh2>& overlay,
+                                              double smallest_area = 1e-10)
+{
+  return internal::distortion_between(overlay.triangles.size(), smallest_area, [&](std::size_t k, std::size_t surface) {
+    std::array<internal::Vector_3d, 3> corners;
+    for(std::size_t i = 0; i < 3; ++i)
+    {
+      const auto& p = overlay.points[overlay.triangles[k][i]][surface];
+      corners[i] = {p.x(), p.y(), p.z()};
+    }
+    return corners;
+  });
 }
 
 } // namespace Spherical_parameterization

@@ -16,20 +16,16 @@
 
 #include <CGAL/Spherical_parameterization/Error_code.h>
 #include <CGAL/Spherical_parameterization/Surface_overlay_3.h>
-#include <CGAL/Spherical_parameterization/internal/overlay/Sphere_overlay.h>
-#include <CGAL/Spherical_parameterization/internal/overlay/crossing_places.h>
+#include <CGAL/Spherical_parameterization/internal/overlay/Overlay_arrays.h>
 #include <CGAL/Spherical_parameterization/internal/run/parallel.h>
 #include <CGAL/Spherical_parameterization/internal/sampling/Mesh_on_sphere.h>
 #include <CGAL/Spherical_parameterization/internal/sampling/Sphere_triangulation.h>
-#include <CGAL/Spherical_parameterization/internal/sampling/surface_samples.h>
 #include <CGAL/Spherical_parameterization/internal/simd/Vector_3.h>
 
 #include <CGAL/boost/graph/properties.h>
 #include <CGAL/tags.h>
 
-#include <array>
 #include <cstddef>
-#include <cstdint>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -103,44 +99,21 @@ template <class ConcurrencyTag = Parallel_if_available_tag, class TriangleMesh1,
   sphere1.assign(std::move(arrays1.images), std::move(arrays1.triangles));
   sphere2.assign(std::move(arrays2.images), std::move(arrays2.triangles));
 
-  internal::Sphere_overlay<K> cells;
-  if(!cells.assign(sphere1, sphere2, execution))
+  internal::Overlay_arrays arrays;
+  if(!arrays.assign(sphere1, points1, sphere2, points2, execution))
     return ERROR_NO_1_TO_1_MAPPING; // never, for two bijections
-
   Overlay overlay;
-  const auto add_point = [&](const internal::Vector_3d& p, const internal::Vector_3d& q) {
+  overlay.points.reserve(arrays.points[0].size());
+  for(std::size_t v = 0; v < arrays.points[0].size(); ++v)
+  {
+    const internal::Vector_3d &p = arrays.points[0][v], &q = arrays.points[1][v];
     overlay.points.push_back(
         {typename Overlay::Point_3(p[0], p[1], p[2]), typename Overlay::Point_3(q[0], q[1], q[2])});
-  };
-  overlay.points.reserve(cells.number_of_vertices());
-  for(std::size_t v = 0; v < points1.size(); ++v)
-    add_point(points1[v], internal::interpolated(points2, sphere2.triangles(),
-                                                 sphere2.locate_from(cells.places_of_first()[v], sphere1.points()[v])));
-  for(std::size_t v = 0; v < points2.size(); ++v)
-    add_point(internal::interpolated(points1, sphere1.triangles(),
-                                     sphere1.locate_from(cells.places_of_second()[v], sphere2.points()[v])),
-              points2[v]);
-  const internal::Triangle_sides sides1(sphere1.triangles()), sides2(sphere2.triangles());
-  for(const auto& crossing : cells.crossings())
-  {
-    const std::size_t e = crossing[0], f = crossing[1];
-    const auto [s, t] = internal::crossing_places(internal::coordinates_of(sphere1.points()[sides1.source(e)]),
-                                                  internal::coordinates_of(sphere1.points()[sides1.target(e)]),
-                                                  internal::coordinates_of(sphere2.points()[sides2.source(f)]),
-                                                  internal::coordinates_of(sphere2.points()[sides2.target(f)]));
-    add_point(internal::point_on_edge(points1[sides1.source(e)], points1[sides1.target(e)], s),
-              internal::point_on_edge(points2[sides2.source(f)], points2[sides2.target(f)], t));
   }
-  std::size_t begin = 0;
-  for(const auto& cell : cells.cells())
-  {
-    for(std::size_t k = begin + 2; k < cell.end; ++k)
-    {
-      overlay.triangles.push_back({cells.corners()[begin], cells.corners()[k - 1], cells.corners()[k]});
-      overlay.faces.emplace_back(arrays1.faces_of_mesh[cell.parents[0]], arrays2.faces_of_mesh[cell.parents[1]]);
-    }
-    begin = cell.end;
-  }
+  overlay.faces.reserve(arrays.parents.size());
+  for(const auto& parents : arrays.parents)
+    overlay.faces.emplace_back(arrays1.faces_of_mesh[parents[0]], arrays2.faces_of_mesh[parents[1]]);
+  overlay.triangles = std::move(arrays.triangles);
   result = std::move(overlay);
   return OK;
 }

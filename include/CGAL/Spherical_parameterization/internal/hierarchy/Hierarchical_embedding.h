@@ -85,7 +85,7 @@ public:
     for(std::size_t k = coarsest + 1; k-- > 0;)
     {
       const Mesh_hierarchy::Level& level = m_hierarchy.level(k);
-      std::vector<Vector_3d> local = gathered(positions, level);
+      std::vector<Vector_3d> local = level.gathered(positions);
       if(!insert_vertices(level, m_hierarchy.rings(k), local))
         return false;
       if(k > 0)
@@ -106,25 +106,6 @@ public:
 private:
   static constexpr std::size_t block_size = 16;
 
-  // The vertices around a removed one, from its target on, as Star_kernel wants them.
-  struct Hole
-  {
-    const std::vector<Vector_3d>& positions;
-    Vertex_rings::Ring ring;
-    std::size_t first;
-
-    std::size_t size() const { return ring.size(); }
-    const Vector_3d& operator[](std::size_t j) const { return positions[ring.around(first + j)]; }
-  };
-
-  static std::vector<Vector_3d> gathered(const std::vector<Vector_3d>& all, const Mesh_hierarchy::Level& level)
-  {
-    std::vector<Vector_3d> local(level.vertices.size());
-    for(std::size_t v = 0; v < local.size(); ++v)
-      local[v] = all[level.vertices[v]];
-    return local;
-  }
-
   static void place_tetrahedron(const Mesh_hierarchy::Level& level, const Vertex_rings& rings,
                                 std::vector<Vector_3d>& positions)
   {
@@ -144,7 +125,7 @@ private:
       for(std::size_t k = begin; k < end; ++k)
       {
         const Mesh_hierarchy::Removed_vertex& removed = level.removed[k];
-        if(!kernel.find_point(Hole{local, rings.ring(removed.vertex), removed.target}, local[removed.vertex]))
+        if(!kernel.find_point(Ring_hole{local, rings.ring(removed.vertex), removed.target}, local[removed.vertex]))
           is_complete = false;
       }
     });
@@ -165,7 +146,7 @@ private:
   // be inserted into what has been swept.
   bool relax(const Mesh_hierarchy::Level& level, const Vertex_rings& rings, std::vector<Vector_3d>& local, bool is_full)
   {
-    const std::vector<Vector_3d> points = gathered(m_points, level);
+    const std::vector<Vector_3d> points = level.gathered(m_points);
     std::vector<double> densities;
     std::unique_ptr<const Independent_sets> sets; // g++ takes an optional for uninitialized, where there is one thread
     const auto find_densities = [&] {

@@ -120,6 +120,15 @@ public:
     std::vector<std::uint32_t> vertices; // their numbers in the given mesh
     std::vector<double> areas;           // of the surface that the vertices stand for
     std::vector<Removed_vertex> removed; // empty at the coarsest level
+
+    // what the vertices have in the given mesh
+    std::vector<Vector_3d> gathered(const std::vector<Vector_3d>& all) const
+    {
+      std::vector<Vector_3d> result(vertices.size());
+      for(std::size_t v = 0; v < result.size(); ++v)
+        result[v] = all[vertices[v]];
+      return result;
+    }
   };
 
   // `areas` are those that the vertices of the mesh stand for.
@@ -127,13 +136,22 @@ public:
                               std::vector<double> areas, Execution execution)
   {
     Mesh_hierarchy hierarchy(rings, execution);
-    hierarchy.m_levels.emplace_back();
-    Level& finest = hierarchy.m_levels.back();
-    finest.vertices.resize(rings.number_of_vertices());
-    std::iota(finest.vertices.begin(), finest.vertices.end(), 0u);
-    finest.areas = std::move(areas);
+    hierarchy.start(std::move(areas));
     while(hierarchy.m_levels.back().vertices.size() > 4)
-      hierarchy.coarsen(points);
+      hierarchy.coarsen(points, {}, {});
+    return hierarchy;
+  }
+
+  // The same of a mesh with images on the sphere, whose faces are and stay positive, without the removal of vertices that
+  // are marked as fixed; down to about `min_size` vertices, or where this is possible no more.
+  static Mesh_hierarchy build_on_sphere(const Vertex_rings& rings, const std::vector<Vector_3d>& points,
+                                        std::vector<double> areas, const std::vector<Vector_3d>& images,
+                                        const std::vector<char>& is_fixed, std::size_t min_size, Execution execution)
+  {
+    Mesh_hierarchy hierarchy(rings, execution);
+    hierarchy.start(std::move(areas));
+    while(hierarchy.m_levels.back().vertices.size() > min_size && hierarchy.coarsen(points, images, is_fixed))
+      ;
     return hierarchy;
   }
 
@@ -159,14 +177,24 @@ private:
     , m_execution(execution)
   {}
 
-  void coarsen(const std::vector<Vector_3d>& points)
+  void start(std::vector<double> areas)
+  {
+    m_levels.emplace_back();
+    Level& finest = m_levels.back();
+    finest.vertices.resize(m_finest_rings.number_of_vertices());
+    std::iota(finest.vertices.begin(), finest.vertices.end(), 0u);
+    finest.areas = std::move(areas);
+  }
+
+  // Adds a level, if any vertex can be removed.
+  bool coarsen(const std::vector<Vector_3d>& points, const std::vector<Vector_3d>& images,
+               const std::vector<char>& is_fixed)
   {
     Level& fine = m_levels.back();
     const Vertex_rings& fine_rings = rings(m_levels.size() - 1);
     const std::size_t n = fine.vertices.size();
-    std::vector<Vector_3d> p(n);
-    for(std::size_t v = 0; v < n; ++v)
-      p[v] = points[fine.vertices[v]];
+    const std::vector<Vector_3d> p = fine.gathered(points),
+                                 local_images = images.empty() ? images : fine.gathered(images);
 
     std::vector<Vertex_removal> removals(n);
     std::vector<std::uint32_t> target;
@@ -174,16 +202,20 @@ private:
     {
       for_each_block(m_execution, 0, n, block_size, [&](std::size_t begin, std::size_t end) {
         for(std::size_t v = begin; v < end; ++v)
-          removals[v] = Vertex_removal::best(fine_rings, p, static_cast<std::uint32_t>(v), is_exact);
+          if(is_fixed.empty() || !is_fixed[fine.vertices[v]])
+            removals[v] = Vertex_removal::best(fine_rings, p, local_images, static_cast<std::uint32_t>(v), is_exact);
       });
       target = select(fine, fine_rings, removals);
       if(!fine.removed.empty())
         break;
     }
+    if(fine.removed.empty())
+      return false;
     Level coarse;
     Vertex_rings coarse_rings = without_removed(fine, fine_rings, target, coarse);
     m_levels.push_back(std::move(coarse));
     m_coarse_rings.push_back(std::move(coarse_rings));
+    return true;
   }
 
   // Chooses the removals in the order of their costs, unless a neighbour has been chosen already or an edge of the new

@@ -16,6 +16,7 @@
 #include <CGAL/license/Spherical_parameterization.h>
 
 #include <CGAL/Spherical_parameterization/internal/certificate/is_safely_positive.h>
+#include <CGAL/Spherical_parameterization/internal/mesh/Vertex_rings.h>
 #include <CGAL/Spherical_parameterization/internal/simd/Vector_3.h>
 
 #include <algorithm>
@@ -30,6 +31,17 @@ namespace CGAL {
 namespace Spherical_parameterization {
 namespace internal {
 
+// The vertices around a removed one, from its target on.
+struct Ring_hole
+{
+  const std::vector<Vector_3d>& positions;
+  Vertex_rings::Ring ring;
+  std::size_t first;
+
+  std::size_t size() const { return ring.size(); }
+  const Vector_3d& operator[](std::size_t j) const { return positions[ring.around(first + j)]; }
+};
+
 // The kernel of a hole in a triangulation of the sphere: the points from which every edge of the hole is seen in the
 // positive sense, where a vertex may be inserted. The hole is given by its vertices in counterclockwise order, and its
 // faces fanned out from the first of them, the base, are positively oriented, so the kernel is not empty and touches
@@ -41,8 +53,7 @@ class Star_kernel
 {
 public:
   // Finds a point of the kernel, as central as possible. Returns whether there is one that doubles can hold.
-  template <class Hole>
-  bool find_point(const Hole& hole, Vector_3d& point)
+  bool find_point(const Ring_hole& hole, Vector_3d& point)
   {
     const std::size_t d = hole.size();
     const Tangent_frame frame(hole[0]);

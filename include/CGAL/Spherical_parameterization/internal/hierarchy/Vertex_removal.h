@@ -15,6 +15,7 @@
 
 #include <CGAL/license/Spherical_parameterization.h>
 
+#include <CGAL/Spherical_parameterization/internal/certificate/is_safely_positive.h>
 #include <CGAL/Spherical_parameterization/internal/mesh/Vertex_rings.h>
 #include <CGAL/Spherical_parameterization/internal/simd/Vector_3.h>
 
@@ -44,8 +45,10 @@ public:
   // Finds the best target of vertex v. Only targets that keep the mesh a simplicial complex are considered (the link
   // condition). Whether two vertices of high degree are neighbours is looked up only if `is_exact`; otherwise they are
   // taken for neighbours, so that the time for a vertex is bounded.
-  static Vertex_removal best(const Vertex_rings& rings, const std::vector<Vector_3d>& points, std::uint32_t v,
-                             bool is_exact)
+  //
+  // If the vertices have images on the sphere, faces that are positive there have to stay so.
+  static Vertex_removal best(const Vertex_rings& rings, const std::vector<Vector_3d>& points,
+                             const std::vector<Vector_3d>& images, std::uint32_t v, bool is_exact)
   {
     Vertex_removal result;
     const Vertex_rings::Ring ring = rings.ring(v);
@@ -86,7 +89,8 @@ public:
       for(std::uint32_t k = j + 1; k + 1 < j + d; ++k)
         squared_quality = (std::min)(squared_quality, squared_quality_of(e[k] - e[j], e[k + 1] - e[j]));
       const std::uint32_t rank = rank_of(cost / std::sqrt(std::sqrt((std::max)(squared_quality, min_squared_quality))));
-      if((!result.is_possible() || rank < result.m_rank) && !has_chord(rings, ring, j, is_exact))
+      if((!result.is_possible() || rank < result.m_rank) && (images.empty() || is_fan_positive(ring, j, images)) &&
+         !has_chord(rings, ring, j, is_exact))
       {
         result.m_rank = rank;
         result.m_target = j;
@@ -130,6 +134,15 @@ private:
     const double sum = squared_length(a) + squared_length(b) + squared_length(b - a);
     const double squared_ratio = squared_length(cross(a, b)) / (sum * sum);
     return squared_ratio > 0. ? 12. * squared_ratio : 0.;
+  }
+
+  // Whether the new faces are positive, if vertex j of a ring is the target.
+  static bool is_fan_positive(const Vertex_rings::Ring& ring, std::uint32_t j, const std::vector<Vector_3d>& images)
+  {
+    for(std::size_t k = j + 1; k + 1 < j + ring.size(); ++k)
+      if(!is_safely_positive(images[ring[j]], images[ring.around(k)], images[ring.around(k + 1)]))
+        return false;
+    return true;
   }
 
   // Whether vertex j of a ring has neighbors in the ring other than the two next to it.

@@ -1,0 +1,266 @@
+// Copyright (c) 2026  The Spherical_parameterization authors.
+// All rights reserved.
+//
+// This file is part of the Spherical_parameterization package for CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Spherical_parameterization authors
+//
+
+#ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_SURFACE_MAP_TARGET_METRIC_H
+#define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_SURFACE_MAP_TARGET_METRIC_H
+
+#include <CGAL/license/Spherical_parameterization.h>
+
+#include <CGAL/Spherical_parameterization/internal/run/parallel.h>
+#include <CGAL/Spherical_parameterization/internal/sampling/Sphere_triangulation.h>
+#include <CGAL/Spherical_parameterization/internal/simd/Vector_3.h>
+
+#include <CGAL/number_type_config.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace CGAL {
+namespace Spherical_parameterization {
+namespace internal {
+
+// The metric of a surface on its sphere: how long a tangent vector of the sphere is on the surface, |J e|^2 = e^T S e with
+// S = J^T J, J the derivative of the inverse map, and how large areas are.
+template <class FT>
+struct Metric_sample
+{
+  std::array<FT, 8> numbers; // xx, xy, xz, yy, yz, zz of S, the area, and 0
+
+  Vector_3d operator()(const Vector_3d& e) const
+  {
+    const auto& s = numbers;
+    return {s[0] * e[0] + s[1] * e[1] + s[2] * e[2], s[1] * e[0] + s[3] * e[1] + s[4] * e[2],
+            s[2] * e[0] + s[4] * e[1] + s[5] * e[2]};
+  }
+  double squared_length(const Vector_3d& e) const { return dot(e, (*this)(e)); }
+  double area() const { return numbers[6]; }
+};
+
+// The metric of a surface, of area 4 pi, as images on the faces of a cube around the sphere, from fine to coarse: a value
+// anywhere is interpolated between four nodes, so that it is continuous, unlike the metric itself, and takes no search.
+class Target_metric
+{
+public:
+  template <class K>
+  Target_metric(const Sphere_triangulation<K>& images, const std::vector<Vector_3d>& points, const Execution& execution)
+  {
+    double area = 0.;
+    for(const Linked_triangle& t : images.triangles())
+      area += 0.5 * length(cross(points[t[1]] - points[t[0]], points[t[2]] - points[t[0]]));
+    const double scale = std::sqrt(4. * CGAL_PI / area);
+    std::size_t n = min_size;
+    while(6 * n * n < 2 * images.triangles().size() && n < max_size)
+      n *= 2;
+    std::vector<typename K::Point_3> directions;
+    for_each_node(n, [&](const Vector_3d& p) { directions.emplace_back(p[0], p[1], p[2]); });
+    const auto places = images.locate(directions, execution);
+    Image finest{n, std::vector<Texel>(places.size())};
+    for_each_block(execution, 0, places.size(), 1024, [&](std::size_t begin, std::size_t end) {
+      for(std::size_t k = begin; k < end; ++k)
+      {
+        const Linked_triangle& t = images.triangles()[places[k].triangle];
+        std::array<Vector_3d, 3> p, x;
+        for(std::size_t i = 0; i < 3; ++i)
+        {
+          const auto& q = images.points()[t[i]];
+          p[i] = normalized(Vector_3d{q.x(), q.y(), q.z()});
+          x[i] = scale * points[t[i]];
+        }
+        const auto& q = directions[k];
+        finest.samples[k] = texel(sample_of(p, x, normalized(Vector_3d{q.x(), q.y(), q.z()})));
+      }
+    });
+    m_images.push_back(smoothed(finest, n));
+    while(m_images.back().n > min_size)
+      m_images.push_back(smoothed(m_images.back(), m_images.back().n / 2));
+  }
+
+  // The level that a mesh with so many vertices is to see: a coarser one hides what it could follow, a finer one is noise
+  // to it, as each of its faces looks at one place.
+  std::size_t level_for(std::size_t n_vertices) const
+  {
+    std::size_t level = 0;
+    while(level + 1 < m_images.size() && 6 * m_images[level].n * m_images[level].n > nodes_per_vertex * n_vertices)
+      ++level;
+    return level;
+  }
+
+  using Sample = Metric_sample<double>;
+
+  Sample at(const Vector_3d& p, std::size_t level) const { return m_images[level].at(p); }
+
+  // The same with the derivatives in two tangential directions.
+  Sample at(const Vector_3d& p, std::size_t level, const Vector_3d& t1, const Vector_3d& t2,
+            std::array<Sample, 2>& derivatives) const
+  {
+    return m_images[level].at(p, t1, t2, derivatives);
+  }
+
+private:
+  static constexpr std::size_t nodes_per_vertex = 12, min_size = 4, max_size = 1024;
+
+  using Texel = Metric_sample<float>;
+
+  struct Image
+  {
+    std::size_t n; // steps along an edge of the cube
+    std::vector<Texel> samples;
+
+    // the square of four texels that a direction leads to, and where it is between them
+    struct Square
+    {
+      const Texel* first;
+      std::size_t axis;
+      double scale, u, v;
+    };
+
+    Square square(const Vector_3d& p) const
+    {
+      const double a = std::abs(p[0]), b = std::abs(p[1]), c = std::abs(p[2]);
+      const std::size_t axis = a >= b && a >= c ? 0 : b >= c ? 1 : 2;
+      const double half = 0.5 * static_cast<double>(n), scale = half / std::abs(p[axis]);
+      const double x = (std::min)((std::max)(half + scale * p[axis == 2 ? 0 : axis + 1], 0.), 2. * half);
+      const double y = (std::min)((std::max)(half + scale * p[axis == 0 ? 2 : axis - 1], 0.), 2. * half);
+      const std::size_t i = (std::min)(static_cast<std::size_t>(x), n - 1);
+      const std::size_t j = (std::min)(static_cast<std::size_t>(y), n - 1);
+      return {&samples[(2 * axis + (p[axis] < 0. ? 1 : 0)) * (n + 1) * (n + 1) + i * (n + 1) + j], axis, scale,
+              x - static_cast<double>(i), y - static_cast<double>(j)};
+    }
+
+    static Sample mixed(const Texel* s, std::size_t n, double w00, double w01, double w10, double w11)
+    {
+      const auto &s00 = s[0].numbers, &s01 = s[1].numbers, &s10 = s[n + 1].numbers, &s11 = s[n + 2].numbers;
+      Sample result;
+      for(std::size_t k = 0; k < 8; ++k)
+        result.numbers[k] = w00 * static_cast<double>(s00[k]) + w01 * static_cast<double>(s01[k]) +
+                            w10 * static_cast<double>(s10[k]) + w11 * static_cast<double>(s11[k]);
+      return result;
+    }
+
+    Sample at(const Vector_3d& p) const
+    {
+      const Square q = square(p);
+      return mixed(q.first, n, (1. - q.u) * (1. - q.v), (1. - q.u) * q.v, q.u * (1. - q.v), q.u * q.v);
+    }
+
+    Sample at(const Vector_3d& p, const Vector_3d& t1, const Vector_3d& t2, std::array<Sample, 2>& derivatives) const
+    {
+      const Square q = square(p);
+      const Vector_3d* const tangents[] = {&t1, &t2};
+      const double sign = p[q.axis] < 0. ? -1. : 1.;
+      const std::size_t i = q.axis == 2 ? 0 : q.axis + 1, j = q.axis == 0 ? 2 : q.axis - 1;
+      for(std::size_t k = 0; k < 2; ++k)
+      {
+        const Vector_3d& t = *tangents[k];
+        const double inverse = sign * t[q.axis] / std::abs(p[q.axis]);
+        const double du = q.scale * (t[i] - p[i] * inverse), dv = q.scale * (t[j] - p[j] * inverse);
+        derivatives[k] = mixed(q.first, n, -(1. - q.v) * du - (1. - q.u) * dv, -q.v * du + (1. - q.u) * dv,
+                               (1. - q.v) * du - q.u * dv, q.v * du + q.u * dv);
+      }
+      return mixed(q.first, n, (1. - q.u) * (1. - q.v), (1. - q.u) * q.v, q.u * (1. - q.v), q.u * q.v);
+    }
+  };
+
+  static Vector_3d node(std::size_t side, double u, double v)
+  {
+    const std::size_t axis = side / 2;
+    Vector_3d p;
+    p[axis] = side % 2 == 0 ? 1. : -1.;
+    p[(axis + 1) % 3] = u;
+    p[(axis + 2) % 3] = v;
+    return p;
+  }
+
+  template <class Function>
+  static void for_each_node(std::size_t n, const Function& f)
+  {
+    const double step = 2. / static_cast<double>(n);
+    for(std::size_t side = 0; side < 6; ++side)
+      for(std::size_t i = 0; i <= n; ++i)
+        for(std::size_t j = 0; j <= n; ++j)
+          f(node(side, step * static_cast<double>(i) - 1., step * static_cast<double>(j) - 1.));
+  }
+
+  static Texel texel(const Sample& s)
+  {
+    Texel result;
+    for(std::size_t k = 0; k < 8; ++k)
+      result.numbers[k] = static_cast<float>(s.numbers[k]);
+    return result;
+  }
+
+  // Averages over the neighbourhood of each node of an image with n steps.
+  static Image smoothed(const Image& fine, std::size_t n)
+  {
+    Image result{n, {}};
+    const double h = 2. / static_cast<double>(fine.n), step = 2. / static_cast<double>(n);
+    for(std::size_t side = 0; side < 6; ++side)
+      for(std::size_t i = 0; i <= n; ++i)
+        for(std::size_t j = 0; j <= n; ++j)
+        {
+          Sample sum{};
+          for(int k = -1; k <= 1; ++k)
+            for(int l = -1; l <= 1; ++l)
+            {
+              const double w = (k == 0 ? 0.5 : 0.25) * (l == 0 ? 0.5 : 0.25);
+              const Sample s = fine.at(
+                  node(side, step * static_cast<double>(i) - 1. + h * k, step * static_cast<double>(j) - 1. + h * l));
+              for(std::size_t m = 0; m < 8; ++m)
+                sum.numbers[m] += w * s.numbers[m];
+            }
+          result.samples.push_back(texel(sum));
+        }
+    return result;
+  }
+
+  // at the direction q, for the triangle x of the surface and its image p
+  static Sample sample_of(const std::array<Vector_3d, 3>& p, const std::array<Vector_3d, 3>& x, const Vector_3d& q)
+  {
+    std::array<Vector_3d, 3> l = {cross(p[1], p[2]), cross(p[2], p[0]), cross(p[0], p[1])};
+    const double determinant = dot(p[0], l[0]);
+    double sum = 0.;
+    Vector_3d place = {0., 0., 0.};
+    for(std::size_t i = 0; i < 3; ++i)
+    {
+      l[i] = (1. / determinant) * l[i];
+      sum += dot(l[i], q);
+      place = place + dot(l[i], q) * x[i];
+    }
+    place = (1. / sum) * place;
+    // J = sum over i of (x_i - x) l_i^T / sum
+    std::array<Vector_3d, 3> rows = {Vector_3d{0., 0., 0.}, Vector_3d{0., 0., 0.}, Vector_3d{0., 0., 0.}};
+    for(std::size_t i = 0; i < 3; ++i)
+      for(std::size_t r = 0; r < 3; ++r)
+        rows[r] = rows[r] + ((x[i][r] - place[r]) / sum) * l[i];
+    Sample result{};
+    for(const Vector_3d& r : rows)
+      for(std::size_t i = 0, k = 0; i < 3; ++i)
+        for(std::size_t j = i; j < 3; ++j, ++k)
+          result.numbers[k] += r[i] * r[j];
+    const auto& s = result.numbers;
+    result.numbers[6] =
+        std::sqrt((std::max)(s[0] * s[3] - s[1] * s[1] + s[0] * s[5] - s[2] * s[2] + s[3] * s[5] - s[4] * s[4], 0.));
+    return result;
+  }
+
+  std::vector<Image> m_images;
+};
+
+} // namespace internal
+} // namespace Spherical_parameterization
+} // namespace CGAL
+
+#endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_SURFACE_MAP_TARGET_METRIC_H

@@ -1,0 +1,334 @@
+// Copyright (c) 2026  The Spherical_parameterization authors.
+// All rights reserved.
+//
+// This file is part of the Spherical_parameterization package for CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Spherical_parameterization authors
+
+#ifndef CGAL_SPHERICAL_PARAMETERIZATION_MAP_SURFACE_H
+#define CGAL_SPHERICAL_PARAMETERIZATION_MAP_SURFACE_H
+
+#include <CGAL/license/Spherical_parameterization.h>
+
+#include <CGAL/Spherical_parameterization/Error_code.h>
+#include <CGAL/Spherical_parameterization/Surface_map_report.h>
+#include <CGAL/Spherical_parameterization/Surface_map_settings.h>
+#include <CGAL/Spherical_parameterization/internal/alignment/Rotation_search.h>
+#include <CGAL/Spherical_parameterization/internal/alignment/Surface_alignment.h>
+#include <CGAL/Spherical_parameterization/internal/certificate/is_safely_positive.h>
+#include <CGAL/Spherical_parameterization/internal/mesh/Indexed_mesh.h>
+#include <CGAL/Spherical_parameterization/internal/overlay/Overlay_arrays.h>
+#include <CGAL/Spherical_parameterization/internal/run/parallel.h>
+#include <CGAL/Spherical_parameterization/internal/sampling/Mesh_on_sphere.h>
+#include <CGAL/Spherical_parameterization/internal/sampling/Sphere_triangulation.h>
+#include <CGAL/Spherical_parameterization/internal/sampling/surface_samples.h>
+#include <CGAL/Spherical_parameterization/internal/simd/Vector_3.h>
+#include <CGAL/Spherical_parameterization/internal/surface_map/Aligned_start.h>
+#include <CGAL/Spherical_parameterization/internal/surface_map/Surface_descent.h>
+#include <CGAL/Spherical_parameterization/internal/surface_map/Target_metric.h>
+#include <CGAL/Spherical_parameterization/internal/write_map.h>
+#include <CGAL/Spherical_parameterization/measure_distortion_between.h>
+
+#include <CGAL/boost/graph/properties.h>
+#include <CGAL/tags.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+/// \file map_surface.h
+
+namespace CGAL {
+namespace Spherical_parameterization {
+
+namespace internal {
+
+// The numbers of the landmarks in the arrays, or none if one is no vertex of a face, or a vertex has two of them.
+template <class Arrays1, class Arrays2, class Landmarks>
+std::optional<std::vector<std::array<std::uint32_t, 2>>> landmark_numbers(const Arrays1& arrays1,
+                                                                          const Arrays2& arrays2,
+                                                                          const Landmarks& landmarks)
+{
+  const auto numbers_of = [&](const auto& vertices, const auto& landmark_of) {
+    using Entry = std::pair<typename std::decay_t<decltype(vertices)>::value_type, std::uint32_t>;
+    std::vector<Entry> entries;
+    for(std::uint32_t v = 0; v < vertices.size(); ++v)
+      entries.emplace_back(vertices[v], v);
+    std::sort(entries.begin(), entries.end());
+    std::vector<std::uint32_t> result;
+    std::vector<char> is_used(vertices.size(), 0);
+    for(const auto& landmark : landmarks)
+    {
+      const auto entry = std::lower_bound(entries.begin(), entries.end(), Entry(landmark_of(landmark), 0));
+      if(entry == entries.end() || entry->first != landmark_of(landmark) || is_used[entry->second])
+        return std::vector<std::uint32_t>();
+      is_used[entry->second] = 1;
+      result.push_back(entry->second);
+    }
+    return result;
+  };
+  std::vector<std::array<std::uint32_t, 2>> result;
+  if(landmarks.empty())
+    return result;
+  const auto first = numbers_of(arrays1.vertices_of_mesh, [](const auto& l) { return l.first; });
+  const auto second = numbers_of(arrays2.vertices_of_mesh, [](const auto& l) { return l.second; });
+  if(first.empty() || second.empty())
+    return std::nullopt;
+  for(std::size_t k = 0; k < first.size(); ++k)
+    result.push_back({first[k], second[k]});
+  return result;
+}
+
+// A surface on its sphere, in which directions can be located.
+template <class K>
+struct Located_surface
+{
+  Sphere_triangulation<K> sphere;
+  std::vector<Vector_3d> points;
+
+  Vector_3d direction(std::size_t v) const
+  {
+    const auto& p = sphere.points()[v];
+    return normalized(Vector_3d{p.x(), p.y(), p.z()});
+  }
+};
+
+// How far what lies in a direction is from a vertex.
+template <class K>
+double distance_left(const Located_surface<K>& surface, const Vector_3d& p, std::size_t w)
+{
+  typename Sphere_triangulation<K>::Hint hint;
+  const auto place = surface.sphere.locate(typename K::Point_3(p[0], p[1], p[2]), hint);
+  return length(interpolated(surface.points, surface.sphere.triangles(), place) - surface.points[w]);
+}
+
+// The energy of the map that puts the vertices of the first surface at these directions of the second one's sphere: the
+// mean of both ways, on the common refinement; none if the map is no bijection.
+template <class K>
+std::optional<double> energy_between(const Located_surface<K>& first, const std::vector<Vector_3d>& directions,
+                                     const Located_surface<K>& second, const Execution& execution)
+{
+  std::vector<typename K::Point_3> images;
+  for(const Vector_3d& p : directions)
+    images.emplace_back(p[0], p[1], p[2]);
+  Sphere_triangulation<K> sphere;
+  sphere.assign(std::move(images), first.sphere.triangles());
+  Overlay_arrays overlay;
+  if(!certify_bijectivity<K>(sphere.points(), sphere.triangles(), execution).is_bijective() ||
+     !overlay.assign(sphere, first.points, second.sphere, second.points, execution))
+    return std::nullopt;
+  constexpr double smallest_area = 1e-10;
+  const Distortion_between distortion =
+      distortion_between(overlay.triangles.size(), smallest_area, [&](std::size_t k, std::size_t surface) {
+        const auto& t = overlay.triangles[k];
+        const std::vector<Vector_3d>& points = overlay.points[surface];
+        return std::array<Vector_3d, 3>{points[t[0]], points[t[1]], points[t[2]]};
+      });
+  return 0.5 * (distortion.energy.average_over_first + distortion.energy.average_over_second);
+}
+
+// The start of the map: from landmarks if they determine a rotation, or else from features.
+template <class K>
+Aligned_start start_of_map(const Located_surface<K>& first, const std::vector<Surface_alignment::Channel>& features1,
+                           const Located_surface<K>& second, const std::vector<Surface_alignment::Channel>& features2,
+                           const std::vector<std::array<std::uint32_t, 2>>& landmarks, const Execution& execution)
+{
+  std::vector<std::pair<Vector_3d, Vector_3d>> pairs;
+  for(const auto& [v, w] : landmarks)
+    pairs.emplace_back(first.direction(v), second.direction(w));
+  if(const std::optional<Rotation_matrix> rotation = fitting_rotation(pairs))
+  {
+    Aligned_start result;
+    result.directions = rotated_directions(*rotation, first.sphere);
+    return result;
+  }
+  return align(first.sphere, first.points, features1, second.sphere, second.points, features2, execution);
+}
+
+} // namespace internal
+
+/// \ingroup PkgSphericalParameterizationSurfaces
+///
+/// maps a surface one-to-one onto another one, with low distortion in both directions, by means of their maps to the sphere.
+/// What it finds is a direction for each vertex of the first surface. As a map to the sphere of the second one, the
+/// directions are as certified as any map of this package, and so is the map between the surfaces that they make: from a
+/// face of the first one to the sphere, and from there by the inverse of the second map. What lies in a direction is found
+/// with `Sphere_locator_3`; `remesh_through_sphere()` gives the second surface with the connectivity of the first one,
+/// `transfer()` carries properties over, and `overlay()` is the common refinement.
+///
+/// The spheres are turned against each other by landmarks, or else by features, see `align_spheres()`, and bent until these
+/// agree, if the surfaces are different poses or bodies. From there, the symmetric Dirichlet energy of the map, integrated
+/// over both surfaces, is lowered by the steps that `Bijective_low_distortion_parameterizer_3` makes, level by level of a
+/// hierarchy; what a face sees of the second surface is the metric that this gives to its sphere. If the spheres agree as
+/// they are, the result is the rotation itself, unless the descent has lowered the energy of the common refinement.
+///
+/// The running time is nearly linear in the size of the meshes: for 26,000 vertices each, some 3 seconds on two threads.
+///
+/// \tparam ConcurrencyTag enables sequential versus parallel algorithm. Possible values are `Sequential_tag`,
+///         `Parallel_tag`, and `Parallel_if_available_tag`. The result does not depend on it.
+/// \tparam TriangleMesh1 a model of `FaceListGraph` with an internal vertex point property map
+/// \tparam VertexSphereMap1 a model of `ReadablePropertyMap` with
+///         `boost::graph_traits<TriangleMesh1>::%vertex_descriptor` as key type and `%Point_3` of a \cgal kernel as value
+///         type; its coordinates are of type `double` or `float`
+/// \tparam TriangleMesh2 a model of `FaceListGraph` with an internal vertex point property map
+/// \tparam VertexSphereMap2 the same for it
+/// \tparam VertexDirectionMap a model of `WritablePropertyMap` with
+///         `boost::graph_traits<TriangleMesh1>::%vertex_descriptor` as key type and `%Point_3` of a \cgal kernel as value
+///         type
+///
+/// \param tmesh1 the first surface
+/// \param vertex_sphere_map1 the images of its vertices, at any distance from the origin
+/// \param tmesh2 the second surface
+/// \param vertex_sphere_map2 the images of its vertices, at any distance from the origin
+/// \param vertex_direction_map receives for each vertex of the first surface its direction on the sphere of the second
+///        one, a point at distance 1 of the origin. It may be `vertex_sphere_map1`.
+/// \param settings landmarks and features, if any
+/// \param report receives what has been found, if it is not null
+///
+/// \return `OK`: the map is certified, whether all landmarks are met or not; what is wrong with the first mesh, or else the
+///         second one, see `find_defect()`, or with its map: `ERROR_NO_1_TO_1_MAPPING` if that is no bijection;
+///         `ERROR_NON_FINITE_COORDINATE` if a point is not finite; `ERROR_INVALID_LANDMARK` if a vertex has two landmarks,
+///         or a landmark is no vertex of a face; `ERROR_WRONG_PARAMETER` if the weight is not positive, or the value of a
+///         feature not finite; or `ERROR_INSUFFICIENT_PRECISION` if doubles, or the numbers of the map, cannot hold the
+///         result. Nothing is written then.
+///
+/// \sa `CGAL::Spherical_parameterization::measure_distortion_between()`
+template <class ConcurrencyTag = Parallel_if_available_tag, class TriangleMesh1, class VertexSphereMap1,
+          class TriangleMesh2, class VertexSphereMap2, class VertexDirectionMap>
+[[nodiscard]] Error_code map_surface(const TriangleMesh1& tmesh1, VertexSphereMap1 vertex_sphere_map1,
+                                     const TriangleMesh2& tmesh2, VertexSphereMap2 vertex_sphere_map2,
+                                     VertexDirectionMap vertex_direction_map,
+                                     const Surface_map_settings<TriangleMesh1, TriangleMesh2>& settings = {},
+                                     Surface_map_report* report = nullptr)
+{
+  using Arrays1 = internal::Mesh_on_sphere<TriangleMesh1, VertexSphereMap1>;
+  using Arrays2 = internal::Mesh_on_sphere<TriangleMesh2, VertexSphereMap2>;
+  using K = typename Arrays1::Exact_kernel;
+  static_assert(std::is_same<typename K::FT, double>::value && std::is_same<K, typename Arrays2::Exact_kernel>::value,
+                "The coordinates of both maps to the sphere have to be of type double or float.");
+  const internal::Execution execution = internal::execution_of<ConcurrencyTag>();
+
+  // What the caller has, as flat arrays.
+  if(settings.landmark_weight && !internal::is_positive_and_finite(*settings.landmark_weight))
+    return ERROR_WRONG_PARAMETER;
+  Arrays1 arrays1;
+  Arrays2 arrays2;
+  if(const Error_code error = arrays1.read(tmesh1, vertex_sphere_map1, false, execution))
+    return error;
+  if(const Error_code error = arrays2.read(tmesh2, vertex_sphere_map2, false, execution))
+    return error;
+  if(const Error_code error = arrays1.read_points(get(vertex_point, tmesh1)))
+    return error;
+  if(const Error_code error = arrays2.read_points(get(vertex_point, tmesh2)))
+    return error;
+  const auto landmarks = internal::landmark_numbers(arrays1, arrays2, settings.landmarks);
+  if(!landmarks)
+    return ERROR_INVALID_LANDMARK;
+  std::array<std::vector<internal::Surface_alignment::Channel>, 2> features;
+  for(const auto& [feature1, feature2] : settings.features)
+  {
+    features[0].emplace_back();
+    for(const auto v : arrays1.vertices_of_mesh)
+      features[0].back().push_back(feature1(v));
+    features[1].emplace_back();
+    for(const auto v : arrays2.vertices_of_mesh)
+      features[1].back().push_back(feature2(v));
+  }
+  for(const auto& channels : features)
+    for(const auto& channel : channels)
+      if(!std::all_of(channel.begin(), channel.end(), [](double x) { return internal::is_finite(x); }))
+        return ERROR_WRONG_PARAMETER;
+  internal::Indexed_mesh mesh;
+  {
+    std::vector<std::array<std::uint32_t, 3>> triangles;
+    for(const internal::Linked_triangle& t : arrays1.triangles)
+      triangles.push_back(t.vertices);
+    if(const Error_code error = mesh.assign(arrays1.points, triangles))
+      return error;
+  }
+  internal::Located_surface<K> first, second;
+  first.points = std::move(arrays1.points);
+  first.sphere.assign(std::move(arrays1.images), std::move(arrays1.triangles));
+  second.points = std::move(arrays2.points);
+  second.sphere.assign(std::move(arrays2.images), std::move(arrays2.triangles));
+  internal::run_both(
+      execution, [&] { first.sphere.make_grid(); }, [&] { second.sphere.make_grid(); });
+
+  // The start, and the descent from it, in the numbering of `mesh`.
+  internal::Aligned_start start =
+      internal::start_of_map(first, features[0], second, features[1], *landmarks, execution);
+  const std::size_t n = mesh.number_of_vertices();
+  std::vector<internal::Vector_3d> positions(n);
+  std::vector<std::uint32_t> numbers(n);
+  for(std::uint32_t v = 0; v < n; ++v)
+  {
+    positions[v] = start.directions[mesh.original(v)];
+    numbers[mesh.original(v)] = v;
+  }
+  internal::Landmark_goals goals;
+  goals.weight = settings.landmark_weight.value_or(0.);
+  for(const auto& [v, w] : *landmarks)
+  {
+    goals.vertices.push_back(numbers[v]);
+    goals.directions.push_back(second.direction(w));
+  }
+  if(!internal::are_safely_positive(mesh.rings(), positions))
+    return ERROR_INSUFFICIENT_PRECISION;
+  {
+    const internal::Target_metric metric(second.sphere, second.points, execution);
+    internal::Surface_descent descent(mesh, metric, goals, execution);
+    // Landmarks are moved on levels of very few vertices. Features have brought all that is large to its place, as far as
+    // their grid can tell: on coarser levels than this, the two surfaces have lost too much to be compared.
+    constexpr std::size_t min_size_with_landmarks = 60, min_size = 1000;
+    descent.run(positions, landmarks->empty() ? min_size : min_size_with_landmarks);
+  }
+  std::vector<internal::Vector_3d> directions(n);
+  for(std::size_t v = 0; v < n; ++v)
+    directions[mesh.original(v)] = positions[v];
+  std::optional<double> energy = internal::energy_between(first, directions, second, execution);
+  if(start.is_rotation && landmarks->empty())
+  {
+    const std::optional<double> energy_of_start = internal::energy_between(first, start.directions, second, execution);
+    if(energy_of_start && !(energy && *energy < *energy_of_start))
+    {
+      energy = energy_of_start;
+      directions = start.directions;
+      for(std::size_t v = 0; v < n; ++v)
+        positions[v] = directions[mesh.original(v)];
+    }
+  }
+  if(!energy)
+    return ERROR_INSUFFICIENT_PRECISION;
+  if(const Error_code error = internal::write_map(mesh, arrays1.vertices_of_mesh, positions, 1.,
+                                                  internal::Guarantee::ONE_TO_ONE, vertex_direction_map, execution))
+    return error;
+  if(!report)
+    return OK;
+
+  *report = Surface_map_report();
+  report->energy = *energy;
+  report->agreement = start.agreement;
+  report->margin = start.margin;
+  for(std::size_t k = 0; k < landmarks->size(); ++k)
+  {
+    const auto [v, w] = (*landmarks)[k];
+    const bool is_met = positions[goals.vertices[k]] == goals.directions[k];
+    report->landmark_distances.push_back(is_met ? 0. : internal::distance_left(second, directions[v], w));
+    report->number_of_missed_landmarks += goals.is_hard() && !is_met;
+  }
+  return OK;
+}
+
+} // namespace Spherical_parameterization
+} // namespace CGAL
+
+#endif // CGAL_SPHERICAL_PARAMETERIZATION_MAP_SURFACE_H
