@@ -21,6 +21,7 @@
 #include <iomanip>
 #include <iostream>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <system_error>
 #include <vector>
@@ -53,6 +54,8 @@ public:
       const std::uintmax_t size = std::filesystem::file_size(names.input, error);
       sizes.push_back(error ? 0 : size);
     }
+    if(!m_options.template_file.empty() && !m_meshes.empty())
+      m_template.emplace(m_options, m_options.template_file);
     {
       const Interrupt_guard guard;
       Batch_scheduler::for_each_mesh(sizes, [&](std::size_t i) { run(m_meshes[i]); });
@@ -94,6 +97,7 @@ private:
       run.map();
       if(run.report().is_interrupted())
         return;
+      run.match(m_template ? &*m_template : nullptr);
       run.write();
       tell_map(run.report());
     }
@@ -159,6 +163,7 @@ private:
 
   const Program_options& m_options;
   std::vector<File_names> m_meshes;
+  std::optional<Mapped_mesh> m_template;
   double m_start = seconds_now();
   std::mutex m_mutex;
   std::size_t m_left_out = 0, m_mapped = 0, m_folded = 0, m_failed = 0;

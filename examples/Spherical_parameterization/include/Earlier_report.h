@@ -88,7 +88,8 @@ public:
     return text("program") == program_version() && text("method") == options.description &&
            fs::path(text("input")).filename() == fs::path(valid_utf8(m_names.input)).filename() &&
            text("stop_reason") != Run_report::stop_reason_interrupted && is_as_it_was("input_stamp", m_names.input) &&
-           (options.start_file.empty() || is_as_it_was("start_stamp", options.start_file)) && has_its_sphere();
+           (options.start_or_template().empty() || is_as_it_was("start_stamp", options.start_or_template())) &&
+           has_its_sphere();
   }
 
   /// returns whether the map was certified.

@@ -61,6 +61,7 @@ private:
     return list_of(values, ", ", "");
   }
 
+  static std::string text_of(const std::vector<double>& values) { return list_of(values, ", ", ""); }
   static std::string text_of(const std::vector<std::string>& values) { return list_of(values, ", ", ""); }
 
   // a row on each line

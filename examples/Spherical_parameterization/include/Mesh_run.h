@@ -8,6 +8,7 @@
 #include "Program_options.h"
 #include "Remesh.h"
 #include "Run_report.h"
+#include "Surface_match.h"
 #include "mesh_files.h"
 #include "read_soup.h"
 #include "run_method.h"
@@ -61,8 +62,8 @@ public:
   {
     const double start = seconds_now();
     m_report.input_stamp = File_stamp(m_names.input);
-    if(!m_options.start_file.empty())
-      m_report.start_stamp = File_stamp(m_options.start_file);
+    if(!m_options.start_or_template().empty())
+      m_report.start_stamp = File_stamp(m_options.start_or_template());
     m_input.emplace(m_names.input, read_soup(m_names.input));
     m_report.seconds_for_input = seconds_now() - start;
 
@@ -99,6 +100,38 @@ public:
     m_report.seconds_for_sampling = seconds_now() - start;
   }
 
+  /// maps the surface onto that of --onto, or a template onto it, if that is wanted.
+  ///
+  /// \pre `map()` has returned
+  ///
+  /// \throws Program_error if there is no such map
+  void match(const Mapped_mesh* model = nullptr)
+  {
+    if(m_options.onto.empty() && model == nullptr)
+      return;
+    const double start = seconds_now();
+    if(!m_report.result.is_one_to_one)
+      throw Program_error(m_names.input,
+                          "the map is not one-to-one: no surface can be mapped by it.\n--method bld excludes that.");
+    if(model != nullptr)
+    {
+      m_other.emplace(*model);
+      m_match.emplace(m_options, m_other->input, m_other->sphere, *m_input, m_sphere);
+    }
+    else
+    {
+      m_other.emplace(m_options, m_options.onto);
+      m_match.emplace(m_options, *m_input, m_sphere, m_other->input, m_other->sphere);
+    }
+    m_report.match = Run_report::Match_figures{model != nullptr ? m_options.template_file : m_options.onto,
+                                               model != nullptr,
+                                               m_other->input.mesh().number_of_vertices(),
+                                               m_match->report,
+                                               m_match->distortion,
+                                               m_match->warnings()};
+    m_report.seconds_for_matching = seconds_now() - start;
+  }
+
   /// measures the map, and writes all files. They appear once all of them are complete.
   ///
   /// \pre `map()` has returned
@@ -115,12 +148,29 @@ public:
     if(m_files.sphere)
     {
       m_files.sphere->write([&](std::ostream& out) {
-        write_soup(out, file_format(m_names.sphere), points_of(m_sphere), m_input->triangles());
+        const std::string format = file_format(m_names.sphere);
+        if(m_match && m_options.onto.empty())
+          m_match->write_positions(out, format);
+        else if(m_match)
+          m_match->write_directions(out, format);
+        else
+          write_soup(out, format, points_of(m_sphere), m_input->triangles());
       });
       m_report.sphere_checksum = m_files.sphere->checksum();
     }
     if(m_files.remesh)
       m_files.remesh->write([&](std::ostream& out) { m_remesh->write(out, file_format(m_names.remesh)); });
+    if(m_files.onto)
+      m_files.onto->write([&](std::ostream& out) { m_match->write_positions(out, file_format(m_names.onto)); });
+    if(m_files.target_sphere)
+      m_files.target_sphere->write([&](std::ostream& out) {
+        write_soup(out, file_format(m_names.target_sphere), points_of(m_other->sphere), m_other->input.triangles());
+      });
+    if(m_files.overlay)
+      m_files.overlay->write([&](std::ostream& out) { m_match->write_overlay(out); });
+    if(m_files.morph)
+      m_files.morph->write(
+          [&](std::ostream& out) { m_match->write_morph(out, file_format(m_names.morph), m_options.morph_time); });
     if(m_files.image)
     {
       const std::string format = file_format(m_names.image);
@@ -207,6 +257,8 @@ private:
   Run_report m_report;
   std::optional<Input_mesh> m_input;
   std::optional<Remesh> m_remesh, m_image;
+  std::optional<Mapped_mesh> m_other; // the target, or the template
+  std::optional<Surface_match> m_match;
   Sphere_map m_sphere;
   Distortion_map m_distortions;
 };

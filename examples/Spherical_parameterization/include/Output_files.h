@@ -42,6 +42,14 @@ public:
       add(colored_surface, names.colored + "_surface.ply");
       add(colored_sphere, names.colored + "_sphere.ply");
     }
+    if(!names.onto.empty())
+      add(onto, names.onto);
+    if(!names.target_sphere.empty())
+      add(target_sphere, names.target_sphere);
+    if(!names.overlay.empty())
+      add(overlay, names.overlay);
+    if(!names.morph.empty())
+      add(morph, names.morph);
     if(!names.json.empty())
       add(json, names.json);
 
@@ -84,7 +92,8 @@ public:
     return result;
   }
 
-  std::optional<Output_file> sphere, remesh, image, image_of_normals, colored_surface, colored_sphere, json;
+  std::optional<Output_file> sphere, remesh, image, image_of_normals, colored_surface, colored_sphere, onto,
+      target_sphere, overlay, morph, json;
 
 private:
   std::vector<Output_file*> m_wanted;

@@ -58,6 +58,7 @@ public:
     if(knows("radius"))
       read_radius();
     read_limits();
+    read_match();
     read_outputs();
   }
 
@@ -66,12 +67,15 @@ public:
   {
     std::ostringstream text;
     text << R"(Usage: spherical_parameterization INPUT [-o SPHERE] [options]
+       spherical_parameterization INPUT --onto TARGET [-o RESULT] [options]
        spherical_parameterization INPUT ... --output-folder FOLDER [options]
 
 Maps a closed triangle mesh of genus 0 to a sphere, one-to-one and with low distortion. INPUT is a file of
 one of the formats )"
          << list_of(input_formats) << R"(. The result is certified by exact arithmetic.
 Without -o nothing but the report is printed. Ctrl-C or SIGTERM ends the sweeps; the map reached is written.
+
+With --onto, the surface is mapped one-to-one onto another one, through both spheres.
 
 With --output-folder, a mesh that fails does not stop the others. Small meshes are mapped one on each core,
 large ones one after the other on all. After Ctrl-C nothing that is incomplete is left; --resume goes on.
@@ -99,24 +103,35 @@ none; 2, all have one, but some fold.
   Words other_inputs() const
   {
     Words result;
-    for(const std::string& name : {start_file, domain_size == 0 ? domain : "", values_file, values_sphere})
+    for(const std::string& name :
+        {start_file, domain_size == 0 ? domain : "", values_file, values_sphere, onto, template_file})
       if(!name.empty())
         result.push_back(name);
+    for(const Words& names : {landmark_files, feature_files})
+      result.insert(result.end(), names.begin(), names.end());
     return result;
   }
 
+  /// returns the file that decides on a map beside the mesh itself; empty if there is none.
+  const std::string& start_or_template() const { return template_file.empty() ? start_file : template_file; }
+
   bool wants_help = false, wants_version = false, is_quiet = false;
-  Words inputs;                 ///< meshes, and folders if there may be many
-  File_names file_names;        ///< of the one mesh, if there is only one
-  bool prints_json = false;     ///< whether its report is printed as JSON
-  std::string domain;           ///< to sample by: a solid, or the name of a file; empty if no remesh is wanted
-  unsigned int domain_size = 0; ///< what the edges of the solid are divided into
-  unsigned int image_size = 0;  ///< pixels in a row of the geometry image; 0 if none is wanted
-  std::string values_file;      ///< with the properties that the remesh gets; empty if there is none
-  std::string values_sphere;    ///< the map of that mesh, if it is not the input
-  std::string output_folder;    ///< of the many, empty otherwise
-  std::string format;           ///< of all maps, empty if each has that of its input
-  bool is_resumed = false;      ///< whether meshes that are done are left out
+  Words inputs;                        ///< meshes, and folders if there may be many
+  File_names file_names;               ///< of the one mesh, if there is only one
+  bool prints_json = false;            ///< whether its report is printed as JSON
+  std::string domain;                  ///< to sample by: a solid, or the name of a file; empty if no remesh is wanted
+  unsigned int domain_size = 0;        ///< what the edges of the solid are divided into
+  unsigned int image_size = 0;         ///< pixels in a row of the geometry image; 0 if none is wanted
+  std::string values_file;             ///< with the properties that the remesh gets; empty if there is none
+  std::string values_sphere;           ///< the map of that mesh, if it is not the input
+  std::string onto;                    ///< the surface to map onto, empty if there is none
+  std::string template_file;           ///< the surface to map onto each of many, empty if there is none
+  Words landmark_files, feature_files; ///< of both surfaces, or none
+  double landmark_weight = 0.;         ///< 0 if landmarks are met exactly
+  double morph_time = 0.;
+  std::string output_folder; ///< of the many, empty otherwise
+  std::string format;        ///< of all maps, empty if each has that of its input
+  bool is_resumed = false;   ///< whether meshes that are done are left out
   std::string method = "bld";
   bool is_published = false;          ///< "bld" with the settings of the paper
   std::string start = "hierarchical"; ///< empty if the map to start from is in a file
@@ -182,6 +197,7 @@ private:
     constexpr unsigned int line_length = 100;
     po::options_description options("Options", line_length);
     const auto word = [](const char* name) { return po::value<std::string>()->value_name(name); };
+    const auto words = [](const char* names) { return po::value<Words>()->multitoken()->value_name(names); };
     // clang-format off
     options.add_options()
       ("output,o", word("SPHERE"), "write the sphere: the faces of INPUT, with the images of its vertices in the same "
@@ -191,7 +207,8 @@ private:
                                    "6 N^2 + 2 or 10 N^2 + 2 vertices; or FILE: those of a mesh of the sphere, such as "
                                    "--sphere has written. --prefer is sampling if nothing else is given; a .ply "
                                    "file has normals, too")
-      ("sphere", word("SPHERE"), "with --remesh, write the sphere here")
+      ("sphere", word("SPHERE"), "with --remesh, write the sphere here; with --onto, the directions of the vertices of INPUT "
+                                 "on the sphere of TARGET, and that sphere to SPHERE_target")
       ("transfer", word("VALUES"), "with --remesh, carry over the properties of the vertices and faces of a .ply file that "
                                    "has the faces of INPUT; whole numbers are labels, which are not averaged")
       ("values-sphere", word("SPHERE"), "VALUES is another surface, and this its sphere")
@@ -199,9 +216,22 @@ private:
                                        "is unfolded to a square, with points as colours; and its normals to FILE_normals. "
                                        "--prefer is sampling if nothing else is given")
       ("image-size", word("N"), "pixels in each of its rows and columns, odd; 257")
+      ("onto", word("TARGET"), "map the surface onto this one: -o is INPUT with its vertices on TARGET. The spheres are aligned "
+                               "by features of the surfaces, if there are no landmarks")
+      ("landmarks", words("A B"), "with --onto, files with the vertices of INPUT and TARGET that correspond, one a line, counted "
+                                  "from 0; further columns are not looked at. They are met exactly, with a warning for each "
+                                  "that cannot be")
+      ("soft-landmarks", word("W"), "with --landmarks, the weight of their mean squared distance on the unit sphere instead")
+      ("features", words("A B"), "with --onto, .ply files with the vertices of INPUT and TARGET, whose properties of the same "
+                                 "names are what the spheres are aligned by")
+      ("overlay", word("FILE"), "with --onto, write the common refinement of both surfaces, a .ply file with positions on INPUT, "
+                                "those on TARGET and the faces of both as properties")
+      ("morph", words("T FILE"), "with --onto, write the common refinement on its way from INPUT, T = 0, to TARGET, T = 1")
       ("output-folder", word("FOLDER"), "map many meshes: each INPUT is a mesh, or a folder, which stands for the mesh "
                                         "files in it; write each sphere and its report to FOLDER, as NAME.off, say, "
                                         "and NAME.json")
+      ("template", word("T"), "with --output-folder, map the surface T onto each INPUT, and write T with its vertices there "
+                              "instead of the sphere: all get the same faces")
       ("format", word("EXTENSION"), "the format of all spheres there: off, obj, ply or ts; if not given, that of the "
                                     "INPUT, and off for .stl")
       ("resume", "leave out the meshes whose sphere and report are there, made by the same version of the program from "
@@ -324,11 +354,28 @@ private:
     return true;
   }
 
+  // Reads the two words of an option. What follows them is an INPUT.
+  Words read_pair(const std::string& option, const std::string& valid)
+  {
+    if(!has(option))
+      return {};
+    Words result = m_values[option].as<Words>();
+    if(result.size() < 2)
+      fail("--" + option + " needs " + valid);
+    inputs.insert(inputs.end(), result.begin() + 2, result.end());
+    result.resize(2);
+    return result;
+  }
+
   void read_inputs()
   {
-    if(!has("input"))
+    if(has("input"))
+      inputs = m_values["input"].as<Words>();
+    landmark_files = read_pair("landmarks", "two files, of INPUT and of TARGET");
+    feature_files = read_pair("features", "two files, of INPUT and of TARGET");
+    morph = read_pair("morph", "a number and the name of a file");
+    if(inputs.empty())
       fail("there is no INPUT");
-    inputs = m_values["input"].as<Words>();
     if(has("output-folder"))
       return;
     if(inputs.size() > 1)
@@ -393,10 +440,10 @@ private:
   // What is preferred decides on other settings, and what is sampled on that.
   void read_sampling()
   {
-    for(const char* option : {"sphere", "transfer"})
-      if(has(option) && !has("remesh"))
-        fail("--" + std::string(option) + " goes with --remesh" +
-             (option == std::string("sphere") ? "; without it, -o is the sphere" : ""));
+    if(has("sphere") && !has("remesh") && !has("onto"))
+      fail("--sphere goes with --remesh or --onto; without them, -o is the sphere");
+    if(has("transfer") && !has("remesh"))
+      fail("--transfer goes with --remesh");
     if(has("image-size") && !has("geometry-image"))
       fail("--image-size goes with --geometry-image");
     if(has("geometry-image"))
@@ -562,11 +609,45 @@ private:
     max_threads = read_count("threads", 1, 0);
   }
 
+  void read_match()
+  {
+    onto = text("onto");
+    template_file = text("template");
+    for(const char* option : {"landmarks", "features", "overlay", "morph"})
+      if(has(option) && onto.empty())
+        fail("--" + std::string(option) + " goes with --onto");
+    for(const char* option : {"remesh", "geometry-image", "output-folder", "initial"})
+      if(has(option) && !onto.empty())
+        fail("--" + std::string(option) + " and --onto cannot be combined");
+    if(!template_file.empty() && (!has("output-folder") || !start_file.empty()))
+      fail("--template goes with --output-folder, and without the map of --initial");
+    if(has("soft-landmarks") && !has("landmarks"))
+      fail("--soft-landmarks goes with --landmarks");
+    landmark_weight = read_number("soft-landmarks", 1e-6, 1e6, "a number from 1e-6 to 1e6", 0.);
+    for(const std::string& name : feature_files)
+      if(file_format(name) != ".ply")
+        fail("--features needs .ply files, which can hold properties, not '" + printable(name) + "'");
+    file_names.overlay = text("overlay");
+    if(has("overlay") && file_format(file_names.overlay) != ".ply")
+      refuse("overlay", "the name of a .ply file, which can hold properties");
+    if(!morph.empty())
+    {
+      if(!is_number(morph[0], morph_time) || !(morph_time >= 0. && morph_time <= 1.))
+        fail("--morph has to be a number from 0 to 1 and the name of a file, not '" + printable(morph[0]) + "'");
+      file_names.morph = morph[1];
+      if(!is_among(file_format(morph[1]), output_formats))
+        fail("--morph needs a name that ends with one of " + list_of(output_formats));
+    }
+    if(!template_file.empty())
+      describe("template " + printable(template_file));
+  }
+
   void read_outputs()
   {
     is_quiet = has("quiet");
     const bool is_for_many = has("output-folder");
-    for(const char* option : {"output", "sphere", "transfer", "values-sphere", "json", "colored", "output-folder"})
+    for(const char* option : {"output", "sphere", "transfer", "values-sphere", "json", "colored", "output-folder",
+                              "onto", "template", "overlay"})
       if(has(option) && text(option).empty())
         fail("--" + std::string(option) + " needs a name");
     for(const char* option : {"format", "resume"})
@@ -579,8 +660,15 @@ private:
       if(has(option) && is_for_many)
         fail("--" + std::string(option) + " is for one mesh; with --output-folder, the sphere of each and its report " +
              "are written there");
-    file_names.sphere = text(has("remesh") ? "sphere" : "output");
-    file_names.remesh = text(has("remesh") ? "output" : "");
+    const bool has_result = has("remesh") || has("onto");
+    file_names.sphere = text(has_result ? "sphere" : "output");
+    if(has_result)
+      (has("remesh") ? file_names.remesh : file_names.onto) = text("output");
+    if(has("onto") && has("sphere"))
+    {
+      const std::filesystem::path path(file_names.sphere);
+      file_names.target_sphere = (path.parent_path() / path.stem()).string() + "_target" + path.extension().string();
+    }
     prints_json = text("json") == "-";
     file_names.json = prints_json ? "" : text("json");
     file_names.colored = text("colored");
@@ -603,6 +691,7 @@ private:
   static constexpr double max_sharpness = 1e6;
 
   std::string preference; // of --prefer
+  Words morph;            // the two words of --morph
 
   boost::program_options::variables_map m_values;
 };

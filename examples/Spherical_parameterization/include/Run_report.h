@@ -11,6 +11,8 @@
 #include <CGAL/Spherical_parameterization/Distortion_summary.h>
 #include <CGAL/Spherical_parameterization/Parameterization_report.h>
 #include <CGAL/Spherical_parameterization/Surface_distance.h>
+#include <CGAL/Spherical_parameterization/Surface_map_report.h>
+#include <CGAL/Spherical_parameterization/measure_distortion_between.h>
 #include <CGAL/version_macros.h>
 
 #include <algorithm>
@@ -58,6 +60,17 @@ public:
     SP::Surface_distance distance;
   };
 
+  /// What is told of a map between two surfaces.
+  struct Match_figures
+  {
+    std::string other; ///< the file of the other surface
+    bool is_template;  ///< whether the other one is mapped onto the input
+    std::size_t number_of_vertices;
+    SP::Surface_map_report report;
+    SP::Distortion_between distortion;
+    std::string warnings; ///< of landmarks that are missed
+  };
+
   Run_result result;
   SP::Distortion_summary distortion;
   /// with the radius of eq. 11, if the map is to the unit sphere, whatever the size of the surface
@@ -65,12 +78,14 @@ public:
   double seconds_for_input = 0.; ///< reading and checking the file
   double seconds_for_measuring = 0.;
   double seconds_for_sampling = 0.;
+  double seconds_for_matching = 0.;        ///< the other surface, and the map between both
   double seconds_for_output = 0.;          ///< writing all files but that with this report
   Words files;                             ///< that were written
   File_stamp input_stamp;                  ///< of the file, before it was read
   File_stamp start_stamp;                  ///< of the file with the map to start from; empty if there is none
   std::optional<Checksum> sphere_checksum; ///< if it was written, and to an ordinary file
   std::optional<Remesh_figures> remesh;
+  std::optional<Match_figures> match;
   /// the distortion with the darkest colour, and that with the lightest, if colours were written
   std::optional<std::array<double, 2>> color_range;
 
@@ -82,7 +97,7 @@ public:
   double seconds() const
   {
     return seconds_for_input + result.report.seconds() + seconds_for_measuring + seconds_for_sampling +
-           seconds_for_output;
+           seconds_for_matching + seconds_for_output;
   }
 
   void print(std::ostream& out) const
@@ -107,7 +122,8 @@ public:
         << " initial map + " << fixed_text(run.seconds_for_optimization, 2) << " sweeps + "
         << fixed_text(run.seconds_for_certificate, 2) << " certificate + " << fixed_text(seconds_for_measuring, 2)
         << " measuring + " << (remesh ? fixed_text(seconds_for_sampling, 2) + " sampling + " : "")
-        << fixed_text(seconds_for_output, 2) << " output\n\n            maximum     average   deviation\n";
+        << (match ? fixed_text(seconds_for_matching, 2) + " matching + " : "") << fixed_text(seconds_for_output, 2)
+        << " output\n\n            maximum     average   deviation\n";
     print_line(out, "D_iso  ", distortion.isometric);
     print_line(out, "D_area ", distortion.area);
     print_line(out, "D_angle", distortion.angle);
@@ -122,6 +138,8 @@ public:
         << (result.is_one_to_one ? "Certified: the map is one-to-one." : "Not one-to-one: " + fault()) << '\n';
     if(remesh)
       print_remesh(out);
+    if(match)
+      print_match(out);
     for(const std::string& file : files)
       out << "Written:   " << printable(file) << '\n';
     if(color_range)
@@ -202,6 +220,7 @@ public:
                            .add("certificate", run.seconds_for_certificate)
                            .add("measuring", seconds_for_measuring)
                            .add("sampling", seconds_for_sampling)
+                           .add("matching", seconds_for_matching)
                            .add("output", seconds_for_output)
                            .add("total", seconds()));
     if(remesh)
@@ -216,6 +235,28 @@ public:
                             .add("distance_to_surface", one_way(remesh->distance.from_second))
                             .add("diagonal", remesh->distance.diagonal)
                             .add("psnr", remesh->distance.psnr()));
+    }
+    if(match)
+    {
+      const auto between = [](const SP::Distortion_between::Statistics& of) {
+        return Json_object()
+            .add("maximum", of.maximum)
+            .add("average", of.average_over_first)
+            .add("average_over_target", of.average_over_second);
+      };
+      all.add("match", Json_object()
+                           .add(match->is_template ? "template" : "target", match->other)
+                           .add("vertices", match->number_of_vertices)
+                           .add("agreement", match->report.agreement)
+                           .add("margin", match->report.margin)
+                           .add("energy", between(match->distortion.energy))
+                           .add("D_iso", between(match->distortion.isometric))
+                           .add("D_area", between(match->distortion.area))
+                           .add("D_angle", between(match->distortion.angle))
+                           .add("triangles", match->distortion.number_of_triangles)
+                           .add("slivers", match->distortion.number_of_slivers)
+                           .add("landmark_distances", match->report.landmark_distances)
+                           .add("missed_landmarks", match->report.number_of_missed_landmarks));
     }
     if(color_range)
       all.add("colors", Json_object()
@@ -241,6 +282,32 @@ public:
   static constexpr const char* seal = ",\n  \"crc32\": ";
 
 private:
+  void print_match(std::ostream& out) const
+  {
+    constexpr int digits = 3;
+    const auto& [other, is_template, n, report, d, warnings] = *match;
+    out << (is_template ? "Template:  " : "Onto:      ") << printable(other) << ": " << n
+        << " vertices; symmetric Dirichlet energy " << fixed_text(d.energy.average_over_first, digits) << " / "
+        << fixed_text(d.energy.average_over_second, digits) << " over both surfaces, D_iso "
+        << fixed_text(d.isometric.average_over_first, digits) << " / "
+        << fixed_text(d.isometric.average_over_second, digits) << ", " << fixed_text(d.isometric.maximum, digits)
+        << " at most\nAligned:   by ";
+    const std::size_t n_landmarks = report.landmark_distances.size();
+    if(report.agreement > 0.)
+    {
+      constexpr double small_margin = 0.1;
+      out << "features, which agree by " << fixed_text(report.agreement, digits) << ", with a margin of "
+          << fixed_text(report.margin, digits)
+          << (report.margin < small_margin ? ": look whether sides have been exchanged" : "");
+    }
+    else
+      out << "landmarks";
+    if(n_landmarks > 0)
+      out << "; " << n_landmarks - report.number_of_missed_landmarks << " of " << n_landmarks << " landmarks "
+          << (m_options.landmark_weight > 0. ? "are soft" : "are met");
+    out << "\nCertified: the map between the surfaces is one-to-one.\n";
+  }
+
   void print_remesh(std::ostream& out) const
   {
     constexpr int digits = 2;

@@ -102,8 +102,8 @@ inline std::vector<File_names> find_batch(const Program_options& options)
   std::set<std::filesystem::path> inputs;
   for(const File_names& names : meshes)
     inputs.insert({canonical(names.input), canonical_place(names.input)});
-  if(!options.start_file.empty())
-    inputs.insert({canonical(options.start_file), canonical_place(options.start_file)});
+  if(const std::string& name = options.start_or_template(); !name.empty())
+    inputs.insert({canonical(name), canonical_place(name)});
   std::map<std::filesystem::path, std::string> input_of;
   for(const File_names& names : meshes)
     for(const std::string& name : {names.json, names.sphere})

@@ -1,0 +1,324 @@
+#ifndef CGAL_SPHERICAL_PARAMETERIZATION_EXAMPLES_SURFACE_MATCH_H
+#define CGAL_SPHERICAL_PARAMETERIZATION_EXAMPLES_SURFACE_MATCH_H
+
+#include "Input_mesh.h"
+#include "Polygon_soup.h"
+#include "Program_error.h"
+#include "Program_options.h"
+#include "mesh_files.h"
+#include "read_soup.h"
+#include "run_method.h"
+#include "write_soup.h"
+
+#include <CGAL/IO/PLY.h>
+#include <CGAL/Spherical_parameterization/Sphere_locator_3.h>
+#include <CGAL/Spherical_parameterization/map_surface.h>
+#include <CGAL/Spherical_parameterization/measure_distortion_between.h>
+#include <CGAL/Spherical_parameterization/overlay.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <iterator>
+#include <map>
+#include <ostream>
+#include <sstream>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace Program {
+
+/// A mesh and its map to the sphere, one-to-one.
+struct Mapped_mesh
+{
+  /// reads a mesh and maps it as the options say.
+  ///
+  /// \throws Program_error if there is no map, or it folds
+  Mapped_mesh(const Program_options& options, const std::string& name)
+    : input(name, read_soup(name))
+    , sphere(add_sphere())
+  {
+    if(!run_method(options, input, sphere).is_one_to_one)
+      throw Program_error(name, "the map to the sphere is not one-to-one.\n--method bld excludes that.");
+  }
+
+  /// copies the mesh, so that several threads can use it at once.
+  Mapped_mesh(const Mapped_mesh& other)
+    : input(other.input)
+    , sphere(add_sphere())
+  {
+    for(const Vertex_index v : input.mesh().vertices())
+      sphere[v] = other.sphere[v];
+  }
+  Mapped_mesh& operator=(const Mapped_mesh&) = delete;
+
+  Input_mesh input;
+  Sphere_map sphere;
+
+private:
+  // A vertex without a face stays at the origin.
+  Sphere_map add_sphere()
+  {
+    return input.mesh().add_property_map<Vertex_index, Point_3>("v:target", Point_3(0, 0, 0)).first;
+  }
+};
+
+/// The map of one surface onto another one.
+class Surface_match
+{
+public:
+  /// finds the map.
+  ///
+  /// \throws Program_error if there is none, or what the options name is not in order
+  Surface_match(const Program_options& options, Input_mesh& first, const Sphere_map& sphere1, Input_mesh& second,
+                const Sphere_map& sphere2)
+    : m_first(first.mesh())
+    , m_second(second.mesh())
+    , m_sphere2(sphere2)
+    , m_triangles(first.triangles())
+    , m_directions(m_first.add_property_map<Vertex_index, Point_3>("v:directions", Point_3(0, 0, 0)).first)
+  {
+    Settings settings;
+    if(!options.landmark_files.empty())
+      read_landmarks(options, settings);
+    if(options.landmark_weight > 0.)
+      settings.landmark_weight = options.landmark_weight;
+    if(!options.feature_files.empty())
+      read_features(options, settings);
+    const SP::Error_code error = SP::map_surface(m_first, sphere1, m_second, sphere2, m_directions, settings, &report);
+    if(error != SP::OK)
+      throw Program_error(first.name() + ": " + SP::get_error_message(error));
+    if(SP::overlay(m_first, m_directions, m_second, m_sphere2, m_overlay) != SP::OK)
+      throw Program_error(first.name() + ": " + SP::get_error_message(SP::ERROR_INSUFFICIENT_PRECISION));
+    distortion = SP::measure_distortion_between(m_overlay);
+  }
+
+  SP::Surface_map_report report;
+  SP::Distortion_between distortion;
+
+  /// returns what is to be said of the landmarks that are missed, a line each, empty if there is none.
+  std::string warnings() const
+  {
+    std::string text;
+    if(m_is_soft)
+      return text;
+    for(std::size_t k = 0; k < report.landmark_distances.size(); ++k)
+      if(report.landmark_distances[k] > 0.)
+      {
+        std::ostringstream line;
+        line << "landmark " << k << " (" << m_landmark_names[k] << ") is missed by " << report.landmark_distances[k]
+             << '\n';
+        text += line.str();
+      }
+    return text;
+  }
+
+  /// writes the faces of the first surface, with its vertices where they are on the second one.
+  void write_positions(std::ostream& out, const std::string& format) const
+  {
+    const SP::Sphere_locator_3 locator(m_second, m_sphere2, true);
+    std::vector<Point_3> points(m_first.number_of_vertices(), Point_3(0, 0, 0));
+    typename decltype(locator)::Hint hint;
+    for(const Vertex_index v : m_first.vertices())
+      if(!m_first.is_isolated(v))
+      {
+        const auto [face, weights] = locator.locate(m_directions[v], hint);
+        const Mesh::Halfedge_index h = m_second.halfedge(face);
+        const std::array<Point_3, 3> corners = {m_second.point(m_second.source(h)), m_second.point(m_second.target(h)),
+                                                m_second.point(m_second.target(m_second.next(h)))};
+        points[v] = CGAL::barycenter(corners[0], weights[0], corners[1], weights[1], corners[2], weights[2]);
+      }
+    write_soup(out, format, points, m_triangles);
+  }
+
+  /// writes the faces of the first surface, with the directions of its vertices.
+  void write_directions(std::ostream& out, const std::string& format) const
+  {
+    write_soup(out, format, std::vector<Point_3>(m_directions.begin(), m_directions.end()), m_triangles);
+  }
+
+  /// writes the common refinement as a PLY file: with the places on the first surface, and as properties those on the
+  /// second one and the numbers of both faces.
+  void write_overlay(std::ostream& out) const
+  {
+    out << "ply\nformat binary_little_endian 1.0\nelement vertex " << m_overlay.points.size() << '\n';
+    for(const char* name : {"x", "y", "z", "x_on_target", "y_on_target", "z_on_target"})
+      out << "property double " << name << '\n';
+    out << "element face " << m_overlay.triangles.size()
+        << "\nproperty list uchar int vertex_indices\nproperty int face\nproperty int face_of_target\nend_header\n";
+    for(const auto& points : m_overlay.points)
+      for(const auto& p : points)
+        for(int k = 0; k < 3; ++k)
+          put(out, p[k]);
+    for(std::size_t k = 0; k < m_overlay.triangles.size(); ++k)
+    {
+      out.put(3);
+      for(const std::uint32_t v : m_overlay.triangles[k])
+        put(out, v);
+      put(out, static_cast<std::uint32_t>(m_overlay.faces[k].first));
+      put(out, static_cast<std::uint32_t>(m_overlay.faces[k].second));
+    }
+  }
+
+  /// writes the common refinement with vertices on the way from the first surface (0) to the second one (1).
+  void write_morph(std::ostream& out, const std::string& format, double t) const
+  {
+    std::vector<Point_3> points;
+    for(const auto& [p, q] : m_overlay.points)
+      points.emplace_back((1. - t) * p.x() + t * q.x(), (1. - t) * p.y() + t * q.y(), (1. - t) * p.z() + t * q.z());
+    std::vector<Polygon> triangles;
+    for(const auto& corners : m_overlay.triangles)
+      triangles.emplace_back(corners.begin(), corners.end());
+    write_soup(out, format, points, triangles);
+  }
+
+private:
+  using Settings = SP::Surface_map_settings<Mesh, Mesh>;
+
+  // the bytes of a number, the lowest one first
+  template <class T>
+  static void put(std::ostream& out, const T& x)
+  {
+    char bytes[sizeof(T)];
+    std::memcpy(bytes, &x, sizeof(T));
+    const std::uint16_t one = 1;
+    char first;
+    std::memcpy(&first, &one, 1);
+    if(first == 0)
+      std::reverse(std::begin(bytes), std::end(bytes));
+    out.write(bytes, sizeof(T));
+  }
+
+  // A landmark, and the line where it is.
+  struct Landmark
+  {
+    std::size_t line;
+    Vertex_index vertex;
+  };
+
+  // A vertex a line, counted from 0; what follows on the line is not looked at.
+  static std::vector<Landmark> read_vertices(const std::string& name, const Mesh& mesh)
+  {
+    std::vector<Landmark> result;
+    std::map<std::size_t, std::size_t> lines; // of the vertices
+    std::istringstream in(read_text(name));
+    std::string text;
+    for(std::size_t line = 1; std::getline(in, text); ++line)
+    {
+      std::istringstream words(text);
+      std::string word;
+      if(!(words >> word))
+        continue;
+      const auto fail = [&](const std::string& what) {
+        throw Program_error(name, "line " + std::to_string(line) + ": " + what);
+      };
+      const std::size_t n = mesh.number_of_vertices();
+      std::size_t v = 0;
+      for(const char c : word)
+      {
+        if(c < '0' || c > '9')
+          fail("'" + printable(word) + "' is no number of a vertex. (Vertices are counted from 0.)");
+        v = v < n ? 10 * v + static_cast<std::size_t>(c - '0') : n;
+      }
+      if(v >= n)
+        fail("the mesh has no vertex " + printable(word) + ", but those from 0 to " + std::to_string(n - 1));
+      if(mesh.is_isolated(Vertex_index(static_cast<Mesh::size_type>(v))))
+        fail("vertex " + std::to_string(v) + " has no face");
+      if(!lines.emplace(v, line).second)
+        fail("vertex " + std::to_string(v) + " is a landmark already, in line " + std::to_string(lines[v]));
+      result.push_back({line, Vertex_index(static_cast<Mesh::size_type>(v))});
+    }
+    return result;
+  }
+
+  static std::string read_text(const std::string& name)
+  {
+    try
+    {
+      return read_file(name);
+    }
+    catch(const Program_error& error)
+    {
+      throw Program_error(name, error.what());
+    }
+  }
+
+  void read_landmarks(const Program_options& options, Settings& settings)
+  {
+    const std::vector<Landmark> first = read_vertices(options.landmark_files[0], m_first),
+                                second = read_vertices(options.landmark_files[1], m_second);
+    if(first.size() != second.size())
+      throw Program_error(options.landmark_files[1], "has " + std::to_string(second.size()) + " landmarks, but " +
+                                                         printable(options.landmark_files[0]) + " has " +
+                                                         std::to_string(first.size()));
+    if(first.empty())
+      throw Program_error(options.landmark_files[0], "has no landmark");
+    m_is_soft = options.landmark_weight > 0.;
+    for(std::size_t k = 0; k < first.size(); ++k)
+    {
+      settings.landmarks.emplace_back(first[k].vertex, second[k].vertex);
+      m_landmark_names.push_back("vertex " + std::to_string(first[k].vertex) + " in line " +
+                                 std::to_string(first[k].line) + " of " + printable(options.landmark_files[0]));
+    }
+  }
+
+  // The scalar properties of the vertices of a PLY file.
+  static std::map<std::string, std::vector<double>> read_scalars(const std::string& name, const Mesh& mesh)
+  {
+    const Polygon_soup checked = read_soup(name); // as the reader of CGAL trusts the file
+    Mesh values;
+    std::istringstream in(read_text(name));
+    std::string comments;
+    if(!CGAL::IO::read_PLY(in, values, comments))
+      throw Program_error(name, "its properties cannot be read");
+    if(checked.points.size() != mesh.number_of_vertices() || values.number_of_vertices() != mesh.number_of_vertices())
+      throw Program_error(name, "has no features for the mesh: it has " + std::to_string(checked.points.size()) +
+                                    " vertices, the mesh has " + std::to_string(mesh.number_of_vertices()));
+    std::map<std::string, std::vector<double>> result;
+    for(const std::string& property : values.properties<Vertex_index>())
+    {
+      const auto add = [&](auto number) {
+        using T = decltype(number);
+        const auto [map, is_new] = values.add_property_map<Vertex_index, T>(property);
+        if(is_new) // it has another type
+          values.remove_property_map(const_cast<Mesh::Property_map<Vertex_index, T>&>(map));
+        else
+          result[property].assign(map.begin(), map.end());
+      };
+      add(0.);
+      add(0.f);
+    }
+    return result;
+  }
+
+  void read_features(const Program_options& options, Settings& settings)
+  {
+    auto first = read_scalars(options.feature_files[0], m_first),
+         second = read_scalars(options.feature_files[1], m_second);
+    for(auto& [name, values] : first)
+      if(const auto other = second.find(name); other != second.end())
+        settings.features.emplace_back([values = std::move(values)](Vertex_index v) { return values[v]; },
+                                       [values = std::move(other->second)](Vertex_index v) { return values[v]; });
+    if(settings.features.empty())
+      throw Program_error(options.feature_files[1],
+                          "has no property of vertices, of type float or double, that has the "
+                          "name of one in " +
+                              printable(options.feature_files[0]));
+  }
+
+  Mesh& m_first;
+  Mesh& m_second;
+  Sphere_map m_sphere2;
+  const std::vector<Polygon>& m_triangles;
+  Sphere_map m_directions;
+  SP::Surface_overlay_3<Mesh, Mesh> m_overlay;
+  std::vector<std::string> m_landmark_names;
+  bool m_is_soft = false;
+};
+
+} // namespace Program
+
+#endif // CGAL_SPHERICAL_PARAMETERIZATION_EXAMPLES_SURFACE_MATCH_H
