@@ -38,6 +38,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -88,12 +89,29 @@ std::optional<std::vector<std::array<std::uint32_t, 2>>> landmark_numbers(const 
   return result;
 }
 
-// A surface on its sphere, in which directions can be located.
+// A surface on its sphere, in which directions can be located. Its points are moved to the origin and scaled, such that
+// products of coordinates neither overflow nor underflow.
 template <class K>
 struct Located_surface
 {
   Sphere_triangulation<K> sphere;
   std::vector<Vector_3d> points;
+  double unit = 0.; // the length that is 1 here
+
+  void set_points(std::vector<Vector_3d> new_points)
+  {
+    points = std::move(new_points);
+    const Vector_3d origin = points[0];
+    for(Vector_3d& p : points)
+    {
+      p = 0.5 * p - 0.5 * origin; // halves, because the difference may overflow
+      unit = (std::max)({unit, std::abs(p[0]), std::abs(p[1]), std::abs(p[2])});
+    }
+    for(Vector_3d& p : points)
+      for(double& x : p)
+        x = unit > 0. ? x / unit : 0.;
+    unit *= 2.;
+  }
 
   Vector_3d direction(std::size_t v) const
   {
@@ -108,7 +126,7 @@ double distance_left(const Located_surface<K>& surface, const Vector_3d& p, std:
 {
   typename Sphere_triangulation<K>::Hint hint;
   const auto place = surface.sphere.locate(typename K::Point_3(p[0], p[1], p[2]), hint);
-  return length(interpolated(surface.points, surface.sphere.triangles(), place) - surface.points[w]);
+  return surface.unit * length(interpolated(surface.points, surface.sphere.triangles(), place) - surface.points[w]);
 }
 
 // The energy of the map that puts the vertices of the first surface at these directions of the second one's sphere: the
@@ -256,18 +274,18 @@ template <class ConcurrencyTag = Parallel_if_available_tag, class TriangleMesh1,
       return error;
   }
   internal::Located_surface<K> first, second;
-  first.points = std::move(arrays1.points);
+  first.set_points(std::move(arrays1.points));
   first.sphere.assign(std::move(arrays1.images), std::move(arrays1.triangles));
-  second.points = std::move(arrays2.points);
+  second.set_points(std::move(arrays2.points));
   second.sphere.assign(std::move(arrays2.images), std::move(arrays2.triangles));
   internal::run_both(
       execution, [&] { first.sphere.make_grid(); }, [&] { second.sphere.make_grid(); });
 
   // The start, and the descent from it, in the numbering of `mesh`.
-  internal::Aligned_start start =
+  const internal::Aligned_start start =
       internal::start_of_map(first, features[0], second, features[1], *landmarks, execution);
   const std::size_t n = mesh.number_of_vertices();
-  std::vector<internal::Vector_3d> positions(n);
+  std::vector<internal::Vector_3d> positions(n), directions = start.directions;
   std::vector<std::uint32_t> numbers(n);
   for(std::uint32_t v = 0; v < n; ++v)
   {
@@ -281,33 +299,33 @@ template <class ConcurrencyTag = Parallel_if_available_tag, class TriangleMesh1,
     goals.vertices.push_back(numbers[v]);
     goals.directions.push_back(second.direction(w));
   }
-  if(!internal::are_safely_positive(mesh.rings(), positions))
-    return ERROR_INSUFFICIENT_PRECISION;
+  // Copies of a surface need no descent.
+  constexpr double energy_of_copies = 2. + 1e-9;
+  std::optional<double> energy;
+  if(start.is_rotation && landmarks->empty())
+    energy = internal::energy_between(first, start.directions, second, execution);
+  if(!(energy && *energy < energy_of_copies))
   {
+    if(!internal::are_safely_positive(mesh.rings(), positions))
+      return ERROR_INSUFFICIENT_PRECISION;
     const internal::Target_metric metric(second.sphere, second.points, execution);
     internal::Surface_descent descent(mesh, metric, goals, execution);
     // Landmarks are moved on levels of very few vertices. Features have brought all that is large to its place, as far as
     // their grid can tell: on coarser levels than this, the two surfaces have lost too much to be compared.
     constexpr std::size_t min_size_with_landmarks = 60, min_size = 1000;
     descent.run(positions, landmarks->empty() ? min_size : min_size_with_landmarks);
-  }
-  std::vector<internal::Vector_3d> directions(n);
-  for(std::size_t v = 0; v < n; ++v)
-    directions[mesh.original(v)] = positions[v];
-  std::optional<double> energy = internal::energy_between(first, directions, second, execution);
-  if(start.is_rotation && landmarks->empty())
-  {
-    const std::optional<double> energy_of_start = internal::energy_between(first, start.directions, second, execution);
-    if(energy_of_start && !(energy && *energy < *energy_of_start))
-    {
-      energy = energy_of_start;
+    for(std::size_t v = 0; v < n; ++v)
+      directions[mesh.original(v)] = positions[v];
+    const std::optional<double> lowered = internal::energy_between(first, directions, second, execution);
+    if(lowered && !(energy && *energy <= *lowered))
+      energy = lowered;
+    else
       directions = start.directions;
-      for(std::size_t v = 0; v < n; ++v)
-        positions[v] = directions[mesh.original(v)];
-    }
   }
   if(!energy)
     return ERROR_INSUFFICIENT_PRECISION;
+  for(std::uint32_t v = 0; v < n; ++v)
+    positions[numbers[v]] = directions[v];
   if(const Error_code error = internal::write_map(mesh, arrays1.vertices_of_mesh, positions, 1.,
                                                   internal::Guarantee::ONE_TO_ONE, vertex_direction_map, execution))
     return error;

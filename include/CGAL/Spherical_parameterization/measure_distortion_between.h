@@ -70,10 +70,28 @@ struct Distortion_between
 
 namespace internal {
 
-// The same of n triangles: corners(k, surface) are those of triangle k.
+// The same of n triangles: corners_of(k, surface) are those of triangle k.
 template <class Corners>
-Distortion_between distortion_between(std::size_t n, double smallest_area, const Corners& corners)
+Distortion_between distortion_between(std::size_t n, double smallest_area, const Corners& corners_of)
 {
+  // Scaled by powers of two, which is exact, so that no area overflows or underflows.
+  std::array<int, 2> exponents = {0, 0};
+  for(std::size_t surface = 0; surface < 2; ++surface)
+  {
+    double size = 0.;
+    for(std::size_t k = 0; k < n; ++k)
+      for(const Vector_3d& p : corners_of(k, surface))
+        size = (std::max)({size, std::abs(p[0]), std::abs(p[1]), std::abs(p[2])});
+    std::frexp(size, &exponents[surface]);
+  }
+  const auto corners = [&](std::size_t k, std::size_t surface) {
+    std::array<Vector_3d, 3> result = corners_of(k, surface);
+    if(exponents[surface] != 0)
+      for(Vector_3d& p : result)
+        for(double& x : p)
+          x = std::ldexp(x, -exponents[surface]);
+    return result;
+  };
   Distortion_between result;
   result.number_of_triangles = n;
   std::array<std::vector<double>, 2> areas;

@@ -26,6 +26,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -223,7 +224,39 @@ private:
             }
           result.samples.push_back(texel(sum));
         }
+    join_sides(result);
     return result;
+  }
+
+  // Gives the nodes of several sides, on the edges of the cube, their mean: each side has averaged them in its own way.
+  static void join_sides(Image& image)
+  {
+    const int n = static_cast<int>(image.n);
+    std::vector<std::pair<std::array<int, 3>, std::size_t>> nodes; // with their places on the cube
+    std::size_t index = 0;
+    for(std::size_t side = 0; side < 6; ++side)
+      for(int i = 0; i <= n; ++i)
+        for(int j = 0; j <= n; ++j, ++index)
+          if(i % n == 0 || j % n == 0)
+          {
+            std::array<int, 3> place;
+            place[side / 2] = side % 2 == 0 ? n : -n;
+            place[(side / 2 + 1) % 3] = 2 * i - n;
+            place[(side / 2 + 2) % 3] = 2 * j - n;
+            nodes.emplace_back(place, index);
+          }
+    std::sort(nodes.begin(), nodes.end());
+    for(std::size_t begin = 0, end; begin < nodes.size(); begin = end)
+    {
+      Sample sum{};
+      for(end = begin; end < nodes.size() && nodes[end].first == nodes[begin].first; ++end)
+        for(std::size_t m = 0; m < 8; ++m)
+          sum.numbers[m] += static_cast<double>(image.samples[nodes[end].second].numbers[m]);
+      for(double& x : sum.numbers)
+        x /= static_cast<double>(end - begin);
+      for(std::size_t k = begin; k < end; ++k)
+        image.samples[nodes[k].second] = texel(sum);
+    }
   }
 
   // at the direction q, for the triangle x of the surface and its image p

@@ -1,0 +1,427 @@
+// A surface is mapped onto another one: certified always, exact onto a copy, near to the identity onto a remesh, through its
+// landmarks wherever straight edges allow it.
+
+#include "judge.h"
+#include "methods.h"
+#include "random_meshes.h"
+#include "surfaces.h"
+#include "test_meshes.h"
+
+#include <CGAL/Spherical_parameterization/internal/certificate/is_safely_positive.h>
+#include <CGAL/Spherical_parameterization/internal/hierarchy/Mesh_hierarchy.h>
+#include <CGAL/Spherical_parameterization/internal/sampling/link_triangles.h>
+#include <CGAL/Spherical_parameterization/internal/surface_map/Target_metric.h>
+#include <CGAL/Spherical_parameterization/internal/surface_map/Target_star.h>
+#include <CGAL/Spherical_parameterization/is_bijective.h>
+#include <CGAL/Spherical_parameterization/map_surface.h>
+#include <CGAL/Spherical_parameterization/measure_distortion_between.h>
+#include <CGAL/Spherical_parameterization/overlay.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <string>
+#include <utility>
+#include <vector>
+
+using namespace test;
+
+namespace {
+
+using Settings = SP::Surface_map_settings<Mesh, Mesh>;
+using Images = Mesh::Property_map<Vertex_index, Point_3>;
+using Vector_3d = SP::internal::Vector_3d;
+
+// The map of one surface onto another one, and what is told of it.
+struct Match
+{
+  SP::Error_code error;
+  std::vector<Point_3> directions;
+  SP::Surface_map_report report;
+
+  template <class ConcurrencyTag = CGAL::Parallel_if_available_tag>
+  static Match make(Mapped_mesh& a, const Mapped_mesh& b, const Settings& settings = {}, ConcurrencyTag = {})
+  {
+    Match result;
+    const Images images = a.mesh.add_property_map<Vertex_index, Point_3>("v:images", Point_3(7., 7., 7.)).first;
+    result.error =
+        SP::map_surface<ConcurrencyTag>(a.mesh, a.sphere, b.mesh, b.sphere, images, settings, &result.report);
+    for(const Vertex_index v : a.mesh.vertices())
+      result.directions.push_back(images[v]);
+    if(result.error == SP::OK)
+    {
+      EXPECT_TRUE(SP::is_bijective(a.mesh, images));
+      SP::Surface_overlay_3<Mesh, Mesh> overlay;
+      EXPECT_EQ(SP::overlay(a.mesh, images, b.mesh, b.sphere, overlay), SP::OK);
+      const auto energy = SP::measure_distortion_between(overlay).energy;
+      const double mean = 0.5 * (energy.average_over_first + energy.average_over_second);
+      EXPECT_TRUE(mean == 0. || mean > 100. || std::abs(result.report.energy - mean) < 1e-6 * mean)
+          << result.report.energy << ", but " << mean; // without areas nothing can be told
+    }
+    else
+      for(const Point_3& p : result.directions)
+        EXPECT_EQ(p, Point_3(7., 7., 7.)); // nothing is written
+    return result;
+  }
+};
+
+double distance(const Point_3& p, const Point_3& q)
+{
+  return std::sqrt(CGAL::squared_distance(p, q));
+}
+
+Point_3 as_it_is(const Point_3& p)
+{
+  return p;
+}
+
+TEST(Map_surface, is_exact_onto_a_turned_copy)
+{
+  Mapped_mesh a(icosphere(4), on_body, rotation(turns[0]));
+  const Mapped_mesh b(
+      icosphere(4),
+      [](const Point_3& p) {
+        const Point_3 q = on_body(p);
+        return Point_3(3. * q.z() + 9., 3. * q.x(), 3. * q.y());
+      },
+      rotation(turns[2]));
+  const Match match = Match::make(a, b);
+  ASSERT_EQ(match.error, SP::OK);
+  EXPECT_NEAR(match.report.energy, 2., 1e-9);
+  EXPECT_GT(match.report.agreement, 0.97);
+  EXPECT_GT(match.report.margin, 0.1);
+  for(const Vertex_index v : a.mesh.vertices())
+    EXPECT_LT(distance(match.directions[v], b.sphere[v]), 1e-9);
+}
+
+TEST(Map_surface, finds_the_identity_onto_a_remesh)
+{
+  Mapped_mesh a(icosphere(4), on_body, rotation(turns[0]));
+  const Mapped_mesh b(octahedron_of(25), on_body, rotation(turns[1]));
+  const Match match = Match::make(a, b);
+  ASSERT_EQ(match.error, SP::OK);
+  EXPECT_LT(match.report.energy, 2.05);
+  double sum = 0.;
+  for(const Vertex_index v : a.mesh.vertices())
+    sum += distance(match.directions[v], rotation(turns[1]).transform(a.sphere[v]));
+  EXPECT_LT(sum / a.mesh.number_of_vertices(), 0.03); // the edges are 0.07 long
+}
+
+// A sphere that another map of the same surface has bent: the descent straightens it.
+TEST(Map_surface, lowers_the_distortion_of_spheres_that_differ_by_more_than_a_rotation)
+{
+  Mapped_mesh a(icosphere(4), on_body, rotation(turns[0]));
+  Mapped_mesh b(octahedron_of(25), on_body, rotation(turns[0]));
+  const auto bent = [](const Point_3& p) {
+    const double x = p.x() + 0.6 * p.y() * p.z(), y = p.y() - 0.4 * p.x() * p.x(), z = p.z() + 0.3 * p.x() * p.y();
+    const double l = std::sqrt(x * x + y * y + z * z);
+    return Point_3(x / l, y / l, z / l);
+  };
+  double off = 0., left = 0.;
+  for(const Vertex_index v : b.mesh.vertices())
+    b.sphere[v] = bent(b.sphere[v]);
+  const Match match = Match::make(a, b);
+  ASSERT_EQ(match.error, SP::OK);
+  for(const Vertex_index v : a.mesh.vertices())
+  {
+    off += distance(a.sphere[v], bent(a.sphere[v]));
+    left += distance(match.directions[v], bent(a.sphere[v]));
+  }
+  EXPECT_LT(left, 0.3 * off);
+  EXPECT_LT(match.report.energy, 2.3);
+}
+
+TEST(Map_surface, meets_hard_landmarks_and_comes_nearer_to_soft_ones_of_more_weight)
+{
+  Mapped_mesh a(icosphere(3), as_it_is, rotation(turns[0]));
+  const Mapped_mesh b(octahedron_of(12), as_it_is, rotation(turns[1]));
+  Settings settings;
+  for(std::uint32_t k = 0; k < 6; ++k) // the corners of the octahedron, but some of them elsewhere
+  {
+    const Point_3& p = b.mesh.point(Vertex_index(k));
+    Vertex_index nearest(0);
+    for(const Vertex_index v : a.mesh.vertices())
+      if(distance(a.mesh.point(v), Point_3(p.x() + 0.3 * p.y(), p.y() - 0.2 * p.z(), p.z())) <
+         distance(a.mesh.point(nearest), Point_3(p.x() + 0.3 * p.y(), p.y() - 0.2 * p.z(), p.z())))
+        nearest = v;
+    settings.landmarks.emplace_back(nearest, Vertex_index(k));
+  }
+  const Match hard = Match::make(a, b, settings);
+  ASSERT_EQ(hard.error, SP::OK);
+  EXPECT_EQ(hard.report.number_of_missed_landmarks, 0u);
+  EXPECT_EQ(hard.report.agreement, 0.);
+  ASSERT_EQ(hard.report.landmark_distances.size(), settings.landmarks.size());
+  for(std::size_t k = 0; k < settings.landmarks.size(); ++k)
+  {
+    EXPECT_EQ(hard.report.landmark_distances[k], 0.);
+    EXPECT_LT(distance(hard.directions[settings.landmarks[k].first], b.sphere[settings.landmarks[k].second]), 1e-15);
+  }
+  double last = 1., last_energy = 0.;
+  for(const double weight : {0.01, 1., 100.})
+  {
+    settings.landmark_weight = weight;
+    const Match soft = Match::make(a, b, settings);
+    ASSERT_EQ(soft.error, SP::OK);
+    EXPECT_EQ(soft.report.number_of_missed_landmarks, 0u);
+    double sum = 0.;
+    for(const double d : soft.report.landmark_distances)
+      sum += d;
+    EXPECT_LT(sum, last);
+    EXPECT_GT(soft.report.energy, last_energy);
+    last = sum;
+    last_energy = soft.report.energy;
+  }
+  EXPECT_GT(hard.report.energy, last_energy);
+}
+
+TEST(Map_surface, tells_of_landmarks_that_cannot_be_met)
+{
+  Mapped_mesh a(icosphere(1), as_it_is, rotation(turns[0]));
+  const Mapped_mesh b(icosphere(1), as_it_is, rotation(turns[0]));
+  Settings settings; // the corners of two faces, one of them turned over
+  const auto f = *faces(a.mesh).begin();
+  std::vector<Vertex_index> corners;
+  for(const Vertex_index v : CGAL::vertices_around_face(a.mesh.halfedge(f), a.mesh))
+    corners.push_back(v);
+  settings.landmarks = {{corners[0], corners[1]}, {corners[1], corners[0]}, {corners[2], corners[2]}};
+  const Match match = Match::make(a, b, settings);
+  ASSERT_EQ(match.error, SP::OK); // and certified
+  EXPECT_GT(match.report.number_of_missed_landmarks, 0u);
+  EXPECT_GT(*std::max_element(match.report.landmark_distances.begin(), match.report.landmark_distances.end()), 0.01);
+
+  settings.landmarks = {{corners[0], corners[1]}}; // which leaves the rotation to features
+  const Match one = Match::make(a, b, settings);
+  ASSERT_EQ(one.error, SP::OK);
+  EXPECT_EQ(one.report.number_of_missed_landmarks, 0u);
+  EXPECT_LT(distance(one.directions[corners[0]], b.sphere[corners[1]]), 1e-15);
+}
+
+TEST(Map_surface, depends_neither_on_threads_nor_on_the_unit)
+{
+  const auto map_onto = [](double scale, auto tag) {
+    Mapped_mesh a(icosphere(3), on_body, rotation(turns[0]));
+    const Mapped_mesh b(
+        octahedron_of(12),
+        [&](const Point_3& p) {
+          const Point_3 q = on_body(p);
+          return Point_3(scale * q.x(), scale * (q.y() + 0.2 * q.x() * q.x()), scale * q.z());
+        },
+        rotation(turns[1]));
+    return Match::make(a, b, {}, tag).directions;
+  };
+  const std::vector<Point_3> expected = map_onto(1., CGAL::Parallel_if_available_tag());
+  EXPECT_EQ(map_onto(1., CGAL::Sequential_tag()), expected);
+  EXPECT_EQ(map_onto(0x1p-500, CGAL::Sequential_tag()), expected);
+}
+
+TEST(Map_surface, maps_the_smallest_the_flattest_and_those_without_any_area)
+{
+  const auto map_onto = [](const Triangle_list& first, double height, const Triangle_list& second,
+                           double other_height) {
+    const auto flat = [](double z) { return [z](const Point_3& p) { return Point_3(p.x(), p.y(), z * p.z()); }; };
+    Mapped_mesh a(first, flat(height), rotation(turns[0]));
+    const Mapped_mesh b(second, flat(other_height), rotation(turns[1]));
+    EXPECT_EQ(Match::make(a, b).error, SP::OK);
+  };
+  map_onto(tetrahedron(), 1., octahedron_of(1), 1.);
+  map_onto(octahedron_of(5), 1e-9, tetrahedron(), 1.);
+  map_onto(icosphere(1), 1., octahedron_of(5), 0.);
+  Mapped_mesh a(
+      icosphere(1), [](const Point_3&) { return Point_3(1., 2., 3.); }, rotation(turns[0]));
+  const Mapped_mesh b(icosphere(2), as_it_is, rotation(turns[0]));
+  EXPECT_EQ(Match::make(a, b).error, SP::OK);
+  Mapped_mesh c(icosphere(2), as_it_is, rotation(turns[0]));
+  EXPECT_EQ(Match::make(c, a).error, SP::OK);
+}
+
+TEST(Map_surface, writes_over_the_sphere_and_follows_features_of_the_caller)
+{
+  // The features are where the points are; the surfaces are spheres, which have none.
+  Mapped_mesh a(icosphere(3), as_it_is, rotation(turns[0]));
+  const Mapped_mesh b(octahedron_of(15), as_it_is, rotation(turns[3]));
+  Settings settings;
+  for(int k = 0; k < 2; ++k)
+    settings.features.emplace_back(
+        [&a, k](Vertex_index v) {
+          const Point_3& p = a.mesh.point(v);
+          return std::exp(p[k] + 0.3 * p[0] * p[2]);
+        },
+        [&b, k](Vertex_index v) {
+          const Point_3& p = b.mesh.point(v);
+          return std::exp(p[k] + 0.3 * p[0] * p[2]);
+        });
+  const auto spheres = a.sphere;
+  ASSERT_EQ(SP::map_surface(a.mesh, a.sphere, b.mesh, b.sphere, spheres, settings), SP::OK);
+  double sum = 0.;
+  for(const Vertex_index v : a.mesh.vertices())
+    sum += distance(a.sphere[v], rotation(turns[3]).transform(a.mesh.point(v)));
+  EXPECT_LT(sum / a.mesh.number_of_vertices(), 0.1);
+}
+
+TEST(Map_surface, tells_what_is_wrong)
+{
+  Mapped_mesh a(icosphere(1), as_it_is, rotation(turns[0]));
+  Mapped_mesh b(icosphere(1), as_it_is, rotation(turns[0]));
+  const Vertex_index v(0), w(1);
+  const auto error = [&](const Settings& settings) { return Match::make(a, b, settings).error; };
+  Settings settings;
+  settings.landmarks = {{v, v}, {v, w}};
+  EXPECT_EQ(error(settings), SP::ERROR_INVALID_LANDMARK);
+  settings.landmarks = {{v, v}, {w, v}};
+  EXPECT_EQ(error(settings), SP::ERROR_INVALID_LANDMARK);
+  settings.landmarks = {{v, Vertex_index(1000)}};
+  EXPECT_EQ(error(settings), SP::ERROR_INVALID_LANDMARK);
+  settings.landmarks = {{a.mesh.add_vertex(), v}};
+  EXPECT_EQ(error(settings), SP::ERROR_INVALID_LANDMARK);
+  settings.landmarks = {{v, v}};
+  for(const double weight :
+      {0., -1., std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN()})
+  {
+    settings.landmark_weight = weight;
+    EXPECT_EQ(error(settings), SP::ERROR_WRONG_PARAMETER);
+  }
+  settings = {};
+  settings.features.emplace_back([](Vertex_index) { return 1.; },
+                                 [](Vertex_index) { return std::numeric_limits<double>::quiet_NaN(); });
+  EXPECT_EQ(error(settings), SP::ERROR_WRONG_PARAMETER);
+  settings = {};
+  const Point_3 image = b.sphere[v], point = b.mesh.point(v);
+  b.sphere[v] = Point_3(-image.x(), -image.y(), -image.z());
+  EXPECT_EQ(error(settings), SP::ERROR_NO_1_TO_1_MAPPING);
+  b.sphere[v] = image;
+  b.mesh.point(v) = Point_3(std::numeric_limits<double>::infinity(), 0., 0.);
+  EXPECT_EQ(error(settings), SP::ERROR_NON_FINITE_COORDINATE);
+  b.mesh.point(v) = point;
+  CGAL::Euler::remove_face(halfedge(*faces(b.mesh).begin(), b.mesh), b.mesh);
+  EXPECT_EQ(error(settings), SP::ERROR_NON_CLOSED_MESH);
+}
+
+SP::internal::Sphere_triangulation<Kernel> located(const Mapped_mesh& m, std::vector<Vector_3d>& points)
+{
+  std::vector<Point_3> images;
+  std::vector<std::array<std::uint32_t, 3>> triangles;
+  for(const Vertex_index v : m.mesh.vertices())
+  {
+    images.push_back(m.sphere[v]);
+    points.push_back({m.mesh.point(v).x(), m.mesh.point(v).y(), m.mesh.point(v).z()});
+  }
+  for(const auto f : m.mesh.faces())
+  {
+    triangles.emplace_back();
+    std::size_t i = 0;
+    for(const Vertex_index v : CGAL::vertices_around_face(m.mesh.halfedge(f), m.mesh))
+      triangles.back()[i++] = v;
+  }
+  SP::internal::Sphere_triangulation<Kernel> result;
+  result.assign(images, SP::internal::link_triangles(triangles, images.size()));
+  result.make_grid();
+  return result;
+}
+
+// On a sphere that is mapped to itself, lengths and areas are what they are.
+TEST(Target_metric, of_a_sphere_is_that_of_its_tangent_planes)
+{
+  const Mapped_mesh sphere(icosphere(5), as_it_is, rotation(turns[0]));
+  std::vector<Vector_3d> points;
+  const auto images = located(sphere, points);
+  const SP::internal::Target_metric metric(images, points, {});
+  Random random(1);
+  for(int k = 0; k < 100; ++k)
+  {
+    const Vector_3d p =
+        SP::internal::normalized(Vector_3d{random.between(-1., 1.), random.between(-1., 1.), random.between(-1., 1.)});
+    const SP::internal::Tangent_frame frame(p);
+    for(const std::size_t n : {100u, 10000u})
+    {
+      const auto sample = metric.at(p, metric.level_for(n));
+      EXPECT_NEAR(sample.area(), 1., 0.05);
+      EXPECT_NEAR(sample.squared_length(frame.vector_of(0.6, 0.8)), 1., 0.05);
+      EXPECT_NEAR(sample.squared_length(p), 0., 0.05);
+    }
+  }
+}
+
+// The gradient is the derivative of the value, wherever the metric has one.
+TEST(Target_star, has_the_gradient_of_its_value)
+{
+  const Mapped_mesh target(octahedron_of(20), on_body, rotation(turns[1])),
+      source(icosphere(2), on_body, rotation(turns[2]));
+  std::vector<Vector_3d> points, source_points;
+  const auto images = located(target, points), source_images = located(source, source_points);
+  const SP::internal::Target_metric metric(images, points, {});
+  SP::internal::Indexed_mesh mesh;
+  std::vector<std::array<std::uint32_t, 3>> triangles;
+  for(const auto& t : source_images.triangles())
+    triangles.push_back(t.vertices);
+  ASSERT_EQ(mesh.assign(source_points, triangles), SP::OK);
+  std::vector<Vector_3d> positions;
+  for(std::size_t v = 0; v < mesh.number_of_vertices(); ++v)
+  {
+    const Point_3& p = source_images.points()[mesh.original(v)];
+    positions.push_back(SP::internal::normalized(Vector_3d{p.x(), p.y(), p.z()}));
+  }
+  SP::internal::Target_star star(metric);
+  star.set_level(metric.level_for(200));
+  const Vector_3d goal = SP::internal::normalized(Vector_3d{1., 2., 3.});
+  std::size_t n_right = 0;
+  for(std::uint32_t v = 0; v < mesh.number_of_vertices(); ++v)
+  {
+    const auto ring = mesh.rings().ring(v);
+    star.load(mesh.rings(), v, positions, [&](std::size_t j) {
+      return SP::internal::Rest_triangle::from_points(mesh.points()[v], mesh.points()[ring[j]],
+                                                      mesh.points()[ring.around(j + 1)]);
+    });
+    if(v % 2 == 0)
+      star.set_goal(&goal, 3.);
+    std::array<double, 2> gradient;
+    std::array<double, 3> hessian;
+    const double value = star.derivatives(gradient, hessian);
+    EXPECT_NEAR(star(0., 0.), value, 1e-9 * value);
+    constexpr double h = 1e-6;
+    const double dx = (star(h, 0.) - star(-h, 0.)) / (2. * h), dy = (star(0., h) - star(0., -h)) / (2. * h);
+    n_right += std::hypot(dx - gradient[0], dy - gradient[1]) < 1e-4 * std::hypot(dx, dy) + 1e-6 * value;
+  }
+  EXPECT_GT(n_right, mesh.number_of_vertices() * 95 / 100); // others have a face at the border of two texels
+}
+
+TEST(Hierarchy_on_the_sphere, keeps_all_faces_positive_and_all_fixed_vertices)
+{
+  Random random(3);
+  for(int k = 0; k < 10; ++k)
+  {
+    const Mapped_mesh source(icosphere(3), on_body, rotation(turns[0]));
+    std::vector<Vector_3d> points;
+    const auto images = located(source, points);
+    SP::internal::Indexed_mesh mesh;
+    std::vector<std::array<std::uint32_t, 3>> triangles;
+    for(const auto& t : images.triangles())
+      triangles.push_back(t.vertices);
+    ASSERT_EQ(mesh.assign(points, triangles), SP::OK);
+    std::vector<Vector_3d> positions;
+    std::vector<char> is_fixed;
+    for(std::size_t v = 0; v < mesh.number_of_vertices(); ++v)
+    {
+      // A linear map turns no face over.
+      const Point_3& p = images.points()[mesh.original(v)];
+      positions.push_back(SP::internal::normalized(Vector_3d{(1. + k) * p.x(), p.y() + 0.5 * p.x(), p.z()}));
+      is_fixed.push_back(random.between(0., 1.) < 0.02);
+    }
+    const auto hierarchy = SP::internal::Mesh_hierarchy::build_on_sphere(
+        mesh.rings(), mesh.points(), SP::internal::vertex_areas(mesh.rings(), mesh.points()), positions, is_fixed, 4,
+        {});
+    EXPECT_GT(hierarchy.number_of_levels(), 5u);
+    for(std::size_t level = 0; level < hierarchy.number_of_levels(); ++level)
+      EXPECT_TRUE(
+          SP::internal::are_safely_positive(hierarchy.rings(level), hierarchy.level(level).gathered(positions)));
+    const auto& coarsest = hierarchy.level(hierarchy.number_of_levels() - 1).vertices;
+    for(std::uint32_t v = 0; v < is_fixed.size(); ++v)
+      EXPECT_TRUE(!is_fixed[v] || std::binary_search(coarsest.begin(), coarsest.end(), v));
+  }
+}
+
+} // namespace
