@@ -182,6 +182,24 @@ TEST_F(Batch, writes_the_bits_of_single_runs)
   }
 }
 
+TEST_F(Batch, gives_all_meshes_the_faces_of_a_template)
+{
+  write_off("in/a.off", test_meshes::bumpy_sphere(2));
+  write_off("in/b.off", test_meshes::scaled(test_meshes::icosphere(2), 1., 1.2, 0.8));
+  write_off("model.off", test_meshes::scaled(test_meshes::icosphere(1), 1., 1.3, 0.8));
+  run_batch("in --template model.off --output-folder out", 0);
+  EXPECT_EQ(names_of_files("out"), (Names{"a.off", "a.json", "b.off", "b.json"}));
+  for(const char* name : {"out/a.off", "out/b.off"})
+    EXPECT_EQ(content(path(name)).substr(0, 11), "OFF\n42 80 0");
+  EXPECT_EQ(json("out/a.json").get<std::string>("match.template"), "model.off");
+  run_batch("in --template model.off --output-folder out --resume", 0);
+  EXPECT_NE(m_outcome.out.find("left out 2"), std::string::npos) << m_outcome.out;
+  write_off("model.off", test_meshes::scaled(test_meshes::icosphere(1), 1., 1.3, 0.85)); // then all are done again
+  run_batch("in --template model.off --output-folder out --resume", 0);
+  EXPECT_NE(m_outcome.out.find("Mapped 2, left out 0"), std::string::npos) << m_outcome.out;
+  expect_message("in --template model.off", "--template goes with --output-folder");
+}
+
 TEST_F(Batch, chooses_the_format)
 {
   write("in/a.obj", corner_obj);

@@ -301,6 +301,52 @@ TEST_F(Program, remeshes_through_the_sphere)
   EXPECT_EQ(run("sphere.off --remesh map.off").status, 0); // tells the distance alone
 }
 
+// The program's --onto, with landmarks, and all that it writes.
+TEST_F(Program, maps_a_surface_onto_another_one)
+{
+  const std::string map = "sphere.off --onto target.off";
+  write_off("target.off", test_meshes::scaled(test_meshes::icosphere(1), 1., 1.2, 0.9));
+  Outcome outcome =
+      run(map + " -o result.off --sphere p.off --overlay overlay.ply --morph 0.5 morph.obj --json result.json");
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_NE(outcome.out.find("Onto:      target.off: 42 vertices"), std::string::npos) << outcome.out;
+  EXPECT_EQ(content(path("result.off")).substr(0, 13), "OFF\n162 320 0");
+  EXPECT_EQ(content(path("p.off")).substr(0, 13), "OFF\n162 320 0");
+  EXPECT_EQ(content(path("p_target.off")).substr(0, 11), "OFF\n42 80 0");
+  EXPECT_NE(content(path("overlay.ply")).substr(0, 500).find("property int face_of_target"), std::string::npos);
+  EXPECT_TRUE(fs::exists(path("morph.obj")));
+  EXPECT_LT(json().get<double>("match.energy.average"), 2.2);
+  // The directions are a map of the first surface, and the other file is one of the second.
+  EXPECT_EQ(run("sphere.off --initial p.off --iterations 0").status, 0);
+  EXPECT_EQ(run("target.off --initial p_target.off --iterations 0").status, 0);
+
+  write("a.txt", "0 comment\n\n1\n5\n");
+  write("b.txt", "7\n8\n11\n");
+  outcome = run(map + " --landmarks a.txt b.txt --json result.json");
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  const std::size_t n_missed = json().get<std::size_t>("match.missed_landmarks");
+  EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), static_cast<std::ptrdiff_t>(n_missed));
+  EXPECT_EQ(run("--landmarks a.txt b.txt --soft-landmarks 2 " + map).status, 0);
+  EXPECT_EQ(run("--quiet " + map + " --landmarks a.txt b.txt").out, "");
+
+  write("twice.txt", "3\n4\n3\n");
+  expect_refused(map + " -o result.off --landmarks twice.txt b.txt",
+                 "twice.txt: line 3: vertex 3 is a landmark already, in line 1");
+  write("outside.txt", "3\n42\n");
+  expect_refused(map + " -o result.off --landmarks outside.txt outside.txt",
+                 "outside.txt: line 2: the mesh has no vertex 42");
+  write("word.txt", "one\n");
+  expect_refused(map + " -o result.off --landmarks word.txt b.txt", "word.txt: line 1: 'one' is no number");
+  expect_refused(map + " -o result.off --landmarks word.txt missing.txt", "");
+  write("few.txt", "0\n");
+  expect_refused(map + " -o result.off --landmarks few.txt b.txt", "has 3 landmarks, but few.txt has 1");
+  expect_refused(map + " -o result.off --landmarks a.txt", "--landmarks needs two files");
+  expect_refused(map + " -o result.off --morph 2 morph.off", "--morph has to be a number from 0 to 1");
+  expect_refused("sphere.off -o result.off --overlay overlay.ply", "--overlay goes with --onto");
+  expect_refused(map + " -o result.off --features a.txt b.txt", "--features needs .ply files");
+  expect_refused("sphere.off --onto torus.off -o result.off", "genus");
+}
+
 TEST_F(Program, carries_values_over)
 {
   std::ostringstream ply;
