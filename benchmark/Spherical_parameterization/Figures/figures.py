@@ -49,6 +49,7 @@ MODELS = {
     "hand": Model("hand", "hand_10345"),
     "horse": Model("horse", "horse_19851", (0.9, 0.2, -0.5)),
     "max planck": Model("Max Planck", "maxplanck_15000", (0.75, 0.1, -0.75)),
+    "steer": Model("steer", "shrec391_steer_4315"),
     "octopus": Model("octopus", "octopus_16554", (0.0, 0.8, 0.6), (0.0, 1.0, 0.0)),
 }
 
@@ -84,6 +85,18 @@ class Sampled:
     carried_values: np.ndarray
     points: Image.Image
     normals: Image.Image
+
+
+@dataclass(frozen=True)
+class Matched:
+    """Two models, and the map from one to the other."""
+
+    models: tuple[Model, Model]
+    first: Mesh
+    second: Mesh
+    places: np.ndarray  # of the vertices of the first one, on the second one
+    directions: np.ndarray  # the same on its sphere
+    images: np.ndarray  # of the vertices of the second one
 
 
 class Session:
@@ -124,6 +137,20 @@ class Session:
                 raise SystemExit(outcome.message)
             images = [Image.open(path).convert("RGB") for path in (image, image.with_stem("image_normals"))]
             return Sampled(MODELS[name], file.mesh, values, read_mesh(remesh), _read_values(remesh), *images)
+
+
+    def match(self, first: str, second: str) -> Matched:
+        """Maps a model onto another one."""
+        files = [self.file_of(first), self.file_of(second)]
+        with tempfile.TemporaryDirectory() as folder:
+            result, directions = Path(folder) / "result.off", Path(folder) / "directions.off"
+            options = ["--onto", files[1].path, "-o", result, "--sphere", directions, "--quiet"]
+            outcome = run_command([self._program.path, files[0].path, *options])
+            if outcome.status != 0:
+                raise SystemExit(outcome.message)
+            target = read_mesh(directions.with_stem("directions_target"))
+            places = (read_mesh(result).vertices, read_mesh(directions).vertices)
+            return Matched((MODELS[first], MODELS[second]), files[0].mesh, files[1].mesh, *places, target.vertices)
 
 
 def _write_values(path: Path, mesh: Mesh, values: np.ndarray) -> None:
@@ -219,6 +246,30 @@ def remesh(session: Session, name: str) -> Sheet:
         sheet.place(np.asarray(image.resize(size, Image.Resampling.BICUBIC)) / 255.0, x, 20)
         sheet.text(x + 155, 385, text)
     return sheet
+
+
+def surfaces(session: Session, first: str, second: str) -> Sheet:
+    """A surface, what is half way to another one, and that one, with a pattern that is carried along."""
+    matched, sheet, globe = session.match(first, second), session.sheet(1400, 400), Globe(step=15.0, width=1.2)
+    start = _placed(matched.first.vertices, matched.places)
+    parts = (
+        (matched.first, start, matched.directions, matched.models[0].title),
+        (matched.first, 0.5 * (start + matched.places), matched.directions, "half way"),
+        (matched.second, matched.second.vertices, matched.images, matched.models[1].title),
+    )
+    for k, (mesh, vertices, images, text) in enumerate(parts):
+        view = view_of_surface(vertices, matched.models[1].direction, matched.models[1].up)
+        sheet.place(paint(vertices, mesh.faces, view, sheet.pixels(350), globe, images), 40 + 465 * k, 5)
+        sheet.text(215 + 465 * k, 385, text)
+    return sheet
+
+
+def _placed(points: np.ndarray, others: np.ndarray) -> np.ndarray:
+    """The points moved, turned and scaled to where others are, by least squares."""
+    centered, target = points - points.mean(axis=0), others - others.mean(axis=0)
+    u, s, v = np.linalg.svd(centered.T @ target)
+    signs = np.array([1.0, 1.0, np.sign(np.linalg.det(u @ v))])
+    return others.mean(axis=0) + (s @ signs / np.sum(centered**2)) * centered @ (u * signs) @ v
 
 
 def initial_and_result(session: Session, name: str) -> Sheet:

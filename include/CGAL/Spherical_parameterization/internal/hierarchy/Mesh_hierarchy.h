@@ -203,7 +203,7 @@ private:
       for_each_block(m_execution, 0, n, block_size, [&](std::size_t begin, std::size_t end) {
         for(std::size_t v = begin; v < end; ++v)
           if(is_fixed.empty() || !is_fixed[fine.vertices[v]])
-            removals[v] = Vertex_removal::best(fine_rings, p, local_images, static_cast<std::uint32_t>(v), is_exact);
+            removals[v] = Vertex_removal::best(fine_rings, p, static_cast<std::uint32_t>(v), is_exact, local_images);
       });
       target = select(fine, fine_rings, removals);
       if(!fine.removed.empty())

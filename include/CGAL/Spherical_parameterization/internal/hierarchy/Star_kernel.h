@@ -31,7 +31,7 @@ namespace CGAL {
 namespace Spherical_parameterization {
 namespace internal {
 
-// The vertices around a removed one, from its target on.
+// The vertices around a removed one, from its target on: a hole as Star_kernel wants it.
 struct Ring_hole
 {
   const std::vector<Vector_3d>& positions;
@@ -53,7 +53,8 @@ class Star_kernel
 {
 public:
   // Finds a point of the kernel, as central as possible. Returns whether there is one that doubles can hold.
-  bool find_point(const Ring_hole& hole, Vector_3d& point)
+  template <class Hole>
+  bool find_point(const Hole& hole, Vector_3d& point)
   {
     const std::size_t d = hole.size();
     const Tangent_frame frame(hole[0]);

@@ -47,8 +47,8 @@ public:
   // taken for neighbours, so that the time for a vertex is bounded.
   //
   // If the vertices have images on the sphere, faces that are positive there have to stay so.
-  static Vertex_removal best(const Vertex_rings& rings, const std::vector<Vector_3d>& points,
-                             const std::vector<Vector_3d>& images, std::uint32_t v, bool is_exact)
+  static Vertex_removal best(const Vertex_rings& rings, const std::vector<Vector_3d>& points, std::uint32_t v,
+                             bool is_exact, const std::vector<Vector_3d>& images = {})
   {
     Vertex_removal result;
     const Vertex_rings::Ring ring = rings.ring(v);
