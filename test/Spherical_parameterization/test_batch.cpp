@@ -197,7 +197,7 @@ TEST_F(Batch, gives_all_meshes_the_faces_of_a_template)
   write_off("model.off", test_meshes::scaled(test_meshes::icosphere(1), 1., 1.3, 0.85)); // then all are done again
   run_batch("in --template model.off --output-folder out --resume", 0);
   EXPECT_NE(m_outcome.out.find("Mapped 2, left out 0"), std::string::npos) << m_outcome.out;
-  expect_message("in --template model.off", "--template goes with --output-folder");
+  expect_message("in/a.off --template model.off", "--template goes with --output-folder");
 }
 
 TEST_F(Batch, chooses_the_format)

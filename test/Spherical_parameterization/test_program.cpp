@@ -307,24 +307,24 @@ TEST_F(Program, maps_a_surface_onto_another_one)
   const std::string map = "sphere.off --onto target.off";
   write_off("target.off", test_meshes::scaled(test_meshes::icosphere(1), 1., 1.2, 0.9));
   Outcome outcome =
-      run(map + " -o result.off --sphere p.off --overlay overlay.ply --morph 0.5 morph.obj --json result.json");
+      run(map + " -o mapped.off --sphere p.off --overlay overlay.ply --morph 0.5 morph.obj --json mapped.json");
   ASSERT_EQ(outcome.status, 0) << outcome.err;
   EXPECT_NE(outcome.out.find("Onto:      target.off: 42 vertices"), std::string::npos) << outcome.out;
-  EXPECT_EQ(content(path("result.off")).substr(0, 13), "OFF\n162 320 0");
+  EXPECT_EQ(content(path("mapped.off")).substr(0, 13), "OFF\n162 320 0");
   EXPECT_EQ(content(path("p.off")).substr(0, 13), "OFF\n162 320 0");
   EXPECT_EQ(content(path("p_target.off")).substr(0, 11), "OFF\n42 80 0");
   EXPECT_NE(content(path("overlay.ply")).substr(0, 500).find("property int face_of_target"), std::string::npos);
   EXPECT_TRUE(fs::exists(path("morph.obj")));
-  EXPECT_LT(json().get<double>("match.energy.average"), 2.2);
+  EXPECT_LT(json("mapped.json").get<double>("match.energy.average"), 2.2);
   // The directions are a map of the first surface, and the other file is one of the second.
   EXPECT_EQ(run("sphere.off --initial p.off --iterations 0").status, 0);
   EXPECT_EQ(run("target.off --initial p_target.off --iterations 0").status, 0);
 
   write("a.txt", "0 comment\n\n1\n5\n");
   write("b.txt", "7\n8\n11\n");
-  outcome = run(map + " --landmarks a.txt b.txt --json result.json");
+  outcome = run(map + " --landmarks a.txt b.txt --json mapped.json");
   ASSERT_EQ(outcome.status, 0) << outcome.err;
-  const std::size_t n_missed = json().get<std::size_t>("match.missed_landmarks");
+  const std::size_t n_missed = json("mapped.json").get<std::size_t>("match.missed_landmarks");
   EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), static_cast<std::ptrdiff_t>(n_missed));
   EXPECT_EQ(run("--landmarks a.txt b.txt --soft-landmarks 2 " + map).status, 0);
   EXPECT_EQ(run("--quiet " + map + " --landmarks a.txt b.txt").out, "");

@@ -323,6 +323,17 @@ SP::internal::Sphere_triangulation<Kernel> located(const Mapped_mesh& m, std::ve
   return result;
 }
 
+SP::internal::Indexed_mesh indexed(const SP::internal::Sphere_triangulation<Kernel>& images,
+                                   const std::vector<Vector_3d>& points)
+{
+  std::vector<std::array<std::uint32_t, 3>> triangles;
+  for(const auto& t : images.triangles())
+    triangles.push_back(t.vertices);
+  SP::internal::Indexed_mesh mesh;
+  EXPECT_EQ(mesh.assign(points, triangles), SP::OK);
+  return mesh;
+}
+
 // On a sphere that is mapped to itself, lengths and areas are what they are.
 TEST(Target_metric, of_a_sphere_is_that_of_its_tangent_planes)
 {
@@ -354,11 +365,7 @@ TEST(Target_star, has_the_gradient_of_its_value)
   std::vector<Vector_3d> points, source_points;
   const auto images = located(target, points), source_images = located(source, source_points);
   const SP::internal::Target_metric metric(images, points, {});
-  SP::internal::Indexed_mesh mesh;
-  std::vector<std::array<std::uint32_t, 3>> triangles;
-  for(const auto& t : source_images.triangles())
-    triangles.push_back(t.vertices);
-  ASSERT_EQ(mesh.assign(source_points, triangles), SP::OK);
+  const SP::internal::Indexed_mesh mesh = indexed(source_images, source_points);
   std::vector<Vector_3d> positions;
   for(std::size_t v = 0; v < mesh.number_of_vertices(); ++v)
   {
@@ -397,11 +404,7 @@ TEST(Hierarchy_on_the_sphere, keeps_all_faces_positive_and_all_fixed_vertices)
     const Mapped_mesh source(icosphere(3), on_body, rotation(turns[0]));
     std::vector<Vector_3d> points;
     const auto images = located(source, points);
-    SP::internal::Indexed_mesh mesh;
-    std::vector<std::array<std::uint32_t, 3>> triangles;
-    for(const auto& t : images.triangles())
-      triangles.push_back(t.vertices);
-    ASSERT_EQ(mesh.assign(points, triangles), SP::OK);
+    const SP::internal::Indexed_mesh mesh = indexed(images, points);
     std::vector<Vector_3d> positions;
     std::vector<char> is_fixed;
     for(std::size_t v = 0; v < mesh.number_of_vertices(); ++v)

@@ -4,6 +4,7 @@
 #include "judge.h"
 #include "methods.h"
 #include "random_meshes.h"
+#include "surfaces.h"
 
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Spherical_parameterization/Sphere_domain_3.h>
@@ -60,16 +61,6 @@ Triangle_list tilted(Triangle_list list)
   for(Coordinates& p : list.points)
     p = {p[2], p[0], p[1]};
   return turned(list, 0.2);
-}
-
-Triangle_list list_of(const SP::Sphere_domain_3& domain)
-{
-  Triangle_list result;
-  for(const Point_3& p : domain.directions())
-    result.points.push_back({p.x(), p.y(), p.z()});
-  for(const auto& t : domain.triangles())
-    result.triangles.push_back({t[0], t[1], t[2]});
-  return result;
 }
 
 const std::vector<std::pair<std::string, Triangle_list>>& lists()

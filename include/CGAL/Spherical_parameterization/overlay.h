@@ -86,13 +86,8 @@ template <class ConcurrencyTag = Parallel_if_available_tag, class TriangleMesh1,
   const internal::Execution execution = internal::execution_of<ConcurrencyTag>();
   Arrays1 arrays1;
   Arrays2 arrays2;
-  if(const Error_code error = arrays1.read(tmesh1, vertex_sphere_map1, false, execution))
-    return error;
-  if(const Error_code error = arrays2.read(tmesh2, vertex_sphere_map2, false, execution))
-    return error;
-  if(const Error_code error = arrays1.read_points(get(vertex_point, tmesh1)))
-    return error;
-  if(const Error_code error = arrays2.read_points(get(vertex_point, tmesh2)))
+  if(const Error_code error =
+         internal::read_surfaces(tmesh1, vertex_sphere_map1, arrays1, tmesh2, vertex_sphere_map2, arrays2, execution))
     return error;
   const std::vector<internal::Vector_3d>&points1 = arrays1.points, &points2 = arrays2.points;
   internal::Sphere_triangulation<K> sphere1, sphere2;

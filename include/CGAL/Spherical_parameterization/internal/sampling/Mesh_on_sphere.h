@@ -126,6 +126,22 @@ private:
   }
 };
 
+// Reads two surfaces with their maps; returns what is wrong with the first one, or else with the second one.
+template <class TriangleMesh1, class VertexSphereMap1, class TriangleMesh2, class VertexSphereMap2>
+Error_code read_surfaces(const TriangleMesh1& tmesh1, const VertexSphereMap1& vertex_sphere_map1,
+                         Mesh_on_sphere<TriangleMesh1, VertexSphereMap1>& arrays1, const TriangleMesh2& tmesh2,
+                         const VertexSphereMap2& vertex_sphere_map2,
+                         Mesh_on_sphere<TriangleMesh2, VertexSphereMap2>& arrays2, const Execution& execution)
+{
+  if(const Error_code error = arrays1.read(tmesh1, vertex_sphere_map1, false, execution))
+    return error;
+  if(const Error_code error = arrays2.read(tmesh2, vertex_sphere_map2, false, execution))
+    return error;
+  if(const Error_code error = arrays1.read_points(get(vertex_point, tmesh1)))
+    return error;
+  return arrays2.read_points(get(vertex_point, tmesh2));
+}
+
 } // namespace internal
 } // namespace Spherical_parameterization
 } // namespace CGAL
