@@ -344,6 +344,7 @@ TEST_F(Program, maps_a_surface_onto_another_one)
   expect_refused(map + " -o result.off --morph 2 morph.off", "--morph has to be a number from 0 to 1");
   expect_refused("sphere.off -o result.off --overlay overlay.ply", "--overlay goes with --onto");
   expect_refused(map + " -o result.off --features a.txt b.txt", "--features needs .ply files");
+  write_off("torus.off", test_meshes::torus(8, 5));
   expect_refused("sphere.off --onto torus.off -o result.off", "genus");
 }
 
