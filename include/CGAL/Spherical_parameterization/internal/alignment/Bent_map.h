@@ -111,35 +111,35 @@ private:
   {
     constexpr int n_rounds = 200, n_iterations = 5, rounds_for_each_ring = 4;
     std::vector<int> ages(p.size(), 0), rings(p.size());
-    std::vector<std::uint32_t> near;
+    std::vector<std::uint32_t> moving;
     for(int round = 0; round < n_rounds; ++round)
     {
-      near.clear();
+      moving.clear();
       std::fill(rings.begin(), rings.end(), -1);
       const auto add = [&](std::uint32_t v, int n_rings) {
         if(n_rings > rings[v])
         {
           rings[v] = n_rings;
-          near.push_back(v); // perhaps again
+          moving.push_back(v); // perhaps again
         }
       };
       for(const Linked_triangle& t : m_triangles)
         if(!is_positive(t, p))
           for(const std::uint32_t v : t.vertices)
             add(v, ages[v] / rounds_for_each_ring);
-      if(near.empty())
+      if(moving.empty())
         return true;
-      for(const std::uint32_t v : near)
+      for(const std::uint32_t v : moving)
         ++ages[v];
-      for(std::size_t k = 0; k < near.size(); ++k)
-        if(const std::uint32_t v = near[k]; rings[v] > 0)
+      for(std::size_t k = 0; k < moving.size(); ++k)
+        if(const std::uint32_t v = moving[k]; rings[v] > 0)
           for(std::uint32_t c = m_begins[v]; c < m_begins[v + 1]; ++c)
             for(const std::uint32_t w : m_triangles[m_corners[c].triangle].vertices)
               add(w, rings[v] - 1);
-      std::sort(near.begin(), near.end());
-      near.erase(std::unique(near.begin(), near.end()), near.end());
+      std::sort(moving.begin(), moving.end());
+      moving.erase(std::unique(moving.begin(), moving.end()), moving.end());
       for(int k = 0; k < n_iterations; ++k)
-        for(const std::uint32_t v : near)
+        for(const std::uint32_t v : moving)
           p[v] = mean_of_neighbors(v, p);
     }
     return false;
