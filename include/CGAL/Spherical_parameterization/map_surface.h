@@ -112,12 +112,6 @@ struct Located_surface
         x = unit > 0. ? x / unit : 0.;
     unit *= 2.;
   }
-
-  Vector_3d direction(std::size_t v) const
-  {
-    const auto& p = sphere.points()[v];
-    return normalized(Vector_3d{p.x(), p.y(), p.z()});
-  }
 };
 
 // How far what lies in a direction is from a vertex.
@@ -162,7 +156,7 @@ Aligned_start start_of_map(const Located_surface<K>& first, const std::vector<Su
 {
   std::vector<std::pair<Vector_3d, Vector_3d>> pairs;
   for(const auto& [v, w] : landmarks)
-    pairs.emplace_back(first.direction(v), second.direction(w));
+    pairs.emplace_back(first.sphere.direction(v), second.sphere.direction(w));
   if(const std::optional<Rotation_matrix> rotation = fitting_rotation(pairs))
   {
     Aligned_start result;
@@ -292,7 +286,7 @@ template <class ConcurrencyTag = Parallel_if_available_tag, class TriangleMesh1,
   for(const auto& [v, w] : *landmarks)
   {
     goals.vertices.push_back(numbers[v]);
-    goals.directions.push_back(second.direction(w));
+    goals.directions.push_back(second.sphere.direction(w));
   }
   // Copies of a surface need no descent.
   constexpr double energy_of_copies = 2. + 1e-9;

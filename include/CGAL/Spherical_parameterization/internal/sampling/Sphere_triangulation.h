@@ -144,6 +144,17 @@ public:
   const std::vector<Point_3>& points() const { return m_points; }
   const std::vector<Linked_triangle>& triangles() const { return m_triangles; }
 
+  // The image of a vertex at distance 1, if coordinates are doubles. Powers of two keep squares from overflow and underflow,
+  // and change no bit of what needs none.
+  Vector_3d direction(std::size_t v) const
+  {
+    const auto& p = m_points[v];
+    int exponent;
+    std::frexp((std::max)({std::abs(p.x()), std::abs(p.y()), std::abs(p.z())}), &exponent);
+    return normalized(
+        Vector_3d{std::ldexp(p.x(), -exponent), std::ldexp(p.y(), -exponent), std::ldexp(p.z(), -exponent)});
+  }
+
   // Locates a direction from a triangle that is next to it, or not far from it, without a grid.
   Place locate_from(std::uint32_t start, const Point_3& q) const
   {

@@ -48,8 +48,8 @@ std::vector<Vector_3d> rotated_directions(const Rotation_matrix& rotation, const
 {
   std::vector<Vector_3d> result;
   result.reserve(sphere.points().size());
-  for(const auto& p : sphere.points())
-    result.push_back(normalized(rotated(rotation, normalized(Vector_3d{p.x(), p.y(), p.z()}))));
+  for(std::size_t v = 0; v < sphere.points().size(); ++v)
+    result.push_back(normalized(rotated(rotation, sphere.direction(v))));
   return result;
 }
 
@@ -60,7 +60,6 @@ Rotation_matrix polished(Rotation_matrix rotation, const Sphere_triangulation<K>
                          const Sphere_triangulation<K>& sphere2, const Execution& execution)
 {
   constexpr int n_rounds = 8;
-  const auto direction = [](const auto& p) { return normalized(Vector_3d{p.x(), p.y(), p.z()}); };
   for(int round = 0; round < n_rounds; ++round)
   {
     std::vector<typename K::Point_3> queries;
@@ -72,8 +71,7 @@ Rotation_matrix polished(Rotation_matrix rotation, const Sphere_triangulation<K>
     {
       const auto& w = places[v].coordinates;
       const std::size_t nearest = static_cast<std::size_t>(std::max_element(w.begin(), w.end()) - w.begin());
-      pairs.emplace_back(direction(sphere1.points()[v]),
-                         direction(sphere2.points()[sphere2.triangles()[places[v].triangle][nearest]]));
+      pairs.emplace_back(sphere1.direction(v), sphere2.direction(sphere2.triangles()[places[v].triangle][nearest]));
     }
     if(const std::optional<Rotation_matrix> next = fitting_rotation(pairs))
       rotation = *next;

@@ -76,8 +76,7 @@ public:
         std::array<Vector_3d, 3> p, x;
         for(std::size_t i = 0; i < 3; ++i)
         {
-          const auto& q = images.points()[t[i]];
-          p[i] = normalized(Vector_3d{q.x(), q.y(), q.z()});
+          p[i] = images.direction(t[i]);
           x[i] = scale * points[t[i]];
         }
         const auto& q = directions[k];
