@@ -16,6 +16,11 @@
 #include <CGAL/Spherical_parameterization/map_surface.h>
 #include <CGAL/Spherical_parameterization/measure_distortion_between.h>
 #include <CGAL/Spherical_parameterization/overlay.h>
+#include <CGAL/Spherical_parameterization/remesh_through_sphere.h>
+
+#include <CGAL/Polyhedron_3.h>
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
 
 #include <gtest/gtest.h>
 
@@ -24,7 +29,9 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <iterator>
 #include <limits>
+#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -48,7 +55,9 @@ struct Match
   static Match make(Mapped_mesh& a, const Mapped_mesh& b, const Settings& settings = {}, ConcurrencyTag = {})
   {
     Match result;
-    const Images images = a.mesh.add_property_map<Vertex_index, Point_3>("v:images", Point_3(7., 7., 7.)).first;
+    const Images images = a.mesh.add_property_map<Vertex_index, Point_3>("v:images").first;
+    for(const Vertex_index v : a.mesh.vertices())
+      images[v] = Point_3(7., 7., 7.);
     result.error =
         SP::map_surface<ConcurrencyTag>(a.mesh, a.sphere, b.mesh, b.sphere, images, settings, &result.report);
     for(const Vertex_index v : a.mesh.vertices())
@@ -80,6 +89,19 @@ Point_3 as_it_is(const Point_3& p)
   return p;
 }
 
+TEST(Map_surface, is_exact_onto_the_surface_itself)
+{
+  Mapped_mesh a(icosphere(3), on_body, rotation(turns[0]));
+  const Match match = Match::make(a, a);
+  ASSERT_EQ(match.error, SP::OK);
+  EXPECT_NEAR(match.report.energy, 2., 1e-12);
+  EXPECT_NEAR(match.report.agreement, 1., 1e-3);
+  EXPECT_GT(match.report.margin, 0.1);
+  EXPECT_TRUE(match.report.landmark_distances.empty());
+  for(const Vertex_index v : a.mesh.vertices())
+    EXPECT_LT(distance(match.directions[v], a.sphere[v]), 1e-12);
+}
+
 TEST(Map_surface, is_exact_onto_a_turned_copy)
 {
   Mapped_mesh a(icosphere(4), on_body, rotation(turns[0]));
@@ -97,6 +119,17 @@ TEST(Map_surface, is_exact_onto_a_turned_copy)
   EXPECT_GT(match.report.margin, 0.1);
   for(const Vertex_index v : a.mesh.vertices())
     EXPECT_LT(distance(match.directions[v], b.sphere[v]), 1e-9);
+}
+
+TEST(Map_surface, is_near_to_an_isometry_onto_the_surface_as_it_is_sampled_through_its_sphere)
+{
+  Mapped_mesh a(icosphere(4), on_body, rotation(turns[0]));
+  Mapped_mesh b(tetrahedron(), as_it_is, rotation(turns[0]));
+  b.mesh.clear_without_removing_property_maps();
+  ASSERT_EQ(SP::remesh_through_sphere(a.mesh, a.sphere, SP::Sphere_domain_3::octahedron(25), b.mesh, b.sphere), SP::OK);
+  const Match match = Match::make(a, b);
+  ASSERT_EQ(match.error, SP::OK);
+  EXPECT_LT(match.report.energy, 2.1);
 }
 
 TEST(Map_surface, finds_the_identity_onto_a_remesh)
@@ -201,6 +234,63 @@ TEST(Map_surface, tells_of_landmarks_that_cannot_be_met)
   EXPECT_LT(distance(one.directions[corners[0]], b.sphere[corners[1]]), 1e-15);
 }
 
+// All vertices but two neighbours can stay where they are, and these cannot change places.
+TEST(Map_surface, tells_how_far_two_neighbours_are_from_each_others_places)
+{
+  Mapped_mesh a(icosphere(2), on_body, rotation(turns[0]));
+  const Vertex_index v(0), w = a.mesh.target(a.mesh.halfedge(v)) == v ? a.mesh.source(a.mesh.halfedge(v))
+                                                                      : a.mesh.target(a.mesh.halfedge(v));
+  Settings settings;
+  for(const Vertex_index u : a.mesh.vertices())
+    settings.landmarks.emplace_back(u, u == v ? w : u == w ? v : u);
+  const Match match = Match::make(a, a, settings);
+  ASSERT_EQ(match.error, SP::OK);
+  EXPECT_GE(match.report.number_of_missed_landmarks, 1u);
+  std::size_t n_missed = 0;
+  for(std::size_t k = 0; k < settings.landmarks.size(); ++k)
+  {
+    const auto [from, to] = settings.landmarks[k];
+    const bool is_missed = distance(match.directions[from], a.sphere[to]) > 1e-12;
+    EXPECT_EQ(match.report.landmark_distances[k] > 0., is_missed) << k;
+    n_missed += is_missed;
+  }
+  EXPECT_EQ(match.report.number_of_missed_landmarks, n_missed);
+}
+
+TEST(Map_surface, permutes_the_corners_of_a_tetrahedron_where_orientation_allows_it)
+{
+  Mapped_mesh a(tetrahedron(), as_it_is, rotation(turns[0]));
+  const Mapped_mesh b(scaled(tetrahedron(), 1., 1., 3.), as_it_is, rotation(turns[0]));
+  const auto n_missed = [&](const std::array<std::uint32_t, 4>& corners) {
+    Settings settings;
+    for(std::uint32_t k = 0; k < 4; ++k)
+      settings.landmarks.emplace_back(Vertex_index(k), Vertex_index(corners[k]));
+    const Match match = Match::make(a, b, settings);
+    EXPECT_EQ(match.error, SP::OK);
+    return match.report.number_of_missed_landmarks;
+  };
+  EXPECT_EQ(n_missed({0, 1, 2, 3}), 0u);
+  EXPECT_EQ(n_missed({1, 2, 0, 3}), 0u);
+  EXPECT_EQ(n_missed({1, 0, 3, 2}), 0u);
+  EXPECT_GT(n_missed({1, 0, 2, 3}), 0u); // the mirror image
+}
+
+TEST(Map_surface, with_landmarks_does_not_depend_on_threads)
+{
+  Mapped_mesh a(icosphere(3), on_body, rotation(turns[0]));
+  const Mapped_mesh b(octahedron_of(12), on_body, rotation(turns[1]));
+  Settings settings;
+  for(const std::uint32_t k : {0u, 1u, 2u})
+    settings.landmarks.emplace_back(Vertex_index(37 * k), Vertex_index(k));
+  for(const double weight : {0., 5.})
+  {
+    if(weight > 0.)
+      settings.landmark_weight = weight;
+    EXPECT_EQ(Match::make(a, b, settings, CGAL::Sequential_tag()).directions,
+              Match::make(a, b, settings, CGAL::Parallel_if_available_tag()).directions);
+  }
+}
+
 TEST(Map_surface, depends_neither_on_threads_nor_on_the_unit)
 {
   const auto map_onto = [](double scale, auto tag) {
@@ -237,6 +327,81 @@ TEST(Map_surface, maps_the_smallest_the_flattest_and_those_without_any_area)
   EXPECT_EQ(Match::make(a, b).error, SP::OK);
   Mapped_mesh c(icosphere(2), as_it_is, rotation(turns[0]));
   EXPECT_EQ(Match::make(c, a).error, SP::OK);
+}
+
+TEST(Map_surface, maps_needles_and_slivers)
+{
+  const auto as_needle = [](const Point_3& p) {
+    const Point_3 q = on_body(p);
+    return Point_3(300. * q.x(), q.y(), q.z());
+  };
+  const Triangle_list slivers = with_slivers(icosphere(1), 5, 1e-9);
+  Mapped_mesh a(slivers, as_needle, rotation(turns[0]));
+  const Mapped_mesh b(octahedron_of(8), as_needle, rotation(turns[1])), c(slivers, as_it_is, rotation(turns[1]));
+  EXPECT_EQ(Match::make(a, b).error, SP::OK);
+  Settings settings; // the second one is the end of a short edge
+  settings.landmarks = {{Vertex_index(5), Vertex_index(5)}, {Vertex_index(45), Vertex_index(45)}};
+  EXPECT_EQ(Match::make(a, c, settings).error, SP::OK);
+  Mapped_mesh d(slivers, on_body, rotation(turns[0]));
+  const Match match = Match::make(d, c, settings);
+  EXPECT_EQ(match.error, SP::OK);
+  EXPECT_EQ(match.report.number_of_missed_landmarks, 0u);
+}
+
+TEST(Map_surface, takes_images_at_any_distance_from_the_origin)
+{
+  const auto scale = [](Mapped_mesh& m, const auto& exponent) {
+    for(const Vertex_index v : m.mesh.vertices())
+    {
+      const double s = std::ldexp(1., exponent());
+      m.sphere[v] = Point_3(s * m.sphere[v].x(), s * m.sphere[v].y(), s * m.sphere[v].z());
+    }
+  };
+  Mapped_mesh a(icosphere(1), on_body, rotation(turns[0])), b(icosphere(1), on_body, rotation(turns[1]));
+  Settings settings;
+  settings.landmarks = {{Vertex_index(0), Vertex_index(5)}, {Vertex_index(5), Vertex_index(0)}};
+  const std::vector<Point_3> without = Match::make(a, b).directions, with = Match::make(a, b, settings).directions;
+  scale(a, [] { return -800; });
+  scale(b, [] { return 800; });
+  EXPECT_EQ(Match::make(a, b).directions, without);
+  EXPECT_EQ(Match::make(a, b, settings).directions, with);
+  // How far each image is along its ray says how a face is spread out, so that the result is another one.
+  Random random(1);
+  scale(a, [&] { return random.integer(780, 820); });
+  scale(b, [&] { return random.integer(-820, -780); });
+  EXPECT_EQ(Match::make(a, b, settings).error, SP::OK);
+}
+
+// Handles of vertices that are no numbers, and numbers of single precision in both surfaces and in all maps.
+TEST(Map_surface, takes_other_types_of_meshes_and_numbers)
+{
+  using Float_point_3 = CGAL::Simple_cartesian<float>::Point_3;
+  using Polyhedron = CGAL::Polyhedron_3<CGAL::Simple_cartesian<float>>;
+  using Float_mesh = CGAL::Surface_mesh<Float_point_3>;
+  Triangle_list first = icosphere(2), second = octahedron_of(8);
+  const std::vector<Coordinates> images1 = first.points, images2 = second.points;
+  for(Triangle_list* const list : {&first, &second})
+    for(Coordinates& x : list->points)
+    {
+      const Point_3 p = on_body(Point_3(x[0], x[1], x[2]));
+      x = {p.x(), p.y(), p.z()};
+    }
+  const Polyhedron a = make_mesh<Polyhedron>(first);
+  const Float_mesh b = make_mesh<Float_mesh>(second);
+  const auto sphere1 = make_vertex_map<Float_point_3>(a, images1);
+  const auto sphere2 = make_vertex_map<Float_point_3>(b, images2);
+  const auto directions = make_vertex_map<Float_point_3>(a, images1);
+  SP::Surface_map_settings<Polyhedron, Float_mesh> settings;
+  SP::Surface_map_report report;
+  ASSERT_EQ(SP::map_surface(a, sphere1, b, sphere2, directions, settings, &report), SP::OK);
+  EXPECT_TRUE(SP::is_bijective(a, directions));
+  EXPECT_LT(report.energy, 2.5);
+
+  const auto last = std::prev(vertices(a).end());
+  settings.landmarks = {{*vertices(a).begin(), Vertex_index(0)}, {*last, Vertex_index(7)}};
+  ASSERT_EQ(SP::map_surface(a, sphere1, b, sphere2, directions, settings, &report), SP::OK);
+  EXPECT_EQ(report.number_of_missed_landmarks, 0u);
+  EXPECT_LT(CGAL::squared_distance(get(directions, *last), get(sphere2, Vertex_index(7))), 1e-12f);
 }
 
 TEST(Map_surface, writes_over_the_sphere_and_follows_features_of_the_caller)
@@ -299,6 +464,34 @@ TEST(Map_surface, tells_what_is_wrong)
   b.mesh.point(v) = point;
   CGAL::Euler::remove_face(halfedge(*faces(b.mesh).begin(), b.mesh), b.mesh);
   EXPECT_EQ(error(settings), SP::ERROR_NON_CLOSED_MESH);
+}
+
+TEST(Map_surface, tells_what_is_wrong_with_the_first_surface)
+{
+  Mapped_mesh a(icosphere(1), as_it_is, rotation(turns[0]));
+  const Mapped_mesh b(icosphere(1), as_it_is, rotation(turns[0]));
+  const Vertex_index v(0);
+  Settings settings;
+  settings.landmark_weight = 1.; // of no landmark
+  EXPECT_EQ(Match::make(a, b, settings).error, SP::OK);
+  settings = {};
+  settings.features.emplace_back([](Vertex_index) { return std::numeric_limits<double>::infinity(); },
+                                 [](Vertex_index) { return 1.; });
+  EXPECT_EQ(Match::make(a, b, settings).error, SP::ERROR_WRONG_PARAMETER);
+  settings.features[0].first = [](Vertex_index) -> double { throw std::runtime_error("feature"); };
+  const Point_3 image = a.sphere[v], point = a.mesh.point(v);
+  const auto sphere = a.sphere;
+  EXPECT_THROW((void)SP::map_surface(a.mesh, a.sphere, b.mesh, b.sphere, sphere, settings), std::runtime_error);
+  for(const Vertex_index u : a.mesh.vertices())
+    EXPECT_EQ(a.sphere[u], b.sphere[u]);
+  a.sphere[v] = Point_3(-image.x(), -image.y(), -image.z());
+  EXPECT_EQ(Match::make(a, b).error, SP::ERROR_NO_1_TO_1_MAPPING);
+  a.sphere[v] = image;
+  a.mesh.point(v) = Point_3(0., 0., std::numeric_limits<double>::quiet_NaN());
+  EXPECT_EQ(Match::make(a, b).error, SP::ERROR_NON_FINITE_COORDINATE);
+  a.mesh.point(v) = point;
+  CGAL::Euler::remove_face(halfedge(*faces(a.mesh).begin(), a.mesh), a.mesh);
+  EXPECT_EQ(Match::make(a, b).error, SP::ERROR_NON_CLOSED_MESH);
 }
 
 SP::internal::Sphere_triangulation<Kernel> located(const Mapped_mesh& m, std::vector<Vector_3d>& points)
@@ -394,6 +587,44 @@ TEST(Target_star, has_the_gradient_of_its_value)
     n_right += std::hypot(dx - gradient[0], dy - gradient[1]) < 1e-4 * std::hypot(dx, dy) + 1e-6 * value;
   }
   EXPECT_GT(n_right, mesh.number_of_vertices() * 95 / 100); // others have a face at the border of two texels
+}
+
+// On a sphere that is mapped to itself by short edges, the metric hardly changes, and the Hessian, which leaves its change
+// out, is that of the value.
+TEST(Target_star, has_positive_curvature_where_the_metric_is_nearly_constant)
+{
+  const Mapped_mesh sphere(icosphere(4), as_it_is, rotation(turns[0]));
+  std::vector<Vector_3d> points;
+  const auto images = located(sphere, points);
+  const SP::internal::Target_metric metric(images, points, {});
+  const SP::internal::Indexed_mesh mesh = indexed(images, points);
+  std::vector<Vector_3d> positions = mesh.points();
+  Random random(2);
+  for(Vector_3d& p : positions)
+    for(double& x : p)
+      x += random.between(-0.005, 0.005);
+  for(Vector_3d& p : positions)
+    p = SP::internal::normalized(p);
+  SP::internal::Target_star star(metric);
+  star.set_level(metric.level_for(positions.size()));
+  for(std::uint32_t v = 0; v < positions.size(); ++v)
+  {
+    const auto ring = mesh.rings().ring(v);
+    star.load(mesh.rings(), v, positions, [&](std::size_t j) {
+      return SP::internal::Rest_triangle::from_points(mesh.points()[v], mesh.points()[ring[j]],
+                                                      mesh.points()[ring.around(j + 1)]);
+    });
+    std::array<double, 2> gradient;
+    std::array<double, 3> hessian;
+    const double value = star.derivatives(gradient, hessian);
+    EXPECT_GT(hessian[0], 0.);
+    EXPECT_GT(hessian[0] * hessian[2] - hessian[1] * hessian[1], 0.);
+    constexpr double h = 1e-3; // more than rounding, less than an edge
+    const double trace = hessian[0] + hessian[2];
+    EXPECT_NEAR((star(h, 0.) + star(-h, 0.) - 2. * value) / (h * h), hessian[0], 0.1 * trace);
+    EXPECT_NEAR((star(0., h) + star(0., -h) - 2. * value) / (h * h), hessian[2], 0.1 * trace);
+    EXPECT_NEAR((star(h, h) + star(-h, -h) - star(h, -h) - star(-h, h)) / (4. * h * h), hessian[1], 0.1 * trace);
+  }
 }
 
 TEST(Hierarchy_on_the_sphere, keeps_all_faces_positive_and_all_fixed_vertices)
