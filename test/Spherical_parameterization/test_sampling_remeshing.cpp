@@ -528,6 +528,27 @@ TEST(Transfer, of_values_that_are_not_numbers_stays_where_it_is)
     EXPECT_EQ(std::isnan(x[v]), coordinates(target.sphere[v])[0] > 0.) << v;
 }
 
+TEST(Transfer, does_not_depend_on_the_size_of_the_spheres)
+{
+  Mapped_mesh expected(icosphere(1)), source(random_stacked_sphere(100, 1));
+  fill<Vertex_index, double>(source, "v:x", [](std::size_t i) { return std::sin(static_cast<double>(i)); });
+  fill<Face_index, double>(source, "f:x", [](std::size_t i) { return static_cast<double>(i); });
+  ASSERT_EQ(SP::transfer(source.mesh, source.sphere, expected.mesh, expected.sphere), SP::OK);
+  const auto scale = [](Mapped_mesh& m, int exponent) {
+    for(const Vertex_index v : m.mesh.vertices())
+      m.sphere[v] = Point_3(std::ldexp(m.sphere[v].x(), exponent), std::ldexp(m.sphere[v].y(), exponent),
+                            std::ldexp(m.sphere[v].z(), exponent));
+  };
+  Mapped_mesh target(icosphere(1));
+  scale(source, -600);
+  scale(target, 600);
+  ASSERT_EQ(SP::transfer(source.mesh, source.sphere, target.mesh, target.sphere), SP::OK);
+  const auto x = expected.add<Vertex_index, double>("v:x"), y = target.add<Vertex_index, double>("v:x");
+  for(const Vertex_index v : target.mesh.vertices())
+    EXPECT_NEAR(y[v], x[v], 1e-12);
+  expect_same<Face_index, double>(expected.mesh, target.mesh, "f:x");
+}
+
 TEST(Transfer, refuses_what_is_no_bijection)
 {
   Mapped_mesh good(icosphere(1)), folded(icosphere(1)), open(icosphere(1));

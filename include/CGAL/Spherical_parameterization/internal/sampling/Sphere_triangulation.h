@@ -144,15 +144,15 @@ public:
   const std::vector<Point_3>& points() const { return m_points; }
   const std::vector<Linked_triangle>& triangles() const { return m_triangles; }
 
-  // The image of a vertex at distance 1, if coordinates are doubles. Powers of two keep squares from overflow and underflow,
-  // and change no bit of what needs none.
+  // The image of a vertex at distance 1, rounded. Powers of two keep squares from overflow and underflow, and change no bit
+  // of what needs none.
   Vector_3d direction(std::size_t v) const
   {
-    const auto& p = m_points[v];
+    const Point_3& p = m_points[v];
+    const Vector_3d x = {CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z())};
     int exponent;
-    std::frexp((std::max)({std::abs(p.x()), std::abs(p.y()), std::abs(p.z())}), &exponent);
-    return normalized(
-        Vector_3d{std::ldexp(p.x(), -exponent), std::ldexp(p.y(), -exponent), std::ldexp(p.z(), -exponent)});
+    std::frexp((std::max)({std::abs(x[0]), std::abs(x[1]), std::abs(x[2])}), &exponent);
+    return normalized(Vector_3d{std::ldexp(x[0], -exponent), std::ldexp(x[1], -exponent), std::ldexp(x[2], -exponent)});
   }
 
   // Locates a direction from a triangle that is next to it, or not far from it, without a grid.

@@ -210,15 +210,12 @@ private:
 
   static std::vector<Point_3> centers_of(const Triangulation& triangulation)
   {
-    const auto direction = [&](std::uint32_t v) {
-      const Point_3& p = triangulation.points()[v];
-      return normalized(Vector_3d{CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z())});
-    };
     std::vector<Point_3> result;
     result.reserve(triangulation.triangles().size());
     for(const Linked_triangle& t : triangulation.triangles())
     {
-      const Vector_3d center = direction(t[0]) + direction(t[1]) + direction(t[2]);
+      const Vector_3d center =
+          triangulation.direction(t[0]) + triangulation.direction(t[1]) + triangulation.direction(t[2]);
       result.emplace_back(center[0], center[1], center[2]);
     }
     return result;
