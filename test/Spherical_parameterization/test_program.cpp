@@ -14,6 +14,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <limits>
 #include <map>
 #include <new>
 #include <ostream>
@@ -301,6 +302,58 @@ TEST_F(Program, remeshes_through_the_sphere)
   EXPECT_EQ(run("sphere.off --remesh map.off").status, 0); // tells the distance alone
 }
 
+// The bytes of a number, the most significant one first or last.
+template <class Bits, class Number>
+std::string bytes_of(Number number, bool is_big_endian)
+{
+  static_assert(sizeof(Bits) == sizeof(Number), "The bits are those of the number.");
+  Bits bits;
+  std::memcpy(&bits, &number, sizeof(bits));
+  std::string result;
+  for(std::size_t k = 0; k < sizeof(bits); ++k)
+    result += static_cast<char>(bits >> 8 * (is_big_endian ? sizeof(bits) - 1 - k : k) & 0xff);
+  return result;
+}
+
+// A binary PLY or STL file.
+struct Binary_file
+{
+  explicit Binary_file(bool is_big)
+    : is_big_endian(is_big)
+  {}
+
+  Binary_file& operator<<(const std::string& text) { return content += text, *this; }
+  Binary_file& operator<<(float x) { return content += bytes_of<std::uint32_t>(x, is_big_endian), *this; }
+  Binary_file& operator<<(double x) { return content += bytes_of<std::uint64_t>(x, is_big_endian), *this; }
+  Binary_file& operator<<(std::uint8_t x) { return content += static_cast<char>(x), *this; }
+  Binary_file& operator<<(std::int16_t x) { return content += bytes_of<std::uint16_t>(x, is_big_endian), *this; }
+  Binary_file& operator<<(std::uint32_t x) { return content += bytes_of<std::uint32_t>(x, is_big_endian), *this; }
+
+  bool is_big_endian;
+  std::string content;
+};
+
+// A sphere with values at its vertices, one of which can be chosen.
+std::string ply_with_values(unsigned int subdivisions, float first_height = 1.f)
+{
+  Binary_file ply(false);
+  const test_meshes::Triangle_list list = test_meshes::icosphere(subdivisions);
+  ply << "ply\nformat binary_little_endian 1.0\nelement vertex " + std::to_string(list.points.size()) +
+             "\nproperty double x\nproperty double y\nproperty double z\nproperty float height\nproperty uint label\n"
+             "element face " +
+             std::to_string(list.triangles.size()) + "\nproperty list uchar uint vertex_indices\nend_header\n";
+  for(std::size_t v = 0; v < list.points.size(); ++v)
+  {
+    const test_meshes::Coordinates& p = list.points[v];
+    ply << double(p[0]) << double(p[1]) << double(p[2]) << (v == 0 ? first_height : static_cast<float>(p[2]))
+        << std::uint32_t(7);
+  }
+  for(const test_meshes::Triangle& t : list.triangles)
+    ply << std::uint8_t(3) << static_cast<std::uint32_t>(t[0]) << static_cast<std::uint32_t>(t[1])
+        << static_cast<std::uint32_t>(t[2]);
+  return ply.content;
+}
+
 // The program's --onto, with landmarks, and all that it writes.
 TEST_F(Program, maps_a_surface_onto_another_one)
 {
@@ -344,29 +397,33 @@ TEST_F(Program, maps_a_surface_onto_another_one)
   expect_refused(map + " -o result.off --morph 2 morph.off", "--morph has to be a number from 0 to 1");
   expect_refused("sphere.off -o result.off --overlay overlay.ply", "--overlay goes with --onto");
   expect_refused(map + " -o result.off --features a.txt b.txt", "--features needs .ply files");
+  write("a.ply", ply_with_values(2));
+  write("b.ply", ply_with_values(1));
+  outcome = run(map + " --features a.ply b.ply");
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_NE(outcome.out.find("Aligned:   by features"), std::string::npos) << outcome.out;
+  expect_refused(map + " -o result.off --features b.ply b.ply",
+                 "b.ply: has no features for the mesh: it has 42 vertices");
+  write("nan.ply", ply_with_values(1, std::numeric_limits<float>::quiet_NaN()));
+  expect_refused(map + " -o result.off --features a.ply nan.ply", "the property height of vertex 0 is infinite or not");
+  write_off("plain.off", test_meshes::icosphere(1));
+  EXPECT_EQ(run("plain.off -o plain.ply").status, 0);
+  expect_refused(map + " -o result.off --features a.ply plain.ply", "plain.ply: has no property of vertices");
+  expect_refused(map + " -o result.off --method conformal --landmarks a.txt b.txt --soft-landmarks 0",
+                 "--soft-landmarks has to be");
   write_off("torus.off", test_meshes::torus(8, 5));
   expect_refused("sphere.off --onto torus.off -o result.off", "genus");
 }
 
 TEST_F(Program, carries_values_over)
 {
-  std::ostringstream ply;
-  const test_meshes::Triangle_list list = test_meshes::icosphere(2);
-  ply << "ply\nformat ascii 1.0\nelement vertex " << list.points.size()
-      << "\nproperty double x\nproperty double y\nproperty double z\nproperty float height\nproperty int label\n"
-         "element face "
-      << list.triangles.size() << "\nproperty list uchar int vertex_indices\nend_header\n";
-  for(const auto& p : list.points)
-    ply << p[0] << ' ' << p[1] << ' ' << p[2] << ' ' << p[2] << " 7\n";
-  for(const auto& t : list.triangles)
-    ply << "3 " << t[0] << ' ' << t[1] << ' ' << t[2] << '\n';
-  write("values.ply", ply.str());
+  write("values.ply", ply_with_values(2));
   write_off("other.off", test_meshes::icosphere(1));
   const auto expect_values = [&](const std::string& arguments) {
     const Outcome outcome = run(arguments + " -o result.ply --quiet");
     ASSERT_EQ(outcome.status, 0) << outcome.err;
     const std::string header = content(path("result.ply")).substr(0, 400);
-    for(const char* property : {"property double nx", "property float height", "property int label"})
+    for(const char* property : {"property double nx", "property float height", "property uint label"})
       EXPECT_NE(header.find(property), std::string::npos) << property;
     fs::remove(path("result.ply"));
   };
@@ -656,37 +713,6 @@ TEST_F(Program, says_what_is_wrong_with_a_mesh)
   write("start.off", "");
   expect_message("bad.off --initial start.off", "the mesh has a border");
 }
-
-// The bytes of a number, the most significant one first or last.
-template <class Bits, class Number>
-std::string bytes_of(Number number, bool is_big_endian)
-{
-  static_assert(sizeof(Bits) == sizeof(Number), "The bits are those of the number.");
-  Bits bits;
-  std::memcpy(&bits, &number, sizeof(bits));
-  std::string result;
-  for(std::size_t k = 0; k < sizeof(bits); ++k)
-    result += static_cast<char>(bits >> 8 * (is_big_endian ? sizeof(bits) - 1 - k : k) & 0xff);
-  return result;
-}
-
-// A binary PLY or STL file of a tetrahedron.
-struct Binary_file
-{
-  explicit Binary_file(bool is_big)
-    : is_big_endian(is_big)
-  {}
-
-  Binary_file& operator<<(const std::string& text) { return content += text, *this; }
-  Binary_file& operator<<(float x) { return content += bytes_of<std::uint32_t>(x, is_big_endian), *this; }
-  Binary_file& operator<<(double x) { return content += bytes_of<std::uint64_t>(x, is_big_endian), *this; }
-  Binary_file& operator<<(std::uint8_t x) { return content += static_cast<char>(x), *this; }
-  Binary_file& operator<<(std::int16_t x) { return content += bytes_of<std::uint16_t>(x, is_big_endian), *this; }
-  Binary_file& operator<<(std::uint32_t x) { return content += bytes_of<std::uint32_t>(x, is_big_endian), *this; }
-
-  bool is_big_endian;
-  std::string content;
-};
 
 const test_meshes::Triangle_list corner = {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}},
                                            {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}}};

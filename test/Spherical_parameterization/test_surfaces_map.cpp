@@ -550,6 +550,34 @@ TEST(Target_metric, of_a_sphere_is_that_of_its_tangent_planes)
   }
 }
 
+// Images at different distances from the origin are in the same directions, but what is between them is not.
+TEST(Target_metric, sees_the_lengths_of_images)
+{
+  using namespace SP::internal;
+  Mapped_mesh surface(octahedron_of(1), as_it_is, rotation(turns[0]));
+  const Vertex_index far_vertex(0);
+  const Point_3 image = surface.sphere[far_vertex];
+  surface.sphere[far_vertex] = Point_3(4. * image.x(), 4. * image.y(), 4. * image.z());
+  std::vector<Vector_3d> points;
+  const auto images = located(surface, points);
+  const Target_metric metric(images, points, {});
+  const double scale = std::sqrt(4. * pi / (4. * std::sqrt(3.))); // to the area of the unit sphere
+  for(const auto& t : images.triangles())
+  {
+    const Vector_3d p = normalized(images.direction(t[0]) + images.direction(t[1]) + images.direction(t[2]));
+    const Tangent_frame frame(p);
+    const auto place = [&](double x) {
+      const Vector_3d q = p + x * frame.vector_of(0.6, 0.8);
+      Sphere_triangulation<Kernel>::Hint hint;
+      return interpolated(points, images.triangles(), images.locate(Point_3(q[0], q[1], q[2]), hint));
+    };
+    constexpr double h = 1e-4;
+    const double stretch = scale * length(place(h) - place(-h)) / (2. * h);
+    const double seen = std::sqrt(metric.at(p, 0).squared_length(frame.vector_of(0.6, 0.8)));
+    EXPECT_NEAR(seen, stretch, 0.2 * stretch); // an average over a neighbourhood
+  }
+}
+
 // The gradient is the derivative of the value, wherever the metric has one.
 TEST(Target_star, has_the_gradient_of_its_value)
 {

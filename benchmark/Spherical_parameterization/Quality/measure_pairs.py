@@ -3,42 +3,30 @@
 
 FOLDER has pairs.txt, with two names and a kind in each line. The meshes are NAME.off.gz or NAME.obj.gz. Of the kind `corres`, the
 files NAME.vts of both have the vertices that correspond, line by line, counted from 1, and NAME.sym.vts their mirror images. Of the kind
-`landmarks`, NAME.vts, or for NAME/input0 and NAME/input1 the files NAME/landmarks0.txt and so on, have landmarks, counted from 0. Takes two
+`landmarks`, NAME.vts, or for NAME/input0 and NAME/input1 the files NAME/landmarks0.txt and so on, have landmarks, counted from 0. Takes five
 minutes; needs numpy and scipy.
 """
 
 from __future__ import annotations
 
-import argparse
 import gzip
 import json
 import statistics
-import subprocess
 import sys
 import tempfile
 from pathlib import Path
 from typing import Any
 
+sys.dont_write_bytecode = True  # leaves the sources as they are
+sys.path.append(str(Path(__file__).resolve().parents[1] / "python"))
+
 import numpy as np
+from measuring.commands import run_command
+from measuring.drivers import Driver
+from measuring.meshes import Mesh, read_mesh
 from scipy.sparse import csr_matrix
 from scipy.sparse.csgraph import dijkstra
 from scipy.spatial import cKDTree
-
-
-def read_mesh(text: str, is_obj: bool) -> tuple[np.ndarray, np.ndarray]:
-    """returns the points and the triangles of an OFF or OBJ file"""
-    lines = [line.split("#")[0].split() for line in text.splitlines()]
-    lines = [words for words in lines if words]
-    if is_obj:
-        points = [words[1:4] for words in lines if words[0] == "v"]
-        faces = [[int(word.split("/")[0]) - 1 for word in words[1:4]] for words in lines if words[0] == "f"]
-        return np.array(points, float), np.array(faces)
-    if len(lines[0]) == 1:
-        lines = lines[1:]
-    else:
-        lines[0] = lines[0][1:]
-    n, m = int(lines[0][0]), int(lines[0][1])
-    return np.array(lines[1 : n + 1], float)[:, :3], np.array([words[1:4] for words in lines[n + 1 : n + m + 1]], int)
 
 
 def numbers_in(path: Path, first: int) -> np.ndarray:
@@ -46,21 +34,19 @@ def numbers_in(path: Path, first: int) -> np.ndarray:
     return np.array([int(line.split()[0]) - first for line in path.read_text().splitlines() if line.strip()])
 
 
-def distances(points: np.ndarray, faces: np.ndarray, sources: np.ndarray) -> np.ndarray:
+def distances(mesh: Mesh, sources: np.ndarray) -> np.ndarray:
     """returns the lengths of shortest paths along edges, over the square root of the area, in percent"""
+    points, faces = mesh.vertices, mesh.faces
     ends = np.vstack([faces[:, [0, 1]], faces[:, [1, 2]], faces[:, [2, 0]]])
     lengths = np.linalg.norm(points[ends[:, 0]] - points[ends[:, 1]], axis=1)
     graph = csr_matrix((lengths, (ends[:, 0], ends[:, 1])), (len(points), len(points)))
-    corners = points[faces]
-    sides = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
-    area = 0.5 * np.linalg.norm(sides, axis=1).sum()
-    return np.asarray(100.0 * dijkstra(graph, directed=False, indices=sources) / np.sqrt(area))
+    return np.asarray(100.0 * dijkstra(graph, directed=False, indices=sources) / np.sqrt(mesh.area()))
 
 
 class Pairs:
     """The pairs of a folder, mapped by the program."""
 
-    def __init__(self, program: str, folder: Path, work: Path) -> None:
+    def __init__(self, program: Path, folder: Path, work: Path) -> None:
         self.program, self.folder, self.work = program, folder, work
         self.results: dict[str, list[dict[str, Any]]] = {}
 
@@ -83,24 +69,25 @@ class Pairs:
         """maps one surface onto another one"""
         paths = [self.mesh(first), self.mesh(second)]
         result, report = self.work / "result.off", self.work / "result.json"
-        command = [self.program, str(paths[0]), "--onto", str(paths[1]), "-o", str(result), "--json", str(report), "--quiet"]
+        command = [str(self.program), str(paths[0]), "--onto", str(paths[1]), "-o", str(result), "--json", str(report), "--quiet"]
         if kind == "landmarks":
             command += ["--landmarks", str(self.landmarks(first)), str(self.landmarks(second))]
-        subprocess.run(command, check=True)
+        outcome = run_command(command)
+        if outcome.status != 0:
+            raise SystemExit(outcome.message)
         facts = json.loads(report.read_text())
         facts["error"], facts["is_swapped"] = 0.0, False
         if kind == "corres":
-            points, faces = read_mesh(paths[1].read_text(), paths[1].suffix == ".obj")
-            images, _ = read_mesh(result.read_text(), False)
+            target, images = read_mesh(paths[1]), read_mesh(result).vertices
             places = numbers_in(self.folder / (first + ".vts"), 1)
             true = numbers_in(self.folder / (second + ".vts"), 1)
             sources, inverse = np.unique(true, return_inverse=True)
-            found = cKDTree(points).query(images[places])[1]
-            facts["error"] = float(distances(points, faces, sources)[inverse, found].mean())
+            found = cKDTree(target.vertices).query(images[places])[1]
+            facts["error"] = float(distances(target, sources)[inverse, found].mean())
             mirror = self.folder / (second + ".sym.vts")
             if mirror.exists():
                 sources, inverse = np.unique(numbers_in(mirror, 1), return_inverse=True)
-                facts["is_swapped"] = float(distances(points, faces, sources)[inverse, found].mean()) < facts["error"]
+                facts["is_swapped"] = float(distances(target, sources)[inverse, found].mean()) < facts["error"]
         print(first, second, f"{facts['error']:.2f}", file=sys.stderr)
         self.results.setdefault(first.split("/", maxsplit=1)[0], []).append(facts)
 
@@ -125,13 +112,13 @@ class Pairs:
 
 def main() -> None:
     """reads the command line"""
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--program", required=True, help="the command line program")
-    parser.add_argument("folder", type=Path, metavar="FOLDER")
-    arguments = parser.parse_args()
+    driver = Driver(__doc__, folders=("pairs",))
+    driver.add_program()
+    driver.add_argument("--pairs", type=Path, required=True, metavar="FOLDER", help="the folder of pairs")
+    arguments = driver.parse()
     with tempfile.TemporaryDirectory() as work:
-        pairs = Pairs(arguments.program, arguments.folder, Path(work))
-        for line in (arguments.folder / "pairs.txt").read_text().splitlines():
+        pairs = Pairs(arguments.program, arguments.pairs, Path(work))
+        for line in (arguments.pairs / "pairs.txt").read_text().splitlines():
             first, second, kind = line.split()
             pairs.run(first, second, kind)
             pairs.run(second, first, kind)

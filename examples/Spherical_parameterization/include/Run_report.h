@@ -293,7 +293,7 @@ private:
         << fixed_text(d.isometric.average_over_second, digits) << ", " << fixed_text(d.isometric.maximum, digits)
         << " at most\nAligned:   by ";
     const std::size_t n_landmarks = report.landmark_distances.size();
-    if(report.agreement > 0.)
+    if(n_landmarks == 0 || report.agreement != 0.)
     {
       constexpr double small_margin = 0.1;
       out << "features, which agree by " << fixed_text(report.agreement, digits) << ", with a margin of "

@@ -18,6 +18,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
@@ -281,12 +282,18 @@ private:
     for(const std::string& property : values.properties<Vertex_index>())
     {
       const auto add = [&](auto number) {
-        using T = decltype(number);
-        const auto [map, is_new] = values.add_property_map<Vertex_index, T>(property);
-        if(is_new) // it has another type
-          values.remove_property_map(const_cast<Mesh::Property_map<Vertex_index, T>&>(map));
-        else
-          result[property].assign(map.begin(), map.end());
+        auto [map, is_new] = values.add_property_map<Vertex_index, decltype(number)>(property);
+        if(is_new) // It has another type.
+        {
+          values.remove_property_map(map);
+          return;
+        }
+        result[property].assign(map.begin(), map.end());
+        for(const Vertex_index v : values.vertices())
+          if(!std::isfinite(map[v])) // The reader writes v: in front of names.
+            throw Program_error(name, "the property " + printable(property.substr(property.find(':') + 1)) +
+                                          " of vertex " + std::to_string(v) +
+                                          " is infinite or not a number. (Vertices are counted from 0.)");
       };
       add(0.);
       add(0.f);

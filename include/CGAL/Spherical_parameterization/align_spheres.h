@@ -66,9 +66,8 @@ Error_code read_samples(const Sphere_grid& grid, const TriangleMesh& tmesh, cons
       features.back().push_back(CGAL::to_double(get(map, v)));
   };
   (read(maps), ...);
-  for(const Surface_alignment::Channel& feature : features)
-    if(!std::all_of(feature.begin(), feature.end(), [](double x) { return is_finite(x); }))
-      return ERROR_WRONG_PARAMETER;
+  if(!Surface_alignment::are_finite(features))
+    return ERROR_WRONG_PARAMETER;
   Sphere_triangulation<typename Arrays::Exact_kernel> images;
   images.assign(std::move(arrays.images), std::move(arrays.triangles));
   images.make_grid();

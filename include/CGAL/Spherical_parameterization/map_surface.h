@@ -17,28 +17,20 @@
 #include <CGAL/Spherical_parameterization/Error_code.h>
 #include <CGAL/Spherical_parameterization/Surface_map_report.h>
 #include <CGAL/Spherical_parameterization/Surface_map_settings.h>
-#include <CGAL/Spherical_parameterization/internal/alignment/Rotation_search.h>
 #include <CGAL/Spherical_parameterization/internal/alignment/Surface_alignment.h>
-#include <CGAL/Spherical_parameterization/internal/certificate/is_safely_positive.h>
 #include <CGAL/Spherical_parameterization/internal/mesh/Indexed_mesh.h>
-#include <CGAL/Spherical_parameterization/internal/overlay/Overlay_arrays.h>
 #include <CGAL/Spherical_parameterization/internal/run/parallel.h>
 #include <CGAL/Spherical_parameterization/internal/sampling/Mesh_on_sphere.h>
 #include <CGAL/Spherical_parameterization/internal/sampling/Sphere_triangulation.h>
-#include <CGAL/Spherical_parameterization/internal/sampling/surface_samples.h>
 #include <CGAL/Spherical_parameterization/internal/simd/Vector_3.h>
-#include <CGAL/Spherical_parameterization/internal/surface_map/Aligned_start.h>
-#include <CGAL/Spherical_parameterization/internal/surface_map/Surface_descent.h>
-#include <CGAL/Spherical_parameterization/internal/surface_map/Target_metric.h>
+#include <CGAL/Spherical_parameterization/internal/surface_map/find_surface_map.h>
 #include <CGAL/Spherical_parameterization/internal/write_map.h>
-#include <CGAL/Spherical_parameterization/measure_distortion_between.h>
 
 #include <CGAL/boost/graph/properties.h>
 #include <CGAL/tags.h>
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -89,83 +81,6 @@ std::optional<std::vector<std::array<std::uint32_t, 2>>> landmark_numbers(const 
   return result;
 }
 
-// A surface on its sphere, in which directions can be located. Its points are moved to the origin and scaled, such that
-// products of coordinates neither overflow nor underflow.
-template <class K>
-struct Located_surface
-{
-  Sphere_triangulation<K> sphere;
-  std::vector<Vector_3d> points;
-  double unit = 0.; // the length that is 1 here
-
-  void set_points(std::vector<Vector_3d> new_points)
-  {
-    points = std::move(new_points);
-    const Vector_3d origin = points[0];
-    for(Vector_3d& p : points)
-    {
-      p = 0.5 * p - 0.5 * origin; // halves, because the difference may overflow
-      unit = (std::max)({unit, std::abs(p[0]), std::abs(p[1]), std::abs(p[2])});
-    }
-    for(Vector_3d& p : points)
-      for(double& x : p)
-        x = unit > 0. ? x / unit : 0.;
-    unit *= 2.;
-  }
-};
-
-// How far what lies in a direction is from a vertex.
-template <class K>
-double distance_left(const Located_surface<K>& surface, const Vector_3d& p, std::size_t w)
-{
-  typename Sphere_triangulation<K>::Hint hint;
-  const auto place = surface.sphere.locate(typename K::Point_3(p[0], p[1], p[2]), hint);
-  return surface.unit * length(interpolated(surface.points, surface.sphere.triangles(), place) - surface.points[w]);
-}
-
-// The energy of the map that puts the vertices of the first surface at these directions of the second one's sphere: the
-// mean of both ways, on the common refinement; none if the map is no bijection.
-template <class K>
-std::optional<double> energy_between(const Located_surface<K>& first, const std::vector<Vector_3d>& directions,
-                                     const Located_surface<K>& second, const Execution& execution)
-{
-  std::vector<typename K::Point_3> images;
-  for(const Vector_3d& p : directions)
-    images.emplace_back(p[0], p[1], p[2]);
-  Sphere_triangulation<K> sphere;
-  sphere.assign(std::move(images), first.sphere.triangles());
-  Overlay_arrays overlay;
-  if(!certify_bijectivity<K>(sphere.points(), sphere.triangles(), execution).is_bijective() ||
-     !overlay.assign(sphere, first.points, second.sphere, second.points, execution))
-    return std::nullopt;
-  constexpr double smallest_area = 1e-10;
-  const Distortion_between distortion =
-      distortion_between(overlay.triangles.size(), smallest_area, [&](std::size_t k, std::size_t surface) {
-        const auto& t = overlay.triangles[k];
-        const std::vector<Vector_3d>& points = overlay.points[surface];
-        return std::array<Vector_3d, 3>{points[t[0]], points[t[1]], points[t[2]]};
-      });
-  return 0.5 * (distortion.energy.average_over_first + distortion.energy.average_over_second);
-}
-
-// The start of the map: from landmarks if they determine a rotation, or else from features.
-template <class K>
-Aligned_start start_of_map(const Located_surface<K>& first, const std::vector<Surface_alignment::Channel>& features1,
-                           const Located_surface<K>& second, const std::vector<Surface_alignment::Channel>& features2,
-                           const std::vector<std::array<std::uint32_t, 2>>& landmarks, const Execution& execution)
-{
-  std::vector<std::pair<Vector_3d, Vector_3d>> pairs;
-  for(const auto& [v, w] : landmarks)
-    pairs.emplace_back(first.sphere.direction(v), second.sphere.direction(w));
-  if(const std::optional<Rotation_matrix> rotation = fitting_rotation(pairs))
-  {
-    Aligned_start result;
-    result.directions = rotated_directions(*rotation, first.sphere);
-    return result;
-  }
-  return align(first.sphere, first.points, features1, second.sphere, second.points, features2, execution);
-}
-
 } // namespace internal
 
 /// \ingroup PkgSphericalParameterizationSurfaces
@@ -183,7 +98,7 @@ Aligned_start start_of_map(const Located_surface<K>& first, const std::vector<Su
 /// hierarchy; what a face sees of the second surface is the metric that this gives to its sphere. If the spheres agree as
 /// they are, the result is the rotation itself, unless the descent has lowered the energy of the common refinement.
 ///
-/// The running time is nearly linear in the size of the meshes: for 26,000 vertices each, some 3 seconds on two threads.
+/// The running time is nearly linear in the size of the meshes: for 26,000 vertices each, some 2 seconds on two threads.
 ///
 /// \tparam ConcurrencyTag enables sequential versus parallel algorithm. Possible values are `Sequential_tag`,
 ///         `Parallel_tag`, and `Parallel_if_available_tag`. The result does not depend on it.
@@ -237,23 +152,25 @@ template <class ConcurrencyTag = Parallel_if_available_tag, class TriangleMesh1,
   if(const Error_code error =
          internal::read_surfaces(tmesh1, vertex_sphere_map1, arrays1, tmesh2, vertex_sphere_map2, arrays2, execution))
     return error;
-  const auto landmarks = internal::landmark_numbers(arrays1, arrays2, settings.landmarks);
-  if(!landmarks)
+  internal::Surface_map_hints hints;
+  hints.landmark_weight = settings.landmark_weight.value_or(0.);
+  if(auto landmarks = internal::landmark_numbers(arrays1, arrays2, settings.landmarks))
+    hints.landmarks = std::move(*landmarks);
+  else
     return ERROR_INVALID_LANDMARK;
-  std::array<std::vector<internal::Surface_alignment::Channel>, 2> features;
+  const auto read_feature = [](const auto& vertices, const auto& feature, auto& channels) {
+    channels.emplace_back();
+    for(const auto v : vertices)
+      channels.back().push_back(feature(v));
+  };
   for(const auto& [feature1, feature2] : settings.features)
   {
-    features[0].emplace_back();
-    for(const auto v : arrays1.vertices_of_mesh)
-      features[0].back().push_back(feature1(v));
-    features[1].emplace_back();
-    for(const auto v : arrays2.vertices_of_mesh)
-      features[1].back().push_back(feature2(v));
+    read_feature(arrays1.vertices_of_mesh, feature1, hints.features[0]);
+    read_feature(arrays2.vertices_of_mesh, feature2, hints.features[1]);
   }
-  for(const auto& channels : features)
-    for(const auto& channel : channels)
-      if(!std::all_of(channel.begin(), channel.end(), [](double x) { return internal::is_finite(x); }))
-        return ERROR_WRONG_PARAMETER;
+  for(const auto& channels : hints.features)
+    if(!internal::Surface_alignment::are_finite(channels))
+      return ERROR_WRONG_PARAMETER;
   internal::Indexed_mesh mesh;
   {
     std::vector<std::array<std::uint32_t, 3>> triangles;
@@ -270,68 +187,14 @@ template <class ConcurrencyTag = Parallel_if_available_tag, class TriangleMesh1,
   internal::run_both(
       execution, [&] { first.sphere.make_grid(); }, [&] { second.sphere.make_grid(); });
 
-  // The start, and the descent from it, in the numbering of `mesh`.
-  const internal::Aligned_start start =
-      internal::start_of_map(first, features[0], second, features[1], *landmarks, execution);
-  const std::size_t n = mesh.number_of_vertices();
-  std::vector<internal::Vector_3d> positions(n), directions = start.directions;
-  std::vector<std::uint32_t> numbers(n);
-  for(std::uint32_t v = 0; v < n; ++v)
-  {
-    positions[v] = start.directions[mesh.original(v)];
-    numbers[mesh.original(v)] = v;
-  }
-  internal::Landmark_goals goals;
-  goals.weight = settings.landmark_weight.value_or(0.);
-  for(const auto& [v, w] : *landmarks)
-  {
-    goals.vertices.push_back(numbers[v]);
-    goals.directions.push_back(second.sphere.direction(w));
-  }
-  // Copies of a surface need no descent.
-  constexpr double energy_of_copies = 2. + 1e-9;
-  std::optional<double> energy;
-  if(start.is_rotation && landmarks->empty())
-    energy = internal::energy_between(first, start.directions, second, execution);
-  if(!(energy && *energy < energy_of_copies))
-  {
-    if(!internal::are_safely_positive(mesh.rings(), positions))
-      return ERROR_INSUFFICIENT_PRECISION;
-    const internal::Target_metric metric(second.sphere, second.points, execution);
-    internal::Surface_descent descent(mesh, metric, goals, execution);
-    // Landmarks are moved on levels of very few vertices. Features have brought all that is large to its place, as far as
-    // their grid can tell: on coarser levels than this, the two surfaces have lost too much to be compared.
-    constexpr std::size_t min_size_with_landmarks = 60, min_size = 1000;
-    descent.run(positions, landmarks->empty() ? min_size : min_size_with_landmarks);
-    for(std::size_t v = 0; v < n; ++v)
-      directions[mesh.original(v)] = positions[v];
-    const std::optional<double> lowered = internal::energy_between(first, directions, second, execution);
-    if(lowered && !(energy && *energy <= *lowered))
-      energy = lowered;
-    else
-      directions = start.directions;
-  }
-  if(!energy)
+  const auto found = internal::find_surface_map(mesh, first, second, hints, execution);
+  if(!found)
     return ERROR_INSUFFICIENT_PRECISION;
-  for(std::uint32_t v = 0; v < n; ++v)
-    positions[numbers[v]] = directions[v];
-  if(const Error_code error = internal::write_map(mesh, arrays1.vertices_of_mesh, positions, 1.,
+  if(const Error_code error = internal::write_map(mesh, arrays1.vertices_of_mesh, found->positions, 1.,
                                                   internal::Guarantee::ONE_TO_ONE, vertex_direction_map, execution))
     return error;
-  if(!report)
-    return OK;
-
-  *report = Surface_map_report();
-  report->energy = *energy;
-  report->agreement = start.agreement;
-  report->margin = start.margin;
-  for(std::size_t k = 0; k < landmarks->size(); ++k)
-  {
-    const auto [v, w] = (*landmarks)[k];
-    const bool is_met = positions[goals.vertices[k]] == goals.directions[k];
-    report->landmark_distances.push_back(is_met ? 0. : internal::distance_left(second, directions[v], w));
-    report->number_of_missed_landmarks += goals.is_hard() && !is_met;
-  }
+  if(report)
+    *report = found->report;
   return OK;
 }
 

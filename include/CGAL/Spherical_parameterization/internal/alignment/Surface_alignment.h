@@ -51,6 +51,15 @@ public:
     std::vector<Channel> features;
   };
 
+  static bool are_finite(const std::vector<Channel>& channels)
+  {
+    for(const Channel& channel : channels)
+      for(const double x : channel)
+        if(!is_finite(x))
+          return false;
+    return true;
+  }
+
   // Samples what the vertices of a mesh have. Its images have a grid to locate directions by.
   template <class K>
   static Samples samples_of(const Sphere_grid& grid, const Sphere_triangulation<K>& images,

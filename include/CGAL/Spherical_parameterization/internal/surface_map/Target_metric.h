@@ -73,12 +73,8 @@ public:
       for(std::size_t k = begin; k < end; ++k)
       {
         const Linked_triangle& t = images.triangles()[places[k].triangle];
-        std::array<Vector_3d, 3> p, x;
-        for(std::size_t i = 0; i < 3; ++i)
-        {
-          p[i] = images.direction(t[i]);
-          x[i] = scale * points[t[i]];
-        }
+        const std::array<Vector_3d, 3> x = {scale * points[t[0]], scale * points[t[1]], scale * points[t[2]]};
+        const std::array<Vector_3d, 3> p = corners(images, t);
         const auto& q = directions[k];
         finest.samples[k] = texel(sample_of(p, x, normalized(Vector_3d{q.x(), q.y(), q.z()})));
       }
@@ -192,6 +188,26 @@ private:
       for(std::size_t i = 0; i <= n; ++i)
         for(std::size_t j = 0; j <= n; ++j)
           f(node(side, step * static_cast<double>(i) - 1., step * static_cast<double>(j) - 1.));
+  }
+
+  // The images of a triangle, scaled together by a power of two: their lengths count, as they do for all that locates.
+  template <class K>
+  static std::array<Vector_3d, 3> corners(const Sphere_triangulation<K>& images, const Linked_triangle& t)
+  {
+    std::array<Vector_3d, 3> result;
+    double size = 0.;
+    for(std::size_t i = 0; i < 3; ++i)
+    {
+      const auto& p = images.points()[t[i]];
+      result[i] = {p.x(), p.y(), p.z()};
+      size = (std::max)({size, std::abs(p.x()), std::abs(p.y()), std::abs(p.z())});
+    }
+    int exponent;
+    std::frexp(size, &exponent);
+    for(Vector_3d& p : result)
+      for(double& x : p)
+        x = std::ldexp(x, -exponent);
+    return result;
   }
 
   static Texel texel(const Sample& s)
