@@ -33,6 +33,7 @@
 #include <limits>
 #include <stdexcept>
 #include <string>
+#include <thread>
 #include <utility>
 #include <vector>
 
@@ -210,6 +211,34 @@ TEST(Map_surface, meets_hard_landmarks_and_comes_nearer_to_soft_ones_of_more_wei
     last_energy = soft.report.energy;
   }
   EXPECT_GT(hard.report.energy, last_energy);
+}
+
+TEST(Map_surface, stops_when_it_is_told_to)
+{
+  Mapped_mesh a(icosphere(3), as_it_is, rotation(turns[0]));
+  const Mapped_mesh b(octahedron_of(12), on_body, rotation(turns[1]));
+  std::size_t n_calls = 0;
+  const auto energy_after = [&](std::size_t n_sweeps) {
+    Settings settings;
+    for(std::uint32_t k = 0; k < 3; ++k) // which make for more levels
+      settings.landmarks.emplace_back(k, k);
+    settings.landmark_weight = 0.1;
+    n_calls = 0;
+    settings.go_further = [&, thread = std::this_thread::get_id()] {
+      EXPECT_EQ(std::this_thread::get_id(), thread);
+      return n_calls++ < n_sweeps;
+    };
+    const Match match = Match::make(a, b, settings);
+    EXPECT_EQ(match.error, SP::OK); // and certified
+    EXPECT_EQ(match.report.is_stopped, n_calls > n_sweeps);
+    return match.report.energy;
+  };
+  const double last = energy_after((std::numeric_limits<std::size_t>::max)());
+  const std::size_t n_sweeps = n_calls;
+  const double middle = energy_after(n_sweeps / 2);
+  EXPECT_EQ(n_calls, n_sweeps / 2 + 1); // It is not asked again.
+  EXPECT_GT(middle, last);
+  EXPECT_GT(energy_after(0), middle);
 }
 
 TEST(Map_surface, tells_of_landmarks_that_cannot_be_met)

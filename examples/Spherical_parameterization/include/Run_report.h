@@ -1,6 +1,7 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_EXAMPLES_RUN_REPORT_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_EXAMPLES_RUN_REPORT_H
 
+#include "Interrupt_guard.h"
 #include "Json_object.h"
 #include "Output_file.h"
 #include "Program_error.h"
@@ -91,8 +92,12 @@ public:
 
   const std::string& input() const { return m_input; }
 
-  /// returns whether a visitor has ended the method.
-  bool is_interrupted() const { return result.report.stop_reason == SP::STOPPED; }
+  /// returns whether a signal has ended the method, or the map between surfaces.
+  bool is_interrupted() const
+  {
+    return result.report.stop_reason == SP::STOPPED ||
+           (match && match->report.is_stopped && Interrupt_guard::is_interrupted());
+  }
 
   double seconds() const
   {
@@ -249,6 +254,7 @@ public:
                            .add("vertices", match->number_of_vertices)
                            .add("agreement", match->report.agreement)
                            .add("margin", match->report.margin)
+                           .add("is_stopped", match->report.is_stopped)
                            .add("energy", between(match->distortion.energy))
                            .add("D_iso", between(match->distortion.isometric))
                            .add("D_area", between(match->distortion.area))
@@ -305,6 +311,8 @@ private:
     if(n_landmarks > 0)
       out << "; " << n_landmarks - report.number_of_missed_landmarks << " of " << n_landmarks << " landmarks "
           << (m_options.landmark_weight > 0. ? "are soft" : "are met");
+    if(report.is_stopped)
+      out << "; stopped before the last sweep";
     out << "\nCertified: the map between the surfaces is one-to-one.\n";
   }
 

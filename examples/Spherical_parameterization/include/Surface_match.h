@@ -2,6 +2,7 @@
 #define CGAL_SPHERICAL_PARAMETERIZATION_EXAMPLES_SURFACE_MATCH_H
 
 #include "Input_mesh.h"
+#include "Interrupt_guard.h"
 #include "Polygon_soup.h"
 #include "Program_error.h"
 #include "Program_options.h"
@@ -18,12 +19,14 @@
 
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
 #include <iterator>
 #include <map>
+#include <optional>
 #include <ostream>
 #include <sstream>
 #include <string>
@@ -89,6 +92,14 @@ public:
       settings.landmark_weight = options.landmark_weight;
     if(!options.feature_files.empty())
       read_features(options, settings);
+    std::optional<Interrupt_guard> guard;
+    if(!options.is_batch()) // which has one for all
+      guard.emplace();
+    using Clock = std::chrono::steady_clock;
+    settings.go_further = [max_seconds = options.max_seconds, start = Clock::now()] {
+      const std::chrono::duration<double> elapsed = Clock::now() - start;
+      return !Interrupt_guard::is_interrupted() && !(max_seconds > 0. && elapsed.count() > max_seconds);
+    };
     const SP::Error_code error = SP::map_surface(m_first, sphere1, m_second, sphere2, m_directions, settings, &report);
     if(error != SP::OK)
       throw Program_error(first.name() + ": " + SP::get_error_message(error));

@@ -44,6 +44,9 @@ struct Surface_map_report
 
   /// How many hard landmarks could not be met
   std::size_t number_of_missed_landmarks = 0;
+
+  /// Whether `Surface_map_settings::go_further` has ended the sweeps
+  bool is_stopped = false;
 };
 
 } // namespace Spherical_parameterization

@@ -52,6 +52,11 @@ struct Surface_map_settings
   /// Features of the surfaces to align the spheres by, each as two functions of a vertex, in place of those of the package.
   /// Only the order of their values counts.
   std::vector<std::pair<std::function<double(Vertex_1)>, std::function<double(Vertex_2)>>> features;
+
+  /// If it is not empty, it is called before each sweep over the first surface, by the thread that has called
+  /// `map_surface()`. Once it returns `false`, there are no more sweeps: the map that has been reached is certified and
+  /// returned. With a clock in it, it is a time limit.
+  std::function<bool()> go_further;
 };
 
 } // namespace Spherical_parameterization

@@ -154,6 +154,7 @@ template <class ConcurrencyTag = Parallel_if_available_tag, class TriangleMesh1,
     return error;
   internal::Surface_map_hints hints;
   hints.landmark_weight = settings.landmark_weight.value_or(0.);
+  hints.go_further = settings.go_further;
   if(auto landmarks = internal::landmark_numbers(arrays1, arrays2, settings.landmarks))
     hints.landmarks = std::move(*landmarks);
   else

@@ -35,6 +35,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 namespace CGAL {
@@ -81,10 +82,15 @@ public:
   }
 
   // Lowers the energy of the map with these positions on the unit sphere, on levels from about `min_size` vertices on.
-  // Hard landmarks that have been met stay where they are. Returns false, and leaves the positions as they are, if a
-  // vertex could not be put back, where doubles cannot hold it.
-  bool run(std::vector<Vector_3d>& positions, std::size_t min_size)
+  // Hard landmarks that have been met stay where they are. Asks go_further() before each sweep: after a no, vertices are
+  // put back only. Returns false, and leaves the positions as they are, if a vertex could not be put back, where doubles
+  // cannot hold it.
+  bool run(std::vector<Vector_3d>& positions, std::size_t min_size, const std::function<bool()>& go_further)
   {
+    const auto may_sweep = [&] {
+      m_is_stopped = m_is_stopped || (go_further && !go_further());
+      return !m_is_stopped;
+    };
     const Mesh_hierarchy hierarchy =
         Mesh_hierarchy::build_on_sphere(m_mesh.rings(), m_mesh.points(), vertex_areas(m_mesh.rings(), m_mesh.points()),
                                         positions, m_is_landmark, min_size, m_execution);
@@ -96,13 +102,15 @@ public:
       std::vector<Vector_3d> local = level.gathered(result);
       if(k < coarsest && !insert_vertices(level, hierarchy.rings(k), level.gathered(positions), local))
         return false;
-      relax(level, hierarchy.rings(k), local);
+      relax(level, hierarchy.rings(k), may_sweep, local);
       for(std::size_t v = 0; v < local.size(); ++v)
         result[level.vertices[v]] = local[v];
     }
     positions.swap(result);
     return true;
   }
+
+  bool is_stopped() const { return m_is_stopped; }
 
 private:
   static constexpr std::size_t block_size = 32;
@@ -129,14 +137,16 @@ private:
     return result;
   }
 
-  void relax(const Mesh_hierarchy::Level& level, const Vertex_rings& rings, std::vector<Vector_3d>& local)
+  template <class MaySweep>
+  void relax(const Mesh_hierarchy::Level& level, const Vertex_rings& rings, const MaySweep& may_sweep,
+             std::vector<Vector_3d>& local)
   {
     constexpr std::size_t n_sweeps = 20, n_coarse_sweeps = 30, max_coarse_size = 1000;
     const std::size_t n = local.size() <= max_coarse_size ? n_coarse_sweeps : n_sweeps;
     const std::vector<Rest_triangle> rests = rest_shapes(level, rings);
     const Independent_sets sets(rings);
     const std::size_t metric_level = m_metric.level_for(local.size());
-    for(std::size_t sweep = 0; sweep < n; ++sweep)
+    for(std::size_t sweep = 0; sweep < n && may_sweep(); ++sweep)
       for(std::size_t set = 0; set < sets.number_of_sets(); ++set)
         for_each_block(m_execution, sets.first(set), sets.first(set + 1), block_size,
                        [&](std::size_t begin, std::size_t end) {
@@ -221,7 +231,7 @@ private:
   Execution m_execution;
   std::vector<const Vector_3d*> m_goals; // of the landmarks, null for all other vertices
   std::vector<char> m_is_landmark, m_is_pinned;
-  bool m_is_hard;
+  bool m_is_hard, m_is_stopped = false;
   double m_weight = 0.;
   Newton_step m_step;
   Per_thread<Target_star> m_stars;

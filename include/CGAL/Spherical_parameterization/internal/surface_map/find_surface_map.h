@@ -37,6 +37,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -110,6 +111,7 @@ struct Surface_map_hints
   std::array<std::vector<Surface_alignment::Channel>, 2> features; // if there are none, those of the package are used
   std::vector<std::array<std::uint32_t, 2>> landmarks;
   double landmark_weight = 0.; // 0: they are to be met exactly
+  std::function<bool()> go_further;
 };
 
 // The start of the map: from landmarks if they determine a rotation, or else from features.
@@ -177,7 +179,9 @@ std::optional<Found_surface_map> find_surface_map(const Indexed_mesh& mesh, cons
       return std::nullopt;
     std::vector<Vector_3d> lowered = result.positions, directions(n);
     const Target_metric metric(second.sphere, second.points, execution);
-    Surface_descent(mesh, metric, goals, execution).run(lowered, has_landmarks ? min_size_with_landmarks : min_size);
+    Surface_descent descent(mesh, metric, goals, execution);
+    descent.run(lowered, has_landmarks ? min_size_with_landmarks : min_size, hints.go_further);
+    result.report.is_stopped = descent.is_stopped();
     for(std::size_t v = 0; v < n; ++v)
       directions[mesh.original(v)] = lowered[v];
     // The averaged metric moves even the identity: only the common refinement tells whether that has helped.
