@@ -7,6 +7,8 @@
 #include "surfaces.h"
 #include "test_meshes.h"
 
+#include <CGAL/Spherical_parameterization/internal/alignment/Sphere_grid.h>
+#include <CGAL/Spherical_parameterization/internal/alignment/Sphere_image.h>
 #include <CGAL/Spherical_parameterization/internal/certificate/is_safely_positive.h>
 #include <CGAL/Spherical_parameterization/internal/hierarchy/Mesh_hierarchy.h>
 #include <CGAL/Spherical_parameterization/internal/sampling/link_triangles.h>
@@ -433,6 +435,38 @@ TEST(Map_surface, takes_other_types_of_meshes_and_numbers)
   EXPECT_LT(CGAL::squared_distance(get(directions, *last), get(sphere2, Vertex_index(7))), 1e-12f);
 }
 
+// Landmarks keep the rotation; the features want it otherwise in between.
+TEST(Map_surface, brings_features_nearer_by_more_weight)
+{
+  Mapped_mesh a(icosphere(3), as_it_is, rotation(turns[0]));
+  const Mapped_mesh b(octahedron_of(12), as_it_is, rotation(turns[0]));
+  Settings settings;
+  settings.landmarks = {{Vertex_index(0), Vertex_index(0)}, {Vertex_index(1), Vertex_index(1)}};
+  for(auto& [v, w] : settings.landmarks) // where they are
+    for(const Vertex_index u : b.mesh.vertices())
+      if(distance(b.mesh.point(u), a.mesh.point(v)) < distance(b.mesh.point(w), a.mesh.point(v)))
+        w = u;
+  const auto second = [](const Point_3& p) { return p.z() + 0.3 * p.x() * p.y(); };
+  settings.features.emplace_back([&a](Vertex_index v) { return a.mesh.point(v).z(); },
+                                 [&](Vertex_index w) { return second(b.mesh.point(w)); });
+  double last = 1., last_energy = 0.;
+  for(const double weight : {0., 1., 10.})
+  {
+    settings.feature_weight = weight;
+    const Match match = Match::make(a, b, settings);
+    ASSERT_EQ(match.error, SP::OK);
+    EXPECT_EQ(match.report.number_of_missed_landmarks, 0u);
+    double sum = 0.; // The second surface is its sphere.
+    for(const Vertex_index v : a.mesh.vertices())
+      sum += std::abs(second(match.directions[v]) - a.mesh.point(v).z());
+    EXPECT_LT(sum, last * a.mesh.number_of_vertices());
+    EXPECT_GT(match.report.energy, last_energy);
+    last = sum / a.mesh.number_of_vertices();
+    last_energy = match.report.energy;
+  }
+  EXPECT_LT(last, 0.03); // from 0.06; the spheres have vertices 0.1 apart
+}
+
 TEST(Map_surface, writes_over_the_sphere_and_follows_features_of_the_caller)
 {
   // The features are where the points are; the surfaces are spheres, which have none.
@@ -477,6 +511,13 @@ TEST(Map_surface, tells_what_is_wrong)
       {0., -1., std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN()})
   {
     settings.landmark_weight = weight;
+    EXPECT_EQ(error(settings), SP::ERROR_WRONG_PARAMETER);
+  }
+  settings = {};
+  for(const double weight : {-1., std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN()})
+  {
+    settings = {};
+    settings.feature_weight = weight;
     EXPECT_EQ(error(settings), SP::ERROR_WRONG_PARAMETER);
   }
   settings = {};
@@ -625,6 +666,15 @@ TEST(Target_star, has_the_gradient_of_its_value)
   SP::internal::Target_star star(metric);
   star.set_level(metric.level_for(200));
   const Vector_3d goal = SP::internal::normalized(Vector_3d{1., 2., 3.});
+  const SP::internal::Sphere_grid grid;
+  std::vector<std::vector<double>> channels(2);
+  for(const Vector_3d& q : grid.directions())
+  {
+    channels[0].push_back(q[0] * q[1]);
+    channels[1].push_back(q[2]);
+  }
+  const SP::internal::Sphere_image features(grid, SP::internal::Cube_raster(grid, {}), channels);
+  const std::array<double, 2> feature_values = {0.2, -0.3};
   std::size_t n_right = 0;
   for(std::uint32_t v = 0; v < mesh.number_of_vertices(); ++v)
   {
@@ -635,6 +685,8 @@ TEST(Target_star, has_the_gradient_of_its_value)
     });
     if(v % 2 == 0)
       star.set_goal(&goal, 3.);
+    if(v % 3 == 0)
+      star.set_features(&features, feature_values.data(), 5.);
     std::array<double, 2> gradient;
     std::array<double, 3> hessian;
     const double value = star.derivatives(gradient, hessian);

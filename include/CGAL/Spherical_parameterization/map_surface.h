@@ -95,10 +95,11 @@ std::optional<std::vector<std::array<std::uint32_t, 2>>> landmark_numbers(const 
 /// The spheres are turned against each other by landmarks, or else by features, see `align_spheres()`, and bent until these
 /// agree, if the surfaces are different poses or bodies. From there, the symmetric Dirichlet energy of the map, integrated
 /// over both surfaces, is lowered by the steps that `Bijective_low_distortion_parameterizer_3` makes, level by level of a
-/// hierarchy; what a face sees of the second surface is the metric that this gives to its sphere. If the spheres agree as
-/// they are, the result is the rotation itself, unless the descent has lowered the energy of the common refinement.
+/// hierarchy, together with terms for soft landmarks and for features. What a face sees of the second surface is the metric
+/// that this gives to its sphere. If the spheres agree as they are, the result is the rotation itself, unless the descent
+/// has lowered the energy of the common refinement.
 ///
-/// The running time is nearly linear in the size of the meshes: for 26,000 vertices each, some 2 seconds on two threads.
+/// The running time is nearly linear in the size of the meshes: for 26,000 vertices each, some 2.5 seconds on two threads.
 ///
 /// \tparam ConcurrencyTag enables sequential versus parallel algorithm. Possible values are `Sequential_tag`,
 ///         `Parallel_tag`, and `Parallel_if_available_tag`. The result does not depend on it.
@@ -124,9 +125,9 @@ std::optional<std::vector<std::array<std::uint32_t, 2>>> landmark_numbers(const 
 /// \return `OK`: the map is certified, whether all landmarks are met or not; what is wrong with the first mesh, or else the
 ///         second one, see `find_defect()`, or with its map: `ERROR_NO_1_TO_1_MAPPING` if that is no bijection;
 ///         `ERROR_NON_FINITE_COORDINATE` if a point is not finite; `ERROR_INVALID_LANDMARK` if a vertex has two landmarks,
-///         or a landmark is no vertex of a face; `ERROR_WRONG_PARAMETER` if the weight is not positive, or the value of a
-///         feature not finite; or `ERROR_INSUFFICIENT_PRECISION` if doubles, or the numbers of the map, cannot hold the
-///         result. Nothing is written then.
+///         or a landmark is no vertex of a face; `ERROR_WRONG_PARAMETER` if the weight of landmarks is not positive, that of
+///         features negative, or one of their values not finite; or `ERROR_INSUFFICIENT_PRECISION` if doubles, or the numbers
+///         of the map, cannot hold the result. Nothing is written then.
 ///
 /// \sa `CGAL::Spherical_parameterization::measure_distortion_between()`
 template <class ConcurrencyTag = Parallel_if_available_tag, class TriangleMesh1, class VertexSphereMap1,
@@ -145,7 +146,8 @@ template <class ConcurrencyTag = Parallel_if_available_tag, class TriangleMesh1,
   const internal::Execution execution = internal::execution_of<ConcurrencyTag>();
 
   // What the caller has, as flat arrays.
-  if(settings.landmark_weight && !internal::is_positive_and_finite(*settings.landmark_weight))
+  if((settings.landmark_weight && !internal::is_positive_and_finite(*settings.landmark_weight)) ||
+     !(settings.feature_weight >= 0. && internal::is_finite(settings.feature_weight)))
     return ERROR_WRONG_PARAMETER;
   Arrays1 arrays1;
   Arrays2 arrays2;
@@ -154,6 +156,7 @@ template <class ConcurrencyTag = Parallel_if_available_tag, class TriangleMesh1,
     return error;
   internal::Surface_map_hints hints;
   hints.landmark_weight = settings.landmark_weight.value_or(0.);
+  hints.feature_weight = settings.feature_weight;
   hints.go_further = settings.go_further;
   if(auto landmarks = internal::landmark_numbers(arrays1, arrays2, settings.landmarks))
     hints.landmarks = std::move(*landmarks);

@@ -224,7 +224,7 @@ private:
     for(const std::uint32_t v : vertices)
     {
       const double* const a = &m_a[v * m_n];
-      const double* const b = m_b.at_node(Cube_raster::nearest(rotated(r, m_grid.directions()[v])));
+      const double* const b = m_b.nearest(rotated(r, m_grid.directions()[v]));
       for(std::size_t k = 0; k < m_n; ++k)
       {
         ab += a[k] * b[k];

@@ -16,13 +16,11 @@
 
 #include <CGAL/Spherical_parameterization/internal/alignment/Sphere_grid.h>
 #include <CGAL/Spherical_parameterization/internal/run/parallel.h>
+#include <CGAL/Spherical_parameterization/internal/sampling/Cube_place.h>
 #include <CGAL/Spherical_parameterization/internal/simd/Vector_3.h>
 
-#include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
-#include <cstdint>
 #include <vector>
 
 namespace CGAL {
@@ -39,45 +37,14 @@ public:
   Cube_raster(const Sphere_grid& grid, const Execution& execution)
   {
     std::vector<Sphere_grid::Kernel::Point_3> nodes;
-    for(std::size_t side = 0; side < 6; ++side)
-      for(std::size_t i = 0; i <= size; ++i)
-        for(std::size_t j = 0; j <= size; ++j)
-        {
-          Vector_3d p;
-          p[side / 2] = side % 2 == 0 ? 1. : -1.;
-          p[(side / 2 + 1) % 3] = 2. * static_cast<double>(i) / size - 1.;
-          p[(side / 2 + 2) % 3] = 2. * static_cast<double>(j) / size - 1.;
-          nodes.emplace_back(p[0], p[1], p[2]);
-        }
+    Cube_place::for_each_node(size, [&](std::size_t side, double u, double v) {
+      const Vector_3d p = Cube_place::point(side, u, v);
+      nodes.emplace_back(p[0], p[1], p[2]);
+    });
     m_places = grid.triangulation().locate(nodes, execution);
   }
 
   const std::vector<Sphere_grid::Triangulation::Place>& places() const { return m_places; }
-
-  // the node that is nearest to a direction, in the face of the cube that it leads to
-  static std::size_t nearest(const Vector_3d& p)
-  {
-    const Position q = position(p);
-    return q.first + static_cast<std::size_t>(q.x + 0.5) * (size + 1) + static_cast<std::size_t>(q.y + 0.5);
-  }
-
-  struct Position
-  {
-    std::size_t first; // node of the face
-    double x, y;       // from 0 to `size`
-  };
-
-  static Position position(const Vector_3d& p)
-  {
-    const double a = std::abs(p[0]), b = std::abs(p[1]), c = std::abs(p[2]);
-    const std::size_t axis = a >= b && a >= c ? 0 : b >= c ? 1 : 2;
-    const double scale = 0.5 * size / std::abs(p[axis]);
-    const auto coordinate = [&](std::size_t k) {
-      return (std::min)((std::max)(0.5 * size + scale * p[k], 0.), static_cast<double>(size));
-    };
-    return {(2 * axis + (p[axis] < 0. ? 1 : 0)) * (size + 1) * (size + 1), coordinate((axis + 1) % 3),
-            coordinate((axis + 2) % 3)};
-  }
 
 private:
   std::vector<Sphere_grid::Triangulation::Place> m_places;
@@ -104,24 +71,78 @@ public:
 
   std::size_t number_of_channels() const { return m_n_channels; }
 
-  const double* at_node(std::size_t node) const { return &m_values[node * m_n_channels]; }
+  // the values at the node that is nearest to a direction, in the side of the cube that it leads to
+  const double* nearest(const Vector_3d& p) const { return at_node(Cube_place(p, Cube_raster::size).nearest_node()); }
 
   void interpolate(const Vector_3d& p, double* result) const
   {
-    const Cube_raster::Position q = Cube_raster::position(p);
-    constexpr std::size_t last = Cube_raster::size - 1;
-    const std::size_t i = (std::min)(static_cast<std::size_t>(q.x), last);
-    const std::size_t j = (std::min)(static_cast<std::size_t>(q.y), last);
-    const double u = q.x - static_cast<double>(i), v = q.y - static_cast<double>(j);
-    const std::size_t node = q.first + i * (Cube_raster::size + 1) + j;
-    const double* const a = at_node(node);
-    const double* const b = at_node(node + Cube_raster::size + 1);
+    const Square square(*this, p);
+    const auto w = square.place.weights();
     for(std::size_t k = 0; k < m_n_channels; ++k)
-      result[k] =
-          (1. - u) * ((1. - v) * a[k] + v * a[k + m_n_channels]) + u * ((1. - v) * b[k] + v * b[k + m_n_channels]);
+      result[k] = square.mixed(k, w);
+  }
+
+  // The sum of the squares of the differences from given values.
+  double squared_difference(const Vector_3d& p, const double* values) const
+  {
+    const Square square(*this, p);
+    const auto w = square.place.weights();
+    double result = 0.;
+    for(std::size_t k = 0; k < m_n_channels; ++k)
+    {
+      const double difference = square.mixed(k, w) - values[k];
+      result += difference * difference;
+    }
+    return result;
+  }
+
+  // The same with half of its derivatives in two tangential directions; the second ones are those of Gauss and Newton,
+  // without those of the image.
+  double squared_difference(const Vector_3d& p, const double* values, const Vector_3d& t1, const Vector_3d& t2,
+                            std::array<double, 2>& gradient, std::array<double, 3>& hessian) const
+  {
+    const Square square(*this, p);
+    const auto w = square.place.weights(), w1 = square.place.change_of_weights(t1),
+               w2 = square.place.change_of_weights(t2);
+    double result = 0.;
+    gradient = {0., 0.};
+    hessian = {0., 0., 0.};
+    for(std::size_t k = 0; k < m_n_channels; ++k)
+    {
+      const double difference = square.mixed(k, w) - values[k], x = square.mixed(k, w1), y = square.mixed(k, w2);
+      result += difference * difference;
+      gradient[0] += difference * x;
+      gradient[1] += difference * y;
+      hessian[0] += x * x;
+      hessian[1] += x * y;
+      hessian[2] += y * y;
+    }
+    return result;
   }
 
 private:
+  const double* at_node(std::size_t node) const { return &m_values[node * m_n_channels]; }
+
+  // The values around a direction.
+  struct Square
+  {
+    Square(const Sphere_image& image, const Vector_3d& p)
+      : place(p, Cube_raster::size)
+    {
+      const auto nodes = place.nodes();
+      for(std::size_t i = 0; i < 4; ++i)
+        corners[i] = image.at_node(nodes[i]);
+    }
+
+    double mixed(std::size_t k, const std::array<double, 4>& w) const
+    {
+      return w[0] * corners[0][k] + w[1] * corners[1][k] + w[2] * corners[2][k] + w[3] * corners[3][k];
+    }
+
+    Cube_place place;
+    std::array<const double*, 4> corners;
+  };
+
   std::size_t m_n_channels;
   std::vector<double> m_values;
 };

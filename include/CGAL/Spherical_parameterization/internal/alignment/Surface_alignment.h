@@ -105,12 +105,14 @@ public:
     });
   }
 
+  // The ranks of the features of a surface, 0 or 1.
+  Sphere_image features(std::size_t surface) const { return Sphere_image(m_grid, m_raster, m_features[surface]); }
+
   // The best rotations that are at least 20 degrees apart, the best one first.
   std::vector<Scored_rotation> best_rotations(std::size_t n) const
   {
     constexpr double min_angle = CGAL_PI / 9.;
-    const Sphere_image image(m_grid, m_raster, m_features[1]);
-    return Rotation_search(m_grid, m_features[0], image, m_execution).best(n, min_angle);
+    return Rotation_search(m_grid, m_features[0], features(1), m_execution).best(n, min_angle);
   }
 
   // Bends the first sphere onto the second one from a rotation: returns where the vertices of the grid lead to, a
@@ -141,7 +143,7 @@ public:
   // how well the features agree where the vertices of the grid lead to: their correlation
   double agreement(const std::vector<Vector_3d>& directions) const
   {
-    const Sphere_image image(m_grid, m_raster, m_features[1]);
+    const Sphere_image image = features(1);
     std::vector<double> b(m_features[1].size());
     double ab = 0., aa = 0., bb = 0.;
     for(std::size_t v = 0; v < m_grid.size(); ++v)

@@ -35,12 +35,13 @@ namespace CGAL {
 namespace Spherical_parameterization {
 namespace internal {
 
-// Where the vertices of the first surface start on the sphere of the second one, if no landmarks say it.
+// Where the vertices of the first surface start on the sphere of the second one.
 struct Aligned_start
 {
   std::vector<Vector_3d> directions;
   double agreement = 0., margin = 0.; // see Surface_map_report
   bool is_rotation = false;           // The spheres agree as they are.
+  std::vector<Sphere_image> features; // of both surfaces, if they are to agree
 };
 
 template <class K>
@@ -83,16 +84,10 @@ Rotation_matrix polished(Rotation_matrix rotation, const Sphere_triangulation<K>
 // differ by more than a rotation: then they are bent onto each other, from the two best rotations, and the better one is
 // taken. Both spheres have grids.
 template <class K>
-Aligned_start align(const Sphere_triangulation<K>& sphere1, const std::vector<Vector_3d>& points1,
-                    const std::vector<Surface_alignment::Channel>& features1, const Sphere_triangulation<K>& sphere2,
-                    const std::vector<Vector_3d>& points2, const std::vector<Surface_alignment::Channel>& features2,
-                    const Execution& execution)
+Aligned_start align(const Sphere_grid& grid, const Surface_alignment& alignment, const Sphere_triangulation<K>& sphere1,
+                    const Sphere_triangulation<K>& sphere2, const Execution& execution)
 {
   constexpr double min_score_of_same_shape = 0.97;
-  const Sphere_grid grid;
-  const Surface_alignment alignment(grid, Surface_alignment::samples_of(grid, sphere1, points1, features1, execution),
-                                    Surface_alignment::samples_of(grid, sphere2, points2, features2, execution),
-                                    execution);
   const std::vector<Scored_rotation> candidates = alignment.best_rotations(2);
   Aligned_start result;
   if(candidates[0].score > min_score_of_same_shape)

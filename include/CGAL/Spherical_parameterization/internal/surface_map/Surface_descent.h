@@ -15,6 +15,7 @@
 
 #include <CGAL/license/Spherical_parameterization.h>
 
+#include <CGAL/Spherical_parameterization/internal/alignment/Sphere_image.h>
 #include <CGAL/Spherical_parameterization/internal/certificate/is_safely_positive.h>
 #include <CGAL/Spherical_parameterization/internal/descent/Independent_sets.h>
 #include <CGAL/Spherical_parameterization/internal/descent/Vertex_step.h>
@@ -36,6 +37,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <vector>
 
 namespace CGAL {
@@ -52,17 +54,26 @@ struct Landmark_goals
   bool is_hard() const { return !(weight > 0.); }
 };
 
+// Features of the second surface, and their values at the vertices of the first one, one after the other.
+struct Feature_goals
+{
+  std::optional<Sphere_image> image;
+  std::vector<double> values;
+  double weight = 0.; // of the mean of their squared differences, beside the mean energy
+};
+
 // Lowers the energy of a map from a surface to the sphere of another one, whose metric is given, level by level of a
 // hierarchy. Every state is a bijection, as every level is: vertices are removed only where the images of the faces stay
 // positive, and are put back where they were in the triangles that they have left, as these have moved.
 class Surface_descent
 {
 public:
-  // The mesh and the metric have to last as long as this.
+  // All but the last one have to last as long as this.
   Surface_descent(const Indexed_mesh& mesh, const Target_metric& metric, const Landmark_goals& goals,
-                  const Execution& execution)
+                  const Feature_goals& features, const Execution& execution)
     : m_mesh(mesh)
     , m_metric(metric)
+    , m_features(features)
     , m_execution(execution)
     , m_goals(mesh.number_of_vertices(), nullptr)
     , m_is_landmark(mesh.number_of_vertices(), 0)
@@ -71,7 +82,7 @@ public:
     , m_stars(execution, Target_star(metric))
     , m_kernels(execution, Star_kernel())
   {
-    // The sum over the stars is 8 pi times the mean energy.
+    // The sum over the faces is 8 pi times the mean energy.
     if(!m_is_hard)
       m_weight = 8. * CGAL_PI * goals.weight / static_cast<double>(goals.vertices.size());
     for(std::size_t k = 0; k < goals.vertices.size(); ++k)
@@ -157,9 +168,22 @@ private:
                            const std::uint32_t v = sets.vertices()[k];
                            const Rest_triangle* const shapes = rests.data() + rings.offset(v);
                            star.load(rings, v, local, [&](std::size_t j) { return shapes[j]; });
+                           if(m_features.image)
+                             set_features(star, level.vertices[v], shapes, rings.ring(v).size());
                            move(star, level.vertices[v], sweep, sweep + 1 == n, local[v]);
                          }
                        });
+  }
+
+  // A vertex stands for a third of the area of its faces, as all have it on this level.
+  void set_features(Target_star& star, std::uint32_t v, const Rest_triangle* shapes, std::size_t n_faces) const
+  {
+    const std::size_t n = m_features.image->number_of_channels();
+    double area = 0.;
+    for(std::size_t j = 0; j < n_faces; ++j)
+      area += 0.5 / shapes[j].inverse_doubled_area / 3.;
+    const double weight = 2. * m_features.weight * area / static_cast<double>(n); // 8 pi over the area of 4 pi
+    star.set_features(&*m_features.image, &m_features.values[v * n], weight);
   }
 
   // A hard landmark is drawn to its goal ever harder, until it can go there at little cost: the faces around it make
@@ -228,6 +252,7 @@ private:
 
   const Indexed_mesh& m_mesh;
   const Target_metric& m_metric;
+  const Feature_goals& m_features;
   Execution m_execution;
   std::vector<const Vector_3d*> m_goals; // of the landmarks, null for all other vertices
   std::vector<char> m_is_landmark, m_is_pinned;

@@ -16,6 +16,7 @@
 #include <CGAL/license/Spherical_parameterization.h>
 
 #include <CGAL/Spherical_parameterization/internal/run/parallel.h>
+#include <CGAL/Spherical_parameterization/internal/sampling/Cube_place.h>
 #include <CGAL/Spherical_parameterization/internal/sampling/Sphere_triangulation.h>
 #include <CGAL/Spherical_parameterization/internal/simd/Vector_3.h>
 
@@ -66,7 +67,10 @@ public:
     while(6 * n * n < 2 * images.triangles().size() && n < max_size)
       n *= 2;
     std::vector<typename K::Point_3> directions;
-    for_each_node(n, [&](const Vector_3d& p) { directions.emplace_back(p[0], p[1], p[2]); });
+    Cube_place::for_each_node(n, [&](std::size_t side, double u, double v) {
+      const Vector_3d p = Cube_place::point(side, u, v);
+      directions.emplace_back(p[0], p[1], p[2]);
+    });
     const auto places = images.locate(directions, execution);
     Image finest{n, std::vector<Texel>(places.size())};
     for_each_block(execution, 0, places.size(), 1024, [&](std::size_t begin, std::size_t end) {
@@ -115,80 +119,31 @@ private:
     std::size_t n; // steps along an edge of the cube
     std::vector<Texel> samples;
 
-    // the square of four texels that a direction leads to, and where it is between them
-    struct Square
+    Sample mixed(const std::array<std::size_t, 4>& nodes, const std::array<double, 4>& w) const
     {
-      const Texel* first;
-      std::size_t axis;
-      double scale, u, v;
-    };
-
-    Square square(const Vector_3d& p) const
-    {
-      const double a = std::abs(p[0]), b = std::abs(p[1]), c = std::abs(p[2]);
-      const std::size_t axis = a >= b && a >= c ? 0 : b >= c ? 1 : 2;
-      const double half = 0.5 * static_cast<double>(n), scale = half / std::abs(p[axis]);
-      const double x = (std::min)((std::max)(half + scale * p[axis == 2 ? 0 : axis + 1], 0.), 2. * half);
-      const double y = (std::min)((std::max)(half + scale * p[axis == 0 ? 2 : axis - 1], 0.), 2. * half);
-      const std::size_t i = (std::min)(static_cast<std::size_t>(x), n - 1);
-      const std::size_t j = (std::min)(static_cast<std::size_t>(y), n - 1);
-      return {&samples[(2 * axis + (p[axis] < 0. ? 1 : 0)) * (n + 1) * (n + 1) + i * (n + 1) + j], axis, scale,
-              x - static_cast<double>(i), y - static_cast<double>(j)};
-    }
-
-    static Sample mixed(const Texel* s, std::size_t n, double w00, double w01, double w10, double w11)
-    {
-      const auto &s00 = s[0].numbers, &s01 = s[1].numbers, &s10 = s[n + 1].numbers, &s11 = s[n + 2].numbers;
+      const auto &s0 = samples[nodes[0]].numbers, &s1 = samples[nodes[1]].numbers, &s2 = samples[nodes[2]].numbers,
+                 &s3 = samples[nodes[3]].numbers;
       Sample result;
       for(std::size_t k = 0; k < 8; ++k)
-        result.numbers[k] = w00 * static_cast<double>(s00[k]) + w01 * static_cast<double>(s01[k]) +
-                            w10 * static_cast<double>(s10[k]) + w11 * static_cast<double>(s11[k]);
+        result.numbers[k] = w[0] * static_cast<double>(s0[k]) + w[1] * static_cast<double>(s1[k]) +
+                            w[2] * static_cast<double>(s2[k]) + w[3] * static_cast<double>(s3[k]);
       return result;
     }
 
     Sample at(const Vector_3d& p) const
     {
-      const Square q = square(p);
-      return mixed(q.first, n, (1. - q.u) * (1. - q.v), (1. - q.u) * q.v, q.u * (1. - q.v), q.u * q.v);
+      const Cube_place place(p, n);
+      return mixed(place.nodes(), place.weights());
     }
 
     Sample at(const Vector_3d& p, const Vector_3d& t1, const Vector_3d& t2, std::array<Sample, 2>& derivatives) const
     {
-      const Square q = square(p);
-      const Vector_3d* const tangents[] = {&t1, &t2};
-      const double sign = p[q.axis] < 0. ? -1. : 1.;
-      const std::size_t i = q.axis == 2 ? 0 : q.axis + 1, j = q.axis == 0 ? 2 : q.axis - 1;
-      for(std::size_t k = 0; k < 2; ++k)
-      {
-        const Vector_3d& t = *tangents[k];
-        const double inverse = sign * t[q.axis] / std::abs(p[q.axis]);
-        const double du = q.scale * (t[i] - p[i] * inverse), dv = q.scale * (t[j] - p[j] * inverse);
-        derivatives[k] = mixed(q.first, n, -(1. - q.v) * du - (1. - q.u) * dv, -q.v * du + (1. - q.u) * dv,
-                               (1. - q.v) * du - q.u * dv, q.v * du + q.u * dv);
-      }
-      return mixed(q.first, n, (1. - q.u) * (1. - q.v), (1. - q.u) * q.v, q.u * (1. - q.v), q.u * q.v);
+      const Cube_place place(p, n);
+      const auto nodes = place.nodes();
+      derivatives = {mixed(nodes, place.change_of_weights(t1)), mixed(nodes, place.change_of_weights(t2))};
+      return mixed(nodes, place.weights());
     }
   };
-
-  static Vector_3d node(std::size_t side, double u, double v)
-  {
-    const std::size_t axis = side / 2;
-    Vector_3d p;
-    p[axis] = side % 2 == 0 ? 1. : -1.;
-    p[(axis + 1) % 3] = u;
-    p[(axis + 2) % 3] = v;
-    return p;
-  }
-
-  template <class Function>
-  static void for_each_node(std::size_t n, const Function& f)
-  {
-    const double step = 2. / static_cast<double>(n);
-    for(std::size_t side = 0; side < 6; ++side)
-      for(std::size_t i = 0; i <= n; ++i)
-        for(std::size_t j = 0; j <= n; ++j)
-          f(node(side, step * static_cast<double>(i) - 1., step * static_cast<double>(j) - 1.));
-  }
 
   // The images of a triangle, scaled together by a power of two: their lengths count, as they do for all that locates.
   template <class K>
@@ -222,23 +177,19 @@ private:
   static Image smoothed(const Image& fine, std::size_t n)
   {
     Image result{n, {}};
-    const double h = 2. / static_cast<double>(fine.n), step = 2. / static_cast<double>(n);
-    for(std::size_t side = 0; side < 6; ++side)
-      for(std::size_t i = 0; i <= n; ++i)
-        for(std::size_t j = 0; j <= n; ++j)
+    const double h = 2. / static_cast<double>(fine.n);
+    Cube_place::for_each_node(n, [&](std::size_t side, double u, double v) {
+      Sample sum{};
+      for(int k = -1; k <= 1; ++k)
+        for(int l = -1; l <= 1; ++l)
         {
-          Sample sum{};
-          for(int k = -1; k <= 1; ++k)
-            for(int l = -1; l <= 1; ++l)
-            {
-              const double w = (k == 0 ? 0.5 : 0.25) * (l == 0 ? 0.5 : 0.25);
-              const Sample s = fine.at(
-                  node(side, step * static_cast<double>(i) - 1. + h * k, step * static_cast<double>(j) - 1. + h * l));
-              for(std::size_t m = 0; m < 8; ++m)
-                sum.numbers[m] += w * s.numbers[m];
-            }
-          result.samples.push_back(texel(sum));
+          const double w = (k == 0 ? 0.5 : 0.25) * (l == 0 ? 0.5 : 0.25);
+          const Sample s = fine.at(Cube_place::point(side, u + h * k, v + h * l));
+          for(std::size_t m = 0; m < 8; ++m)
+            sum.numbers[m] += w * s.numbers[m];
         }
+      result.samples.push_back(texel(sum));
+    });
     join_sides(result);
     return result;
   }

@@ -15,6 +15,7 @@
 
 #include <CGAL/license/Spherical_parameterization.h>
 
+#include <CGAL/Spherical_parameterization/internal/alignment/Sphere_image.h>
 #include <CGAL/Spherical_parameterization/internal/certificate/is_safely_positive.h>
 #include <CGAL/Spherical_parameterization/internal/mesh/Rest_triangle.h>
 #include <CGAL/Spherical_parameterization/internal/mesh/Vertex_rings.h>
@@ -45,7 +46,7 @@ namespace internal {
 // The gradient has the change of the metric along with the centre. Without it each face would be content where it is, and
 // no limb would ever slide to where it belongs. The Hessian leaves it out.
 //
-// A goal adds the squared distance from it, times a weight.
+// A goal adds the squared distance from it, and features the squares of their differences, each times a weight.
 class Target_star
 {
 public:
@@ -56,7 +57,7 @@ public:
   // Chooses the level of the metric.
   void set_level(std::size_t level) { m_level = level; }
 
-  // Takes the star of a vertex, without a goal. rest_of_face(j) is the shape of the face to neighbors j and j + 1.
+  // Takes the star of a vertex, without a goal or features. rest_of_face(j) is the shape of the face to neighbors j and j + 1.
   template <class RestOfFace>
   void load(const Vertex_rings& rings, std::uint32_t v, const std::vector<Vector_3d>& positions,
             const RestOfFace& rest_of_face)
@@ -78,6 +79,7 @@ public:
       m_squared_shortest_edge = (std::min)(m_squared_shortest_edge, squared_length(f.p - m_center));
     }
     m_goal = nullptr;
+    m_features = nullptr;
   }
 
   // see Newton_step
@@ -124,6 +126,16 @@ public:
       hessian[1] += fi * ixy + fid * (ix * dy + iy * dx) + fdd * dx * dy;
       hessian[2] += fi * iyy - fd * d + 2. * fid * iy * dy + fdd * dy * dy;
     }
+    if(m_features)
+    {
+      std::array<double, 2> g;
+      std::array<double, 3> h;
+      value += m_feature_weight * m_features->squared_difference(m_center, m_feature_values, t1, t2, g, h);
+      for(std::size_t i = 0; i < 2; ++i)
+        gradient[i] += 2. * m_feature_weight * g[i];
+      for(std::size_t i = 0; i < 3; ++i)
+        hessian[i] += 2. * m_feature_weight * h[i];
+    }
     if(m_goal)
     {
       const Vector_3d offset = m_center - *m_goal;
@@ -158,6 +170,8 @@ public:
       const double e = 1. / (inverse_area * volume * s.area());
       value += 0.25 / inverse_area * i * (1. + 1. / e) * (1. + e * e);
     }
+    if(m_features)
+      value += m_feature_weight * m_features->squared_difference(center, m_feature_values);
     if(m_goal)
       value += m_goal_weight * squared_length(center - *m_goal);
     return value;
@@ -179,6 +193,14 @@ public:
     m_goal_weight = weight;
   }
 
+  // The features of the second surface, and their values at the vertex; both have to last as long as the star.
+  void set_features(const Sphere_image* features, const double* values, double weight)
+  {
+    m_features = features;
+    m_feature_values = values;
+    m_feature_weight = weight;
+  }
+
   Vector_3d point_at(double x, double y) const { return m_frame.point_at(x, y); }
 
 private:
@@ -198,6 +220,9 @@ private:
   std::vector<Face> m_faces;
   const Vector_3d* m_goal = nullptr;
   double m_goal_weight = 0.;
+  const Sphere_image* m_features = nullptr;
+  const double* m_feature_values = nullptr;
+  double m_feature_weight = 0.;
 };
 
 } // namespace internal

@@ -111,10 +111,12 @@ struct Surface_map_hints
   std::array<std::vector<Surface_alignment::Channel>, 2> features; // if there are none, those of the package are used
   std::vector<std::array<std::uint32_t, 2>> landmarks;
   double landmark_weight = 0.; // 0: they are to be met exactly
+  double feature_weight = 0.;
   std::function<bool()> go_further;
 };
 
-// The start of the map: from landmarks if they determine a rotation, or else from features.
+// The start of the map: from landmarks if they determine a rotation, or else from features. These are asked for on the
+// way as well, but those of the package only where they have led to the start.
 template <class K>
 Aligned_start start_of_map(const Located_surface<K>& first, const Located_surface<K>& second,
                            const Surface_map_hints& hints, const Execution& execution)
@@ -122,14 +124,21 @@ Aligned_start start_of_map(const Located_surface<K>& first, const Located_surfac
   std::vector<std::pair<Vector_3d, Vector_3d>> pairs;
   for(const auto& [v, w] : hints.landmarks)
     pairs.emplace_back(first.sphere.direction(v), second.sphere.direction(w));
-  if(const std::optional<Rotation_matrix> rotation = fitting_rotation(pairs))
-  {
-    Aligned_start result;
+  const std::optional<Rotation_matrix> rotation = fitting_rotation(pairs);
+  Aligned_start result;
+  if(rotation)
     result.directions = rotated_directions(*rotation, first.sphere);
+  if(rotation && hints.features[0].empty())
     return result;
-  }
-  return align(first.sphere, first.points, hints.features[0], second.sphere, second.points, hints.features[1],
-               execution);
+  const Sphere_grid grid;
+  const auto samples = [&](const Located_surface<K>& surface, std::size_t k) {
+    return Surface_alignment::samples_of(grid, surface.sphere, surface.points, hints.features[k], execution);
+  };
+  const Surface_alignment alignment(grid, samples(first, 0), samples(second, 1), execution);
+  if(!rotation)
+    result = align(grid, alignment, first.sphere, second.sphere, execution);
+  result.features = {alignment.features(0), alignment.features(1)};
+  return result;
 }
 
 // The map of the first surface to the sphere of the second one, and what is told of it.
@@ -170,6 +179,17 @@ std::optional<Found_surface_map> find_surface_map(const Indexed_mesh& mesh, cons
     goals.directions.push_back(second.sphere.direction(w));
   }
 
+  Feature_goals features;
+  if(!start.features.empty() && hints.feature_weight > 0.)
+  {
+    features.image = start.features[1];
+    features.weight = hints.feature_weight;
+    const std::size_t n_channels = start.features[0].number_of_channels();
+    features.values.resize(n * n_channels);
+    for(std::size_t v = 0; v < n; ++v)
+      start.features[0].interpolate(first.sphere.direction(mesh.original(v)), &features.values[v * n_channels]);
+  }
+
   std::optional<double> energy;
   if(start.is_rotation && !has_landmarks)
     energy = energy_between(first, start.directions, second, execution);
@@ -179,7 +199,7 @@ std::optional<Found_surface_map> find_surface_map(const Indexed_mesh& mesh, cons
       return std::nullopt;
     std::vector<Vector_3d> lowered = result.positions, directions(n);
     const Target_metric metric(second.sphere, second.points, execution);
-    Surface_descent descent(mesh, metric, goals, execution);
+    Surface_descent descent(mesh, metric, goals, features, execution);
     descent.run(lowered, has_landmarks ? min_size_with_landmarks : min_size, hints.go_further);
     result.report.is_stopped = descent.is_stopped();
     for(std::size_t v = 0; v < n; ++v)
