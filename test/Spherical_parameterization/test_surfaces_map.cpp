@@ -19,7 +19,9 @@
 #include <CGAL/Spherical_parameterization/measure_distortion_between.h>
 #include <CGAL/Spherical_parameterization/overlay.h>
 #include <CGAL/Spherical_parameterization/remesh_through_sphere.h>
+#include <CGAL/Spherical_parameterization/split_blocking_edges.h>
 
+#include <CGAL/Polygon_mesh_processing/measure.h>
 #include <CGAL/Polyhedron_3.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
@@ -213,6 +215,53 @@ TEST(Map_surface, meets_hard_landmarks_and_comes_nearer_to_soft_ones_of_more_wei
     last_energy = soft.report.energy;
   }
   EXPECT_GT(hard.report.energy, last_energy);
+}
+
+// Landmarks on a mesh of few vertices, that are to go some way: its straight edges are in the way of some.
+TEST(Split_blocking_edges, meets_landmarks_that_straight_edges_keep_away)
+{
+  const auto body = [](const Point_3& p) { return Point_3(p.x(), 1.3 * p.y(), 0.8 * p.z()); };
+  const Mapped_mesh b(octahedron_of(20), body, rotation(turns[0]));
+  std::size_t n_missed = 0, n_left = 0;
+  Random random(7);
+  for(int trial = 0; trial < 6; ++trial)
+  {
+    Mapped_mesh a(octahedron_of(3), body, rotation(turns[0]));
+    const double area = CGAL::to_double(CGAL::Polygon_mesh_processing::area(a.mesh));
+    Settings settings;
+    for(std::uint32_t k = 0; k < 14; ++k)
+    {
+      const Vertex_index v(2 * k + static_cast<std::uint32_t>(trial) % 2);
+      const Point_3& p = a.sphere[v];
+      const Point_3 goal(p.x() + random.between(-0.6, 0.6), p.y() + random.between(-0.6, 0.6),
+                         p.z() + random.between(-0.6, 0.6));
+      Vertex_index nearest = *vertices(b.mesh).begin();
+      for(const Vertex_index w : vertices(b.mesh))
+      {
+        const bool is_taken = std::any_of(settings.landmarks.begin(), settings.landmarks.end(),
+                                          [&](const auto& landmark) { return landmark.second == w; });
+        if(!is_taken && distance(b.sphere[w], goal) < distance(b.sphere[nearest], goal))
+          nearest = w;
+      }
+      settings.landmarks.emplace_back(v, nearest);
+    }
+    const auto directions = a.mesh.add_property_map<Vertex_index, Point_3>("v:directions").first;
+    SP::Surface_map_report report;
+    ASSERT_EQ(SP::map_surface(a.mesh, a.sphere, b.mesh, b.sphere, directions, settings, &report), SP::OK);
+    n_missed += report.number_of_missed_landmarks;
+    for(int round = 0; round < 5 && report.number_of_missed_landmarks > 0; ++round)
+    {
+      if(SP::split_blocking_edges(a.mesh, a.sphere, directions, b.sphere, settings.landmarks) == 0)
+        break;
+      ASSERT_TRUE(CGAL::is_triangle_mesh(a.mesh) && CGAL::is_closed(a.mesh));
+      ASSERT_TRUE(SP::is_bijective(a.mesh, a.sphere));
+      ASSERT_EQ(SP::map_surface(a.mesh, a.sphere, b.mesh, b.sphere, directions, settings, &report), SP::OK);
+    }
+    n_left += report.number_of_missed_landmarks;
+    EXPECT_NEAR(CGAL::to_double(CGAL::Polygon_mesh_processing::area(a.mesh)), area, 1e-12 * area);
+  }
+  EXPECT_GT(n_missed, 4u);
+  EXPECT_LT(2 * n_left, n_missed);
 }
 
 TEST(Map_surface, stops_when_it_is_told_to)

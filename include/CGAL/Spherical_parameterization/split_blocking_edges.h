@@ -1,0 +1,153 @@
+// Copyright (c) 2026  The Spherical_parameterization authors.
+// All rights reserved.
+//
+// This file is part of the Spherical_parameterization package for CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Spherical_parameterization authors
+//
+
+#ifndef CGAL_SPHERICAL_PARAMETERIZATION_SPLIT_BLOCKING_EDGES_H
+#define CGAL_SPHERICAL_PARAMETERIZATION_SPLIT_BLOCKING_EDGES_H
+
+#include <CGAL/license/Spherical_parameterization.h>
+
+#include <CGAL/Spherical_parameterization/internal/certificate/is_safely_positive.h>
+#include <CGAL/Spherical_parameterization/internal/simd/Vector_3.h>
+
+#include <CGAL/boost/graph/Euler_operations.h>
+#include <CGAL/boost/graph/properties.h>
+#include <CGAL/number_utils.h>
+
+#include <boost/graph/graph_traits.hpp>
+#include <boost/property_map/property_map.hpp>
+
+#include <algorithm>
+#include <cstddef>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+/// \file split_blocking_edges.h
+
+namespace CGAL {
+namespace Spherical_parameterization {
+
+namespace internal {
+
+// returns whether two arcs cross, in their interiors. See that all four triangles turn the same way; two of them would not,
+// if one arc crossed the antipodes of the other one.
+inline bool do_arcs_cross(const Vector_3d& a, const Vector_3d& b, const Vector_3d& c, const Vector_3d& d)
+{
+  const auto side = [](const Vector_3d& p, const Vector_3d& q, const Vector_3d& r) {
+    const double determinant = dot(p, cross(q, r));
+    return determinant > 0. ? 1 : determinant < 0. ? -1 : 0;
+  };
+  const int acb = side(a, c, b);
+  return acb != 0 && side(c, b, d) == acb && side(b, d, a) == acb && side(d, a, c) == acb;
+}
+
+} // namespace internal
+
+/// \ingroup PkgSphericalParameterizationSurfaces
+///
+/// splits the edges of a surface that keep landmarks from where they are to go, after `map_surface()` has missed some: those
+/// that the ways of the landmarks on the sphere of the second surface would cross. Their new vertices lie on the surface as
+/// it was, and can bend the edges when `map_surface()` is called again. With few vertices, that often meets what was missed;
+/// landmarks that would have to be exchanged, it does not. Call both until all are met, or a few times:
+///
+/// \code{.cpp}
+/// for(int round = 0; round < 5 && report.number_of_missed_landmarks > 0; ++round)
+///   if(split_blocking_edges(copy, sphere_of_copy, directions, sphere2, settings.landmarks) == 0 ||
+///      map_surface(copy, sphere_of_copy, tmesh2, sphere2, directions, settings, &report) != OK)
+///     break;
+/// \endcode
+///
+/// It takes time proportional to the number of edges times that of the landmarks that are missed.
+///
+/// \tparam TriangleMesh a model of `MutableFaceGraph` with an internal vertex point property map
+/// \tparam VertexSphereMap a model of `ReadWritePropertyMap` with
+///         `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and `%Point_3` of a \cgal kernel as value
+///         type
+/// \tparam VertexDirectionMap a model of `ReadablePropertyMap` with the same types
+/// \tparam VertexSphereMap2 a model of `ReadablePropertyMap` with the vertices of the second surface as key type and
+///         `%Point_3` of a \cgal kernel as value type
+/// \tparam LandmarkRange a range of pairs of vertices, one of either surface
+///
+/// \param tmesh the first surface, or rather a copy of it. Its vertices stay what they are
+/// \param vertex_sphere_map its map to the sphere, which stays a bijection. Has room for new vertices
+/// \param vertex_direction_map what `map_surface()` has found for it. New vertices have none yet
+/// \param vertex_sphere_map2 the map of the second surface
+/// \param landmarks as they are in `Surface_map_settings`
+///
+/// \return the number of edges that have been split; 0 if none is in the way, or double precision numbers cannot hold what
+///         is left of their faces
+template <class TriangleMesh, class VertexSphereMap, class VertexDirectionMap, class VertexSphereMap2,
+          class LandmarkRange>
+std::size_t split_blocking_edges(TriangleMesh& tmesh, VertexSphereMap vertex_sphere_map,
+                                 VertexDirectionMap vertex_direction_map, VertexSphereMap2 vertex_sphere_map2,
+                                 const LandmarkRange& landmarks)
+{
+  using halfedge_descriptor = typename boost::graph_traits<TriangleMesh>::halfedge_descriptor;
+  const auto direction_of = [](const auto& p) {
+    return internal::normalized(
+        internal::Vector_3d{CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z())});
+  };
+  const auto middle = [](const auto& p, const auto& q) {
+    return std::decay_t<decltype(p)>(p.x() / 2 + q.x() / 2, p.y() / 2 + q.y() / 2, p.z() / 2 + q.z() / 2);
+  };
+
+  std::vector<halfedge_descriptor> blocking;
+  std::vector<std::pair<internal::Vector_3d, internal::Vector_3d>> ways;
+  constexpr double cosine_of_rounding = 1. - 1e-14;
+  for(const auto& [v, w] : landmarks)
+  {
+    const internal::Vector_3d p = direction_of(get(vertex_direction_map, v)),
+                              q = direction_of(get(vertex_sphere_map2, w));
+    if(internal::dot(p, q) < cosine_of_rounding)
+      ways.emplace_back(p, q);
+  }
+  if(ways.empty())
+    return 0;
+  for(const auto e : edges(tmesh))
+  {
+    const halfedge_descriptor h = halfedge(e, tmesh);
+    const internal::Vector_3d a = direction_of(get(vertex_direction_map, source(h, tmesh))),
+                              b = direction_of(get(vertex_direction_map, target(h, tmesh)));
+    if(std::any_of(ways.begin(), ways.end(),
+                   [&](const auto& way) { return internal::do_arcs_cross(way.first, way.second, a, b); }))
+      blocking.push_back(h);
+  }
+
+  const auto points = get(CGAL::vertex_point, tmesh);
+  std::size_t n = 0;
+  for(const halfedge_descriptor h : blocking)
+  {
+    const auto a = source(h, tmesh), b = target(h, tmesh);
+    const auto point = middle(get(points, a), get(points, b));
+    const auto image = middle(get(vertex_sphere_map, a), get(vertex_sphere_map, b));
+    const internal::Vector_3d m = direction_of(image), p = direction_of(get(vertex_sphere_map, a)),
+                              q = direction_of(get(vertex_sphere_map, b));
+    const auto holds = [&](const auto v, const internal::Vector_3d& from, const internal::Vector_3d& to) {
+      const internal::Vector_3d r = direction_of(get(vertex_sphere_map, v));
+      return internal::is_safely_positive(from, m, r) && internal::is_safely_positive(m, to, r);
+    };
+    if(!holds(target(next(h, tmesh), tmesh), p, q) || !holds(target(next(opposite(h, tmesh), tmesh), tmesh), q, p))
+      continue;
+    const halfedge_descriptor first_half = CGAL::Euler::split_edge(h, tmesh), other = opposite(first_half, tmesh);
+    put(points, target(first_half, tmesh), point);
+    put(vertex_sphere_map, target(first_half, tmesh), image);
+    CGAL::Euler::split_face(first_half, next(h, tmesh), tmesh);
+    CGAL::Euler::split_face(opposite(h, tmesh), next(other, tmesh), tmesh);
+    ++n;
+  }
+  return n;
+}
+
+} // namespace Spherical_parameterization
+} // namespace CGAL
+
+#endif // CGAL_SPHERICAL_PARAMETERIZATION_SPLIT_BLOCKING_EDGES_H
