@@ -122,9 +122,9 @@ constexpr bool check_mesh_and_readable_map()
   if constexpr(check_mesh<TriangleMesh>())
   {
     static_assert(Is_property_map<VertexSphereMap>::value,
-                  "The second argument has to be a property map with the images of the vertices: of the pair that "
-                  "add_property_map() returns, it is .first; of an std::map, boost::make_assoc_property_map() makes "
-                  "one.");
+                  "The argument after a mesh has to be a property map with the images of its vertices: of the pair "
+                  "that add_property_map() returns, it is .first; of an std::map, boost::make_assoc_property_map() "
+                  "makes one.");
     if constexpr(Is_property_map<VertexSphereMap>::value)
       return check_images<TriangleMesh, VertexSphereMap>();
   }

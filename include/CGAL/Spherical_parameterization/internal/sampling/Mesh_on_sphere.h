@@ -18,6 +18,7 @@
 #include <CGAL/Spherical_parameterization/Parameterization_report.h>
 #include <CGAL/Spherical_parameterization/internal/certificate/Bijectivity_certificate.h>
 #include <CGAL/Spherical_parameterization/internal/certificate/Orientation_about_origin_3.h>
+#include <CGAL/Spherical_parameterization/internal/check_arguments.h>
 #include <CGAL/Spherical_parameterization/internal/mesh/Indexed_mesh.h>
 #include <CGAL/Spherical_parameterization/internal/read_mesh.h>
 #include <CGAL/Spherical_parameterization/internal/run/parallel.h>
@@ -44,6 +45,8 @@ namespace internal {
 template <class TriangleMesh, class VertexSphereMap>
 struct Mesh_on_sphere
 {
+  static_assert(check_mesh_and_readable_map<TriangleMesh, VertexSphereMap>());
+
   using Selection = Exact_predicates_kernel_of_map<VertexSphereMap>;
   using Exact_kernel = typename Selection::type;
   using vertex_descriptor = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
