@@ -5,6 +5,7 @@
 #include "Input_mesh.h"
 #include "Output_file.h"
 #include "Output_files.h"
+#include "Page.h"
 #include "Program_options.h"
 #include "Remesh.h"
 #include "Run_report.h"
@@ -41,14 +42,17 @@ public:
   ///
   /// \param options have to live longer
   ///
-  /// \throws Program_error if one cannot
+  /// \throws Program_error if one cannot, or the program was built without what it takes
   Mesh_run(const Program_options& options, const File_names& names)
     : m_options(options)
     , m_names(names)
     , m_files(names, options.other_inputs(),
               options.is_batch() ? Output_file::Policy::replace : Output_file::Policy::follow)
     , m_report(options, names.input)
-  {}
+  {
+    if(m_files.page)
+      Page::check();
+  }
 
   /// removes the files that an earlier run has left under the same names.
   ///
@@ -179,6 +183,11 @@ public:
     }
     if(m_files.colored_surface)
       write_colors();
+    if(m_files.page)
+    {
+      const Page page(*m_input, m_sphere, m_distortions, m_report);
+      m_files.page->write([&](std::ostream& out) { page.write(out); });
+    }
     m_report.seconds_for_output = seconds_now() - start - m_report.seconds_for_measuring;
     m_report.files = m_files.names();
     if(m_files.json)

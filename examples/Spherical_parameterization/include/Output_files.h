@@ -50,6 +50,8 @@ public:
       add(overlay, names.overlay);
     if(!names.morph.empty())
       add(morph, names.morph);
+    if(!names.page.empty())
+      add(page, names.page);
     if(!names.json.empty())
       add(json, names.json);
 
@@ -93,7 +95,7 @@ public:
   }
 
   std::optional<Output_file> sphere, remesh, image, image_of_normals, colored_surface, colored_sphere, onto,
-      target_sphere, overlay, morph, json;
+      target_sphere, overlay, morph, page, json;
 
 private:
   std::vector<Output_file*> m_wanted;

@@ -269,6 +269,8 @@ private:
       ("threads", word("N"), "use no more threads; the result is always the same")
       ("json", word("FILE"), "write the report and the distortions as JSON; - prints them instead of the report")
       ("colored", word("PREFIX"), "write PREFIX_surface.ply and PREFIX_sphere.ply, with the distortion as colour")
+      ("page", word("FILE"), "write a page for web browsers, which needs no network: the surface and its sphere side by side, "
+                             "coloured, with the distortion of the place that is pointed at; .html")
       ("quiet", "print nothing but errors")
       ("help,h", "print this")
       ("version", "print the version");
@@ -646,14 +648,14 @@ private:
   {
     is_quiet = has("quiet");
     const bool is_for_many = has("output-folder");
-    for(const char* option : {"output", "sphere", "transfer", "values-sphere", "json", "colored", "output-folder",
-                              "onto", "template", "overlay"})
+    for(const char* option : {"output", "sphere", "transfer", "values-sphere", "json", "colored", "page",
+                              "output-folder", "onto", "template", "overlay"})
       if(has(option) && text(option).empty())
         fail("--" + std::string(option) + " needs a name");
     for(const char* option : {"format", "resume"})
       if(has(option) && !is_for_many)
         fail("--" + std::string(option) + " goes with --output-folder");
-    for(const char* option : {"remesh", "geometry-image"})
+    for(const char* option : {"remesh", "geometry-image", "page"})
       if(has(option) && is_for_many)
         fail("--" + std::string(option) + " is for one mesh: leave out --output-folder");
     for(const char* option : {"output", "json", "colored"})
@@ -672,6 +674,9 @@ private:
     prints_json = text("json") == "-";
     file_names.json = prints_json ? "" : text("json");
     file_names.colored = text("colored");
+    file_names.page = text("page");
+    if(has("page") && file_format(file_names.page) != ".html")
+      refuse("page", "a name that ends with .html");
     output_folder = text("output-folder");
     is_resumed = has("resume");
     for(const char* option : {"output", "sphere"})

@@ -105,6 +105,30 @@ public:
            seconds_for_matching + seconds_for_output;
   }
 
+  /// returns whether the method only cares for angles.
+  bool shows_angles() const { return m_options.is_conformal(); }
+
+  /// returns what the certificate has found.
+  std::string verdict() const
+  {
+    return result.is_one_to_one ? "Certified: the map is one-to-one." : "Not one-to-one: " + fault();
+  }
+
+  /// returns what the run was, as texts.
+  Json_object summary() const
+  {
+    const SP::Parameterization_report& run = result.report;
+    Json_object texts;
+    texts
+        .add("Mesh",
+             std::to_string(run.number_of_vertices) + " vertices, " + std::to_string(run.number_of_faces) + " faces")
+        .add("Method", m_options.description)
+        .add("Radius", fixed_text(run.radius, 10, false));
+    if(balanced)
+      texts.add("Radius of the distortions", fixed_text(balanced->radius, 10, false) + ", of balanced areas (eq. 11)");
+    return texts.add("Seconds", fixed_text(seconds(), 2)).add("Program", program_version());
+  }
+
   void print(std::ostream& out) const
   {
     const SP::Parameterization_report& run = result.report;
@@ -140,7 +164,7 @@ public:
     }
     out << distortion.number_of_inverted_faces << " inverted faces, " << distortion.number_of_degenerate_faces
         << " degenerate faces" << (distortion.number_of_degenerate_faces > 0 ? ", which are left out" : "") << "\n\n"
-        << (result.is_one_to_one ? "Certified: the map is one-to-one." : "Not one-to-one: " + fault()) << '\n';
+        << verdict() << '\n';
     if(remesh)
       print_remesh(out);
     if(match)

@@ -47,7 +47,7 @@ inline std::string list_of(const Words& words, const std::string& last_separator
 struct File_names
 {
   std::string input;
-  std::string sphere, remesh, image, json;         ///< empty if not wanted
+  std::string sphere, remesh, image, page, json;   ///< empty if not wanted
   std::string onto, target_sphere, overlay, morph; ///< of a map onto another surface, empty if not wanted
   std::string colored; ///< what the names of the coloured meshes begin with, empty if they are not wanted
 };

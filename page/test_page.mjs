@@ -1,0 +1,230 @@
+// Usage: node test_page.mjs BROWSER PROGRAM OUTPUT
+//
+// Opens a page that PROGRAM has written in a BROWSER without windows, and uses it as a person does: with a mouse and keys. OUTPUT
+// is where make_page.mjs has installed what that takes.
+
+import assert from "node:assert/strict";
+import { execFileSync } from "node:child_process";
+import { existsSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import { createRequire } from "node:module";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
+import { pathToFileURL } from "node:url";
+
+const [browserFile, program, output] = process.argv.slice(2);
+for (const [needed, what] of [
+  [browserFile, "Chromium is not installed"],
+  [join(output, "page.stamp"), "The program has no page"],
+]) {
+  if (existsSync(needed)) continue;
+  console.log(`NOTICE: ${what}: the page is not tested.`);
+  process.exit(77);
+}
+const puppeteer = createRequire(join(output, "package.json"))("puppeteer-core");
+const folder = mkdtempSync(join(tmpdir(), "spherical_parameterization_"));
+const file = (name) => join(folder, name);
+
+// A grid of longitudes and latitudes around a body, whose distance from the middle depends on both
+function makeMesh(rows, columns, radiusOf) {
+  const points = [];
+  const add = (latitude, longitude) => {
+    const radius = radiusOf(latitude, longitude),
+      s = Math.sin(latitude);
+    return (
+      points.push([s * Math.cos(longitude), Math.cos(latitude), s * Math.sin(longitude)].map((x) => radius * x)) - 1
+    );
+  };
+  for (let i = 1; i < rows; ++i)
+    for (let j = 0; j < columns; ++j) add((Math.PI * i) / rows, (2 * Math.PI * j) / columns);
+  const north = add(0, 0),
+    south = add(Math.PI, 0);
+  const at = (i, j) => i * columns + (j % columns);
+  const faces = [];
+  for (let j = 0; j < columns; ++j) {
+    faces.push([north, at(0, j + 1), at(0, j)], [south, at(rows - 2, j), at(rows - 2, j + 1)]);
+    for (let i = 0; i < rows - 2; ++i)
+      faces.push([at(i, j), at(i, j + 1), at(i + 1, j)], [at(i, j + 1), at(i + 1, j + 1), at(i + 1, j)]);
+  }
+  return { points, faces };
+}
+
+function writeOff(name, { points, faces }) {
+  const rows = [...points.map((p) => p.join(" ")), ...faces.map((face) => [3, ...face].join(" "))];
+  writeFileSync(file(name), `OFF\n${points.length} ${faces.length} 0\n${rows.join("\n")}\n`);
+}
+
+function readPoints(name) {
+  const [, count, , , ...numbers] = readFileSync(file(name), "utf8").split(/\s+/);
+  return Array.from({ length: Number(count) }, (_, i) => numbers.slice(3 * i, 3 * i + 3).map(Number));
+}
+
+const minus = (p, q) => p.map((x, k) => x - q[k]);
+const dot = (p, q) => p.reduce((sum, x, k) => sum + x * q[k], 0);
+const cross = (p, q) => [p[1] * q[2] - p[2] * q[1], p[2] * q[0] - p[0] * q[2], p[0] * q[1] - p[1] * q[0]];
+
+// The face of a mesh that contains a point of it, and its barycentric coordinates
+function locate(point, { points, faces }) {
+  for (const [face, corners] of faces.entries()) {
+    const [a, b, c] = corners.map((v) => points[v]);
+    const [u, v, w] = [minus(b, a), minus(c, a), minus(point, a)];
+    const normal = cross(u, v),
+      area = dot(normal, normal);
+    const second = dot(cross(w, v), normal) / area,
+      third = dot(cross(u, w), normal) / area;
+    const weights = [1 - second - third, second, third];
+    if (Math.min(...weights) >= -1e-9 && Math.abs(dot(w, normal)) < 1e-9 * area ** 0.75) return { face, weights };
+  }
+  assert.fail(`the mesh does not contain ${point}`);
+}
+
+// The number of colours of a picture, and the share of pixels that differ from those of another one
+function examine(page, picture, other = picture) {
+  const read = async (pictures) => {
+    const [pixels, others] = await Promise.all(
+      pictures.map(async (picture) => {
+        const bytes = Uint8Array.from(atob(picture), (character) => character.charCodeAt(0));
+        const image = await createImageBitmap(new Blob([bytes]));
+        const context = new OffscreenCanvas(image.width, image.height).getContext("2d");
+        context.drawImage(image, 0, 0);
+        return new Uint32Array(context.getImageData(0, 0, image.width, image.height).data.buffer);
+      }),
+    );
+    return {
+      colours: new Set(pixels).size,
+      changed: pixels.filter((pixel, i) => pixel !== others[i]).length / pixels.length,
+    };
+  };
+  return page.evaluate(read, [picture, other]);
+}
+
+// Rounding may change some pixels, and nobody sees it.
+const isSame = async (page, picture, other) => (await examine(page, picture, other)).changed < 0.005;
+
+const body = makeMesh(
+  40,
+  48,
+  (latitude, longitude) => 1 + 0.3 * Math.sin(3 * longitude) * Math.sin(latitude) ** 3 + 0.5 * Math.cos(latitude) ** 2,
+);
+const sphere = makeMesh(9, 12, () => 1);
+
+async function open(browser, faults) {
+  const page = await browser.newPage();
+  page.on("pageerror", (error) => faults.push(error.message));
+  page.on(
+    "request",
+    (request) => request.url().startsWith("file:") || faults.push(`The page asks for ${request.url()}`),
+  );
+  await page.setViewport({ width: 1200, height: 800 });
+  await page.goto(pathToFileURL(file("page.html")).href);
+  await page.waitForSelector("#histogram rect");
+  return page;
+}
+
+// What is seen once the page has drawn again
+async function look(page, selector) {
+  await page.evaluate(() => new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(resolve))));
+  return (await page.$(selector)).screenshot({ encoding: "base64" });
+}
+
+// Points at the places of the sphere that the program has looked up.
+async function checkPicking(page) {
+  const facts = JSON.parse(await page.$eval("#facts", (script) => script.textContent));
+  const box = await page.$eval("#view-right", (view) => view.getBoundingClientRect().toJSON());
+  const images = readPoints("sphere.off").map((p) => p.map((x) => x / Math.hypot(...p)));
+  let agreeing = 0;
+  for (const place of readPoints("places.off")) {
+    const { face, weights } = locate(place, body);
+    const image = [0, 1, 2].map((k) =>
+      dot(
+        weights,
+        body.faces[face].map((v) => images[v][k]),
+      ),
+    );
+    const [x, y, z] = [0, 3, 6].map((row) => dot(facts.right.rotation.slice(row, row + 3), image));
+    // The body is thinnest along z, from where it is looked at; 1.1 is what is seen of a sphere of radius 1. A pointer has no
+    // more than some digits.
+    if (z < 0.2 || Math.min(...weights) < 0.01) continue;
+    const scale = Math.min(box.width, box.height) / 2.2;
+    await page.mouse.move(box.x + box.width / 2 + scale * x, box.y + box.height / 2 - scale * y);
+    const told = await page.$eval("#place", ({ dataset }) => ({ ...dataset }));
+    assert.deepEqual(told, {
+      face: String(face),
+      vertex: String(body.faces[face][weights.indexOf(Math.max(...weights))]),
+    });
+    ++agreeing;
+  }
+  assert.ok(agreeing >= 20, `${agreeing} places`);
+  return agreeing;
+}
+
+async function checkControls(page) {
+  const [left, right] = [await look(page, "#view-left"), await look(page, "#view-right")];
+  await page.focus("#morph");
+  for (let i = 0; i < 30; ++i) await page.keyboard.press("ArrowRight");
+  assert.equal(await page.$eval("#morph", (slider) => slider.valueAsNumber), 0.3);
+  assert.ok(!(await isSame(page, await look(page, "#view-left"), left)), "the slider does not change the surface");
+  assert.ok(await isSame(page, await look(page, "#view-right"), right), "the slider changes the sphere");
+  await page.click("#reset");
+  assert.ok(await isSame(page, await look(page, "#view-left"), left), "the surface is not reset");
+
+  await page.click("#together");
+  await page.focus("#view-left");
+  await page.keyboard.press("ArrowLeft");
+  assert.ok(await isSame(page, await look(page, "#view-right"), right), "the sphere turns along");
+  await page.click("#together");
+  assert.ok(!(await isSame(page, await look(page, "#view-right"), right)), "the sphere does not turn along");
+
+  for (const paint of ["D_area", "D_angle", "pattern", "plain"]) {
+    const before = await look(page, "#view-right");
+    await page.select("#colour", paint);
+    assert.ok(!(await isSame(page, await look(page, "#view-right"), before)), `${paint} changes nothing`);
+  }
+}
+
+async function checkDrawing(page) {
+  for (const side of ["#view-left", "#view-right"]) {
+    const { colours } = await examine(page, await look(page, side));
+    assert.ok(colours > 2000, `${side} has ${colours} colours`);
+  }
+}
+
+async function withBrowser(args, use) {
+  const browser = await puppeteer.launch({ executablePath: browserFile, args: ["--no-sandbox", ...args] });
+  const faults = [];
+  try {
+    await use(await open(browser, faults));
+    assert.deepEqual(faults, []);
+  } finally {
+    await browser.close();
+  }
+}
+
+try {
+  writeOff("body.off", body);
+  writeOff("directions.off", sphere);
+  // The vertices of the remesh are the places that the program finds for the directions.
+  const options = [
+    "--page",
+    file("page.html"),
+    "--sphere",
+    file("sphere.off"),
+    "--remesh",
+    file("directions.off"),
+    "-o",
+    file("places.off"),
+  ];
+  execFileSync(program, [file("body.off"), "--quiet", ...options]);
+
+  // A processor draws where there is no other device.
+  await withBrowser(["--use-angle=swiftshader", "--enable-unsafe-swiftshader"], async (page) => {
+    await checkDrawing(page);
+    console.log(`${await checkPicking(page)} places agree`);
+    await checkControls(page);
+  });
+  await withBrowser(["--disable-gpu", "--disable-3d-apis"], async (page) => {
+    assert.match(await page.$eval("#notice", (notice) => notice.textContent), /WebGL is missing/);
+    await checkDrawing(page);
+  });
+} finally {
+  rmSync(folder, { recursive: true });
+}
