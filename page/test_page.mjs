@@ -120,18 +120,22 @@ async function open(browser, faults) {
   return page;
 }
 
-// What is seen once the page has drawn again
+// Waits until the page has drawn again.
+const settle = (page) =>
+  page.evaluate(() => new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(resolve))));
+
 async function look(page, selector) {
-  await page.evaluate(() => new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(resolve))));
+  await settle(page);
   return (await page.$(selector)).screenshot({ encoding: "base64" });
 }
 
-// Points at the places of the sphere that the program has looked up.
+// Points at the places of the sphere that the program has looked up, and at where they are marked on the body.
 async function checkPicking(page) {
   const facts = JSON.parse(await page.$eval("#facts", (script) => script.textContent));
   const box = await page.$eval("#view-right", (view) => view.getBoundingClientRect().toJSON());
   const images = readPoints("sphere.off").map((p) => p.map((x) => x / Math.hypot(...p)));
-  let agreeing = 0;
+  const told = () => page.$eval("#place", ({ dataset }) => ({ ...dataset }));
+  const marked = [];
   for (const place of readPoints("places.off")) {
     const { face, weights } = locate(place, body);
     const image = [0, 1, 2].map((k) =>
@@ -141,20 +145,31 @@ async function checkPicking(page) {
       ),
     );
     const [x, y, z] = [0, 3, 6].map((row) => dot(facts.right.rotation.slice(row, row + 3), image));
-    // The body is thinnest along z, from where it is looked at; 1.1 is what is seen of a sphere of radius 1. A pointer has no
+    // The body is thinnest along z, from where it is looked at; 1.05 is what is seen of a sphere of radius 1. A pointer has no
     // more than some digits.
     if (z < 0.2 || Math.min(...weights) < 0.01) continue;
-    const scale = Math.min(box.width, box.height) / 2.2;
+    const scale = Math.min(box.width, box.height) / 2.1;
     await page.mouse.move(box.x + box.width / 2 + scale * x, box.y + box.height / 2 - scale * y);
-    const told = await page.$eval("#place", ({ dataset }) => ({ ...dataset }));
-    assert.deepEqual(told, {
-      face: String(face),
-      vertex: String(body.faces[face][weights.indexOf(Math.max(...weights))]),
-    });
-    ++agreeing;
+    const expected = { face: String(face), vertex: String(body.faces[face][weights.indexOf(Math.max(...weights))]) };
+    assert.deepEqual(await told(), expected);
+    await settle(page);
+    const mark = await page.$("#view-left .mark:not(.behind)");
+    if (mark) marked.push([await mark.boundingBox(), expected]);
   }
-  assert.ok(agreeing >= 20, `${agreeing} places`);
-  return agreeing;
+  assert.ok(marked.length >= 20, `${marked.length} places`);
+  for (const [{ x, y, width, height }, expected] of marked) {
+    await page.mouse.move(x + width / 2, y + height / 2);
+    assert.deepEqual(await told(), expected);
+  }
+  return marked.length;
+}
+
+async function drag(page, selector) {
+  const { x, y } = await page.$eval(selector, (view) => view.getBoundingClientRect().toJSON());
+  await page.mouse.move(x + 100, y + 100);
+  await page.mouse.down();
+  await page.mouse.move(x + 180, y + 130, { steps: 3 });
+  await page.mouse.up();
 }
 
 async function checkControls(page) {
@@ -173,6 +188,15 @@ async function checkControls(page) {
   assert.ok(await isSame(page, await look(page, "#view-right"), right), "the sphere turns along");
   await page.click("#together");
   assert.ok(!(await isSame(page, await look(page, "#view-right"), right)), "the sphere does not turn along");
+
+  await drag(page, "#view-left");
+  const turned = [await look(page, "#view-left"), await look(page, "#view-right")];
+  assert.ok(
+    !(await isSame(page, turned[0], left)) && !(await isSame(page, turned[1], right)),
+    "dragging does not turn both",
+  );
+  await page.click("#reset");
+  assert.ok(await isSame(page, await look(page, "#view-right"), right), "the sphere is not reset");
 
   for (const paint of ["D_area", "D_angle", "pattern", "plain"]) {
     const before = await look(page, "#view-right");

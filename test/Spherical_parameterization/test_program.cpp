@@ -455,6 +455,29 @@ TEST_F(Program, writes_geometry_images)
   }
 }
 
+TEST_F(Program, writes_a_page)
+{
+  const std::string name = "a<!--b.off";
+  write_off(name, test_meshes::icosphere(2));
+  const Outcome outcome = run("'" + name + "' --page page.html --quiet");
+  if(outcome.status == 1 && outcome.err.find("was built without the page") != std::string::npos)
+  {
+    EXPECT_FALSE(fs::exists(path("page.html")));
+    GTEST_SKIP() << outcome.err;
+  }
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  const std::string page = content(path("page.html"));
+  EXPECT_EQ(page.substr(0, 15), "<!DOCTYPE html>");
+  EXPECT_EQ(page.find("<!--b"), std::string::npos); // a comment that would swallow the page
+  EXPECT_NE(page.find("a\\u003c!--b.off"), std::string::npos);
+
+  const std::string begin = "id=\"corners\">"; // of 320 faces, with two bytes each
+  const std::size_t start = page.find(begin) + begin.size();
+  EXPECT_EQ(page.find("</script>", start) - start, 320u * 3 * 2 / 3 * 4);
+  const std::string folds = "id=\"folded\"></script>";
+  EXPECT_NE(page.find(folds), std::string::npos);
+}
+
 // What is wrong with the domain or the map is told before anything is written.
 TEST_F(Program, samples_by_spheres_only)
 {
@@ -465,6 +488,7 @@ TEST_F(Program, samples_by_spheres_only)
   expect_refused("sphere.off --remesh missing.off -o result.off", "or the name of a file");
   expect_refused("sphere.off --remesh cube=2 -o result.off --sphere result.off", "written twice");
   expect_refused("sphere.off --remesh cube=2 --output-folder out", "leave out --output-folder");
+  expect_refused("sphere.off --page page.html --output-folder out", "leave out --output-folder");
 }
 
 TEST_F(Program, refuses_bad_values_with_the_good_ones)
@@ -504,6 +528,7 @@ TEST_F(Program, refuses_bad_values_with_the_good_ones)
       {"--remesh prism=3", "octahedron=N, cube=N or icosahedron=N"},
       {"--remesh cube=2 --transfer sphere.off", "the name of a .ply file"},
       {"--geometry-image image.gif", ".png or .exr"},
+      {"--page page.txt", "a name that ends with .html"},
       {"--geometry-image image.png --image-size 64", "an odd number from 3 to 10001"},
       {"--geometry-image image.png --image-size 1", "a whole number from 3"},
       {"--unknown", "unknown"},
@@ -556,6 +581,7 @@ TEST_F(Program, refuses_what_it_cannot_read_or_write)
   expect_refused("sphere.off -o result.txt", ".off");
   expect_refused("sphere.off -o result.off --json missing/result.json", "missing");
   expect_refused("sphere.off -o result.off --colored missing/result", "missing");
+  expect_refused("sphere.off -o result.off --page missing/result.html", "missing");
   fs::create_directory(path("folder.off"));
   expect_refused("sphere.off -o folder.off", "folder.off");
   expect_refused("folder.off -o result.off", "folder.off is a folder");
