@@ -2,7 +2,8 @@
 # Usage: scripts/demo.sh [MESH]
 #
 # Installs what is missing, builds the program in Release mode, and maps MESH to the sphere: by default the armadillo
-# that comes with CGAL. Ends with the distortion of the map and the files that show it. May be run again.
+# that comes with CGAL. Ends with the distortion of the map and the files that show it, a page for a browser first. May be
+# run again.
 
 # shellcheck source-path=SCRIPTDIR source=common.sh
 . "$(dirname "${BASH_SOURCE[0]}")/common.sh"
@@ -18,11 +19,14 @@ run_stage "build the program" cmake --build "$build" -j "$jobs" --target spheric
 name=$(basename "${mesh%.*}")
 result=$build/demo/$name
 mkdir -p "$build/demo"
+page=()
+[ ! -e "$build/page/page.stamp" ] || page=(--page "$result.html") # npm may have been out of reach
 echo "== map $name to the sphere"
 "$build/examples/Spherical_parameterization/spherical_parameterization" \
-  "$mesh" -o "${result}_map.off" --colored "$result"
+  "$mesh" -o "${result}_map.off" --colored "$result" "${page[@]}"
 
 echo
+[ ${#page[@]} -eq 0 ] || echo "Both side by side, for a browser:        $result.html"
 echo "The mesh, coloured by distortion:        ${result}_surface.ply"
 echo "Its image on the sphere, coloured alike: ${result}_sphere.ply"
 echo "The image alone, in full precision:      ${result}_map.off"

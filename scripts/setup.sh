@@ -10,28 +10,30 @@
 [ $# -eq 0 ] || [ "$*" = --tests ] || fail "Usage: scripts/setup.sh [--tests]"
 
 packages=(g++ make cmake libcgal-dev libcgal-demo libboost-program-options-dev libtbb-dev libeigen3-dev
-  libpng-dev libopenexr-dev)
+  libpng-dev libopenexr-dev npm)
 components=(CGAL Boost TBB Eigen3)
-wanted="a C++17 compiler, CMake 3.18, CGAL 5.5, Boost.Program_options, TBB, Eigen, libpng and OpenEXR 3"
+wanted="a C++17 compiler, CMake 3.18, CGAL 5.5, Boost.Program_options, TBB, Eigen, libpng, OpenEXR 3, Node.js 18 and npm"
 if [ "${1-}" = --tests ]; then
   packages+=(git libgtest-dev libbenchmark-dev clang libclang-rt-dev llvm clang-format-14)
   packages+=(python3-numpy python3-matplotlib)
-  packages+=(doxygen texlive-binaries libjs-mathjax fonts-mathjax linkchecker)
+  packages+=(doxygen texlive-binaries libjs-mathjax fonts-mathjax linkchecker chromium-headless-shell)
   components+=(GTest benchmark)
-  wanted="a C++17 compiler, CMake 3.18, CGAL 5.5, Boost.Program_options, TBB, Eigen, libpng, OpenEXR 3, GoogleTest, Google Benchmark, Clang"
-  wanted+=" with its sanitizers, clang-format 14, Python with numpy and matplotlib, doxygen 1.9.4, BibTeX and LinkChecker"
+  wanted="a C++17 compiler, CMake 3.18, CGAL 5.5, Boost.Program_options, TBB, Eigen, libpng, OpenEXR 3, Node.js 18, npm, GoogleTest, Google Benchmark, Clang"
+  wanted+=" with its sanitizers, clang-format 14, Python with numpy and matplotlib, doxygen 1.9.4, BibTeX, LinkChecker and Chromium"
 fi
 
 is_installed() {
   [ "$(dpkg-query -W -f='${db:Status-Status}' "$1" 2>/dev/null)" = installed ]
 }
 
-# Prints the packages that are missing. Newer systems have no clang-format 14; the style check says so where it matters.
+# Prints the packages that are missing. Newer systems have no clang-format 14, and Ubuntu has no package of Chromium: the checks
+# that need them say so. A Node.js from elsewhere brings npm along.
 list_missing() {
   local package
   for package in "${packages[@]}"; do
     is_installed "$package" && continue
-    [ "$package" = clang-format-14 ] && ! apt-cache show "$package" >/dev/null 2>&1 && continue
+    [[ $package == @(clang-format-14|chromium-*) ]] && ! apt-cache show "$package" >/dev/null 2>&1 && continue
+    [ "$package" = npm ] && command -v npm >/dev/null && continue
     echo "$package"
   done
 }
