@@ -27,22 +27,24 @@ const VERTEX_SHADER = `
   attribute vec3 right, rightNormal;
   attribute float shade;
   uniform float morph;
-  varying vec3 vNormal, vDirection;
+  varying vec3 vNormal, vLeft, vRight;
   flat varying float vShade;
 
   void main() {
     vNormal = normalMatrix * mix(normal, rightNormal, morph);
-    vDirection = right;
+    vLeft = position;
+    vRight = right;
     vShade = shade;
     gl_Position = projectionMatrix * modelViewMatrix * vec4(mix(position, right, morph), 1.);
   }`;
 
-// The pattern has a hue for each longitude, lighter to the north, under meridians and parallels. There are fewer
-// meridians near the poles.
+// The pattern of a sphere has a hue for each longitude, lighter to the north, under meridians and parallels, of which there
+// are fewer near the poles. That of two surfaces is on the left one: planes, and hues around the second axis.
 const FRAGMENT_SHADER = `
   uniform sampler2D palette;
   uniform int paint;
-  varying vec3 vNormal, vDirection;
+  uniform bool has_sphere;
+  varying vec3 vNormal, vLeft, vRight;
   flat varying float vShade;
 
   vec3 from_oklab(float lightness, float chroma, float hue) {
@@ -56,7 +58,7 @@ const FRAGMENT_SHADER = `
     return abs(angle - grid * round(angle / grid));
   }
 
-  vec3 pattern(vec3 p) {
+  vec3 globe(vec3 p) {
     const float grid = radians(15.);
     float longitude = atan(p.x, p.z), latitude = asin(clamp(p.y, -1., 1.));
     vec3 colour = from_oklab(0.76 + 0.083 * latitude, 0.13 * sqrt(cos(latitude)), longitude);
@@ -67,9 +69,17 @@ const FRAGMENT_SHADER = `
     return mix(colour, 0.35 * colour, abs(latitude) < radians(82.5) ? line : 0.);
   }
 
+  vec3 planes(vec3 p) {
+    vec3 colour = from_oklab(0.76 + 0.08 * p.y, 0.13 * smoothstep(0., 0.3, length(p.xz)), atan(p.x, p.z));
+    const float grid = 0.125;
+    vec3 to_line = abs(p - grid * round(p / grid)) / max(fwidth(p), 1e-6); // in pixels
+    float line = 1. - smoothstep(0.5, 1.2, min(min(to_line.x, to_line.y), to_line.z));
+    return mix(colour, 0.35 * colour, line);
+  }
+
   void main() {
     vec3 colour = paint == ${PAINTS.measure} ? texelFetch(palette, ivec2(int(vShade + 0.5), 0), 0).rgb
-                : paint == ${PAINTS.pattern} ? pattern(normalize(vDirection))
+                : paint == ${PAINTS.pattern} ? (has_sphere ? globe(normalize(vRight)) : planes(vLeft))
                 : vec3(${PLAIN.map((value) => (value / 255).toFixed(3))});
     vec3 n = normalize(vNormal);
     n *= n.z < 0. ? -1. : 1.;
@@ -98,6 +108,7 @@ export class WebGLPainter {
         morph: { value: 0 },
         paint: { value: 0 },
         palette: { value: colours },
+        has_sphere: { value: surfaces.numbers === null },
       };
       const material = new ShaderMaterial({
         uniforms,

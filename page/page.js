@@ -60,13 +60,10 @@ function tellPlace() {
   const point = placeOf(surfaces, mark, 0).map((x, k) => Number((centre[k] + scale * x).toPrecision(6)));
   const values = measures.map(({ name, values }) => [name, number(values[face])]);
   const folds = surfaces.folded.includes(face) ? " (folded)" : "";
-  const entries = {
-    Face: face + folds,
-    Vertex: `${vertex}, the nearest corner`,
-    Point: point.join(", "),
-    ...Object.fromEntries(values),
-  };
-  fill(byId("place"), entries);
+  const places = surfaces.numbers
+    ? { Faces: surfaces.numbers.map((faces, i) => `${faces[face]} of ${surfaces.sides[i].title}`).join(", ") }
+    : { Face: face + folds, Vertex: `${vertex}, the nearest corner` };
+  fill(byId("place"), { ...places, Point: point.join(", "), ...Object.fromEntries(values) });
   Object.assign(byId("place").dataset, { face, vertex });
   markValue(byId("histogram"), scales[measure], measures[measure].values[face]);
 }
@@ -138,8 +135,9 @@ function makePainter() {
 }
 
 function showSummary() {
-  document.title = `${facts.left.title}: spherical parameterization`;
-  byId("title").textContent = facts.left.title;
+  const title = facts.left.title + (surfaces.numbers ? `, mapped onto ${facts.right.title}` : "");
+  document.title = title;
+  byId("title").textContent = title;
   byId("certificate").textContent = facts.certificate;
   byId("certificate").classList.toggle("folds", !facts.one_to_one);
   views.forEach(({ element }, i) => {
@@ -157,15 +155,17 @@ function showSummary() {
     return result;
   };
   const rows = measures.map((m) =>
-    row("td", [m.name, ...[m.maximum, m.average, m.deviation].map((x) => number(x ?? Infinity))]),
+    row("td", [m.name, ...Object.values(m.statistics).map((x) => number(x ?? Infinity))]),
   );
-  byId("distortion").append(row("th", ["", "maximum", "average", "deviation"]), ...rows);
+  byId("distortion").append(row("th", ["", ...Object.keys(measures[0].statistics)]), ...rows);
   fill(byId("summary"), facts.summary);
 }
 
 painter = makePainter();
 for (const { name } of measures) colour.add(new Option(name, name, false, name === facts.measure));
-if (painter instanceof WebGLPainter) colour.add(new Option("meridians and parallels", "pattern"));
+if (painter instanceof WebGLPainter) {
+  colour.add(new Option(surfaces.numbers ? "grid of the first surface" : "meridians and parallels", "pattern"));
+}
 colour.add(new Option("plain", "plain"));
 
 showSummary();

@@ -65,7 +65,11 @@ export function readSurfaces() {
     return { ...facts[name], ...cornersOf(points, vertices) };
   });
   const measures = Object.entries(facts.measures).map(([name, fact]) => ({ name, ...fact, values: floatsOf(name) }));
-  return { facts, vertices, sides, measures, folded: new Uint32Array(bytesOf("folded").buffer) };
+  // Faces may be parts of those of the files.
+  const numbers = facts.has_numbers
+    ? ["left_faces", "right_faces"].map((id) => new Uint32Array(bytesOf(id).buffer))
+    : null;
+  return { facts, vertices, sides, measures, numbers, folded: new Uint32Array(bytesOf("folded").buffer) };
 }
 
 // The place of a face with these barycentric coordinates, on the way from the left side to the right one.

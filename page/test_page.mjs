@@ -107,7 +107,7 @@ const body = makeMesh(
 );
 const sphere = makeMesh(9, 12, () => 1);
 
-async function open(browser, faults) {
+async function open(browser, name, faults) {
   const page = await browser.newPage();
   page.on("pageerror", (error) => faults.push(error.message));
   page.on(
@@ -115,7 +115,7 @@ async function open(browser, faults) {
     (request) => request.url().startsWith("file:") || faults.push(`The page asks for ${request.url()}`),
   );
   await page.setViewport({ width: 1200, height: 800 });
-  await page.goto(pathToFileURL(file("page.html")).href);
+  await page.goto(pathToFileURL(file(name)).href);
   await page.waitForSelector("#histogram rect");
   return page;
 }
@@ -175,8 +175,8 @@ async function drag(page, selector) {
 async function checkControls(page) {
   const [left, right] = [await look(page, "#view-left"), await look(page, "#view-right")];
   await page.focus("#morph");
-  for (let i = 0; i < 30; ++i) await page.keyboard.press("ArrowRight");
-  assert.equal(await page.$eval("#morph", (slider) => slider.valueAsNumber), 0.3);
+  await page.keyboard.press("End");
+  assert.equal(await page.$eval("#morph", (slider) => slider.valueAsNumber), 1);
   assert.ok(!(await isSame(page, await look(page, "#view-left"), left)), "the slider does not change the surface");
   assert.ok(await isSame(page, await look(page, "#view-right"), right), "the slider changes the sphere");
   await page.click("#reset");
@@ -212,11 +212,11 @@ async function checkDrawing(page) {
   }
 }
 
-async function withBrowser(args, use) {
+async function withBrowser(args, uses) {
   const browser = await puppeteer.launch({ executablePath: browserFile, args: ["--no-sandbox", ...args] });
   const faults = [];
   try {
-    await use(await open(browser, faults));
+    for (const [name, use] of Object.entries(uses)) await use(await open(browser, name, faults));
     assert.deepEqual(faults, []);
   } finally {
     await browser.close();
@@ -239,15 +239,33 @@ try {
   ];
   execFileSync(program, [file("body.off"), "--quiet", ...options]);
 
+  execFileSync(program, [file("body.off"), "--onto", file("directions.off"), "--page", file("two.html"), "--quiet"]);
+
   // A processor draws where there is no other device.
-  await withBrowser(["--use-angle=swiftshader", "--enable-unsafe-swiftshader"], async (page) => {
-    await checkDrawing(page);
-    console.log(`${await checkPicking(page)} places agree`);
-    await checkControls(page);
+  await withBrowser(["--use-angle=swiftshader", "--enable-unsafe-swiftshader"], {
+    "page.html": async (page) => {
+      await checkDrawing(page);
+      console.log(`${await checkPicking(page)} places agree`);
+      await checkControls(page);
+    },
+    "two.html": async (page) => {
+      await checkDrawing(page);
+      await page.focus("#view-right");
+      await page.keyboard.press("Enter");
+      assert.match(
+        await page.$eval("#place", (place) => place.textContent),
+        /^Faces\d+ of body.off, \d+ of directions.off/,
+      );
+      const before = await look(page, "#view-right");
+      await page.select("#colour", "pattern");
+      assert.ok(!(await isSame(page, await look(page, "#view-right"), before)), "the grid is not drawn");
+    },
   });
-  await withBrowser(["--disable-gpu", "--disable-3d-apis"], async (page) => {
-    assert.match(await page.$eval("#notice", (notice) => notice.textContent), /WebGL is missing/);
-    await checkDrawing(page);
+  await withBrowser(["--disable-gpu", "--disable-3d-apis"], {
+    "page.html": async (page) => {
+      assert.match(await page.$eval("#notice", (notice) => notice.textContent), /WebGL is missing/);
+      await checkDrawing(page);
+    },
   });
 } finally {
   rmSync(folder, { recursive: true });

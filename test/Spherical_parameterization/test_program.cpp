@@ -476,6 +476,17 @@ TEST_F(Program, writes_a_page)
   EXPECT_EQ(page.find("</script>", start) - start, 320u * 3 * 2 / 3 * 4);
   const std::string folds = "id=\"folded\"></script>";
   EXPECT_NE(page.find(folds), std::string::npos);
+
+  // two surfaces: the common refinement, and for each of its triangles both faces
+  write_off("long.off", test_meshes::scaled(test_meshes::icosphere(2), 1., 1.5, 2.5));
+  ASSERT_EQ(run("long.off --onto sphere.off --page page.html --overlay overlay.ply --quiet").status, 0);
+  const std::string overlay = content(path("overlay.ply")), two = content(path("page.html"));
+  const std::size_t n = std::stoul(overlay.substr(overlay.find("element face ") + 13));
+  for(const std::string id : {"left_faces", "right_faces"})
+  {
+    const std::size_t first = two.find("id=\"" + id + "\">") + id.size() + 6;
+    EXPECT_EQ(two.find("</script>", first) - first, (4 * n + 2) / 3 * 4) << id;
+  }
 }
 
 // What is wrong with the domain or the map is told before anything is written.

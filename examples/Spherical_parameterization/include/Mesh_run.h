@@ -185,7 +185,8 @@ public:
       write_colors();
     if(m_files.page)
     {
-      const Page page(*m_input, m_sphere, m_distortions, m_report);
+      const Page page =
+          m_match ? Page(m_match->overlay(), m_report) : Page(*m_input, m_sphere, m_distortions, m_report);
       m_files.page->write([&](std::ostream& out) { page.write(out); });
     }
     m_report.seconds_for_output = seconds_now() - start - m_report.seconds_for_measuring;

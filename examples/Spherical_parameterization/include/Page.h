@@ -4,11 +4,15 @@
 #include "Input_mesh.h"
 #include "Json_object.h"
 #include "Page_text.h"
+#include "Polygon_soup.h"
 #include "Program_error.h"
 #include "Run_report.h"
 
 #include <CGAL/Bbox_3.h>
+#include <CGAL/Spherical_parameterization/Surface_overlay_3.h>
 #include <CGAL/Spherical_parameterization/align_spheres.h>
+#include <CGAL/Spherical_parameterization/measure_distortion.h>
+#include <CGAL/property_map.h>
 
 #include <boost/archive/iterators/base64_from_binary.hpp>
 #include <boost/archive/iterators/transform_width.hpp>
@@ -29,10 +33,10 @@
 
 namespace Program {
 
-/// A page for web browsers with the surface and its sphere side by side, and all that it needs.
+/// A page for web browsers with two surfaces side by side, or a surface and its sphere, and all that it needs.
 ///
-/// The scripts of the folder page/ read its data: two sides, `left` and `right`, which place the vertices of the same faces, and
-/// measures of these faces.
+/// The scripts of the folder page/ read its data: two sides, `left` and `right`, which place the vertices of the same faces,
+/// and measures of these faces.
 class Page
 {
 public:
@@ -50,17 +54,51 @@ public:
 #endif
   }
 
-  /// \param input has to live longer, as the other parameters
+  /// shows a surface and its sphere.
+  ///
   /// \param distortions of the faces, as the report tells them
+  /// \param report has to live longer
   Page(Input_mesh& input, const Sphere_map& sphere, const Distortion_map& distortions, const Run_report& report)
-    : m_mesh(input.mesh())
-    , m_triangles(input.triangles())
-    , m_sphere(sphere)
-    , m_distortions(distortions)
-    , m_report(report)
+    : m_report(report)
+    , m_distortions(distortions.begin(), distortions.end())
   {
-    place_surface();
-    turn_sphere();
+    const Mesh& mesh = input.mesh();
+    for(const Polygon& triangle : input.triangles())
+      m_triangles.push_back({std::uint32_t(triangle[0]), std::uint32_t(triangle[1]), std::uint32_t(triangle[2])});
+    m_left.title = name_of(report.input());
+    m_right.title = "its sphere";
+    m_left.points.assign(mesh.points().begin(), mesh.points().end());
+    place(m_left);
+    for(const Vertex_index v : mesh.vertices())
+      m_right.points.push_back(direction_of(sphere[v]));
+    m_right.scale = report.result.report.radius;
+    turn_like_left(m_right);
+  }
+
+  /// shows two surfaces by their common refinement.
+  ///
+  /// \param report has to live longer
+  Page(const SP::Surface_overlay_3<Mesh, Mesh>& overlay, const Run_report& report)
+    : m_report(report)
+    , m_triangles(overlay.triangles)
+    , m_has_numbers(true)
+  {
+    m_left.title = name_of(report.input());
+    m_right.title = name_of(report.match->other);
+    for(const auto& [p, q] : overlay.points)
+    {
+      m_left.points.emplace_back(p.x(), p.y(), p.z());
+      m_right.points.emplace_back(q.x(), q.y(), q.z());
+    }
+    for(const auto& [f, g] : overlay.faces)
+    {
+      m_left.faces.push_back(std::uint32_t(f));
+      m_right.faces.push_back(std::uint32_t(g));
+    }
+    place(m_left);
+    place(m_right);
+    measure_between();
+    turn_like_left(m_right);
   }
 
   void write([[maybe_unused]] std::ostream& out) const
@@ -68,105 +106,152 @@ public:
 #ifdef PROGRAM_WRITES_PAGES
     write_pieces(out, page_head);
     out << R"(<script type="application/json" id="facts">)" << without_tags(facts()) << "</script>\n";
-    if(m_mesh.number_of_vertices() <= max_short_index + 1)
+    if(m_left.points.size() <= std::size_t((std::numeric_limits<std::uint16_t>::max)()) + 1)
       write_corners<std::uint16_t>(out);
     else
       write_corners<std::uint32_t>(out);
-    write_points(out, "left", [&](Vertex_index v) { return m_centred[v]; });
-    write_points(out, "right", [&](Vertex_index v) { return direction_of(m_sphere[v]); });
+    write_side(out, "left", m_left);
+    write_side(out, "right", m_right);
     write_measure(out, "D_iso", &SP::Face_distortion::isometric);
     write_measure(out, "D_area", &SP::Face_distortion::area);
     write_measure(out, "D_angle", &SP::Face_distortion::angle);
     std::string folded;
-    for(const Mesh::Face_index f : m_mesh.faces())
+    for(std::size_t f = 0; f < m_distortions.size(); ++f)
       if(m_distortions[f].is_inverted)
-        append(folded, std::uint32_t(f));
+        append(folded, static_cast<std::uint32_t>(f));
     write_array(out, "folded", folded);
     write_pieces(out, page_tail);
 #endif
   }
 
 private:
-  static constexpr std::size_t max_short_index = (std::numeric_limits<std::uint16_t>::max)();
+  static constexpr std::array<double, 9> identity = {1., 0., 0., 0., 1., 0., 0., 0., 1.};
 
-  // Puts the surface into the unit ball: numbers of the page have 24 bits only.
-  void place_surface()
+  struct Side
   {
-    m_centred = m_mesh.add_property_map<Vertex_index, Point_3>("v:centred", Point_3(0, 0, 0)).first;
+    std::string title;
+    std::vector<Point_3> points;      ///< of all vertices, in the unit ball: numbers of the page have 24 bits only
+    std::vector<std::uint32_t> faces; ///< the numbers in the file of what the faces are parts of, if they are parts
+    std::array<double, 3> centre{};
+    double scale = 1.;
+    std::array<double, 9> rotation = identity; ///< for the page; the numbers that are told are those of the file
+  };
+
+  static std::string name_of(const std::string& path)
+  {
+    return printable(std::filesystem::path(path).filename().string());
+  }
+
+  // calls `visit(v)` for each corner of a face: other vertices may be anywhere
+  template <class Visit>
+  void for_each_corner(const Visit& visit) const
+  {
+    for(const auto& triangle : m_triangles)
+      for(const std::uint32_t v : triangle)
+        visit(v);
+  }
+
+  // Puts a surface into the unit ball.
+  void place(Side& side) const
+  {
     CGAL::Bbox_3 box;
-    for(const Vertex_index v : m_mesh.vertices())
-      if(!m_mesh.is_isolated(v))
-        box += m_mesh.point(v).bbox();
+    for_each_corner([&](std::size_t v) { box += side.points[v].bbox(); });
     double extent = 0., radius = 0.;
     for(std::size_t k = 0; k < 3; ++k)
     {
       const int i = static_cast<int>(k);
-      m_centre[k] = 0.5 * box.min(i) + 0.5 * box.max(i); // their sum may be infinite
+      side.centre[k] = 0.5 * box.min(i) + 0.5 * box.max(i); // their sum may be infinite
       extent = (std::max)(extent, 0.5 * box.max(i) - 0.5 * box.min(i));
     }
     if(extent == 0.)
       extent = 1.;
-    const auto for_each_vertex = [&](const auto& visit) {
-      for(const Vertex_index v : m_mesh.vertices())
-        if(!m_mesh.is_isolated(v))
-          visit(v);
-    };
-    for_each_vertex([&](Vertex_index v) {
-      const Point_3& p = m_mesh.point(v);
-      m_centred[v] =
-          Point_3((p.x() - m_centre[0]) / extent, (p.y() - m_centre[1]) / extent, (p.z() - m_centre[2]) / extent);
-      radius = (std::max)(radius, length_of(m_centred[v]));
-    });
+    for(Point_3& p : side.points)
+      p = Point_3((p.x() - side.centre[0]) / extent, (p.y() - side.centre[1]) / extent,
+                  (p.z() - side.centre[2]) / extent);
+    for_each_corner([&](std::size_t v) { radius = (std::max)(radius, length_of(side.points[v])); });
     if(radius == 0.)
       radius = 1.;
-    for_each_vertex([&](Vertex_index v) {
-      const Point_3& p = m_centred[v];
-      m_centred[v] = Point_3(p.x() / radius, p.y() / radius, p.z() / radius);
-    });
-    m_scale = extent * radius;
+    for(Point_3& p : side.points)
+      p = Point_3(p.x() / radius, p.y() / radius, p.z() / radius);
+    side.scale = extent * radius;
   }
 
-  // Finds out how the sphere lies like the surface: how a method leaves it is arbitrary.
-  void turn_sphere()
+  // Finds out how a side lies like the left one: how a method leaves a sphere is arbitrary.
+  void turn_like_left(Side& side)
   {
-    std::vector<std::pair<Vertex_index, Vertex_index>> pairs;
-    for(const Vertex_index v : m_mesh.vertices())
-      if(!m_mesh.is_isolated(v) && length_of(m_centred[v]) > 0.)
+    std::vector<std::pair<std::size_t, std::size_t>> pairs;
+    std::vector<bool> is_paired(side.points.size(), false);
+    for_each_corner([&](std::size_t v) {
+      if(!is_paired[v] && length_of(side.points[v]) > 0. && length_of(m_left.points[v]) > 0.)
         pairs.emplace_back(v, v);
+      is_paired[v] = true;
+    });
     SP::Sphere_alignment_3::Rotation_3 rotation(CGAL::IDENTITY);
-    if(SP::fit_rotation(m_sphere, m_centred, pairs, rotation) != SP::OK)
+    if(SP::fit_rotation(CGAL::make_property_map(side.points), CGAL::make_property_map(m_left.points), pairs,
+                        rotation) != SP::OK)
       return; // any rotation is as good
     for(int i = 0; i < 3; ++i)
       for(int j = 0; j < 3; ++j)
-        m_rotation[static_cast<std::size_t>(3 * i + j)] = rotation.m(i, j);
+        side.rotation[static_cast<std::size_t>(3 * i + j)] = rotation.m(i, j);
+  }
+
+  // Measures each face, with both surfaces scaled to the same area.
+  void measure_between()
+  {
+    const auto area = [&](const Side& side) {
+      double sum = 0.;
+      for(const auto& t : m_triangles)
+        sum += std::sqrt(CGAL::squared_area(side.points[t[0]], side.points[t[1]], side.points[t[2]]));
+      return sum;
+    };
+    const double factor = std::sqrt(area(m_left) / area(m_right));
+    Polygon_soup soup{m_left.points, {}};
+    for(const auto& triangle : m_triangles)
+      soup.polygons.emplace_back(triangle.begin(), triangle.end());
+    Input_mesh refinement(m_left.title, std::move(soup));
+    const Sphere_map map = refinement.mesh().add_property_map<Vertex_index, Point_3>("v:other").first;
+    for(const Vertex_index v : refinement.mesh().vertices())
+    {
+      const Point_3& p = m_right.points[v];
+      map[v] = Point_3(factor * p.x(), factor * p.y(), factor * p.z());
+    }
+    const Distortion_map distortions =
+        refinement.mesh().add_property_map<Mesh::Face_index, SP::Face_distortion>("f:between").first;
+    SP::measure_distortion(refinement.mesh(), map, distortions);
+    m_distortions.assign(distortions.begin(), distortions.end());
+    for(SP::Face_distortion& distortion : m_distortions)
+      distortion.is_inverted = false; // which is about a sphere
   }
 
   std::string facts() const
   {
-    const SP::Distortion_summary& distortion = m_report.balanced ? *m_report.balanced : m_report.distortion;
-    const auto measure = [](const char* meaning, double minimum, const SP::Distortion_statistics& of) {
+    const auto side = [](const Side& of) {
       return Json_object()
-          .add("meaning", meaning)
-          .add("minimum", minimum)
-          .add("maximum", of.maximum)
-          .add("average", of.average)
-          .add("deviation", of.deviation);
+          .add("title", of.title)
+          .add("centre", of.centre)
+          .add("scale", of.scale)
+          .add("rotation", of.rotation);
     };
-    const auto side = [](const std::string& title, const std::array<double, 3>& centre, double scale,
-                         const std::array<double, 9>& rotation) {
-      return Json_object().add("title", title).add("centre", centre).add("scale", scale).add("rotation", rotation);
+    const auto measure = [](const char* meaning, double minimum, const Json_object& statistics) {
+      return Json_object().add("meaning", meaning).add("minimum", minimum).add("statistics", statistics);
     };
     return Json_object()
-        .add("vertices", m_mesh.number_of_vertices())
-        .add("left",
-             side(printable(std::filesystem::path(m_report.input()).filename().string()), m_centre, m_scale, identity))
-        .add("right", side("its sphere", {0., 0., 0.}, m_report.result.report.radius, m_rotation))
+        .add("vertices", m_left.points.size())
+        .add("left", side(m_left))
+        .add("right", side(m_right))
+        .add("has_numbers", m_has_numbers)
         .add("measure", m_report.shows_angles() ? "D_angle" : "D_iso")
         .add("measures",
              Json_object()
-                 .add("D_iso", measure("the largest factor by which a length is wrong", 1., distortion.isometric))
-                 .add("D_area", measure("how areas change; 2 is best", 2., distortion.area))
-                 .add("D_angle", measure("how angles change; 2 is best", 2., distortion.angle)))
+                 .add("D_iso", measure("the largest factor by which a length is wrong", 1.,
+                                       m_report.statistics(&SP::Distortion_summary::isometric,
+                                                           &SP::Distortion_between::isometric)))
+                 .add("D_area",
+                      measure("how areas change; 2 is best", 2.,
+                              m_report.statistics(&SP::Distortion_summary::area, &SP::Distortion_between::area)))
+                 .add("D_angle",
+                      measure("how angles change; 2 is best", 2.,
+                              m_report.statistics(&SP::Distortion_summary::angle, &SP::Distortion_between::angle))))
         .add("one_to_one", m_report.result.is_one_to_one)
         .add("certificate", m_report.verdict())
         .add("summary", m_report.summary())
@@ -203,31 +288,31 @@ private:
   void write_corners(std::ostream& out) const
   {
     std::string bytes;
-    for(const Polygon& triangle : m_triangles)
-      for(const std::size_t v : triangle)
-        append(bytes, static_cast<Index>(v));
+    for_each_corner([&](std::uint32_t v) { append(bytes, static_cast<Index>(v)); });
     write_array(out, "corners", bytes);
   }
 
-  template <class Point_of>
-  void write_points(std::ostream& out, const char* id, const Point_of& point_of) const
+  void write_side(std::ostream& out, const std::string& id, const Side& side) const
   {
     std::string bytes;
-    for(const Vertex_index v : m_mesh.vertices())
-    {
-      const Point_3 p = point_of(v);
+    for(const Point_3& p : side.points)
       for(int k = 0; k < 3; ++k)
         append(bytes, static_cast<float>(p[k]));
-    }
     write_array(out, id, bytes);
+    if(!m_has_numbers)
+      return;
+    bytes.clear();
+    for(const std::uint32_t f : side.faces)
+      append(bytes, f);
+    write_array(out, id + "_faces", bytes);
   }
 
   void write_measure(std::ostream& out, const char* id, double SP::Face_distortion::*measure) const
   {
     std::string bytes;
-    for(const Mesh::Face_index f : m_mesh.faces())
+    for(const SP::Face_distortion& distortion : m_distortions)
     {
-      const double value = m_distortions[f].*measure;
+      const double value = distortion.*measure;
       append(bytes, value <= (std::numeric_limits<float>::max)() ? static_cast<float>(value)
                                                                  : std::numeric_limits<float>::infinity());
     }
@@ -250,7 +335,7 @@ private:
     append(bytes, bits);
   }
 
-  static void write_array(std::ostream& out, const char* id, std::string& bytes)
+  static void write_array(std::ostream& out, const std::string& id, std::string& bytes)
   {
     using Base64 =
         boost::archive::iterators::base64_from_binary<boost::archive::iterators::transform_width<const char*, 6, 8>>;
@@ -261,17 +346,11 @@ private:
     out << R"(<script type="text/plain" id=")" << id << "\">" << text << "</script>\n";
   }
 
-  static constexpr std::array<double, 9> identity = {1., 0., 0., 0., 1., 0., 0., 0., 1.};
-
-  Mesh& m_mesh;
-  const std::vector<Polygon>& m_triangles;
-  const Sphere_map& m_sphere;
-  const Distortion_map& m_distortions;
   const Run_report& m_report;
-  Sphere_map m_centred;
-  std::array<double, 3> m_centre{};
-  double m_scale = 1.;
-  std::array<double, 9> m_rotation = identity;
+  std::vector<std::array<std::uint32_t, 3>> m_triangles;
+  Side m_left, m_right;
+  std::vector<SP::Face_distortion> m_distortions;
+  bool m_has_numbers = false; // of faces, which the triangles are parts of
 };
 
 } // namespace Program

@@ -19,6 +19,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <filesystem>
 #include <iomanip>
 #include <optional>
 #include <ostream>
@@ -114,6 +115,22 @@ public:
     return result.is_one_to_one ? "Certified: the map is one-to-one." : "Not one-to-one: " + fault();
   }
 
+  /// returns the statistics of a measure, by their names: between the surfaces, if there are two.
+  Json_object statistics(SP::Distortion_statistics SP::Distortion_summary::*of_sphere,
+                         SP::Distortion_between::Statistics SP::Distortion_between::*of_surfaces) const
+  {
+    if(match)
+    {
+      const SP::Distortion_between::Statistics& of = match->distortion.*of_surfaces;
+      return Json_object()
+          .add("maximum", of.maximum)
+          .add("average over the first", of.average_over_first)
+          .add("average over the second", of.average_over_second);
+    }
+    const SP::Distortion_statistics& of = (balanced ? *balanced : distortion).*of_sphere;
+    return Json_object().add("maximum", of.maximum).add("average", of.average).add("deviation", of.deviation);
+  }
+
   /// returns what the run was, as texts.
   Json_object summary() const
   {
@@ -124,7 +141,10 @@ public:
              std::to_string(run.number_of_vertices) + " vertices, " + std::to_string(run.number_of_faces) + " faces")
         .add("Method", m_options.description)
         .add("Radius", fixed_text(run.radius, 10, false));
-    if(balanced)
+    if(match)
+      texts.add("Mapped onto", printable(std::filesystem::path(match->other).filename().string()) + ": " +
+                                   std::to_string(match->number_of_vertices) + " vertices");
+    else if(balanced)
       texts.add("Radius of the distortions", fixed_text(balanced->radius, 10, false) + ", of balanced areas (eq. 11)");
     return texts.add("Seconds", fixed_text(seconds(), 2)).add("Program", program_version());
   }

@@ -111,6 +111,8 @@ public:
   SP::Surface_map_report report;
   SP::Distortion_between distortion;
 
+  const SP::Surface_overlay_3<Mesh, Mesh>& overlay() const { return m_overlay; }
+
   /// returns what is to be said of the landmarks that are missed, a line each, empty if there is none.
   std::string warnings() const
   {
