@@ -55,8 +55,9 @@ struct Surface_map_settings
   std::vector<std::pair<std::function<double(Vertex_1)>, std::function<double(Vertex_2)>>> features;
 
   /// Features align the spheres, and then the mean of the squared differences of their ranks, which are from -1 to 1, is
-  /// added to the mean energy, so many times. With 0, they only align the spheres.
-  double feature_weight = 3.;
+  /// added to the mean energy, so many times; those of the package the less, the less they agree. With 0, features only
+  /// align the spheres.
+  double feature_weight = 4.;
 
   /// If it is not empty, it is called before each sweep over the first surface, by the thread that has called
   /// `map_surface()`. Once it returns `false`, there are no more sweeps: the map that has been reached is certified and

@@ -183,7 +183,9 @@ std::optional<Found_surface_map> find_surface_map(const Indexed_mesh& mesh, cons
   if(!start.features.empty() && hints.feature_weight > 0.)
   {
     features.image = start.features[1];
-    features.weight = hints.feature_weight;
+    // Those of the package count the less, the less they agree: on bodies without limbs they are noise.
+    const double trust = (std::min)((std::max)(start.agreement, 0.), 1.);
+    features.weight = hints.feature_weight * (hints.features[0].empty() ? trust * trust * trust * trust : 1.);
     const std::size_t n_channels = start.features[0].number_of_channels();
     features.values.resize(n * n_channels);
     for(std::size_t v = 0; v < n; ++v)
