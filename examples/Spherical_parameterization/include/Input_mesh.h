@@ -1,31 +1,26 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_EXAMPLES_INPUT_MESH_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_EXAMPLES_INPUT_MESH_H
 
+#include "Input_defect.h"
 #include "Polygon_soup.h"
 #include "Program_error.h"
 #include "read_soup.h"
 
-#include <CGAL/Spherical_parameterization/find_defect.h>
 #include <CGAL/Spherical_parameterization/measure_distortion.h>
 
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/boost/graph/Euler_operations.h>
 
 #include <boost/container/small_vector.hpp>
-#include <boost/sort/spreadsort/integer_sort.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
-#include <limits>
 #include <string>
 #include <utility>
 #include <vector>
 
 namespace Program {
-
-namespace SP = CGAL::Spherical_parameterization;
 
 using Mesh = CGAL::Surface_mesh<Point_3>;
 using Vertex_index = Mesh::Vertex_index;
@@ -44,8 +39,12 @@ public:
     : m_name(printable(path))
     , m_polygons(std::move(soup.polygons))
   {
-    check_faces(soup.points.size());
-    check_edges();
+    if(m_polygons.empty())
+      throw Program_error(m_name +
+                          ": the mesh has no faces.\nPerhaps the file is truncated, or a point cloud, which has "
+                          "to be turned into a surface first.");
+    if(const auto defect = find_defect_of_faces(soup.points.size(), m_polygons))
+      throw Program_error(m_name + ": " + defect->message);
     using Index = Mesh::size_type;
     m_mesh.reserve(static_cast<Index>(soup.points.size()), static_cast<Index>(m_polygons.size() / 2 * 3),
                    static_cast<Index>(m_polygons.size()));
@@ -63,10 +62,8 @@ public:
   /// before it begins.
   std::string find_defect() const
   {
-    const SP::Mesh_defect<Mesh> defect = SP::find_defect(m_mesh);
-    if(defect.error == SP::OK)
-      return "";
-    return m_name + ": " + defect.message + (defect.error == SP::ERROR_NON_CLOSED_MESH ? explain_border() : "");
+    const auto defect = find_defect_of_mesh(m_mesh);
+    return defect ? m_name + ": " + defect->message : "";
   }
 
   /// returns the name of the file for a message.
@@ -128,109 +125,9 @@ public:
   }
 
 private:
-  [[noreturn]] void fail(const std::string& what, const std::string& advice) const
-  {
-    throw Program_error(m_name + ": " + what + ".\n" + advice + "\n(Vertices and faces are counted from 0.)");
-  }
-
   static bool is_finite(const Point_3& p)
   {
     return std::isfinite(p.x()) && std::isfinite(p.y()) && std::isfinite(p.z());
-  }
-
-  // What follows checks what no halfedge data structure can hold; of all else, find_defect() says what is wrong.
-
-  void check_faces(std::size_t n_vertices) const
-  {
-    if(m_polygons.empty())
-      throw Program_error(m_name +
-                          ": the mesh has no faces.\nPerhaps the file is truncated, or a point cloud, which has "
-                          "to be turned into a surface first.");
-    constexpr std::size_t limit = (std::numeric_limits<std::int32_t>::max)(); // as Surface_mesh counts in 32 bits
-    if(n_vertices >= limit || m_polygons.size() >= limit / 3)
-      throw Program_error(m_name + ": " + SP::get_error_message(SP::ERROR_TOO_LARGE_MESH));
-    const char* const advice =
-        "Remove the face, for example with CGAL::Polygon_mesh_processing::repair_polygon_soup().";
-    for(std::size_t f = 0; f < m_polygons.size(); ++f)
-    {
-      Polygon corners = m_polygons[f];
-      if(corners.size() < 3)
-        fail("face " + std::to_string(f) + " is not a triangle but has " + std::to_string(corners.size()) + " corners",
-             advice);
-      std::sort(corners.begin(), corners.end());
-      const auto repeated = std::adjacent_find(corners.begin(), corners.end());
-      if(repeated != corners.end())
-        fail("face " + std::to_string(f) + " has the vertex " + std::to_string(*repeated) + " twice", advice);
-    }
-  }
-
-  // calls `visit(from, to)` for each edge of a face, in its direction
-  template <class Visit>
-  static void for_each_edge(const Polygon& polygon, const Visit& visit)
-  {
-    for(std::size_t k = 0; k < polygon.size(); ++k)
-      visit(polygon[k], polygon[k + 1 < polygon.size() ? k + 1 : 0]);
-  }
-
-  // checks that no two faces use an edge in the same direction, as they do wherever an edge has three
-  void check_edges() const
-  {
-    std::vector<std::uint64_t> edges; // one vertex in the upper half, the other one in the lower
-    edges.reserve(3 * m_polygons.size());
-    for(const Polygon& polygon : m_polygons)
-      for_each_edge(polygon,
-                    [&](std::size_t from, std::size_t to) { edges.push_back(std::uint64_t(from) << 32 | to); });
-    boost::sort::spreadsort::integer_sort(edges.begin(), edges.end());
-    const auto repeated = std::adjacent_find(edges.begin(), edges.end());
-    if(repeated != edges.end())
-      explain_edge(static_cast<std::size_t>(*repeated >> 32), static_cast<std::size_t>(*repeated & 0xffffffff));
-  }
-
-  [[noreturn]] void explain_edge(std::size_t v, std::size_t w) const
-  {
-    if(w < v)
-      std::swap(v, w);
-    std::vector<std::size_t> faces;                      // of the edge
-    std::vector<std::pair<Polygon, std::size_t>> sorted; // the same, behind their corners in order
-    for(std::size_t f = 0; f < m_polygons.size(); ++f)
-      for_each_edge(m_polygons[f], [&](std::size_t from, std::size_t to) {
-        if((std::min)(from, to) != v || (std::max)(from, to) != w)
-          return;
-        faces.push_back(f);
-        sorted.emplace_back(m_polygons[f], f);
-        std::sort(sorted.back().first.begin(), sorted.back().first.end());
-      });
-    std::sort(sorted.begin(), sorted.end());
-    const auto duplicate = std::adjacent_find(sorted.begin(), sorted.end(),
-                                              [](const auto& a, const auto& b) { return a.first == b.first; });
-    if(duplicate != sorted.end())
-      fail("the faces " + std::to_string(duplicate[0].second) + " and " + std::to_string(duplicate[1].second) +
-               " have the same corners",
-           "Remove one of them, for example with CGAL::Polygon_mesh_processing::repair_polygon_soup().");
-    const auto number = [&](std::size_t i) { return std::to_string(faces[i]); };
-    const std::string edge = "the edge between the vertices " + std::to_string(v) + " and " + std::to_string(w);
-    if(faces.size() > 2)
-      fail(edge + " has " + std::to_string(faces.size()) + " faces, among them the faces " + number(0) + ", " +
-               number(1) + " and " + number(2),
-           "An edge of a closed surface has two: remove the others, or duplicate the edge, for example with "
-           "CGAL::Polygon_mesh_processing::orient_polygon_soup().");
-    fail("the faces " + number(0) + " and " + number(1) + " are oriented against each other: both use " + edge +
-             " in the same direction",
-         "Orient the faces alike, for example with CGAL::Polygon_mesh_processing::orient_polygon_soup().");
-  }
-
-  // Faces that do not share their vertices are the most frequent reason for a border.
-  std::string explain_border() const
-  {
-    std::vector<Point_3> points;
-    for(const Vertex_index v : m_mesh.vertices())
-      if(!m_mesh.is_isolated(v) && is_finite(m_mesh.point(v))) // NaN has no place in an order
-        points.push_back(m_mesh.point(v));
-    std::sort(points.begin(), points.end());
-    const auto n_repeated = points.end() - std::unique(points.begin(), points.end());
-    return n_repeated == 0 ? ""
-                           : "\n" + std::to_string(n_repeated) +
-                                 " vertices repeat the position of another one: perhaps the faces do not share them.";
   }
 
   // returns whether both polygons are the same triangle, from any of its corners on
