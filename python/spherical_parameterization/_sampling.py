@@ -1,0 +1,194 @@
+from __future__ import annotations
+
+import operator
+from typing import Any, NamedTuple, Tuple, Union
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from . import _core
+from ._arguments import check_word, read_faces, read_points, read_surface, refuse
+
+MAX_SUBDIVISION = 5000
+
+
+class Locator:
+    """The inverse of a map to the sphere: finds the place of the surface that has a direction.
+
+    Parameters
+    ----------
+    sphere : (n, 3) array_like of numbers
+        The images of the vertices, a one-to-one map, at any distance from the origin.
+    faces : (m, 3) array_like of integers
+        The vertices of each triangle.
+
+    Raises
+    ------
+    Error
+        If the faces are no closed surface without handles, or the map is not one-to-one.
+    """
+
+    def __init__(self, sphere: ArrayLike, faces: ArrayLike) -> None:
+        self._core = _core.Locator(read_points("sphere", sphere), read_faces("faces", faces))
+
+    def locate(self, directions: ArrayLike) -> Tuple[NDArray[np.int64], NDArray[np.float64]]:
+        """Finds the face and the barycentric coordinates of each direction.
+
+        The face is exact. Of the faces that share the edge or vertex that a direction meets, it is the first one.
+
+        Parameters
+        ----------
+        directions : (k, 3) array_like of numbers
+            Points at any distance from the origin but 0.
+
+        Returns
+        -------
+        face : (k,) ndarray of int64
+            The rows of `faces`.
+        coordinates : (k, 3) ndarray of float64
+            From 0 to 1, in the order of the face's vertices.
+
+        Raises
+        ------
+        Error
+            If a direction is zero or not finite.
+
+        Examples
+        --------
+        The points of the surface: ``np.einsum("kc,kcx->kx", coordinates, vertices[faces[face]])``
+        """
+        return self._core.locate(read_points("directions", directions))
+
+
+class Remesh(NamedTuple):
+    """A surface that has been sampled at the directions of a mesh of the sphere.
+
+    Attributes
+    ----------
+    vertices : (k, 3) ndarray of float64
+        The points of the surface.
+    faces : (l, 3) ndarray of int64
+        The triangles of the mesh of the sphere.
+    sphere : (k, 3) ndarray of float64
+        The directions: the map of the new mesh to the sphere.
+    """
+
+    vertices: NDArray[np.float64]
+    faces: NDArray[np.int64]
+    sphere: NDArray[np.float64]
+
+
+def remesh(
+    vertices: ArrayLike,
+    faces: ArrayLike,
+    sphere: ArrayLike,
+    domain: Union[Tuple[str, int], Tuple[ArrayLike, ArrayLike]],
+) -> Remesh:
+    """Samples a surface at the vertices of a mesh of the sphere. Maps with ``prefer="sampling"`` suit it best.
+
+    Parameters
+    ----------
+    vertices : (n, 3) array_like of numbers
+        The points of the surface.
+    faces : (m, 3) array_like of integers
+        The vertices of each triangle.
+    sphere : (n, 3) array_like of numbers
+        The images of the vertices, a one-to-one map.
+    domain : (str, int) or (array_like, array_like)
+        "octahedron", "cube" or "icosahedron" and the number, from 1 to 5000, that its edges are divided into. Or the
+        arrays `sphere` and `faces` of any mesh of the sphere, whose rows are kept; vertices without a face get NaN.
+
+    Returns
+    -------
+    Remesh
+        The new mesh and its map to the sphere.
+
+    Raises
+    ------
+    Error
+        If the mesh has no map to the sphere, or one of the maps is not one-to-one.
+    """
+    surface = read_surface(vertices, faces, sphere)
+    if not isinstance(domain, (tuple, list)) or len(domain) != 2:
+        raise TypeError('domain has to be a pair: ("octahedron", 64), or (sphere, faces) of a mesh of the sphere')
+    first, second = domain
+    if isinstance(first, str):
+        check_word("domain[0]", first, ("octahedron", "cube", "icosahedron"))
+        n = operator.index(second)  # type: ignore[arg-type]
+        if not 1 <= n <= MAX_SUBDIVISION:
+            refuse(f"domain[1] is {n}; it has to be from 1 to {MAX_SUBDIVISION}")
+        return Remesh(*_core.remesh(*surface, first, n))
+    directions, domain_faces = read_points("domain[0]", first), read_faces("domain[1]", second)
+    points, images = _core.remesh_with(*surface, directions, domain_faces)
+    has_face = np.zeros(len(directions), dtype=bool)
+    has_face[domain_faces] = True
+    result = Remesh(np.full(directions.shape, np.nan), domain_faces.copy(), np.full(directions.shape, np.nan))
+    result.vertices[has_face] = points
+    result.sphere[has_face] = images
+    return result
+
+
+def transfer(
+    values: ArrayLike,
+    vertices: ArrayLike,
+    faces: ArrayLike,
+    sphere: ArrayLike,
+    target_sphere: ArrayLike,
+    target_faces: ArrayLike,
+    *,
+    of: str = "vertices",
+) -> NDArray[Any]:
+    """Carries values from the vertices or faces of a surface to those of another one that has a map to the same sphere.
+
+    Values of floating-point types are interpolated, or averaged where the target is coarser, weighted with areas. Rows
+    of integers, bools or strings are labels, of which the one with the largest weight is carried over.
+
+    Parameters
+    ----------
+    values : (n, ...) or (m, ...) array_like
+        The values of each vertex or face, such as (n,) or (n, 3).
+    vertices : (n, 3) array_like of numbers
+        The points of the surface that has the values.
+    faces : (m, 3) array_like of integers
+        The vertices of each triangle.
+    sphere : (n, 3) array_like of numbers
+        The images of its vertices, a one-to-one map.
+    target_sphere : (k, 3) array_like of numbers
+        The images of the vertices of the surface that gets them, a one-to-one map.
+    target_faces : (l, 3) array_like of integers
+        Its triangles.
+    of : {"vertices", "faces"}
+        What the values belong to.
+
+    Returns
+    -------
+    (k, ...) or (l, ...) ndarray
+        The values of the target, of the same type. Vertices without a face get NaN, and labels the zero of their type.
+
+    Raises
+    ------
+    Error
+        If a mesh has no map to the sphere, or a map is not one-to-one.
+    """
+    check_word("of", of, ("vertices", "faces"))
+    surface = read_surface(vertices, faces, sphere)
+    target = read_points("target_sphere", target_sphere), read_faces("target_faces", target_faces)
+    array = np.asarray(values)
+    n = len(surface[of == "faces"])
+    if array.ndim == 0 or len(array) != n:
+        refuse(f"values has the shape {array.shape}; it has to have {n} rows, one for each of the {of}")
+    shape = (len(target[of == "faces"]), *array.shape[1:])
+
+    def carry(table: NDArray[Any]) -> NDArray[Any]:
+        return _core.transfer(np.ascontiguousarray(table), of == "faces", *surface, *target)
+
+    rows = array.reshape(n, int(np.prod(shape[1:])))
+    if array.dtype.kind == "f":
+        return carry(rows.astype(np.float64)).astype(array.dtype).reshape(shape)
+    if array.dtype.kind not in "biuSU":
+        raise TypeError(f"values has the type {array.dtype}; it has to hold real numbers, bools or strings")
+    labels, codes = np.unique(rows, axis=0, return_inverse=True)
+    carried = carry(codes.reshape(n, 1).astype(np.int64))[:, 0]
+    result = np.zeros((len(carried), rows.shape[1]), dtype=array.dtype)
+    result[carried >= 0] = labels[carried[carried >= 0]]
+    return result.reshape(shape)

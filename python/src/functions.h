@@ -1,0 +1,43 @@
+#ifndef CGAL_SPHERICAL_PARAMETERIZATION_PYTHON_FUNCTIONS_H
+#define CGAL_SPHERICAL_PARAMETERIZATION_PYTHON_FUNCTIONS_H
+
+#include "arrays.h"
+
+#include <pybind11/stl.h>
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace Module {
+
+// What the Python part calls, once it has checked words, shapes and ranges; it documents them as well.
+
+py::tuple parameterize(const Points& vertices, const Indices& faces, const std::string& prefer,
+                       const std::string& energy, std::size_t threads, double time_limit, const py::object& callback,
+                       const std::optional<Points>& initial, bool returns_on_interrupt);
+
+void find_defect(const Points& vertices, const Indices& faces); // throws it
+bool is_bijective(const Points& sphere, const Indices& faces);
+py::dict measure_distortion(const Points& vertices, const Indices& faces, const Points& sphere);
+
+void define_locator(py::module_& module);
+py::tuple remesh(const Points& vertices, const Indices& faces, const Points& sphere, const std::string& solid,
+                 std::uint32_t subdivision);
+std::pair<Points, Points> remesh_with(const Points& vertices, const Indices& faces, const Points& sphere,
+                                      const Points& domain_sphere, const Indices& domain_faces);
+py::array transfer(const py::array& values, bool is_of_faces, const Points& vertices, const Indices& faces,
+                   const Points& sphere, const Points& target_sphere, const Indices& target_faces);
+
+using Values = py::array_t<double, py::array::c_style>;
+py::tuple map_surface(const Points& vertices1, const Indices& faces1, const Points& sphere1, const Points& vertices2,
+                      const Indices& faces2, const Points& sphere2, const Indices& landmarks,
+                      std::optional<double> landmark_weight, const std::vector<std::pair<Values, Values>>& features);
+py::tuple overlay(const Points& vertices1, const Indices& faces1, const Points& sphere1, const Points& vertices2,
+                  const Indices& faces2, const Points& sphere2);
+
+} // namespace Module
+
+#endif // CGAL_SPHERICAL_PARAMETERIZATION_PYTHON_FUNCTIONS_H

@@ -1,0 +1,61 @@
+#include "functions.h"
+
+#include <CGAL/Spherical_parameterization/Error_code.h>
+
+#include <exception>
+
+namespace {
+
+using namespace Module;
+
+void raise(const Program::Input_defect& defect)
+{
+  const py::object type = py::module_::import("spherical_parameterization._errors").attr("Error");
+  const py::object value = type(defect.message, defect.error, defect.vertex, defect.other_vertex, defect.face);
+  PyErr_SetObject(type.ptr(), value.ptr());
+}
+
+} // namespace
+
+PYBIND11_MODULE(_core, module)
+{
+  // those that arrays and the default method can have
+  py::enum_<SP::Error_code>(module, "ErrorCode", "What is wrong: ``str(error)`` tells the place and what helps.")
+      .value("EMPTY_MESH", SP::ERROR_EMPTY_MESH)
+      .value("TOO_FEW_VERTICES", SP::ERROR_TOO_FEW_VERTICES)
+      .value("NON_CLOSED_MESH", SP::ERROR_NON_CLOSED_MESH)
+      .value("SEVERAL_COMPONENTS", SP::ERROR_SEVERAL_COMPONENTS)
+      .value("NO_TOPOLOGICAL_SPHERE", SP::ERROR_NO_TOPOLOGICAL_SPHERE)
+      .value("NO_SIMPLICIAL_COMPLEX", SP::ERROR_NO_SIMPLICIAL_COMPLEX)
+      .value("NON_FINITE_COORDINATE", SP::ERROR_NON_FINITE_COORDINATE)
+      .value("INVALID_INITIAL_PARAMETERIZATION", SP::ERROR_INVALID_INITIAL_PARAMETERIZATION)
+      .value("NO_1_TO_1_MAPPING", SP::ERROR_NO_1_TO_1_MAPPING)
+      .value("INSUFFICIENT_PRECISION", SP::ERROR_INSUFFICIENT_PRECISION)
+      .value("WRONG_PARAMETER", SP::ERROR_WRONG_PARAMETER)
+      .value("TOO_LARGE_MESH", SP::ERROR_TOO_LARGE_MESH)
+      .value("INVALID_DIRECTION", SP::ERROR_INVALID_DIRECTION)
+      .value("INVALID_LANDMARK", SP::ERROR_INVALID_LANDMARK);
+
+  py::register_exception_translator([](std::exception_ptr pointer) {
+    try
+    {
+      std::rethrow_exception(pointer);
+    }
+    catch(const Error& error)
+    {
+      raise(error.defect);
+    }
+  });
+
+  module.attr("__version__") = SPHERICAL_PARAMETERIZATION_VERSION;
+  module.def("parameterize", &parameterize);
+  module.def("find_defect", &find_defect);
+  module.def("is_bijective", &is_bijective);
+  module.def("measure_distortion", &measure_distortion);
+  module.def("remesh", &remesh);
+  module.def("remesh_with", &remesh_with);
+  module.def("transfer", &transfer);
+  module.def("map_surface", &map_surface);
+  module.def("overlay", &overlay);
+  define_locator(module);
+}

@@ -1,0 +1,183 @@
+#include "functions.h"
+
+#include <CGAL/Spherical_parameterization/Area_preserving_radius_3.h>
+#include <CGAL/Spherical_parameterization/Conformal_energy_3.h>
+#include <CGAL/Spherical_parameterization/Default_visitor.h>
+#include <CGAL/Spherical_parameterization/Fixed_radius_3.h>
+#include <CGAL/Spherical_parameterization/Isometric_energy_3.h>
+#include <CGAL/Spherical_parameterization/Precomputed_parameterizer_3.h>
+#include <CGAL/Spherical_parameterization/Sharpness.h>
+#include <CGAL/Spherical_parameterization/Stretch_energy_3.h>
+#include <CGAL/Spherical_parameterization/parameterize.h>
+
+#ifdef CGAL_LINKED_WITH_TBB
+#include <tbb/task_arena.h>
+#endif
+
+#include <algorithm>
+#include <chrono>
+#include <functional>
+#include <limits>
+
+namespace Module {
+
+namespace {
+
+// Asks Python between two sweeps whether to go on: its signals, and the caller's function. It is called in the thread of
+// the caller, without the lock of the interpreter.
+class Python_visitor : public SP::Default_visitor
+{
+public:
+  Python_visitor(const py::object& callback, bool returns_on_interrupt)
+    : m_callback(callback)
+    , m_returns_on_interrupt(returns_on_interrupt)
+  {}
+
+  void on_level(std::size_t) { check_signals_now_and_then(); }
+
+  void after_iteration(std::size_t iteration, double energy, double radius)
+  {
+    if(m_callback.is_none())
+      return;
+    const py::gil_scoped_acquire lock;
+    try
+    {
+      const py::object answer = m_callback(iteration, energy, radius);
+      m_is_stopped = m_is_stopped || (!answer.is_none() && !answer.cast<bool>());
+    }
+    catch(py::error_already_set& error)
+    {
+      if(!m_returns_on_interrupt || !error.matches(PyExc_KeyboardInterrupt))
+        throw;
+      m_is_stopped = true;
+    }
+  }
+
+  bool go_further(std::size_t, double)
+  {
+    check_signals_now_and_then();
+    return !m_is_stopped;
+  }
+
+  // An interruption that comes after the last sweep is answered as well.
+  void on_optimization_end() { check_signals(); }
+
+private:
+  using Clock = std::chrono::steady_clock;
+
+  void check_signals_now_and_then()
+  {
+    constexpr std::chrono::milliseconds pause{20}; // other threads of Python may hold the lock for some
+    const Clock::time_point now = Clock::now();
+    if(now < m_next)
+      return;
+    check_signals();
+    m_next = Clock::now() + pause;
+  }
+
+  void check_signals()
+  {
+    const py::gil_scoped_acquire lock;
+    if(PyErr_CheckSignals() == 0)
+      return;
+    if(!m_returns_on_interrupt || PyErr_ExceptionMatches(PyExc_KeyboardInterrupt) == 0)
+      throw py::error_already_set();
+    PyErr_Clear();
+    m_is_stopped = true;
+  }
+
+  const py::object& m_callback;
+  bool m_returns_on_interrupt;
+  bool m_is_stopped = false;
+  Clock::time_point m_next = Clock::now();
+};
+
+// Runs f with no more threads than given; 0 stands for no limit.
+template <class Function>
+void run_with_threads([[maybe_unused]] std::size_t max_threads, const Function& f)
+{
+#ifdef CGAL_LINKED_WITH_TBB
+  if(max_threads > 0)
+  {
+    const auto n_cores = static_cast<std::size_t>(tbb::this_task_arena::max_concurrency());
+    tbb::task_arena(static_cast<int>((std::min)(max_threads, n_cores))).execute(f);
+    return;
+  }
+#endif
+  f();
+}
+
+SP::Sharpness find_sharpness(const std::string& prefer)
+{
+  if(prefer == "average")
+    return SP::Sharpness::lowest_average();
+  if(prefer == "worst")
+    return SP::Sharpness::lowest_worst();
+  if(prefer == "sampling")
+    return SP::Sharpness::relative(3.);
+  return SP::Sharpness::balanced();
+}
+
+py::dict to_dict(const SP::Parameterization_report& report)
+{
+  using namespace py::literals;
+  return py::dict("number_of_vertices"_a = report.number_of_vertices, "number_of_faces"_a = report.number_of_faces,
+                  "number_of_isolated_vertices"_a = report.number_of_isolated_vertices,
+                  "number_of_flat_faces"_a = report.number_of_flat_faces, "radius"_a = report.radius,
+                  "stop_reason"_a = SP::get_stop_message(report.stop_reason),
+                  "number_of_levels"_a = report.number_of_levels,
+                  "number_of_iterations"_a = report.number_of_iterations(), "initial_energy"_a = report.initial_energy,
+                  "average_energy"_a = report.average_energy, "largest_energy"_a = report.largest_energy,
+                  "seconds"_a = report.seconds());
+}
+
+} // namespace
+
+py::tuple parameterize(const Points& vertices, const Indices& faces, const std::string& prefer,
+                       const std::string& energy, std::size_t threads, double time_limit, const py::object& callback,
+                       const std::optional<Points>& initial, bool returns_on_interrupt)
+{
+  const std::size_t n = number_of_rows(vertices);
+  Points sphere = new_points(n);
+  double* const images = sphere.mutable_data();
+  std::fill_n(images, 3 * n, std::numeric_limits<double>::quiet_NaN()); // for vertices without faces
+  SP::Parameterization_report report;
+  Python_visitor visitor(callback, returns_on_interrupt);
+  {
+    const py::gil_scoped_release unlock;
+    const Mesh mesh = make_mesh("", vertices, faces);
+    const auto run = [&](auto parameterizer) {
+      SP::Error_code error = SP::OK;
+      run_with_threads(threads, [&] {
+        error = SP::parameterize(mesh, parameterizer, Row_map<double>(images),
+                                 CGAL::parameters::visitor(std::ref(visitor)).maximum_running_time(time_limit));
+      });
+      report = parameterizer.report();
+      if(error == SP::OK)
+        return;
+      check_surface("", mesh);
+      if(initial)
+        check_map("", mesh, "initial", *initial);
+      fail(error, SP::get_error_message(error));
+    };
+    const auto run_from_start = [&](const auto& bld) {
+      if(initial)
+        run(bld.initial_parameterizer(SP::Precomputed_parameterizer_3(rows_of(*initial))));
+      else
+        run(bld);
+    };
+    // as the command line program chooses, if nothing is said of radius and tolerance
+    const auto bld = SP::Bijective_low_distortion_parameterizer_3<>().sharpness(find_sharpness(prefer));
+    if(energy == "isometric")
+      run_from_start(bld.energy(SP::Isometric_energy_3()));
+    else if(energy == "conformal")
+      run_from_start(bld.energy(SP::Conformal_energy_3()).radius(SP::Fixed_radius_3()));
+    else if(energy == "stretch")
+      run_from_start(bld.energy(SP::Stretch_energy_3()).radius(SP::Area_preserving_radius_3()).tolerances(1e-3, 1e-3));
+    else
+      run_from_start(bld);
+  }
+  return py::make_tuple(sphere, to_dict(report));
+}
+
+} // namespace Module

@@ -1,0 +1,461 @@
+import os
+import pickle
+import re
+import signal
+import subprocess
+import sys
+import threading
+import time
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import spherical_parameterization as sp
+
+ROOT = Path(__file__).resolve().parents[2]
+PROGRAM = os.environ["PROGRAM"]
+TETRAHEDRON = np.array([[1, 1, 1], [1, -1, -1], [-1, 1, -1], [-1, -1, 1]])
+FACES = np.array([[0, 1, 2], [0, 3, 1], [0, 2, 3], [1, 3, 2]])
+
+
+def surface(n, bumps=0.4, shift=0.0):
+    """An octahedron whose edges are divided into n, with bumps."""
+    p = sp.remesh(TETRAHEDRON, FACES, TETRAHEDRON, ("octahedron", n))
+    x, y, z = p.sphere.T
+    radius = 1 + bumps * np.sin(5 * x + shift) * np.cos(4 * y) + 0.2 * z
+    return p.sphere * radius[:, None], p.faces
+
+
+def map_of(n, **settings):
+    vertices, faces = surface(n, **settings)
+    return vertices, faces, sp.parameterize(vertices, faces)[0]
+
+
+def same(a, b):
+    return a.dtype == b.dtype and a.shape == b.shape and a.tobytes() == b.tobytes()
+
+
+def write_off(path, vertices, faces):
+    rows = [" ".join(map(repr, row)) for row in vertices.tolist()] + ["3 %d %d %d" % tuple(row) for row in faces]
+    path.write_text(f"OFF\n{len(vertices)} {len(faces)} 0\n" + "\n".join(rows) + "\n")
+
+
+def read_points(path):
+    words = path.read_text().split()
+    return np.array(words[4 : 4 + 3 * int(words[1])], float).reshape(-1, 3)
+
+
+def run_program(folder, *words):
+    subprocess.run([PROGRAM, *words], cwd=folder, check=True, stdout=subprocess.DEVNULL)
+
+
+@pytest.fixture(autouse=True)
+def prints_nothing(capfd):
+    yield
+    assert capfd.readouterr() == ("", "")
+
+
+def refused(code, call, *arguments, **keywords):
+    with pytest.raises(sp.Error) as caught:
+        call(*arguments, **keywords)
+    assert caught.value.code == code
+    return caught.value
+
+
+# Arrays
+
+
+@pytest.mark.parametrize("kind", ["i1", "u1", "i2", "u2", "i4", "u4", "i8", "u8", ">i4"])
+def test_takes_every_type_of_integers(kind):
+    assert same(sp.parameterize(TETRAHEDRON, FACES.astype(kind))[0], sp.parameterize(TETRAHEDRON, FACES)[0])
+
+
+def test_takes_arrays_in_any_layout_and_lists():
+    vertices, faces = surface(6)
+    expected = sp.parameterize(vertices, faces)[0]
+    padded = np.zeros((len(vertices), 5))
+    padded[:, 1:4] = vertices
+    for v in (np.asfortranarray(vertices), padded[:, 1:4], vertices[::-1][::-1], vertices.tolist()):
+        for f in (np.asfortranarray(faces), np.c_[np.full(len(faces), 3), faces][:, 1:], faces.tolist()):
+            assert same(sp.parameterize(v, f)[0], expected)
+    single = vertices.astype("f4")
+    assert same(sp.parameterize(single, faces)[0], sp.parameterize(single.astype("f8"), faces)[0])
+    faces.flags.writeable = vertices.flags.writeable = False
+    assert same(sp.parameterize(vertices, faces)[0], expected)
+
+
+def test_refuses_what_is_no_mesh():
+    wrong = sp.ErrorCode.WRONG_PARAMETER
+    assert "(4, 2)" in str(refused(wrong, sp.parameterize, TETRAHEDRON[:, :2], FACES))
+    assert "(12,)" in str(refused(wrong, sp.parameterize, TETRAHEDRON, FACES.ravel()))
+    for v in (4, -1, 2**40):
+        error = refused(wrong, sp.is_bijective, TETRAHEDRON, [*FACES[:3], [1, v, 2]])
+        assert error.face == 3 and f"vertex {v}, but there are 4" in str(error)
+    assert "3 rows" in str(refused(wrong, sp.measure_distortion, TETRAHEDRON, FACES, TETRAHEDRON[:3]))
+    with pytest.raises(TypeError, match="float64; it has to hold integers"):
+        sp.parameterize(TETRAHEDRON, FACES.astype(float))
+    with pytest.raises(TypeError, match="complex128; it has to hold real numbers"):
+        sp.parameterize(TETRAHEDRON.astype(complex), FACES)
+
+
+def test_says_what_is_wrong_with_a_mesh_and_where():
+    code = sp.ErrorCode
+    points = TETRAHEDRON.astype(float)
+
+    def defect(expected, vertices, faces):
+        raised = refused(expected, sp.parameterize, vertices, faces)
+        found = sp.find_defect(vertices, faces)
+        assert str(found) == str(raised) and found.code == expected
+        return found
+
+    assert sp.find_defect(points, FACES) is None
+    defect(code.EMPTY_MESH, points, np.empty((0, 3), int))
+    defect(code.EMPTY_MESH, np.empty((0, 3)), np.empty((0, 3), int))
+    error = defect(code.NON_CLOSED_MESH, points, FACES[:3])
+    assert {error.vertex, error.other_vertex} <= {1, 2, 3} and error.face in (0, 1, 2)
+    error = defect(code.NO_SIMPLICIAL_COMPLEX, points, [*FACES, [0, 1, 1]])
+    assert (error.vertex, error.face) == (1, 4)
+    error = defect(code.NO_SIMPLICIAL_COMPLEX, points, [[0, 2, 1], *FACES[1:]])
+    assert (error.vertex, error.other_vertex) == (0, 2) and error.face == 2 and "against each other" in str(error)
+    points[2, 1] = np.nan
+    assert defect(code.NON_FINITE_COORDINATE, points, FACES).vertex == 2
+    two = [*FACES, *(FACES + 4)]
+    defect(code.SEVERAL_COMPONENTS, np.r_[TETRAHEDRON, TETRAHEDRON + 9], two)
+    soup = TETRAHEDRON[FACES].reshape(-1, 3)  # as STL files have it
+    assert "do not share them" in str(defect(code.NON_CLOSED_MESH, soup, np.arange(12).reshape(4, 3)))
+    error = defect(code.NO_SIMPLICIAL_COMPLEX, TETRAHEDRON, [[0, 2, 1], *FACES[1:]])
+    copy = pickle.loads(pickle.dumps(error))
+    assert isinstance(copy, ValueError) and str(copy) == str(error) and copy.face == 2 and copy.code == error.code
+
+
+def test_refuses_settings_out_of_range():
+    for setting, value in (
+        ("prefer", "best"),
+        ("energy", 1),
+        ("threads", 0),
+        ("time_limit", 0),
+        ("time_limit", np.nan),
+        ("on_interrupt", "stop"),
+    ):
+        assert setting in str(
+            refused(sp.ErrorCode.WRONG_PARAMETER, sp.parameterize, TETRAHEDRON, FACES, **{setting: value})
+        )
+    refused(sp.ErrorCode.WRONG_PARAMETER, sp.parameterize, TETRAHEDRON, FACES, prefer="sampling", energy="conformal")
+    for setting in ({"callback": 1}, {"threads": 1.5}):
+        with pytest.raises(TypeError):
+            sp.parameterize(TETRAHEDRON, FACES, **setting)
+
+
+# The map
+
+
+def test_isolated_vertices_have_no_image():
+    sphere, report = sp.parameterize(np.r_[TETRAHEDRON, [[9, 9, 9]]], FACES)
+    assert np.isnan(sphere[4]).all() and np.isfinite(sphere[:4]).all() and report.number_of_isolated_vertices == 1
+    assert sp.is_bijective(sphere, FACES)
+
+
+@pytest.mark.parametrize(
+    "options",
+    [
+        {},
+        {"prefer": "worst"},
+        {"prefer": "average"},
+        {"prefer": "sampling"},
+        {"energy": "conformal"},
+        {"energy": "isometric"},
+    ],
+)
+def test_has_the_bits_of_the_program(options, tmp_path):
+    vertices, faces = surface(12)
+    write_off(tmp_path / "mesh.off", vertices, faces)
+    words = [word for name, value in options.items() for word in ("--" + name, value)]
+    run_program(tmp_path, "mesh.off", "-o", "sphere.off", *words)
+    assert same(sp.parameterize(vertices, faces, **options)[0], read_points(tmp_path / "sphere.off"))
+
+
+def test_samples_and_maps_surfaces_with_the_bits_of_the_program(tmp_path):
+    vertices1, faces1 = surface(10)
+    vertices2, faces2 = surface(12, shift=0.3)
+    write_off(tmp_path / "1.off", vertices1, faces1)
+    write_off(tmp_path / "2.off", vertices2, faces2)
+    run_program(tmp_path, "1.off", "--remesh", "cube=5", "-o", "remesh.off")
+    sphere = sp.parameterize(vertices1, faces1, prefer="sampling")[0]
+    assert same(sp.remesh(vertices1, faces1, sphere, ("cube", 5)).vertices, read_points(tmp_path / "remesh.off"))
+
+    run_program(tmp_path, "1.off", "--onto", "2.off", "-o", "image.off", "--sphere", "directions.off")
+    sphere1, sphere2 = sp.parameterize(vertices1, faces1)[0], sp.parameterize(vertices2, faces2)[0]
+    directions, report = sp.map_surface(vertices1, faces1, sphere1, vertices2, faces2, sphere2)
+    assert same(directions, read_points(tmp_path / "directions.off"))
+    assert 2 <= report.energy < 2.2 and report.agreement > 0.5
+    image = sp.remesh(vertices2, faces2, sphere2, (directions, faces1))
+    np.testing.assert_allclose(image.vertices, read_points(tmp_path / "image.off"), atol=1e-14)
+    assert np.array_equal(image.faces, faces1)
+
+
+def test_measures_each_face():
+    vertices, faces, sphere = map_of(8)
+    assert sp.is_bijective(sphere, faces) and not sp.is_bijective(-sphere, faces)
+    d = sp.measure_distortion(vertices, faces, sphere)
+
+    def basis(p):  # the edges of each face in its plane
+        e, g = p[faces[:, 1]] - p[faces[:, 0]], p[faces[:, 2]] - p[faces[:, 0]]
+        x = e / np.linalg.norm(e, axis=1)[:, None]
+        y = np.cross(np.cross(e, g), x)
+        y /= np.linalg.norm(y, axis=1)[:, None]
+        dot = lambda a, b: (a * b).sum(1)
+        return np.array([[dot(e, x), dot(g, x)], [dot(e, y), dot(g, y)]]).transpose(2, 0, 1)
+
+    s2, s1 = np.linalg.svd(basis(sphere) @ np.linalg.inv(basis(vertices)), compute_uv=False).T
+    for measure, values in (
+        (d.isometric, np.maximum(s2, 1 / s1)),
+        (d.area, s1 * s2 + 1 / (s1 * s2)),
+        (d.angle, s1 / s2 + s2 / s1),
+    ):
+        np.testing.assert_allclose(measure.values, values, rtol=1e-8)
+        np.testing.assert_allclose([measure.maximum, measure.average], [values.max(), values.mean()])
+        np.testing.assert_allclose(measure.deviation, values.std(), rtol=1e-6)
+    np.testing.assert_allclose(d.radius, np.linalg.norm(sphere, axis=1).mean())
+    assert not d.is_inverted.any() and d.number_of_inverted_faces == 0
+    turned = sphere.copy()
+    turned[0] *= -1
+    is_inverted = sp.measure_distortion(vertices, faces, turned).is_inverted
+    assert is_inverted.any() and np.array_equal(is_inverted, np.linalg.det(turned[faces]) < 0)
+
+
+def test_goes_on_from_a_map():
+    vertices, faces, sphere = map_of(8)
+    assert sp.parameterize(vertices, faces, initial=2 * sphere)[1].initial_energy == pytest.approx(
+        sp.parameterize(vertices, faces)[1].average_energy, rel=1e-3
+    )
+    sphere[7] *= -1
+    error = refused(sp.ErrorCode.NO_1_TO_1_MAPPING, sp.parameterize, vertices, faces, initial=sphere)
+    assert 7 in faces[error.face] and str(error).startswith("initial is not one-to-one")
+    sphere[3] = np.inf
+    assert refused(sp.ErrorCode.NON_FINITE_COORDINATE, sp.parameterize, vertices, faces, initial=sphere).vertex == 3
+
+
+# Threads and interruption
+
+
+def test_any_number_of_threads_gives_the_same_bits():
+    vertices, faces = surface(40)
+    expected = sp.parameterize(vertices, faces, threads=1)[0]
+    results = []
+    run = lambda threads: results.append(sp.parameterize(vertices, faces, threads=threads)[0])
+    workers = [threading.Thread(target=run, args=(threads,)) for threads in (1, 2, 1000, None)]
+    for worker in workers:
+        worker.start()
+    for worker in workers:
+        worker.join()
+    assert len(results) == 4 and all(same(result, expected) for result in results)
+
+
+def test_other_python_threads_go_on():
+    vertices, faces = surface(80)
+    ticks, is_over = [], threading.Event()
+
+    def tick():
+        while not is_over.wait(0.005):
+            ticks.append(time.perf_counter())
+
+    ticker = threading.Thread(target=tick)
+    ticker.start()
+    begin = time.perf_counter()
+    sp.parameterize(vertices, faces)
+    end = time.perf_counter()
+    is_over.set()
+    ticker.join()
+    assert sum(begin + 0.02 < t < end - 0.02 for t in ticks) >= 3
+
+
+def test_the_callback_is_told_and_may_stop():
+    vertices, faces = surface(10)
+    calls = []
+    report = sp.parameterize(vertices, faces, callback=lambda *arguments: calls.append(arguments))[1]
+    assert len(calls) == report.number_of_iterations > 3 and report.stop_reason == "converged"
+    assert calls[-1][1] < calls[0][1] and calls[-1][2] == pytest.approx(report.radius, rel=0.01)
+    sphere, stopped = sp.parameterize(vertices, faces, callback=lambda i, energy, radius: i < 2)
+    assert stopped.stop_reason == "stopped by the visitor" and stopped.number_of_iterations < 4
+    assert sp.is_bijective(sphere, faces)
+
+    def fail(*arguments):
+        raise RuntimeError("mine")
+
+    with pytest.raises(RuntimeError, match="mine"):
+        sp.parameterize(vertices, faces, callback=fail)
+
+
+def test_a_time_limit_gives_the_map_reached():
+    vertices, faces = surface(40)
+    sphere, report = sp.parameterize(vertices, faces, time_limit=1e-6)
+    assert report.stop_reason == "time limit" and sp.is_bijective(sphere, faces)
+
+
+@pytest.mark.parametrize("callback", [None, lambda *_: time.sleep(0.02)])
+def test_an_interruption_stops_the_run(callback):
+    vertices, faces = surface(80)
+
+    # by the clock of the processor, however busy that is; what Ctrl-C sends is answered by the same handler
+    previous = signal.signal(signal.SIGVTALRM, signal.default_int_handler)
+
+    def interrupted(on_interrupt):
+        signal.setitimer(signal.ITIMER_VIRTUAL, 0.1)
+        return sp.parameterize(vertices, faces, callback=callback, on_interrupt=on_interrupt)
+
+    sphere, report = interrupted("return")
+    assert report.stop_reason == "stopped by the visitor" and sp.is_bijective(sphere, faces)
+    with pytest.raises(KeyboardInterrupt):
+        interrupted("raise")
+    signal.signal(signal.SIGVTALRM, previous)
+
+
+# Sampling
+
+
+def test_locates_directions():
+    vertices, faces, sphere = map_of(8)
+    locator = sp.Locator(sphere, faces)
+    directions = np.random.default_rng(1).normal(size=(500, 3))
+    face, coordinates = locator.locate(directions)
+    found = np.einsum("kc,kcx->kx", coordinates, sphere[faces[face]])
+    np.testing.assert_allclose(np.cross(found, directions), 0, atol=1e-13)
+    assert ((found * directions).sum(1) > 0).all() and coordinates.min() >= 0
+    face, coordinates = locator.locate(sphere)
+    assert np.array_equal(faces[face][coordinates == 1], np.arange(len(sphere)))
+    error = refused(sp.ErrorCode.INVALID_DIRECTION, locator.locate, [[1, 0, 0], [0, 0, 0], [0, np.nan, 0]])
+    assert error.vertex == 1 and "2 such rows" in str(error)
+    sphere[5] *= -1
+    assert 5 in faces[refused(sp.ErrorCode.NO_1_TO_1_MAPPING, sp.Locator, sphere, faces).face]
+
+
+@pytest.mark.parametrize(
+    "solid, n", [("octahedron", 4 * 7**2 + 2), ("cube", 6 * 7**2 + 2), ("icosahedron", 10 * 7**2 + 2)]
+)
+def test_remeshes_over_a_solid_or_a_mesh(solid, n):
+    vertices, faces, sphere = map_of(8)
+    result = sp.remesh(vertices, faces, sphere, (solid, 7))
+    assert result.vertices.shape == (n, 3) and len(result.faces) == 2 * n - 4
+    assert sp.is_bijective(result.sphere, result.faces)
+    face, coordinates = sp.Locator(sphere, faces).locate(result.sphere)
+    np.testing.assert_allclose(result.vertices, np.einsum("kc,kcx->kx", coordinates, vertices[faces[face]]))
+    directions = np.r_[[[9, 9, 9]], result.sphere]  # with a vertex that has no face
+    again = sp.remesh(vertices, faces, sphere, (directions, result.faces + 1))
+    assert same(again.vertices[1:], result.vertices) and same(again.sphere[1:], result.sphere)
+    assert np.isnan(again.vertices[0]).all() and np.array_equal(again.faces, result.faces + 1)
+
+
+def test_refuses_wrong_domains():
+    vertices, faces, sphere = map_of(4)
+    for domain in (("sphere", 5), ("cube", 0), ("cube", 5001)):
+        assert "domain[" in str(refused(sp.ErrorCode.WRONG_PARAMETER, sp.remesh, vertices, faces, sphere, domain))
+    for domain in ("cube", 5, ("cube", 2.5)):
+        with pytest.raises(TypeError):
+            sp.remesh(vertices, faces, sphere, domain)
+    error = refused(sp.ErrorCode.NO_1_TO_1_MAPPING, sp.remesh, vertices, faces, sphere, (-sphere, faces))
+    assert str(error).startswith("domain: ")
+
+
+def test_transfers_numbers_and_labels():
+    vertices, faces, sphere = map_of(8)
+    fine = sp.remesh(vertices, faces, sphere, ("octahedron", 30))
+    surface_and_target = (vertices, faces, sphere, np.r_[fine.sphere, [[0, 0, 0]]], fine.faces)
+    points = sp.transfer(vertices, *surface_and_target)
+    np.testing.assert_allclose(points[:-1], fine.vertices)
+    assert np.isnan(points[-1]).all()
+    assert sp.transfer(vertices[:, 0].astype("f4"), *surface_and_target).dtype == np.float32
+    face = sp.Locator(sphere, faces).locate(fine.sphere[fine.faces].sum(1))[0]
+    for labels in (np.arange(len(faces)), np.arange(len(faces)) % 2 == 0, np.arange(len(faces)).astype("U")):
+        assert np.array_equal(sp.transfer(labels, *surface_and_target, of="faces"), labels[face])
+    sides = np.where(vertices[:, :2] > 0, "right", "left")
+    carried = sp.transfer(sides, *surface_and_target)
+    assert carried.shape == (len(points), 2) and set(carried[:-1].ravel()) == {"left", "right"} and carried[-1, 0] == ""
+    assert (carried[:-1, 0] == np.where(fine.vertices[:, 0] > 0, "right", "left")).mean() > 0.9
+    assert "258 rows" in str(refused(sp.ErrorCode.WRONG_PARAMETER, sp.transfer, vertices[:9], *surface_and_target))
+    with pytest.raises(TypeError):
+        sp.transfer(vertices.astype(complex), *surface_and_target)
+
+
+# Surfaces
+
+
+def test_maps_and_refines_two_surfaces():
+    first, second = map_of(8), map_of(10)
+    landmarks = np.stack([first[0].argmax(0), second[0].argmax(0)], axis=1)  # where x, y or z is largest
+    directions, report = sp.map_surface(*first, *second, landmarks=landmarks)
+    assert sp.is_bijective(directions, first[1]) and report.number_of_missed_landmarks == 0 and report.agreement == 0
+    np.testing.assert_allclose(report.landmark_distances, 0, atol=1e-12)
+    images = sp.remesh(*second, (directions, first[1])).vertices
+    np.testing.assert_allclose(images[landmarks[:, 0]], second[0][landmarks[:, 1]], atol=1e-12)
+    soft = sp.map_surface(*first, *second, landmarks=landmarks, landmark_weight=1e-3)[1]
+    assert soft.energy < report.energy and soft.landmark_distances.max() > 1e-6
+
+    refinement = sp.overlay(first[0], first[1], directions, *second)
+    for points, corners, face, (vertices, faces) in (
+        (refinement.vertices1, refinement.faces, refinement.faces1, first[:2]),
+        (refinement.vertices2, refinement.faces, refinement.faces2, second[:2]),
+    ):
+        area = lambda p, f: np.linalg.norm(np.cross(p[f[:, 1]] - p[f[:, 0]], p[f[:, 2]] - p[f[:, 0]]), axis=1)
+        parts = np.bincount(face, area(points, corners), len(faces))
+        np.testing.assert_allclose(parts, area(vertices, faces), rtol=1e-6)
+
+
+def test_aligns_by_features_of_the_caller():
+    first = map_of(8)
+    turn = np.array([[0, 0, 1], [1, 0, 0], [0, 1, 0]])
+    second = (first[0], first[1], first[2] @ turn.T)
+    features = [(first[0][:, i], first[0][:, i]) for i in range(3)]
+    directions, report = sp.map_surface(*first, *second, features=features)
+    assert report.agreement > 0.99 and report.energy == pytest.approx(2, abs=1e-6)
+    np.testing.assert_allclose(sp.remesh(*second, (directions, first[1])).vertices, first[0], atol=1e-3)
+
+
+def test_says_what_is_wrong_with_two_surfaces():
+    first, second = map_of(4), map_of(5)
+    n = len(first[0])
+    landmark = sp.ErrorCode.INVALID_LANDMARK
+    error = refused(landmark, sp.map_surface, *first, *second, landmarks=[[0, 0], [n, 1]])
+    assert error.vertex == n and "row 1" in str(error) and "first surface" in str(error)
+    error = refused(landmark, sp.map_surface, *first, *second, landmarks=[[0, 7], [1, 7]])
+    assert error.vertex == 7 and "so has row 0" in str(error)
+    second_and_more = (np.r_[second[0], [[0, 0, 0]]], second[1], np.r_[second[2], [[0, 0, 0]]])
+    error = refused(landmark, sp.map_surface, *first, *second_and_more, landmarks=[[0, len(second[0])]])
+    assert error.vertex == len(second[0]) and "no face" in str(error)
+    wrong = sp.ErrorCode.WRONG_PARAMETER
+    values = np.zeros(n), np.zeros(len(second[0]))
+    values[1][3] = np.inf
+    for settings in (
+        {"landmarks": [0, 1]},
+        {"landmark_weight": 0},
+        {"features": [values]},
+        {"features": [values[::-1]]},
+    ):
+        refused(wrong, sp.map_surface, *first, *second, **settings)
+    for settings in ({"landmarks": [[0.5, 1]]}, {"features": [1]}):
+        with pytest.raises(TypeError):
+            sp.map_surface(*first, *second, **settings)
+    folded = (*second[:2], -second[2])
+    for call in (sp.map_surface, sp.overlay):
+        assert str(refused(sp.ErrorCode.NO_1_TO_1_MAPPING, call, *first, *folded)).startswith("second surface: sphere2")
+
+
+# What users read
+
+
+def test_every_name_is_documented_and_typed():
+    for name in set(sp.__all__) - {"__version__"}:
+        assert getattr(sp, name).__doc__, name
+    stub = (Path(sp.__file__).parent / "_core.pyi").read_text()
+    for name in dir(sp._core):
+        assert name.startswith("_") or re.search(rf"(def|class) {name}\b", stub), name
+    for name in sp.ErrorCode.__members__:
+        assert f"    {name}: " in stub
+
+
+def test_the_example_draws_a_picture(tmp_path):
+    pyplot = pytest.importorskip("matplotlib.pyplot")
+    write_off(tmp_path / "mesh.off", *surface(8))
+    example = ROOT / "python/examples/distortion_picture.py"
+    subprocess.run([sys.executable, example, "mesh.off", "picture.png"], cwd=tmp_path, check=True)
+    assert len(np.unique(pyplot.imread(tmp_path / "picture.png").reshape(-1, 4), axis=0)) > 1000
