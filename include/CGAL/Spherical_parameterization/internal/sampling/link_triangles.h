@@ -19,7 +19,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <utility>
+#include <memory>
 #include <vector>
 
 namespace CGAL {
@@ -28,7 +28,7 @@ namespace internal {
 
 // Finds the neighbours of the triangles of a closed mesh with n vertices, in linear time: each edge is looked for at its
 // end with fewer triangles, and there are less than three edges for each vertex of a triangulated sphere, in all of its
-// parts as well.
+// parts as well. Returns nothing if the sides of triangles are not paired, in opposite directions.
 inline std::vector<Linked_triangle> link_triangles(const std::vector<std::array<std::uint32_t, 3>>& triangles,
                                                    std::size_t n)
 {
@@ -36,16 +36,22 @@ inline std::vector<Linked_triangle> link_triangles(const std::vector<std::array<
   for(const auto& t : triangles)
     for(const std::uint32_t v : t)
       ++degrees[v];
+  // without the branches that comparing pairs would take
+  const auto rank = [&](std::uint32_t v) { return std::uint64_t(degrees[v]) << 32 | v; };
   struct Side
   {
-    std::uint32_t other_end, triangle, corner; // the corner is opposite to the edge
+    std::uint32_t other_end, corner; // opposite to the edge: 4 t + i for the corner i of the triangle t
+  };
+  struct Range
+  {
+    std::uint32_t begin, end;
   };
   // The sides of edges whose neighbour has not been found, at most as many for each vertex as it has triangles.
-  std::vector<std::size_t> ends(n, 0);
-  for(std::size_t v = 1; v < n; ++v)
-    ends[v] = ends[v - 1] + degrees[v - 1];
-  const std::vector<std::size_t> begins = ends;
-  std::vector<Side> open(3 * triangles.size());
+  const std::unique_ptr<Side[]> open(new Side[3 * triangles.size()]);
+  std::vector<Range> open_at(n);
+  for(std::uint32_t v = 0, begin = 0; v < n; begin += degrees[v++])
+    open_at[v] = {begin, begin};
+  std::size_t n_open = 0;
 
   std::vector<Linked_triangle> result(triangles.size());
   for(std::uint32_t t = 0; t < triangles.size(); ++t)
@@ -53,22 +59,32 @@ inline std::vector<Linked_triangle> link_triangles(const std::vector<std::array<
     result[t].vertices = triangles[t];
     for(std::uint32_t i = 0; i < 3; ++i)
     {
-      std::uint32_t a = triangles[t][(i + 1) % 3], b = triangles[t][(i + 2) % 3];
-      if(degrees[a] > degrees[b] || (degrees[a] == degrees[b] && a > b))
-        std::swap(a, b);
-      std::size_t k = begins[a];
-      while(k < ends[a] && open[k].other_end != b)
+      const std::uint32_t from = triangles[t][(i + 1) % 3], to = triangles[t][(i + 2) % 3];
+      const bool is_from = rank(from) < rank(to);
+      const std::uint32_t a = is_from ? from : to, b = is_from ? to : from;
+      Range& sides = open_at[a];
+      std::uint32_t k = sides.begin;
+      while(k < sides.end && open[k].other_end != b)
         ++k;
-      if(k == ends[a])
-        open[ends[a]++] = {b, t, i};
-      else
+      if(k == sides.end)
       {
-        result[t].neighbors[i] = open[k].triangle;
-        result[open[k].triangle].neighbors[open[k].corner] = t;
-        open[k] = open[--ends[a]];
+        if(k == sides.begin + degrees[a])
+          return {};
+        open[sides.end++] = {b, 4 * t + i};
+        ++n_open;
+        continue;
       }
+      const std::uint32_t s = open[k].corner / 4, j = open[k].corner % 4;
+      if(from == triangles[s][(j + 1) % 3])
+        return {};
+      result[t].neighbors[i] = s;
+      result[s].neighbors[j] = t;
+      open[k] = open[--sides.end];
+      --n_open;
     }
   }
+  if(n_open > 0)
+    return {};
   return result;
 }
 
