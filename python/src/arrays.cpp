@@ -1,5 +1,7 @@
 #include "arrays.h"
 
+#include <CGAL/Spherical_parameterization/internal/sampling/Added_triangles.h>
+#include <CGAL/Spherical_parameterization/internal/sampling/link_triangles.h>
 #include <CGAL/Spherical_parameterization/is_bijective.h>
 #include <CGAL/Spherical_parameterization/measure_distortion.h>
 
@@ -8,6 +10,7 @@
 #include <boost/property_map/property_map.hpp>
 
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace Module {
@@ -20,37 +23,63 @@ namespace {
   throw Error{std::move(defect)};
 }
 
+// Above, find_defect_of_faces() refuses a mesh.
+constexpr std::size_t max_size = (std::numeric_limits<std::int32_t>::max)();
+
+// Whether no triangle has two sides in common with another one; a closed mesh where one has is no simplicial complex.
+bool have_three_neighbors(const std::vector<SP::internal::Linked_triangle>& triangles)
+{
+  return std::none_of(triangles.begin(), triangles.end(), [](const auto& t) {
+    return t.neighbors[0] == t.neighbors[1] || t.neighbors[1] == t.neighbors[2] || t.neighbors[2] == t.neighbors[0];
+  });
+}
+
+void set_points(const Points& points, Mesh& mesh)
+{
+  const Const_row_map rows = rows_of(points);
+  for(const Vertex_index v : mesh.vertices())
+    mesh.point(v) = get(rows, v);
+}
+
 } // namespace
 
 Mesh make_mesh(const std::string& name, const Points& points, const Indices& faces)
 {
   const std::size_t n_vertices = number_of_rows(points), n_faces = number_of_rows(faces);
-  const double* const coordinates = points.data();
   const std::int64_t* const indices = faces.data();
-  std::vector<std::array<Vertex_index, 3>> triangles(n_faces);
-  for(std::size_t f = 0; f < n_faces; ++f)
-    for(std::size_t i = 0; i < 3; ++i)
+  std::vector<std::array<std::uint32_t, 3>> triangles(n_faces); // from their last corners on
+  for(std::size_t k = 0; k < 3 * n_faces; ++k)
+  {
+    if(indices[k] < 0 || static_cast<std::uint64_t>(indices[k]) >= n_vertices)
+      refuse(name, {SP::ERROR_WRONG_PARAMETER,
+                    "face " + std::to_string(k / 3) + " has the vertex " + std::to_string(indices[k]) +
+                        ", but there are " + std::to_string(n_vertices) + ".\n(Vertices and faces are counted from 0.)",
+                    {},
+                    {},
+                    k / 3});
+    triangles[k / 3][(k + 1) % 3] = static_cast<std::uint32_t>(indices[k]);
+  }
+
+  Mesh mesh;
+  if(n_vertices < max_size && n_faces < max_size / 3)
+  {
+    const std::vector<SP::internal::Linked_triangle> linked = SP::internal::link_triangles(triangles, n_vertices);
+    if(!linked.empty() && have_three_neighbors(linked))
     {
-      const std::int64_t v = indices[3 * f + i];
-      if(v < 0 || static_cast<std::uint64_t>(v) >= n_vertices)
-        refuse(name, {SP::ERROR_WRONG_PARAMETER,
-                      "face " + std::to_string(f) + " has the vertex " + std::to_string(v) + ", but there are " +
-                          std::to_string(n_vertices) + ".\n(Vertices and faces are counted from 0.)",
-                      {},
-                      {},
-                      f});
-      triangles[f][i] = Vertex_index(static_cast<Mesh::size_type>(v));
+      const SP::internal::Added_triangles<Mesh> added(linked, n_vertices, mesh);
+      set_points(points, mesh);
+      return mesh;
     }
+  }
   if(auto defect = Program::find_defect_of_faces(n_vertices, triangles))
     refuse(name, std::move(*defect));
-
-  using Index = Mesh::size_type;
-  Mesh mesh;
-  mesh.reserve(static_cast<Index>(n_vertices), static_cast<Index>(n_faces / 2 * 3), static_cast<Index>(n_faces));
-  for(std::size_t k = 0; k < 3 * n_vertices; k += 3)
-    mesh.add_vertex(Point_3(coordinates[k], coordinates[k + 1], coordinates[k + 2]));
-  // All at once: one by one, the faces at a vertex take time that is quadratic in their number.
-  CGAL::Euler::add_faces(triangles, mesh);
+  for(std::size_t v = 0; v < n_vertices; ++v)
+    mesh.add_vertex();
+  std::vector<std::array<Vertex_index, 3>> corners;
+  for(const auto& [u, v, w] : triangles)
+    corners.push_back({Vertex_index(u), Vertex_index(v), Vertex_index(w)});
+  CGAL::Euler::add_faces(corners, mesh);
+  set_points(points, mesh);
   return mesh;
 }
 

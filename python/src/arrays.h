@@ -89,7 +89,8 @@ inline Const_row_map rows_of(const Points& points)
   return Const_row_map(points.data());
 }
 
-/// makes the mesh of two arrays. Where no surface is needed, the points are those of the map to the sphere.
+/// makes the mesh of two arrays. Where no surface is needed, the points are those of the map to the sphere. As where files
+/// are read, `halfedge(f, mesh)` leads from the last corner of a face to the first one.
 ///
 /// \param name what messages call the mesh, such as "target: "; empty if there is but one
 ///

@@ -21,9 +21,6 @@ public:
   {
     if(m_locator.error_code() != SP::OK)
       check_map("", m_mesh, "sphere", sphere);
-    m_first_corners.reserve(m_mesh.number_of_faces());
-    for(const Face_index f : m_mesh.faces())
-      m_first_corners.push_back(Vertex_index(static_cast<Mesh::size_type>(faces.data()[3 * std::size_t(f)])));
   }
 
   py::tuple locate(const Points& directions) const
@@ -45,14 +42,9 @@ public:
         explain_directions(locations);
       for(const auto& [f, c] : locations)
       {
-        // as in the array of the faces, whose first corners Surface_mesh forgets
-        const auto h = m_mesh.halfedge(f);
-        const std::size_t first = m_mesh.source(h) == m_first_corners[f]   ? 0
-                                  : m_mesh.target(h) == m_first_corners[f] ? 1
-                                                                           : 2;
         *face++ = std::uint32_t(f);
-        for(std::size_t i = 0; i < 3; ++i)
-          *coordinate++ = c[(first + i) % 3];
+        for(const std::size_t i : {1u, 2u, 0u}) // the first one is that of the last corner
+          *coordinate++ = c[i];
       }
     }
     return py::make_tuple(faces, coordinates);
@@ -78,7 +70,6 @@ private:
 
   Mesh m_mesh;
   Sphere_locator m_locator;
-  std::vector<Vertex_index> m_first_corners;
 };
 
 // returns the points of the remesh, and its directions
