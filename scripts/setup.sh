@@ -16,10 +16,11 @@ wanted="a C++17 compiler, CMake 3.18, CGAL 5.5, Boost.Program_options, TBB, Eige
 if [ "${1-}" = --tests ]; then
   packages+=(git libgtest-dev libbenchmark-dev clang libclang-rt-dev llvm clang-format-14)
   packages+=(python3-numpy python3-matplotlib)
+  packages+=(pybind11-dev python3-dev python3-pytest python3-pip python3-venv python3-setuptools python3-wheel)
   packages+=(doxygen texlive-binaries libjs-mathjax fonts-mathjax linkchecker chromium-headless-shell)
   components+=(GTest benchmark)
   wanted="a C++17 compiler, CMake 3.18, CGAL 5.5, Boost.Program_options, TBB, Eigen, libpng, OpenEXR 3, Node.js 18, npm, GoogleTest, Google Benchmark, Clang"
-  wanted+=" with its sanitizers, clang-format 14, Python with numpy and matplotlib, doxygen 1.9.4, BibTeX, LinkChecker and Chromium"
+  wanted+=" with its sanitizers, clang-format 14, Python with its headers, numpy, matplotlib, pybind11, pytest and pip, doxygen 1.9.4, BibTeX, LinkChecker and Chromium"
 fi
 
 is_installed() {

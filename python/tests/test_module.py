@@ -453,6 +453,15 @@ def test_every_name_is_documented_and_typed():
         assert f"    {name}: " in stub
 
 
+def test_the_lines_of_the_readme_run(tmp_path, monkeypatch):
+    lines = re.search(r"```python\n(.*?)```", (ROOT / "README.md").read_text(), re.DOTALL).group(1)
+    folder = tmp_path / "build/data/meshes"
+    folder.mkdir(parents=True)
+    write_off(folder / re.search(r'"build/data/meshes/(.*?)"', lines).group(1), *surface(10))
+    monkeypatch.chdir(tmp_path)
+    exec(lines, {"print": lambda *arguments: None})
+
+
 def test_the_example_draws_a_picture(tmp_path):
     pyplot = pytest.importorskip("matplotlib.pyplot")
     write_off(tmp_path / "mesh.off", *surface(8))
