@@ -71,6 +71,8 @@ def map_surface(
     landmarks: NDArray[np.int64],
     landmark_weight: Optional[float],
     features: Sequence[Tuple[NDArray[np.float64], NDArray[np.float64]]],
+    feature_weight: float,
+    returns_on_interrupt: bool,
 ) -> Tuple[_Points, Dict[str, Any]]: ...
 def overlay(
     vertices1: _Points,

@@ -7,7 +7,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _core
-from ._arguments import read_surface, refuse
+from ._arguments import check_word, read_surface, refuse
 
 
 @dataclass(frozen=True)
@@ -28,6 +28,8 @@ class SurfaceMapReport:
         How far the image of each landmark is from where it should be, in the unit of length of the second surface.
     number_of_missed_landmarks : int
         How many landmarks could not be met, though no `landmark_weight` was given.
+    is_stopped : bool
+        Whether an interruption has ended the sweeps.
     """
 
     energy: float
@@ -35,6 +37,7 @@ class SurfaceMapReport:
     margin: float
     landmark_distances: NDArray[np.float64]
     number_of_missed_landmarks: int
+    is_stopped: bool
 
 
 def map_surface(
@@ -47,13 +50,14 @@ def map_surface(
     landmarks: Optional[ArrayLike] = None,
     landmark_weight: Optional[float] = None,
     features: Sequence[Tuple[ArrayLike, ArrayLike]] = (),
+    feature_weight: float = 3.0,
+    on_interrupt: str = "raise",
 ) -> Tuple[NDArray[np.float64], SurfaceMapReport]:
     """Maps a surface one-to-one onto another one, with low distortion in both directions, by maps to the sphere.
 
     The map is a direction for each vertex of the first surface. As a map to the sphere of the second one, the directions
     are certified by exact arithmetic. What lies in a direction is found with a `Locator` of `sphere2`; `remesh` gives the
     second surface with the faces of the first one, `transfer` carries values over, `overlay` is the common refinement.
-    Ctrl-C is answered when the map has been found.
 
     Parameters
     ----------
@@ -70,8 +74,13 @@ def map_surface(
         Without it, landmarks are met exactly, but where straight edges do not allow for it. With a weight, they are soft:
         the mean of their squared distances on the unit sphere is added to the energy, so many times. 10 is a strong one.
     features : sequence of pairs of array_like
-        Pairs of (n1,) and (n2,) numbers: features of the vertices of each surface to align the spheres by, in place of
-        those of the package. Only the order of their values counts.
+        Pairs of (n1,) and (n2,) numbers: features of the vertices of each surface that are to agree, in place of those of
+        the package. Only the order of their values counts.
+    feature_weight : float
+        Features align the spheres, and then the mean of the squared differences of their ranks, which are from -1 to 1,
+        is added to the energy, so many times. With 0, they only align the spheres.
+    on_interrupt : {"raise", "return"}
+        What Ctrl-C does: raise KeyboardInterrupt, or return the map reached by then. It is noticed between two sweeps.
 
     Returns
     -------
@@ -102,6 +111,10 @@ def map_surface(
     if landmark_weight is not None and not 0 < landmark_weight < np.inf:
         refuse(f"landmark_weight is {landmark_weight}; it has to be positive")
 
+    if not 0 <= feature_weight < np.inf:
+        refuse(f"feature_weight is {feature_weight}; it has to be 0 or more")
+    check_word("on_interrupt", on_interrupt, ("raise", "return"))
+
     def read_feature(name: str, value: ArrayLike, n: int) -> NDArray[np.float64]:
         array = np.asarray(value)
         if array.dtype.kind not in "fiu":
@@ -119,7 +132,14 @@ def map_surface(
         values1, values2 = (read_feature(f"features[{k}][{i}]", pair[i], len(surfaces[3 * i])) for i in (0, 1))
         pairs.append((values1, values2))
     weight = None if landmark_weight is None else float(landmark_weight)
-    directions, report = _core.map_surface(*surfaces, np.ascontiguousarray(rows, dtype=np.int64), weight, pairs)
+    directions, report = _core.map_surface(
+        *surfaces,
+        np.ascontiguousarray(rows, dtype=np.int64),
+        weight,
+        pairs,
+        float(feature_weight),
+        on_interrupt == "return",
+    )
     return directions, SurfaceMapReport(**report)
 
 

@@ -34,7 +34,8 @@ py::array transfer(const py::array& values, bool is_of_faces, const Points& vert
 using Values = py::array_t<double, py::array::c_style>;
 py::tuple map_surface(const Points& vertices1, const Indices& faces1, const Points& sphere1, const Points& vertices2,
                       const Indices& faces2, const Points& sphere2, const Indices& landmarks,
-                      std::optional<double> landmark_weight, const std::vector<std::pair<Values, Values>>& features);
+                      std::optional<double> landmark_weight, const std::vector<std::pair<Values, Values>>& features,
+                      double feature_weight, bool returns_on_interrupt);
 py::tuple overlay(const Points& vertices1, const Indices& faces1, const Points& sphere1, const Points& vertices2,
                   const Indices& faces2, const Points& sphere2);
 

@@ -1,3 +1,4 @@
+#include "Interruption.h"
 #include "functions.h"
 
 #include <CGAL/Spherical_parameterization/Area_preserving_radius_3.h>
@@ -15,7 +16,6 @@
 #endif
 
 #include <algorithm>
-#include <chrono>
 #include <functional>
 #include <limits>
 
@@ -23,17 +23,16 @@ namespace Module {
 
 namespace {
 
-// Asks Python between two sweeps whether to go on: its signals, and the caller's function. It is called in the thread of
-// the caller, without the lock of the interpreter.
+// Asks between two sweeps whether to go on: the signals of Python, and the caller's function.
 class Python_visitor : public SP::Default_visitor
 {
 public:
   Python_visitor(const py::object& callback, bool returns_on_interrupt)
     : m_callback(callback)
-    , m_returns_on_interrupt(returns_on_interrupt)
+    , m_interruption(returns_on_interrupt)
   {}
 
-  void on_level(std::size_t) { check_signals_now_and_then(); }
+  void on_level(std::size_t) { m_interruption.check_now_and_then(); }
 
   void after_iteration(std::size_t iteration, double energy, double radius)
   {
@@ -43,53 +42,27 @@ public:
     try
     {
       const py::object answer = m_callback(iteration, energy, radius);
-      m_is_stopped = m_is_stopped || (!answer.is_none() && !answer.cast<bool>());
+      if(!answer.is_none() && !answer.cast<bool>())
+        m_interruption.stop();
     }
     catch(py::error_already_set& error)
     {
-      if(!m_returns_on_interrupt || !error.matches(PyExc_KeyboardInterrupt))
-        throw;
-      m_is_stopped = true;
+      m_interruption.stop_or_throw(error);
     }
   }
 
   bool go_further(std::size_t, double)
   {
-    check_signals_now_and_then();
-    return !m_is_stopped;
+    m_interruption.check_now_and_then();
+    return !m_interruption.is_stopped();
   }
 
   // An interruption that comes after the last sweep is answered as well.
-  void on_optimization_end() { check_signals(); }
+  void on_optimization_end() { m_interruption.check(); }
 
 private:
-  using Clock = std::chrono::steady_clock;
-
-  void check_signals_now_and_then()
-  {
-    constexpr std::chrono::milliseconds pause{20}; // other threads of Python may hold the lock for some
-    const Clock::time_point now = Clock::now();
-    if(now < m_next)
-      return;
-    check_signals();
-    m_next = Clock::now() + pause;
-  }
-
-  void check_signals()
-  {
-    const py::gil_scoped_acquire lock;
-    if(PyErr_CheckSignals() == 0)
-      return;
-    if(!m_returns_on_interrupt || PyErr_ExceptionMatches(PyExc_KeyboardInterrupt) == 0)
-      throw py::error_already_set();
-    PyErr_Clear();
-    m_is_stopped = true;
-  }
-
   const py::object& m_callback;
-  bool m_returns_on_interrupt;
-  bool m_is_stopped = false;
-  Clock::time_point m_next = Clock::now();
+  Interruption m_interruption;
 };
 
 // Runs f with no more threads than given; 0 stands for no limit.

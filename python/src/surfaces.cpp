@@ -1,3 +1,4 @@
+#include "Interruption.h"
 #include "functions.h"
 
 #include <CGAL/Spherical_parameterization/map_surface.h>
@@ -78,7 +79,8 @@ std::vector<std::pair<Vertex_index, Vertex_index>> read_landmarks(const Two_surf
 
 py::tuple map_surface(const Points& vertices1, const Indices& faces1, const Points& sphere1, const Points& vertices2,
                       const Indices& faces2, const Points& sphere2, const Indices& landmarks,
-                      std::optional<double> landmark_weight, const std::vector<std::pair<Values, Values>>& features)
+                      std::optional<double> landmark_weight, const std::vector<std::pair<Values, Values>>& features,
+                      double feature_weight, bool returns_on_interrupt)
 {
   using namespace py::literals;
   const std::size_t n = number_of_rows(vertices1);
@@ -97,14 +99,21 @@ py::tuple map_surface(const Points& vertices1, const Indices& faces1, const Poin
     };
     for(const auto& [values1, values2] : features)
       settings.features.emplace_back(feature(values1), feature(values2));
+    settings.feature_weight = feature_weight;
+    Interruption interruption(returns_on_interrupt);
+    settings.go_further = [&] {
+      interruption.check_now_and_then();
+      return !interruption.is_stopped();
+    };
     surfaces.check(SP::map_surface(surfaces.first, rows_of(sphere1), surfaces.second, rows_of(sphere2),
                                    Row_map<double>(rows), settings, &report));
   }
   return py::make_tuple(
-      directions, py::dict("energy"_a = report.energy, "agreement"_a = report.agreement, "margin"_a = report.margin,
-                           "landmark_distances"_a = Values(static_cast<py::ssize_t>(report.landmark_distances.size()),
-                                                           report.landmark_distances.data()),
-                           "number_of_missed_landmarks"_a = report.number_of_missed_landmarks));
+      directions,
+      py::dict("energy"_a = report.energy, "agreement"_a = report.agreement, "margin"_a = report.margin,
+               "landmark_distances"_a =
+                   Values(static_cast<py::ssize_t>(report.landmark_distances.size()), report.landmark_distances.data()),
+               "number_of_missed_landmarks"_a = report.number_of_missed_landmarks, "is_stopped"_a = report.is_stopped));
 }
 
 py::tuple overlay(const Points& vertices1, const Indices& faces1, const Points& sphere1, const Points& vertices2,

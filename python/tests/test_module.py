@@ -311,6 +311,18 @@ def test_an_interruption_stops_the_run(callback):
     signal.signal(signal.SIGVTALRM, previous)
 
 
+def test_an_interruption_stops_the_map_between_surfaces():
+    first, second = map_of(50), map_of(48, shift=1.0)
+    previous = signal.signal(signal.SIGVTALRM, signal.default_int_handler)
+    signal.setitimer(signal.ITIMER_VIRTUAL, 0.1)
+    directions, report = sp.map_surface(*first, *second, on_interrupt="return")
+    assert report.is_stopped and sp.is_bijective(directions, first[1])
+    signal.setitimer(signal.ITIMER_VIRTUAL, 0.1)
+    with pytest.raises(KeyboardInterrupt):
+        sp.map_surface(*first, *second)
+    signal.signal(signal.SIGVTALRM, previous)
+
+
 # Sampling
 
 
@@ -429,6 +441,7 @@ def test_says_what_is_wrong_with_two_surfaces():
         {"landmarks": [0, 1]},
         {"landmark_weight": 0},
         {"features": [values]},
+        {"feature_weight": -1},
         {"features": [values[::-1]]},
     ):
         refused(wrong, sp.map_surface, *first, *second, **settings)
