@@ -50,7 +50,7 @@ def map_surface(
     landmarks: Optional[ArrayLike] = None,
     landmark_weight: Optional[float] = None,
     features: Sequence[Tuple[ArrayLike, ArrayLike]] = (),
-    feature_weight: float = 3.0,
+    feature_weight: float = 4.0,
     on_interrupt: str = "raise",
 ) -> Tuple[NDArray[np.float64], SurfaceMapReport]:
     """Maps a surface one-to-one onto another one, with low distortion in both directions, by maps to the sphere.
@@ -78,7 +78,8 @@ def map_surface(
         the package. Only the order of their values counts.
     feature_weight : float
         Features align the spheres, and then the mean of the squared differences of their ranks, which are from -1 to 1,
-        is added to the energy, so many times. With 0, they only align the spheres.
+        is added to the energy, so many times; those of the package the less, the less they agree. With 0, features only
+        align the spheres.
     on_interrupt : {"raise", "return"}
         What Ctrl-C does: raise KeyboardInterrupt, or return the map reached by then. It is noticed between two sweeps.
 
