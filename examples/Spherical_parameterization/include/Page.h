@@ -160,8 +160,9 @@ private:
     for(std::size_t k = 0; k < 3; ++k)
     {
       const int i = static_cast<int>(k);
-      side.centre[k] = 0.5 * box.min(i) + 0.5 * box.max(i); // their sum may be infinite
-      extent = (std::max)(extent, 0.5 * box.max(i) - 0.5 * box.min(i));
+      const double low = (box.min)(i), high = (box.max)(i);
+      side.centre[k] = 0.5 * low + 0.5 * high; // their sum may be infinite
+      extent = (std::max)(extent, 0.5 * high - 0.5 * low);
     }
     if(extent == 0.)
       extent = 1.;
