@@ -13,7 +13,7 @@ fail() {
 }
 
 # run_stage NAME COMMAND...: prints NAME and how many seconds COMMAND has taken in one line and keeps what it prints in
-# build/logs; shows it on failure.
+# build/logs; shows its end on failure, and last of all the lines that tell what has failed.
 run_stage() {
   local name=$1 log=$build/logs/${1// /_}.log start=$SECONDS status=0
   shift
@@ -22,6 +22,8 @@ run_stage() {
   printf '== %s: %d s\n' "$name" $((SECONDS - start))
   if [ $status -ne 0 ]; then
     tail -n 100 "$log" >&2
+    echo "== What has failed:" >&2
+    grep -a -A 6 -E ': Failure$|error:|^E  |Sanitizer:' "$log" | cut -c -400 | tail -n 40 >&2 || true
     fail "Failed: $name. The whole log: $log"
   fi
 }

@@ -497,19 +497,25 @@ protected:
       fs::copy_file(path("in/0.off"), path("in/" + std::to_string(i) + ".off"));
   }
 
-  // returns the names without endings of the meshes that are told to be mapped, which are not all
-  Names interrupt_by(const std::string& signal) const
+  // returns the names without endings of the meshes that are told to be mapped, which are not all. A busy machine may let
+  // the signal come after the last mesh: then all is repeated.
+  Names interrupt_by(const std::string& signal, const std::string& preparation) const
   {
-    // A shell makes its background processes deaf to Ctrl-C, unless they have an ear for it of their own.
-    const Outcome outcome =
-        run_script("\"$PROGRAM\" in --output-folder out --threads 2 & while kill -0 $! && ! grep -q "
-                   "'^.1/' stdout.txt; do sleep 0.01; done; kill -" +
-                   signal + " $!; wait $!");
-    EXPECT_EQ(outcome.status, 1) << outcome.err;
     Names mapped;
-    const std::regex pattern("\\] in/([0-9]+)\\.off: 2562 vertices");
-    for(std::sregex_iterator match(outcome.out.begin(), outcome.out.end(), pattern), end; match != end; ++match)
-      mapped.insert((*match)[1]);
+    Outcome outcome;
+    for(int attempt = 0; attempt == 0 || (attempt < 20 && mapped.size() == n); ++attempt)
+    {
+      // A shell makes its background processes deaf to Ctrl-C, unless they have an ear for it of their own.
+      outcome = run_script(preparation +
+                           "\"$PROGRAM\" in --output-folder out --threads 2 & while kill -0 $! && ! grep -q "
+                           "'^.1/' stdout.txt; do sleep 0.01; done; kill -" +
+                           signal + " $!; wait $!");
+      mapped.clear();
+      const std::regex pattern("\\] in/([0-9]+)\\.off: 2562 vertices");
+      for(std::sregex_iterator match(outcome.out.begin(), outcome.out.end(), pattern), end; match != end; ++match)
+        mapped.insert((*match)[1]);
+    }
+    EXPECT_EQ(outcome.status, 1) << outcome.err;
     EXPECT_GT(mapped.size(), 0u);
     EXPECT_LT(mapped.size(), n);
     const std::string missed = "interrupted: " + std::to_string(n - mapped.size()) + " of 30 meshes";
@@ -533,7 +539,7 @@ protected:
 
 TEST_F(Interrupted_batch, leaves_nothing_incomplete_and_goes_on_later)
 {
-  const Names mapped = interrupt_by("TERM");
+  const Names mapped = interrupt_by("TERM", "rm -rf out; ");
   EXPECT_EQ(results(), mapped);
   EXPECT_EQ(redone("in").size(), n - mapped.size());
   ASSERT_EQ(run("in/0.off -o single.off").status, 0);
@@ -546,8 +552,7 @@ TEST_F(Interrupted_batch, keeps_the_earlier_results_of_meshes_that_are_not_begun
 {
   for(const char* signal : {"INT", "HUP"})
   {
-    run_batch("in --output-folder out", 0);
-    interrupt_by(signal);
+    interrupt_by(signal, "\"$PROGRAM\" in --output-folder out --quiet; ");
     const std::size_t n_results = results().size();
     EXPECT_GE(n_results, n - 2);
     EXPECT_EQ(redone("in").size(), n - n_results);
