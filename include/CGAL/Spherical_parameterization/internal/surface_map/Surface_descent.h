@@ -152,27 +152,55 @@ private:
   void relax(const Mesh_hierarchy::Level& level, const Vertex_rings& rings, const MaySweep& may_sweep,
              std::vector<Vector_3d>& local)
   {
-    constexpr std::size_t n_sweeps = 20, n_coarse_sweeps = 30, max_coarse_size = 1000;
-    const std::size_t n = local.size() <= max_coarse_size ? n_coarse_sweeps : n_sweeps;
+    constexpr std::size_t n_sweeps = 60;
     const std::vector<Rest_triangle> rests = rest_shapes(level, rings);
     const Independent_sets sets(rings);
     const std::size_t metric_level = m_metric.level_for(local.size());
-    for(std::size_t sweep = 0; sweep < n && may_sweep(); ++sweep)
+    std::vector<char> is_settled(local.size(), 0);
+    for(std::size_t sweep = 0; sweep < n_sweeps && may_sweep(); ++sweep)
       for(std::size_t set = 0; set < sets.number_of_sets(); ++set)
-        for_each_block(m_execution, sets.first(set), sets.first(set + 1), block_size,
-                       [&](std::size_t begin, std::size_t end) {
-                         Target_star& star = m_stars.local();
-                         star.set_level(metric_level);
-                         for(std::size_t k = begin; k < end; ++k)
-                         {
-                           const std::uint32_t v = sets.vertices()[k];
-                           const Rest_triangle* const shapes = rests.data() + rings.offset(v);
-                           star.load(rings, v, local, [&](std::size_t j) { return shapes[j]; });
-                           if(m_features.image)
-                             set_features(star, level.vertices[v], shapes, rings.ring(v).size());
-                           move(star, level.vertices[v], sweep, sweep + 1 == n, local[v]);
-                         }
-                       });
+        for_each_block(
+            m_execution, sets.first(set), sets.first(set + 1), block_size, [&](std::size_t begin, std::size_t end) {
+              Target_star& star = m_stars.local();
+              star.set_level(metric_level);
+              for(std::size_t k = begin; k < end; ++k)
+              {
+                const std::uint32_t v = sets.vertices()[k];
+                const Vertex_rings::Ring ring = rings.ring(v);
+                if(is_settled[v] && is_settled_around(ring, is_settled))
+                  continue;
+                const Rest_triangle* const shapes = rests.data() + rings.offset(v);
+                star.load(rings, v, local, [&](std::size_t j) { return shapes[j]; });
+                if(m_features.image)
+                  set_features(star, level.vertices[v], shapes, ring.size());
+                const Vector_3d position = local[v];
+                const bool may_settle = move(star, level.vertices[v], sweep, sweep + 1 == n_sweeps, local[v]);
+                is_settled[v] = may_settle && is_short(local[v] - position, position, ring, local);
+              }
+            });
+  }
+
+  // A vertex is passed over once neither it nor a neighbor has moved by more than a small part of the distance to the
+  // nearest neighbor: on average after some 20 sweeps, but the last ones need 60.
+  static bool is_settled_around(const Vertex_rings::Ring& ring, const std::vector<char>& is_settled)
+  {
+    for(std::size_t j = 0; j < ring.size(); ++j)
+      if(!is_settled[ring[j]])
+        return false;
+    return true;
+  }
+
+  static bool is_short(const Vector_3d& step, const Vector_3d& position, const Vertex_rings::Ring& ring,
+                       const std::vector<Vector_3d>& local)
+  {
+    constexpr double largest_part = 0.02;
+    double squared_distance = 4.;
+    for(std::size_t j = 0; j < ring.size(); ++j)
+    {
+      const Vector_3d edge = local[ring[j]] - position;
+      squared_distance = (std::min)(squared_distance, dot(edge, edge));
+    }
+    return dot(step, step) <= largest_part * largest_part * squared_distance;
   }
 
   // A vertex stands for a third of the area of its faces, as all have it on this level.
@@ -187,12 +215,12 @@ private:
   }
 
   // A hard landmark is drawn to its goal ever harder, until it can go there at little cost: the faces around it make
-  // way meanwhile. In the last sweep any cost will do.
-  void move(Target_star& star, std::uint32_t v, std::size_t sweep, bool is_last, Vector_3d& position)
+  // way meanwhile. In the last sweep any cost will do. Returns false for one that is on its way.
+  bool move(Target_star& star, std::uint32_t v, std::size_t sweep, bool is_last, Vector_3d& position)
   {
     constexpr double max_growth = 2., largest = 1e6, first_weight = 1., max_weight = 1e6;
     if(m_is_pinned[v])
-      return;
+      return true;
     if(const Vector_3d* const goal = m_goals[v])
     {
       if(m_is_hard)
@@ -202,7 +230,7 @@ private:
         {
           position = *goal;
           m_is_pinned[v] = 1;
-          return;
+          return true;
         }
       }
       star.set_goal(goal,
@@ -211,6 +239,7 @@ private:
     std::array<double, 2> step;
     if(m_step(star, step))
       position = star.point_at(step[0], step[1]);
+    return !(m_goals[v] && m_is_hard);
   }
 
   // Puts the removed vertices where they were in the triangles of their holes; `old` are the positions before all
