@@ -1,0 +1,16 @@
+# find_python_with(RESULT MODULE...): sets RESULT to a Python that has these modules, or to nothing. The first Python on the
+# path may lack them.
+function(find_python_with result)
+  find_package(Python3 QUIET COMPONENTS Interpreter)
+  string(REPLACE ";" ", " modules "${ARGN}")
+  set(python "")
+  foreach(candidate "${Python_EXECUTABLE}" "${Python3_EXECUTABLE}" /usr/bin/python3)
+    if(EXISTS "${candidate}" AND NOT python)
+      execute_process(COMMAND "${candidate}" -c "import ${modules}" RESULT_VARIABLE status OUTPUT_QUIET ERROR_QUIET)
+      if(status EQUAL 0)
+        set(python "${candidate}")
+      endif()
+    endif()
+  endforeach()
+  set(${result} "${python}" PARENT_SCOPE)
+endfunction()
