@@ -42,7 +42,10 @@ public:
     try
     {
       const py::object answer = m_callback(iteration, energy, radius);
-      if(!answer.is_none() && !answer.cast<bool>())
+      const int is_true = answer.is_none() ? 1 : PyObject_IsTrue(answer.ptr());
+      if(is_true < 0)
+        throw py::error_already_set();
+      if(is_true == 0)
         m_interruption.stop();
     }
     catch(py::error_already_set& error)

@@ -107,6 +107,7 @@ py::tuple map_surface(const Points& vertices1, const Indices& faces1, const Poin
     };
     surfaces.check(SP::map_surface(surfaces.first, rows_of(sphere1), surfaces.second, rows_of(sphere2),
                                    Row_map<double>(rows), settings, &report));
+    interruption.check(); // one that comes after the last sweep, or where none is needed, is answered as well
   }
   return py::make_tuple(
       directions,

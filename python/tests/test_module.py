@@ -276,7 +276,7 @@ def test_the_callback_is_told_and_may_stop():
     report = sp.parameterize(vertices, faces, callback=lambda *arguments: calls.append(arguments))[1]
     assert len(calls) == report.number_of_iterations > 3 and report.stop_reason == "converged"
     assert calls[-1][1] < calls[0][1] and calls[-1][2] == pytest.approx(report.radius, rel=0.01)
-    sphere, stopped = sp.parameterize(vertices, faces, callback=lambda i, energy, radius: i < 2)
+    sphere, stopped = sp.parameterize(vertices, faces, callback=lambda i, energy, radius: [i] if i < 2 else [])
     assert stopped.stop_reason == "stopped by the visitor" and stopped.number_of_iterations < 4
     assert sp.is_bijective(sphere, faces)
 
@@ -320,6 +320,9 @@ def test_an_interruption_stops_the_map_between_surfaces():
     signal.setitimer(signal.ITIMER_VIRTUAL, 0.1)
     with pytest.raises(KeyboardInterrupt):
         sp.map_surface(*first, *second)
+    signal.setitimer(signal.ITIMER_VIRTUAL, 0.1)
+    _, report = sp.map_surface(*first, *first, on_interrupt="return")  # which needs no sweep
+    assert not report.is_stopped
     signal.signal(signal.SIGVTALRM, previous)
 
 

@@ -499,15 +499,15 @@ protected:
 
   // returns the names without endings of the meshes that are told to be mapped, which are not all. A busy machine may let
   // the signal come after the last mesh: then all is repeated.
-  Names interrupt_by(const std::string& signal, const std::string& preparation) const
+  Names interrupt_by(const std::string& signal, const std::string& preparation, const std::string& options = "") const
   {
     Names mapped;
     Outcome outcome;
     for(int attempt = 0; attempt == 0 || (attempt < 20 && mapped.size() == n); ++attempt)
     {
       // A shell makes its background processes deaf to Ctrl-C, unless they have an ear for it of their own.
-      outcome = run_script(preparation +
-                           "\"$PROGRAM\" in --output-folder out --threads 2 & while kill -0 $! && ! grep -q "
+      outcome = run_script(preparation + "\"$PROGRAM\" in --output-folder out --threads 2 " + options +
+                           " & while kill -0 $! && ! grep -q "
                            "'^.1/' stdout.txt; do sleep 0.01; done; kill -" +
                            signal + " $!; wait $!");
       mapped.clear();
@@ -546,6 +546,15 @@ TEST_F(Interrupted_batch, leaves_nothing_incomplete_and_goes_on_later)
   const std::string expected = content(path("single.off"));
   for(std::size_t i = 0; i < n; ++i)
     EXPECT_TRUE(content(path("out/" + std::to_string(i) + ".off")) == expected) << i;
+}
+
+TEST_F(Interrupted_batch, leaves_no_template_that_was_stopped_on_its_way)
+{
+  write_off("model.off", test_meshes::scaled(test_meshes::icosphere(2), 1., 1.3, 0.8));
+  const Names mapped = interrupt_by("TERM", "rm -rf out; ", "--template model.off");
+  EXPECT_EQ(results(), mapped);
+  for(const std::string& name : mapped)
+    EXPECT_FALSE(json("out/" + name + ".json").get<bool>("match.is_stopped")) << name;
 }
 
 TEST_F(Interrupted_batch, keeps_the_earlier_results_of_meshes_that_are_not_begun)

@@ -95,9 +95,10 @@ private:
       Mesh_run run(m_options, names);
       run.remove_earlier_files();
       run.map();
+      if(!run.report().is_interrupted())
+        run.match(m_template ? &*m_template : nullptr);
       if(run.report().is_interrupted())
         return;
-      run.match(m_template ? &*m_template : nullptr);
       run.write();
       tell_map(run.report());
     }

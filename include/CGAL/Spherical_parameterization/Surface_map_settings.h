@@ -49,19 +49,20 @@ struct Surface_map_settings
   /// so many times. A weight of 10 is a strong one.
   std::optional<double> landmark_weight;
 
-  /// Features of the surfaces that are to agree, each as two functions of a vertex, in place of those of the package, which
-  /// are left out if landmarks turn the spheres. Only the order of their values counts, and they are seen through a grid of
-  /// 4002 directions.
+  /// Features of the surfaces that are to agree, each as two functions of a vertex. If there are none, the package has its
+  /// own, unless landmarks turn the spheres. Only the order of their values counts, and they are seen through a grid of 4002
+  /// directions.
   std::vector<std::pair<std::function<double(Vertex_1)>, std::function<double(Vertex_2)>>> features;
 
   /// Features align the spheres, and then the mean of the squared differences of their ranks, which are from -1 to 1, is
-  /// added to the mean energy, so many times; those of the package the less, the less they agree. With 0, features only
-  /// align the spheres.
+  /// added to the mean energy, so many times; for features of the package, times the fourth power of their agreement. With
+  /// 0, features only align the spheres.
   double feature_weight = 4.;
 
   /// If it is not empty, it is called before each sweep over the first surface, by the thread that has called
   /// `map_surface()`. Once it returns `false`, there are no more sweeps: the map that has been reached is certified and
-  /// returned. With a clock in it, it is a time limit.
+  /// returned. With a clock in it, it is a time limit, but for the alignment, which comes before the first sweep. Landmarks
+  /// may be missed then that more sweeps would have met. Where the spheres agree as they are, there are no sweeps.
   std::function<bool()> go_further;
 };
 

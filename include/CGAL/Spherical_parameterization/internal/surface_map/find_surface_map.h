@@ -128,7 +128,7 @@ Aligned_start start_of_map(const Located_surface<K>& first, const Located_surfac
   Aligned_start result;
   if(rotation)
     result.directions = rotated_directions(*rotation, first.sphere);
-  if(rotation && hints.features[0].empty())
+  if(rotation && (hints.features[0].empty() || !(hints.feature_weight > 0.)))
     return result;
   const Sphere_grid grid;
   const auto samples = [&](const Located_surface<K>& surface, std::size_t k) {
