@@ -122,6 +122,12 @@ def test_says_what_is_wrong_with_a_mesh_and_where():
     assert defect(code.NON_FINITE_COORDINATE, points, FACES).vertex == 2
     two = [*FACES, *(FACES + 4)]
     defect(code.SEVERAL_COMPONENTS, np.r_[TETRAHEDRON, TETRAHEDRON + 9], two)
+    on_an_edge = np.r_[FACES, np.array([0, 1, 4, 5])[FACES]]  # four faces have it, in any order
+    corners = np.r_[TETRAHEDRON, TETRAHEDRON[2:] - 9]
+    for seed in range(20):
+        order = np.random.default_rng(seed).permutation(8)
+        assert "has 4 faces" in str(defect(code.NO_SIMPLICIAL_COMPLEX, corners, on_an_edge[order]))
+        refused(code.NO_SIMPLICIAL_COMPLEX, sp.measure_distortion, corners, on_an_edge[order], corners)
     soup = TETRAHEDRON[FACES].reshape(-1, 3)  # as STL files have it
     assert "do not share them" in str(defect(code.NON_CLOSED_MESH, soup, np.arange(12).reshape(4, 3)))
     error = defect(code.NO_SIMPLICIAL_COMPLEX, TETRAHEDRON, [[0, 2, 1], *FACES[1:]])

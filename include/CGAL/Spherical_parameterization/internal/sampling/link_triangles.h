@@ -19,6 +19,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <vector>
 
@@ -28,7 +29,7 @@ namespace internal {
 
 // Finds the neighbours of the triangles of a closed mesh with n vertices, in linear time: each edge is looked for at its
 // end with fewer triangles, and there are less than three edges for each vertex of a triangulated sphere, in all of its
-// parts as well. Returns nothing if the sides of triangles are not paired, in opposite directions.
+// parts as well. Returns nothing unless each edge has two triangles, in opposite directions.
 inline std::vector<Linked_triangle> link_triangles(const std::vector<std::array<std::uint32_t, 3>>& triangles,
                                                    std::size_t n)
 {
@@ -46,11 +47,12 @@ inline std::vector<Linked_triangle> link_triangles(const std::vector<std::array<
   {
     std::uint32_t begin, end;
   };
-  // The sides of edges whose neighbour has not been found, at most as many for each vertex as it has triangles.
-  const std::unique_ptr<Side[]> open(new Side[3 * triangles.size()]);
-  std::vector<Range> open_at(n);
+  constexpr std::uint32_t is_paired = (std::numeric_limits<std::uint32_t>::max)();
+  // The first side of each edge, at most as many for each vertex as it has triangles.
+  const std::unique_ptr<Side[]> first_sides(new Side[3 * triangles.size()]);
+  std::vector<Range> sides_at(n);
   for(std::uint32_t v = 0, begin = 0; v < n; begin += degrees[v++])
-    open_at[v] = {begin, begin};
+    sides_at[v] = {begin, begin};
   std::size_t n_open = 0;
 
   std::vector<Linked_triangle> result(triangles.size());
@@ -62,24 +64,25 @@ inline std::vector<Linked_triangle> link_triangles(const std::vector<std::array<
       const std::uint32_t from = triangles[t][(i + 1) % 3], to = triangles[t][(i + 2) % 3];
       const bool is_from = rank(from) < rank(to);
       const std::uint32_t a = is_from ? from : to, b = is_from ? to : from;
-      Range& sides = open_at[a];
+      Range& sides = sides_at[a];
       std::uint32_t k = sides.begin;
-      while(k < sides.end && open[k].other_end != b)
+      while(k < sides.end && first_sides[k].other_end != b)
         ++k;
       if(k == sides.end)
       {
         if(k == sides.begin + degrees[a])
           return {};
-        open[sides.end++] = {b, 4 * t + i};
+        first_sides[sides.end++] = {b, 4 * t + i};
         ++n_open;
         continue;
       }
-      const std::uint32_t s = open[k].corner / 4, j = open[k].corner % 4;
-      if(from == triangles[s][(j + 1) % 3])
+      std::uint32_t& corner = first_sides[k].corner;
+      const std::uint32_t s = corner / 4, j = corner % 4;
+      if(corner == is_paired || from == triangles[s][(j + 1) % 3])
         return {};
       result[t].neighbors[i] = s;
       result[s].neighbors[j] = t;
-      open[k] = open[--sides.end];
+      corner = is_paired;
       --n_open;
     }
   }
