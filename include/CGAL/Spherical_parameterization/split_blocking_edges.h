@@ -38,8 +38,8 @@ namespace Spherical_parameterization {
 
 namespace internal {
 
-// returns whether two arcs cross, in their interiors. See that all four triangles turn the same way; two of them would not,
-// if one arc crossed the antipodes of the other one.
+// returns whether two arcs cross, in their interiors: then all four triangles have the same orientation. If one arc crosses
+// the antipodes of the other one, two of them differ.
 inline bool do_arcs_cross(const Vector_3d& a, const Vector_3d& b, const Vector_3d& c, const Vector_3d& d)
 {
   const auto side = [](const Vector_3d& p, const Vector_3d& q, const Vector_3d& r) {
@@ -83,8 +83,8 @@ inline bool do_arcs_cross(const Vector_3d& a, const Vector_3d& b, const Vector_3
 /// \param vertex_sphere_map2 the map of the second surface
 /// \param landmarks as they are in `Surface_map_settings`
 ///
-/// \return the number of edges that have been split; 0 if none is in the way, or double precision numbers cannot hold what
-///         is left of their faces
+/// \return the number of edges that have been split; 0 if none is crossed, as where a way leads exactly through
+///         vertices, or if double precision numbers cannot hold what is left of their faces
 template <class TriangleMesh, class VertexSphereMap, class VertexDirectionMap, class VertexSphereMap2,
           class LandmarkRange>
 std::size_t split_blocking_edges(TriangleMesh& tmesh, VertexSphereMap vertex_sphere_map,
