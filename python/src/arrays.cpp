@@ -1,7 +1,7 @@
 #include "arrays.h"
 
-#include <CGAL/Spherical_parameterization/internal/sampling/Added_triangles.h>
-#include <CGAL/Spherical_parameterization/internal/sampling/link_triangles.h>
+#include <CGAL/Spherical_parameterization/internal/surface/Added_triangles.h>
+#include <CGAL/Spherical_parameterization/internal/surface/link_triangles.h>
 #include <CGAL/Spherical_parameterization/is_bijective.h>
 #include <CGAL/Spherical_parameterization/measure_distortion.h>
 

@@ -6,7 +6,7 @@
 #include <CGAL/Spherical_parameterization/internal/baselines/Laplacian_system.h>
 #include <CGAL/Spherical_parameterization/internal/baselines/Stereographic_embedding.h>
 #include <CGAL/Spherical_parameterization/internal/certificate/is_safely_positive.h>
-#include <CGAL/Spherical_parameterization/internal/mesh/mesh_measures.h>
+#include <CGAL/Spherical_parameterization/internal/surface/mesh_measures.h>
 
 #include "indexed_meshes.h"
 #include "random_meshes.h"

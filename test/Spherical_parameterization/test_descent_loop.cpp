@@ -1,11 +1,11 @@
 // The descent of a whole mesh: independent sets, all faces measured at once, the sharpness of the sweeps and the loop over
 // them, which with the settings of the paper is the published method.
 
-#include <CGAL/Spherical_parameterization/internal/descent/Block_coordinate_descent.h>
-#include <CGAL/Spherical_parameterization/internal/descent/Descent_loop.h>
-#include <CGAL/Spherical_parameterization/internal/descent/Independent_sets.h>
-#include <CGAL/Spherical_parameterization/internal/descent/Measured_faces.h>
-#include <CGAL/Spherical_parameterization/internal/descent/Sharpness_rule.h>
+#include <CGAL/Spherical_parameterization/internal/levels/Block_coordinate_descent.h>
+#include <CGAL/Spherical_parameterization/internal/levels/Descent_loop.h>
+#include <CGAL/Spherical_parameterization/internal/levels/Independent_sets.h>
+#include <CGAL/Spherical_parameterization/internal/levels/Measured_faces.h>
+#include <CGAL/Spherical_parameterization/internal/levels/Sharpness_rule.h>
 
 #include "engine.h"
 #include "indexed_meshes.h"

@@ -1,10 +1,10 @@
 // What a run lowers: the areas of isometric images, its levels, and its derivatives in the radius, against brute force.
 
-#include <CGAL/Spherical_parameterization/internal/descent/Block_coordinate_descent.h>
-#include <CGAL/Spherical_parameterization/internal/descent/Energy_summary.h>
-#include <CGAL/Spherical_parameterization/internal/descent/Independent_sets.h>
-#include <CGAL/Spherical_parameterization/internal/descent/Objective.h>
-#include <CGAL/Spherical_parameterization/internal/mesh/sliver_vertices.h>
+#include <CGAL/Spherical_parameterization/internal/levels/Block_coordinate_descent.h>
+#include <CGAL/Spherical_parameterization/internal/levels/Energy_summary.h>
+#include <CGAL/Spherical_parameterization/internal/levels/Independent_sets.h>
+#include <CGAL/Spherical_parameterization/internal/levels/Objective.h>
+#include <CGAL/Spherical_parameterization/internal/surface/sliver_vertices.h>
 
 #include "engine.h"
 #include "indexed_meshes.h"

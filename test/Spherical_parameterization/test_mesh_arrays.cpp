@@ -1,8 +1,8 @@
 // The surface as flat arrays: rings, numbering, scaling and refusals of Indexed_mesh, the rest shapes of faces, areas and
 // weights.
 
-#include <CGAL/Spherical_parameterization/internal/mesh/Rest_triangle.h>
-#include <CGAL/Spherical_parameterization/internal/mesh/mesh_measures.h>
+#include <CGAL/Spherical_parameterization/internal/surface/Rest_triangle.h>
+#include <CGAL/Spherical_parameterization/internal/surface/mesh_measures.h>
 
 #include "indexed_meshes.h"
 #include "random_meshes.h"

@@ -11,7 +11,7 @@
 #ifdef TEST_EXR
 #include <CGAL/Spherical_parameterization/IO/EXR_geometry_image.h>
 #endif
-#include <CGAL/Spherical_parameterization/internal/sampling/Geometry_image_layout.h>
+#include <CGAL/Spherical_parameterization/internal/images/Geometry_image_layout.h>
 
 #include <gtest/gtest.h>
 

@@ -8,7 +8,7 @@
 
 #include <CGAL/Spherical_parameterization/Sphere_domain_3.h>
 #include <CGAL/Spherical_parameterization/align_spheres.h>
-#include <CGAL/Spherical_parameterization/internal/alignment/Bent_map.h>
+#include <CGAL/Spherical_parameterization/internal/align/Bent_map.h>
 #include <CGAL/Spherical_parameterization/is_bijective.h>
 
 #include <gtest/gtest.h>

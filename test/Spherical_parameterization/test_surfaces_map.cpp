@@ -7,13 +7,13 @@
 #include "surfaces.h"
 #include "test_meshes.h"
 
-#include <CGAL/Spherical_parameterization/internal/alignment/Sphere_grid.h>
-#include <CGAL/Spherical_parameterization/internal/alignment/Sphere_image.h>
+#include <CGAL/Spherical_parameterization/internal/align/Sphere_grid.h>
+#include <CGAL/Spherical_parameterization/internal/align/Sphere_image.h>
 #include <CGAL/Spherical_parameterization/internal/certificate/is_safely_positive.h>
-#include <CGAL/Spherical_parameterization/internal/hierarchy/Mesh_hierarchy.h>
-#include <CGAL/Spherical_parameterization/internal/sampling/link_triangles.h>
-#include <CGAL/Spherical_parameterization/internal/surface_map/Target_metric.h>
-#include <CGAL/Spherical_parameterization/internal/surface_map/Target_star.h>
+#include <CGAL/Spherical_parameterization/internal/levels/Mesh_hierarchy.h>
+#include <CGAL/Spherical_parameterization/internal/surface/link_triangles.h>
+#include <CGAL/Spherical_parameterization/internal/levels/Target_metric.h>
+#include <CGAL/Spherical_parameterization/internal/levels/Target_star.h>
 #include <CGAL/Spherical_parameterization/is_bijective.h>
 #include <CGAL/Spherical_parameterization/map_surface.h>
 #include <CGAL/Spherical_parameterization/measure_distortion_between.h>

@@ -8,7 +8,7 @@
 
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Spherical_parameterization/Sphere_domain_3.h>
-#include <CGAL/Spherical_parameterization/internal/sampling/link_triangles.h>
+#include <CGAL/Spherical_parameterization/internal/surface/link_triangles.h>
 #include <CGAL/Spherical_parameterization/measure_distortion_between.h>
 #include <CGAL/Spherical_parameterization/overlay.h>
 

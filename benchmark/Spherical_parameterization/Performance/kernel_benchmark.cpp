@@ -15,18 +15,18 @@
 #include <CGAL/spherical_parameterization.h>
 
 #include <CGAL/Spherical_parameterization/internal/certificate/Bijectivity_certificate.h>
-#include <CGAL/Spherical_parameterization/internal/descent/Block_coordinate_descent.h>
-#include <CGAL/Spherical_parameterization/internal/descent/Independent_sets.h>
-#include <CGAL/Spherical_parameterization/internal/descent/Objective.h>
-#include <CGAL/Spherical_parameterization/internal/descent/Vertex_step.h>
-#include <CGAL/Spherical_parameterization/internal/hierarchy/Hierarchical_embedding.h>
-#include <CGAL/Spherical_parameterization/internal/hierarchy/Mesh_hierarchy.h>
-#include <CGAL/Spherical_parameterization/internal/hierarchy/Vertex_removal.h>
-#include <CGAL/Spherical_parameterization/internal/mesh/Indexed_mesh.h>
-#include <CGAL/Spherical_parameterization/internal/read_mesh.h>
+#include <CGAL/Spherical_parameterization/internal/levels/Block_coordinate_descent.h>
+#include <CGAL/Spherical_parameterization/internal/levels/Independent_sets.h>
+#include <CGAL/Spherical_parameterization/internal/levels/Objective.h>
+#include <CGAL/Spherical_parameterization/internal/levels/Vertex_step.h>
+#include <CGAL/Spherical_parameterization/internal/levels/Hierarchical_embedding.h>
+#include <CGAL/Spherical_parameterization/internal/levels/Mesh_hierarchy.h>
+#include <CGAL/Spherical_parameterization/internal/levels/Vertex_removal.h>
+#include <CGAL/Spherical_parameterization/internal/surface/Indexed_mesh.h>
+#include <CGAL/Spherical_parameterization/internal/surface/read_mesh.h>
 #include <CGAL/Spherical_parameterization/internal/run/parallel.h>
 #include <CGAL/Spherical_parameterization/internal/run_parameterization.h>
-#include <CGAL/Spherical_parameterization/internal/simd/Vector_3.h>
+#include <CGAL/Spherical_parameterization/internal/numbers/Vector_3.h>
 
 #include <CGAL/AABB_face_graph_triangle_primitive.h>
 #include <CGAL/AABB_traits.h>

@@ -10,7 +10,7 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_BENCHMARKS_MACHINE_RATES_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_BENCHMARKS_MACHINE_RATES_H
 
-#include <CGAL/Spherical_parameterization/internal/simd/Packed_double.h>
+#include <CGAL/Spherical_parameterization/internal/numbers/Packed_double.h>
 
 #include <benchmark/benchmark.h>
 

@@ -20,7 +20,7 @@
 #include <CGAL/Spherical_parameterization/Parameterization_report.h>
 #include <CGAL/Spherical_parameterization/Sharpness.h>
 #include <CGAL/Spherical_parameterization/internal/check_arguments.h>
-#include <CGAL/Spherical_parameterization/internal/hierarchy/Hierarchical_embedding.h>
+#include <CGAL/Spherical_parameterization/internal/levels/Hierarchical_embedding.h>
 #include <CGAL/Spherical_parameterization/internal/policy_traits.h>
 #include <CGAL/Spherical_parameterization/internal/run_parameterization.h>
 

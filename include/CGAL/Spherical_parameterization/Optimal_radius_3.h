@@ -17,7 +17,7 @@
 
 #include <CGAL/Spherical_parameterization/Energy_derivatives_3.h>
 #include <CGAL/Spherical_parameterization/Face_range_3.h>
-#include <CGAL/Spherical_parameterization/internal/mesh/face_weights.h>
+#include <CGAL/Spherical_parameterization/internal/surface/face_weights.h>
 
 #include <algorithm>
 #include <cmath>

@@ -24,7 +24,7 @@
 #include <CGAL/Spherical_parameterization/Sharpness.h>
 #include <CGAL/Spherical_parameterization/Two_phase_radius_3.h>
 #include <CGAL/Spherical_parameterization/internal/check_arguments.h>
-#include <CGAL/Spherical_parameterization/internal/descent/Vertex_step.h>
+#include <CGAL/Spherical_parameterization/internal/levels/Vertex_step.h>
 #include <CGAL/Spherical_parameterization/internal/policy_traits.h>
 #include <CGAL/Spherical_parameterization/internal/run_descent.h>
 #include <CGAL/Spherical_parameterization/internal/run_parameterization.h>

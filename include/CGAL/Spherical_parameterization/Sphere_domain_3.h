@@ -16,7 +16,7 @@
 
 #include <CGAL/Spherical_parameterization/Error_code.h>
 #include <CGAL/Spherical_parameterization/internal/run/parallel.h>
-#include <CGAL/Spherical_parameterization/internal/sampling/Mesh_on_sphere.h>
+#include <CGAL/Spherical_parameterization/internal/surface/Mesh_on_sphere.h>
 #include <CGAL/Spherical_parameterization/internal/sampling/Subdivided_solid.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>

@@ -18,8 +18,8 @@
 #include <CGAL/Spherical_parameterization/internal/check_arguments.h>
 #include <CGAL/Spherical_parameterization/internal/certificate/Orientation_about_origin_3.h>
 #include <CGAL/Spherical_parameterization/internal/run/parallel.h>
-#include <CGAL/Spherical_parameterization/internal/sampling/Mesh_on_sphere.h>
-#include <CGAL/Spherical_parameterization/internal/sampling/Sphere_triangulation.h>
+#include <CGAL/Spherical_parameterization/internal/surface/Mesh_on_sphere.h>
+#include <CGAL/Spherical_parameterization/internal/locate/Sphere_triangulation.h>
 
 #include <CGAL/Kernel_traits.h>
 #include <CGAL/tags.h>

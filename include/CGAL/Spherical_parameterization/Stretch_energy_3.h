@@ -16,7 +16,7 @@
 #include <CGAL/license/Spherical_parameterization.h>
 
 #include <CGAL/Spherical_parameterization/Energy_derivatives_3.h>
-#include <CGAL/Spherical_parameterization/internal/simd/Vector_3.h>
+#include <CGAL/Spherical_parameterization/internal/numbers/Vector_3.h>
 
 /// \file Stretch_energy_3.h
 

@@ -16,13 +16,13 @@
 
 #include <CGAL/Spherical_parameterization/Error_code.h>
 #include <CGAL/Spherical_parameterization/Sphere_alignment_3.h>
-#include <CGAL/Spherical_parameterization/internal/alignment/Rotation_search.h>
-#include <CGAL/Spherical_parameterization/internal/alignment/Sphere_grid.h>
-#include <CGAL/Spherical_parameterization/internal/alignment/Surface_alignment.h>
+#include <CGAL/Spherical_parameterization/internal/align/Rotation_search.h>
+#include <CGAL/Spherical_parameterization/internal/align/Sphere_grid.h>
+#include <CGAL/Spherical_parameterization/internal/align/Surface_alignment.h>
 #include <CGAL/Spherical_parameterization/internal/run/parallel.h>
-#include <CGAL/Spherical_parameterization/internal/sampling/Mesh_on_sphere.h>
-#include <CGAL/Spherical_parameterization/internal/sampling/Sphere_triangulation.h>
-#include <CGAL/Spherical_parameterization/internal/simd/Vector_3.h>
+#include <CGAL/Spherical_parameterization/internal/surface/Mesh_on_sphere.h>
+#include <CGAL/Spherical_parameterization/internal/locate/Sphere_triangulation.h>
+#include <CGAL/Spherical_parameterization/internal/numbers/Vector_3.h>
 
 #include <CGAL/boost/graph/properties.h>
 #include <CGAL/number_utils.h>

@@ -18,9 +18,9 @@
 #include <CGAL/Spherical_parameterization/Error_code.h>
 #include <CGAL/Spherical_parameterization/Mesh_defect.h>
 #include <CGAL/Spherical_parameterization/Parameterization_report.h>
-#include <CGAL/Spherical_parameterization/internal/mesh/Indexed_mesh.h>
-#include <CGAL/Spherical_parameterization/internal/mesh/Mesh_defect_locator.h>
-#include <CGAL/Spherical_parameterization/internal/read_mesh.h>
+#include <CGAL/Spherical_parameterization/internal/surface/Indexed_mesh.h>
+#include <CGAL/Spherical_parameterization/internal/surface/Mesh_defect_locator.h>
+#include <CGAL/Spherical_parameterization/internal/surface/read_mesh.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/named_params_helper.h>

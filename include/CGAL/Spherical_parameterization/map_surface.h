@@ -17,13 +17,13 @@
 #include <CGAL/Spherical_parameterization/Error_code.h>
 #include <CGAL/Spherical_parameterization/Surface_map_report.h>
 #include <CGAL/Spherical_parameterization/Surface_map_settings.h>
-#include <CGAL/Spherical_parameterization/internal/alignment/Surface_alignment.h>
-#include <CGAL/Spherical_parameterization/internal/mesh/Indexed_mesh.h>
+#include <CGAL/Spherical_parameterization/internal/align/Surface_alignment.h>
+#include <CGAL/Spherical_parameterization/internal/surface/Indexed_mesh.h>
 #include <CGAL/Spherical_parameterization/internal/run/parallel.h>
-#include <CGAL/Spherical_parameterization/internal/sampling/Mesh_on_sphere.h>
-#include <CGAL/Spherical_parameterization/internal/sampling/Sphere_triangulation.h>
-#include <CGAL/Spherical_parameterization/internal/simd/Vector_3.h>
-#include <CGAL/Spherical_parameterization/internal/surface_map/find_surface_map.h>
+#include <CGAL/Spherical_parameterization/internal/surface/Mesh_on_sphere.h>
+#include <CGAL/Spherical_parameterization/internal/locate/Sphere_triangulation.h>
+#include <CGAL/Spherical_parameterization/internal/numbers/Vector_3.h>
+#include <CGAL/Spherical_parameterization/internal/find_surface_map.h>
 #include <CGAL/Spherical_parameterization/internal/write_map.h>
 
 #include <CGAL/boost/graph/properties.h>

@@ -16,7 +16,7 @@
 
 #include <CGAL/Spherical_parameterization/Surface_distance.h>
 #include <CGAL/Spherical_parameterization/internal/run/parallel.h>
-#include <CGAL/Spherical_parameterization/internal/simd/Vector_3.h>
+#include <CGAL/Spherical_parameterization/internal/numbers/Vector_3.h>
 
 #include <CGAL/AABB_traits.h>
 #include <CGAL/AABB_tree.h>

@@ -19,9 +19,9 @@
 #include <CGAL/Spherical_parameterization/Error_code.h>
 #include <CGAL/Spherical_parameterization/internal/check_arguments.h>
 #include <CGAL/Spherical_parameterization/internal/certificate/Orientation_about_origin_3.h>
-#include <CGAL/Spherical_parameterization/internal/mesh/Triangle_stretch.h>
+#include <CGAL/Spherical_parameterization/internal/measuring/Triangle_stretch.h>
 #include <CGAL/Spherical_parameterization/internal/run/parallel.h>
-#include <CGAL/Spherical_parameterization/internal/simd/Vector_3.h>
+#include <CGAL/Spherical_parameterization/internal/numbers/Vector_3.h>
 
 #include <CGAL/Dynamic_property_map.h>
 #include <CGAL/Named_function_parameters.h>

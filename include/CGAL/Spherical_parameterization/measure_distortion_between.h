@@ -16,8 +16,8 @@
 
 #include <CGAL/Spherical_parameterization/Distortion_between.h>
 #include <CGAL/Spherical_parameterization/Surface_overlay_3.h>
-#include <CGAL/Spherical_parameterization/internal/overlay/distortion_between.h>
-#include <CGAL/Spherical_parameterization/internal/simd/Vector_3.h>
+#include <CGAL/Spherical_parameterization/internal/measuring/distortion_between.h>
+#include <CGAL/Spherical_parameterization/internal/numbers/Vector_3.h>
 
 #include <array>
 #include <cstddef>

@@ -18,9 +18,9 @@
 #include <CGAL/Spherical_parameterization/Surface_overlay_3.h>
 #include <CGAL/Spherical_parameterization/internal/overlay/Overlay_arrays.h>
 #include <CGAL/Spherical_parameterization/internal/run/parallel.h>
-#include <CGAL/Spherical_parameterization/internal/sampling/Mesh_on_sphere.h>
-#include <CGAL/Spherical_parameterization/internal/sampling/Sphere_triangulation.h>
-#include <CGAL/Spherical_parameterization/internal/simd/Vector_3.h>
+#include <CGAL/Spherical_parameterization/internal/surface/Mesh_on_sphere.h>
+#include <CGAL/Spherical_parameterization/internal/locate/Sphere_triangulation.h>
+#include <CGAL/Spherical_parameterization/internal/numbers/Vector_3.h>
 
 #include <CGAL/boost/graph/properties.h>
 #include <CGAL/tags.h>

@@ -17,14 +17,14 @@
 #include <CGAL/Spherical_parameterization/Error_code.h>
 #include <CGAL/Spherical_parameterization/Sphere_domain_3.h>
 #include <CGAL/Spherical_parameterization/internal/run/parallel.h>
-#include <CGAL/Spherical_parameterization/internal/sampling/Added_triangles.h>
-#include <CGAL/Spherical_parameterization/internal/sampling/Mesh_on_sphere.h>
+#include <CGAL/Spherical_parameterization/internal/surface/Added_triangles.h>
+#include <CGAL/Spherical_parameterization/internal/surface/Mesh_on_sphere.h>
 #include <CGAL/Spherical_parameterization/internal/sampling/Property_carrier.h>
-#include <CGAL/Spherical_parameterization/internal/sampling/Sphere_triangulation.h>
+#include <CGAL/Spherical_parameterization/internal/locate/Sphere_triangulation.h>
 #include <CGAL/Spherical_parameterization/internal/sampling/Transfer_mixtures.h>
-#include <CGAL/Spherical_parameterization/internal/sampling/link_triangles.h>
+#include <CGAL/Spherical_parameterization/internal/surface/link_triangles.h>
 #include <CGAL/Spherical_parameterization/internal/sampling/surface_samples.h>
-#include <CGAL/Spherical_parameterization/internal/simd/Vector_3.h>
+#include <CGAL/Spherical_parameterization/internal/numbers/Vector_3.h>
 
 #include <CGAL/Kernel_traits.h>
 #include <CGAL/Named_function_parameters.h>

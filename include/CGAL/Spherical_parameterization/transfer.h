@@ -16,9 +16,9 @@
 
 #include <CGAL/Spherical_parameterization/Error_code.h>
 #include <CGAL/Spherical_parameterization/internal/run/parallel.h>
-#include <CGAL/Spherical_parameterization/internal/sampling/Mesh_on_sphere.h>
+#include <CGAL/Spherical_parameterization/internal/surface/Mesh_on_sphere.h>
 #include <CGAL/Spherical_parameterization/internal/sampling/Property_carrier.h>
-#include <CGAL/Spherical_parameterization/internal/sampling/Sphere_triangulation.h>
+#include <CGAL/Spherical_parameterization/internal/locate/Sphere_triangulation.h>
 
 #include <CGAL/Surface_mesh/Surface_mesh_fwd.h>
 #include <CGAL/boost/graph/properties.h>

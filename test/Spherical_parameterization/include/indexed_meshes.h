@@ -13,8 +13,8 @@
 // The package's own flat meshes from lists of points and triangles, points in their numbering, and that the rings of a mesh
 // are those of a sphere.
 
-#include <CGAL/Spherical_parameterization/internal/mesh/Indexed_mesh.h>
-#include <CGAL/Spherical_parameterization/internal/mesh/Vertex_rings.h>
+#include <CGAL/Spherical_parameterization/internal/surface/Indexed_mesh.h>
+#include <CGAL/Spherical_parameterization/internal/surface/Vertex_rings.h>
 
 #include "images.h"
 

@@ -13,9 +13,9 @@
 // Stars of vertices on the unit sphere, each with neighbours of its own, and faces whose shape on the surface is any, of
 // about the size of their images.
 
-#include <CGAL/Spherical_parameterization/internal/descent/Star_packets.h>
-#include <CGAL/Spherical_parameterization/internal/mesh/Rest_triangle.h>
-#include <CGAL/Spherical_parameterization/internal/simd/Vector_3.h>
+#include <CGAL/Spherical_parameterization/internal/levels/Star_packets.h>
+#include <CGAL/Spherical_parameterization/internal/surface/Rest_triangle.h>
+#include <CGAL/Spherical_parameterization/internal/numbers/Vector_3.h>
 
 #include "random_meshes.h"
 

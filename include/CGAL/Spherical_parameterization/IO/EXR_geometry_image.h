@@ -15,8 +15,8 @@
 #include <CGAL/license/Spherical_parameterization.h>
 
 #include <CGAL/Spherical_parameterization/Error_code.h>
-#include <CGAL/Spherical_parameterization/internal/sampling/Geometry_image.h>
-#include <CGAL/Spherical_parameterization/internal/sampling/Geometry_image_layout.h>
+#include <CGAL/Spherical_parameterization/internal/images/Geometry_image.h>
+#include <CGAL/Spherical_parameterization/internal/images/Geometry_image_layout.h>
 
 #include <ImathBox.h>
 #include <ImfChannelList.h>

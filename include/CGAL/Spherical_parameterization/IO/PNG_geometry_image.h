@@ -16,7 +16,7 @@
 
 #include <CGAL/Spherical_parameterization/Error_code.h>
 #include <CGAL/Spherical_parameterization/Sphere_domain_3.h>
-#include <CGAL/Spherical_parameterization/internal/sampling/Geometry_image.h>
+#include <CGAL/Spherical_parameterization/internal/images/Geometry_image.h>
 
 #include <png.h>
 

@@ -18,7 +18,7 @@
 #include <CGAL/Spherical_parameterization/Error_code.h>
 #include <CGAL/Spherical_parameterization/Face_range_3.h>
 #include <CGAL/Spherical_parameterization/Sharpness.h>
-#include <CGAL/Spherical_parameterization/internal/descent/Descent_loop.h>
+#include <CGAL/Spherical_parameterization/internal/levels/Descent_loop.h>
 #include <CGAL/Spherical_parameterization/internal/policy_traits.h>
 #include <CGAL/Spherical_parameterization/internal/run_parameterization.h>
 

@@ -20,11 +20,11 @@
 #include <CGAL/Spherical_parameterization/Parameterization_report.h>
 #include <CGAL/Spherical_parameterization/internal/certificate/is_safely_positive.h>
 #include <CGAL/Spherical_parameterization/internal/check_arguments.h>
-#include <CGAL/Spherical_parameterization/internal/mesh/Indexed_mesh.h>
-#include <CGAL/Spherical_parameterization/internal/read_mesh.h>
+#include <CGAL/Spherical_parameterization/internal/surface/Indexed_mesh.h>
+#include <CGAL/Spherical_parameterization/internal/surface/read_mesh.h>
 #include <CGAL/Spherical_parameterization/internal/run/Run_control.h>
 #include <CGAL/Spherical_parameterization/internal/run/parallel.h>
-#include <CGAL/Spherical_parameterization/internal/simd/Vector_3.h>
+#include <CGAL/Spherical_parameterization/internal/numbers/Vector_3.h>
 #include <CGAL/Spherical_parameterization/internal/write_map.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>

@@ -20,12 +20,12 @@
 #include <CGAL/Spherical_parameterization/internal/baselines/Laplacian_system.h>
 #include <CGAL/Spherical_parameterization/internal/baselines/Stereographic_embedding.h>
 #include <CGAL/Spherical_parameterization/internal/certificate/is_safely_positive.h>
-#include <CGAL/Spherical_parameterization/internal/mesh/Indexed_mesh.h>
-#include <CGAL/Spherical_parameterization/internal/mesh/Vertex_rings.h>
-#include <CGAL/Spherical_parameterization/internal/mesh/mesh_measures.h>
+#include <CGAL/Spherical_parameterization/internal/surface/Indexed_mesh.h>
+#include <CGAL/Spherical_parameterization/internal/surface/Vertex_rings.h>
+#include <CGAL/Spherical_parameterization/internal/surface/mesh_measures.h>
 #include <CGAL/Spherical_parameterization/internal/run/Run_control.h>
 #include <CGAL/Spherical_parameterization/internal/run/parallel.h>
-#include <CGAL/Spherical_parameterization/internal/simd/Vector_3.h>
+#include <CGAL/Spherical_parameterization/internal/numbers/Vector_3.h>
 
 #include <CGAL/number_type_basic.h>
 

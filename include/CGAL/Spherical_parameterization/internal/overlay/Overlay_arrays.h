@@ -18,9 +18,9 @@
 #include <CGAL/Spherical_parameterization/internal/overlay/Sphere_overlay.h>
 #include <CGAL/Spherical_parameterization/internal/overlay/crossing_places.h>
 #include <CGAL/Spherical_parameterization/internal/run/parallel.h>
-#include <CGAL/Spherical_parameterization/internal/sampling/Sphere_triangulation.h>
+#include <CGAL/Spherical_parameterization/internal/locate/Sphere_triangulation.h>
 #include <CGAL/Spherical_parameterization/internal/sampling/surface_samples.h>
-#include <CGAL/Spherical_parameterization/internal/simd/Vector_3.h>
+#include <CGAL/Spherical_parameterization/internal/numbers/Vector_3.h>
 
 #include <array>
 #include <cstddef>

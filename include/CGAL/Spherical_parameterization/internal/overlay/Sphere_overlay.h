@@ -16,7 +16,7 @@
 
 #include <CGAL/Spherical_parameterization/internal/overlay/Perturbed_orientation.h>
 #include <CGAL/Spherical_parameterization/internal/run/parallel.h>
-#include <CGAL/Spherical_parameterization/internal/sampling/Sphere_triangulation.h>
+#include <CGAL/Spherical_parameterization/internal/locate/Sphere_triangulation.h>
 
 #include <CGAL/enum.h>
 

@@ -16,10 +16,10 @@
 
 #include <CGAL/Spherical_parameterization/Error_code.h>
 #include <CGAL/Spherical_parameterization/internal/run/parallel.h>
-#include <CGAL/Spherical_parameterization/internal/sampling/Mesh_on_sphere.h>
-#include <CGAL/Spherical_parameterization/internal/sampling/Sphere_triangulation.h>
+#include <CGAL/Spherical_parameterization/internal/surface/Mesh_on_sphere.h>
+#include <CGAL/Spherical_parameterization/internal/locate/Sphere_triangulation.h>
 #include <CGAL/Spherical_parameterization/internal/sampling/Transfer_mixtures.h>
-#include <CGAL/Spherical_parameterization/internal/simd/Vector_3.h>
+#include <CGAL/Spherical_parameterization/internal/numbers/Vector_3.h>
 
 #include <CGAL/IO/Color.h>
 #include <CGAL/Kernel_traits.h>

@@ -15,9 +15,9 @@
 #include <CGAL/license/Spherical_parameterization.h>
 
 #include <CGAL/Spherical_parameterization/internal/run/parallel.h>
-#include <CGAL/Spherical_parameterization/internal/sampling/Sphere_triangulation.h>
+#include <CGAL/Spherical_parameterization/internal/locate/Sphere_triangulation.h>
 #include <CGAL/Spherical_parameterization/internal/sampling/mixed_value.h>
-#include <CGAL/Spherical_parameterization/internal/simd/Vector_3.h>
+#include <CGAL/Spherical_parameterization/internal/numbers/Vector_3.h>
 
 #include <CGAL/number_utils.h>
 

@@ -1,0 +1,237 @@
+// Copyright (c) 2026  The Spherical_parameterization authors.
+// All rights reserved.
+//
+// This file is part of the Spherical_parameterization package for CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Spherical_parameterization authors
+
+#ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_IMAGES_GEOGRAPHIC_FRAME_H
+#define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_IMAGES_GEOGRAPHIC_FRAME_H
+
+#include <CGAL/license/Spherical_parameterization.h>
+
+#include <CGAL/Spherical_parameterization/internal/certificate/Orientation_about_origin_3.h>
+#include <CGAL/Spherical_parameterization/internal/numbers/Vector_3.h>
+
+#include <CGAL/Exact_rational.h>
+#include <CGAL/enum.h>
+#include <CGAL/number_type_config.h>
+#include <CGAL/number_utils.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <type_traits>
+
+namespace CGAL {
+namespace Spherical_parameterization {
+namespace internal {
+
+// Longitude and latitude about a north pole and a zero meridian. The plane of both consists of the zero meridian, the seam
+// on the other side of the sphere, and the poles; on which side of it a point is, and where an edge meets it, are decided
+// exactly, for the points and the two directions as they are given. `K` is a kernel of Exact_predicates_kernel.
+template <class K>
+class Geographic_frame
+{
+public:
+  using Point_3 = typename K::Point_3;
+
+  enum class Place
+  {
+    east, // of the zero meridian, by less than half a turn
+    west,
+    zero_meridian,
+    seam,
+    north_pole,
+    south_pole
+  };
+
+  static bool is_pole(Place place) { return place == Place::north_pole || place == Place::south_pole; }
+
+  // Where a point is about the origin.
+  struct Site
+  {
+    Place place = Place::seam;
+    double u = 0., v = 0.; // longitude and latitude from 0 to 1; u does not count at the seam and at the poles
+    Vector_3d direction = {0., 0., 0.}; // of length 1; its coordinates are towards the zero meridian, east and north
+    double distance = 0.;               // from the origin
+  };
+
+  // A place on an edge.
+  struct Crossing
+  {
+    double share; // of the edge's length on the surface, from its first end
+    Site site;
+  };
+
+  // `zero_meridian` is any direction in its half plane.
+  Geographic_frame(const Point_3& north, const Point_3& zero_meridian)
+    : m_north(north)
+    , m_zero(zero_meridian)
+  {
+    const Vector_3d n = approximate(north), m = approximate(zero_meridian);
+    if(!is_finite(n) || !is_finite(m) || size(n) == 0. || size(m) == 0.)
+      return;
+    m_axes[2] = normalized(scaled(n));
+    const Vector_3d east = cross(m_axes[2], normalized(scaled(m)));
+    if(!(length(east) > 0.))
+      return;
+    m_axes[1] = normalized(east);
+    m_axes[0] = cross(m_axes[1], m_axes[2]);
+    m_east = Point_3(FT(m_axes[1][0]), FT(m_axes[1][1]), FT(m_axes[1][2]));
+    m_is_valid = m_orientation(m_north, m_zero, m_east) == POSITIVE;
+  }
+
+  // Whether both directions are finite, not zero, and not parallel, not even up to rounding.
+  bool is_valid() const { return m_is_valid; }
+
+  const Point_3& north_pole() const { return m_north; }
+  Point_3 south_pole() const { return Point_3(-m_north.x(), -m_north.y(), -m_north.z()); }
+
+  Sign orientation(const Point_3& a, const Point_3& b, const Point_3& c) const { return m_orientation(a, b, c); }
+
+  Site site(const Point_3& p) const
+  {
+    if constexpr(std::is_same<FT, double>::value)
+      return site(place(p), approximate(p));
+    else
+      return site(place(p), exact(p));
+  }
+
+  // The middle of the arc between two places, if that does not cross the seam.
+  static Crossing middle(const Site& a, const Site& b)
+  {
+    const Vector_3d d = a.direction + b.direction;
+    const double share = 1. / (1. + b.distance / a.distance);
+    const bool is_a_on_plane = is_on_plane(a.place), is_b_on_plane = is_on_plane(b.place);
+    const Place place = a.place == b.place                ? a.place
+                        : is_a_on_plane && !is_b_on_plane ? b.place
+                        : is_b_on_plane && !is_a_on_plane ? a.place
+                        : is_a_on_plane                   ? (d[0] < 0. ? Place::seam : Place::zero_meridian)
+                                                          : (d[1] < 0. ? Place::west : Place::east);
+    Crossing result = {share, site(place, normalized(d), share * b.distance * length(d))};
+    const Vector_3d& e = result.site.direction;
+    constexpr double min_distance = 1e-9; // from a pole; below it, rounding decides about the longitude
+    if(has_longitude(a.place) && has_longitude(b.place) && std::hypot(e[0], e[1]) < min_distance)
+      result.site.u = 0.5 * (a.u + b.u);
+    return result;
+  }
+
+  // Where the edge from a to b meets the seam or a pole between its ends, if it does.
+  std::optional<Crossing> crossing(const Point_3& a, Place at_a, const Point_3& b, Place at_b) const
+  {
+    if(at_a == Place::west && at_b == Place::east)
+      return reversed(crossing(b, at_b, a, at_a));
+    if(at_a == Place::zero_meridian && at_b == Place::seam)
+      return reversed(crossing(b, at_b, a, at_a));
+    if(at_a == Place::east && at_b == Place::west)
+    {
+      // It meets the plane in the direction |det(n, m, b)| a + |det(n, m, a)| b.
+      const Sign side = m_orientation(a, b, m_north);
+      if(side == NEGATIVE)
+        return std::nullopt; // at the zero meridian
+      const Place place = side == POSITIVE                          ? Place::seam
+                          : m_orientation(a, b, m_zero) == POSITIVE ? Place::north_pole
+                                                                    : Place::south_pole;
+      return crossing(a, b, cross(exact(m_north), exact(m_zero)), place);
+    }
+    if(at_a == Place::seam && at_b == Place::zero_meridian)
+      return crossing(a, b, cross(exact(m_east), exact(m_north)),
+                      m_orientation(a, b, m_east) == POSITIVE ? Place::north_pole : Place::south_pole);
+    return std::nullopt;
+  }
+
+private:
+  using FT = typename K::FT;
+  using Exact_FT = std::conditional_t<std::is_same<FT, double>::value, Exact_rational, FT>;
+
+  static Vector_3<Exact_FT> exact(const Point_3& p) { return {Exact_FT(p.x()), Exact_FT(p.y()), Exact_FT(p.z())}; }
+
+  static Vector_3d approximate(const Point_3& p)
+  {
+    // Lazy numbers that are not finite must not be evaluated.
+    return {CGAL::to_interval(p.x()).first, CGAL::to_interval(p.y()).first, CGAL::to_interval(p.z()).first};
+  }
+
+  template <class Number>
+  static Number size(const Vector_3<Number>& p)
+  {
+    return (std::max)({CGAL::abs(p[0]), CGAL::abs(p[1]), CGAL::abs(p[2])});
+  }
+
+  // the same direction with 1 as the largest coordinate
+  template <class Number>
+  static Vector_3d scaled(const Vector_3<Number>& p)
+  {
+    const Number s = size(p);
+    return {CGAL::to_double(Number(p[0] / s)), CGAL::to_double(Number(p[1] / s)), CGAL::to_double(Number(p[2] / s))};
+  }
+
+  Place place(const Point_3& p) const
+  {
+    const Sign side = m_orientation(m_north, m_zero, p);
+    if(side != ZERO)
+      return side == POSITIVE ? Place::east : Place::west;
+    const Sign half = m_orientation(m_north, p, m_east);
+    if(half != ZERO)
+      return half == POSITIVE ? Place::zero_meridian : Place::seam;
+    return m_orientation(p, m_zero, m_east) == POSITIVE ? Place::north_pole : Place::south_pole;
+  }
+
+  static bool has_longitude(Place place) { return place != Place::seam && !is_pole(place); }
+
+  static bool is_on_plane(Place place) { return place != Place::east && place != Place::west; }
+
+  template <class Number>
+  Site site(Place place, const Vector_3<Number>& p) const
+  {
+    const Vector_3d q = scaled(p);
+    return site(place, normalized(Vector_3d{dot(q, m_axes[0]), dot(q, m_axes[1]), dot(q, m_axes[2])}),
+                CGAL::to_double(size(p)) * length(q));
+  }
+
+  // Rounding must not take a point to the other side of the plane, nor must the sign of a zero.
+  static Site site(Place place, const Vector_3d& direction, double distance)
+  {
+    const double x = direction[0], y = direction[1], z = direction[2];
+    const double longitude = place == Place::east   ? std::atan2((std::max)(0., y), x)
+                             : place == Place::west ? -std::atan2((std::max)(0., -y), x)
+                                                    : 0.;
+    const double latitude = place == Place::north_pole   ? CGAL_PI / 2.
+                            : place == Place::south_pole ? -CGAL_PI / 2.
+                                                         : std::atan2(z, std::hypot(x, y));
+    return {place, 0.5 + longitude / (2. * CGAL_PI), 0.5 + latitude / CGAL_PI, direction, distance};
+  }
+
+  // The crossing of an edge with the plane of this normal, on different sides of which the ends are.
+  Crossing crossing(const Point_3& a, const Point_3& b, const Vector_3<Exact_FT>& normal, Place place) const
+  {
+    const Vector_3<Exact_FT> p = exact(a), q = exact(b);
+    const Exact_FT at_p = dot(normal, p), at_q = dot(normal, q);
+    const Exact_FT share = at_p / (at_p - at_q);
+    return {CGAL::to_double(share), site(place, p + share * (q - p))};
+  }
+
+  static std::optional<Crossing> reversed(std::optional<Crossing> crossing)
+  {
+    if(crossing)
+      crossing->share = 1. - crossing->share;
+    return crossing;
+  }
+
+  Orientation_about_origin_3<K> m_orientation;
+  Point_3 m_north, m_zero, m_east; // det(north, zero, east) > 0
+  std::array<Vector_3d, 3> m_axes; // orthonormal: towards the zero meridian, east, north
+  bool m_is_valid = false;
+};
+
+} // namespace internal
+} // namespace Spherical_parameterization
+} // namespace CGAL
+
+#endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_IMAGES_GEOGRAPHIC_FRAME_H

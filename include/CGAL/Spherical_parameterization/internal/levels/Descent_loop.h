@@ -1,0 +1,429 @@
+// Copyright (c) 2026  The Spherical_parameterization authors.
+// All rights reserved.
+//
+// This file is part of the Spherical_parameterization package for CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Spherical_parameterization authors
+//
+
+#ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_LEVELS_DESCENT_LOOP_H
+#define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_LEVELS_DESCENT_LOOP_H
+
+#include <CGAL/license/Spherical_parameterization.h>
+
+#include <CGAL/Spherical_parameterization/Face_range_3.h>
+#include <CGAL/Spherical_parameterization/Parameterization_report.h>
+#include <CGAL/Spherical_parameterization/Sharpness.h>
+#include <CGAL/Spherical_parameterization/internal/levels/Block_coordinate_descent.h>
+#include <CGAL/Spherical_parameterization/internal/levels/Independent_sets.h>
+#include <CGAL/Spherical_parameterization/internal/levels/Measured_faces.h>
+#include <CGAL/Spherical_parameterization/internal/levels/Objective.h>
+#include <CGAL/Spherical_parameterization/internal/surface/Indexed_mesh.h>
+#include <CGAL/Spherical_parameterization/internal/surface/Rest_triangle.h>
+#include <CGAL/Spherical_parameterization/internal/surface/face_weights.h>
+#include <CGAL/Spherical_parameterization/internal/surface/mesh_measures.h>
+#include <CGAL/Spherical_parameterization/internal/surface/sliver_vertices.h>
+#include <CGAL/Spherical_parameterization/internal/run/Run_control.h>
+#include <CGAL/Spherical_parameterization/internal/run/parallel.h>
+#include <CGAL/Spherical_parameterization/internal/numbers/Vector_3.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+namespace CGAL {
+namespace Spherical_parameterization {
+namespace internal {
+
+// The radius policy of a run, see SphereRadiusPolicy_3, asked once per sweep. Radii are in the caller's unit of length.
+class Radius_chooser
+{
+public:
+  virtual ~Radius_chooser() = default;
+  virtual double initial_radius(double equal_area_radius) const = 0;
+  virtual double next_radius(const Face_range_3& faces, double radius) = 0;
+  virtual bool next_phase() = 0;
+};
+
+// When the loop ends, and whether it goes beyond what the paper describes.
+struct Descent_settings
+{
+  // A sweep that changes the energy by at most this much, relative, and the radius likewise, has converged.
+  double energy_tolerance = 2e-4, radius_tolerance = 1e-3;
+  // If so, extra sweeps go over the worst faces alone, the radius makes half steps, and convergence asks for more than
+  // that the sum of eq. 6 or 7 has settled.
+  bool is_accelerated = true;
+};
+
+// Sweeps over a mesh below this size cost next to nothing: it gets as many times more of them.
+constexpr std::size_t size_of_small_meshes = 2000;
+
+// As many sweeps as bring most meshes to their end.
+inline std::size_t default_number_of_sweeps(std::size_t n_vertices)
+{
+  return 250 * (1 + size_of_small_meshes / (n_vertices + 1));
+}
+
+// The method BLD once there is a bijection: sweeps over all vertices, each with the radius and the sharpness that suit
+// the map at hand, until nothing changes any more.
+template <class Energy, class Step>
+class Descent_loop
+{
+public:
+  Descent_loop(const Indexed_mesh& mesh, const Energy& energy, const Step& step, const Sharpness& sharpness,
+               Radius_chooser* radius, const Descent_settings& settings, Run_control& control, Execution execution);
+  ~Descent_loop();
+
+  // Lowers the energy of the positions on the unit sphere in at most `max_sweeps` sweeps, and returns the radius.
+  double run(std::vector<Vector_3d>& positions, std::size_t max_sweeps);
+
+private:
+  // The vertices around faces above this share of the largest energy are swept some times more, as they settle slowest,
+  // and the largest distortion is theirs: as often as takes a share of the time of a sweep over all vertices, if that is
+  // not too seldom to be worth it.
+  static constexpr double focus_energy = 0.6, focus_share = 0.4;
+  static constexpr std::size_t min_focus_sweeps = 2, max_focus_sweeps = 500;
+  // If it is, they are too many, and stay so for a while: these sweeps do without.
+  static constexpr std::size_t sweeps_without_focus = 4;
+
+  // A small mesh has to stand still for so many sweeps, at most.
+  static constexpr std::size_t max_window = 100;
+
+  static constexpr int max_halvings = 5; // of steps of a radius
+
+  struct State
+  {
+    double radius = 1., value = 0.; // of the objective
+    Mesh_summary summary;
+  };
+
+  void start(const std::vector<Vector_3d>& positions)
+  {
+    m_state.radius = m_mesh.equal_area_radius();
+    if(m_radius_chooser)
+    {
+      const double radius = m_radius_chooser->initial_radius(m_state.radius);
+      if(is_positive_and_finite(radius))
+        m_state.radius = radius;
+    }
+    else if(m_descent.has_slivers())
+      m_objective.set_sliver_radius(scaled_radius());
+    measure(positions);
+    m_control.report().initial_energy = m_state.summary.all().average();
+  }
+
+  void choose_objective(std::size_t i)
+  {
+    if(m_objective.start_sweep(i, m_state.summary))
+      sum_up();
+    lower_by_levels();
+    Parameterization_report& report = m_control.report();
+    report.sharpness = m_objective.of_faces().ordinary.sharpness;
+    ++(report.sharpness > 0. ? report.number_of_sharp_iterations : report.number_of_average_iterations);
+  }
+
+  // Newton steps of the levels until one is short; that one is taken back if it raises the objective.
+  void lower_by_levels()
+  {
+    constexpr int max_steps = 2000; // more than the powers of two between any two levels
+    constexpr double short_step = 0.01;
+    for(int k = 0; k < max_steps; ++k)
+    {
+      const Objective last = m_objective;
+      const Mesh_summary last_summary = m_state.summary;
+      const double step = m_objective.improve_levels(m_state.summary);
+      if(!(step > 0.))
+        return;
+      sum_up();
+      if(step > short_step)
+        continue;
+      if(m_objective.value(m_state.summary) > last.value(last_summary))
+      {
+        m_objective = last;
+        m_state.summary = last_summary;
+      }
+      return;
+    }
+  }
+
+  void choose_radius(std::size_t i)
+  {
+    if(m_radius_chooser)
+      follow_policy(i == 0);
+    else
+    {
+      lower_by_radius();
+      if(m_descent.has_slivers())
+        move_sliver_radius();
+    }
+  }
+
+  // Half the way by default: over-relaxed vertices answer a full step with more than their share, and the two never
+  // settle.
+  void follow_policy(bool is_full_step)
+  {
+    const double aim = m_radius_chooser->next_radius(m_descent.faces(), m_state.radius);
+    if(is_positive_and_finite(aim))
+      m_state.radius =
+          is_full_step || !m_settings.is_accelerated ? aim : m_state.radius * std::sqrt(aim / m_state.radius);
+  }
+
+  // Coordinates at the ends of their range leave no room for larger ones.
+  void set_radius(double radius)
+  {
+    if(is_positive_and_finite(radius) && is_positive_and_finite(4. * radius))
+      m_state.radius = radius;
+  }
+
+  // Half a Newton step in the logarithm of the radius, or a part of it that does not raise the objective.
+  void lower_by_radius()
+  {
+    const double radius = m_state.radius, value = m_objective.value(m_state.summary);
+    double step = 0.5 * radius_step(&Face_invariants_3::d);
+    for(int k = 0; k < max_halvings && step != 0.; ++k, step *= 0.5)
+    {
+      set_radius(radius * std::exp(step));
+      sum_up();
+      if(m_objective.value(m_state.summary) <= value)
+        return;
+    }
+    m_state.radius = radius;
+    sum_up();
+  }
+
+  // The sphere of the slivers follows the radius that the others have chosen, as far as that takes back no more than
+  // half of what the last sweep has gained. So slivers do not move the radius, and the objective falls nevertheless.
+  void move_sliver_radius()
+  {
+    const double radius = m_objective.of_faces().sliver_radius, value = m_objective.value(m_state.summary);
+    const double bound = value + 0.5 * (std::max)(m_last_value - value, 0.);
+    double step = std::log(scaled_radius() / radius);
+    for(int k = 0; k <= max_halvings; ++k, step *= 0.5)
+    {
+      m_objective.set_sliver_radius(k < max_halvings ? radius * std::exp(step) : radius);
+      sum_up();
+      m_last_value = m_objective.value(m_state.summary);
+      if(m_last_value <= bound)
+        return;
+    }
+  }
+
+  // The Newton step for the logarithm of the radius, by which the sum over all faces but the slivers falls; 0 if it does
+  // not depend on the radius.
+  double radius_step(double Face_invariants_3::*area_ratio) const
+  {
+    constexpr double max_step = 0.3, rounding = 1e-14;
+    const auto [first, second, size] =
+        m_descent.radius_derivatives(scaled_radius(), m_objective.of_faces(), area_ratio);
+    if(!(std::abs(first) > rounding * size))
+      return 0.;
+    const double step = -first / std::abs(second);
+    return (std::min)((std::max)(step, -max_step), max_step);
+  }
+
+  // A run that ends early gets the last radius as well, if the policy comes to it.
+  void skip_phases()
+  {
+    constexpr int max_phases = 1000;
+    const bool is_stopped = m_control.is_stopped();
+    for(int k = 0; k < max_phases && m_radius_chooser && m_radius_chooser->next_phase(); ++k)
+      if(!is_stopped && !m_control.check_clock())
+        return;
+  }
+
+  // The radius of the map as it is measured: with flat areas in place of the determinants, which are less on coarse
+  // meshes.
+  void choose_final_radius()
+  {
+    constexpr int max_steps = 100;
+    constexpr double min_step = 1e-13;
+    if(m_radius_chooser)
+    {
+      follow_policy(true);
+      return;
+    }
+    for(int k = 0; k < max_steps; ++k)
+    {
+      const double step = radius_step(&Face_invariants_3::flat_d);
+      set_radius(m_state.radius * std::exp(step));
+      if(!(std::abs(step) > min_step))
+        return;
+    }
+  }
+
+  // Moves all vertices, then, if few faces are much worse than the others, those around them some times more. One
+  // thread looks for these faces, while the others have begun with the sweep.
+  void sweep(std::vector<Vector_3d>& positions, std::size_t i)
+  {
+    const Face_objective& objective = m_objective.of_faces();
+    const auto sweep_all = [&] { m_descent.sweep(positions, scaled_radius(), objective); };
+    if(!m_settings.is_accelerated || i < m_next_focus)
+    {
+      sweep_all();
+      return;
+    }
+    std::size_t focus = 0; // the faces of its stars
+    m_descent.reserve_focus(m_max_focus);
+    run_both(m_execution, sweep_all, [&] {
+      focus = m_descent.focus_on_faces_above(focus_energy * m_state.summary.all().maximum_energy(), m_max_focus);
+    });
+    if(focus > m_max_focus)
+      m_next_focus = i + 1 + sweeps_without_focus;
+    else if(focus > 0)
+    {
+      const std::size_t n_sweeps = (std::min)(min_focus_sweeps * m_max_focus / focus, max_focus_sweeps);
+      for(std::size_t k = 0; k < n_sweeps; ++k)
+        m_descent.sweep_focus(positions, scaled_radius(), objective);
+    }
+  }
+
+  void measure(const std::vector<Vector_3d>& positions)
+  {
+    m_state.summary = m_descent.measure(positions, scaled_radius(), m_objective.of_faces());
+    m_state.value = m_objective.value(m_state.summary);
+  }
+
+  // Sums up the map that was measured last for another objective or radius.
+  void sum_up() { m_state.summary = m_descent.summary(scaled_radius(), m_objective.of_faces()); }
+
+  // Whether nothing that matters has changed: the objective, the average and the radius, and, less exactly, the largest
+  // energy, which is a matter of few faces. The paper's rule is about the sum alone, whose relative change is that of
+  // exp(s value).
+  bool has_converged(const State& last) const
+  {
+    const double tolerance = m_settings.energy_tolerance;
+    const Energy_summary now = m_state.summary.all(), before = last.summary.all();
+    if(!is_settled(m_state.radius, last.radius, m_settings.radius_tolerance))
+      return false;
+    const double s = m_objective.of_faces().ordinary.sharpness;
+    if(!m_settings.is_accelerated && s > 0.)
+      return std::abs(std::expm1(s * (m_state.value - last.value))) <= tolerance;
+    if(!m_settings.is_accelerated)
+      return is_settled(now.average(), before.average(), tolerance);
+    const auto is_settled_energy = [&](double value, double last_value, double energy_tolerance) {
+      return std::abs(value - last_value) <= energy_tolerance * now.scale_of_changes(last_value);
+    };
+    return is_settled_energy(m_state.value, last.value, tolerance) &&
+           is_settled_energy(now.average(), before.average(), tolerance) &&
+           is_settled_energy(now.maximum_energy(), before.maximum_energy(), 20. * tolerance);
+  }
+
+  // The energies of the report are those of the radius that is returned, in the measure of the descent.
+  void finish(const std::vector<Vector_3d>& positions)
+  {
+    Face_objective objective;
+    objective.area_correction = m_objective.of_faces().area_correction;
+    m_state.summary = m_descent.measure(positions, scaled_radius(), objective);
+    Parameterization_report& report = m_control.report();
+    report.average_energy = m_state.summary.all().average();
+    report.largest_energy = m_state.summary.all().maximum_energy();
+    if(!is_finite(report.average_energy))
+    {
+      report.stop_reason = NON_FINITE_ENERGY;
+      report.average_energy = report.largest_energy = std::numeric_limits<double>::quiet_NaN();
+    }
+    report.seconds_for_optimization = m_control.lap();
+  }
+
+  static bool is_settled(double value, double last_value, double tolerance)
+  {
+    return std::abs(value - last_value) <= tolerance * last_value;
+  }
+
+  // the radius in the unit of the mesh, kept where its powers are finite
+  double scaled_radius() const { return (std::min)((std::max)(m_mesh.scaled_radius(m_state.radius), 1e-50), 1e50); }
+
+  const Indexed_mesh& m_mesh;
+  Block_coordinate_descent<Energy, Step> m_descent;
+  Objective m_objective;
+  double m_last_value = 0.; // of the objective, before the last sweep
+  Radius_chooser* m_radius_chooser;
+  Descent_settings m_settings;
+  Run_control& m_control;
+  Execution m_execution;
+  std::size_t m_max_focus;      // faces of its stars
+  std::size_t m_next_focus = 0; // the first sweep that may have one
+  State m_state;
+};
+
+// Defined out of the class and so not inline: `extern template class Descent_loop<...>` spares a program that maps in
+// several files the time to compile it in each.
+
+template <class Energy, class Step>
+Descent_loop<Energy, Step>::Descent_loop(const Indexed_mesh& mesh, const Energy& energy, const Step& step,
+                                         const Sharpness& sharpness, Radius_chooser* radius,
+                                         const Descent_settings& settings, Run_control& control, Execution execution)
+  : m_mesh(mesh)
+  , m_descent(Face_energy<Energy>(energy), step, execution)
+  , m_objective(sharpness, !radius)
+  , m_radius_chooser(radius)
+  , m_settings(settings)
+  , m_control(control)
+  , m_execution(execution)
+  , m_max_focus(static_cast<std::size_t>(focus_share * static_cast<double>(mesh.rings().number_of_corners())) /
+                min_focus_sweeps)
+{
+  std::vector<double> densities;
+  if constexpr(Follows_curvature<Energy>::value)
+    densities = vertex_densities(mesh.rings(), mesh.points(), curvature_masses(mesh.rings(), mesh.points()));
+  m_descent.assign(mesh.rings(), Independent_sets(mesh.rings()), mesh.points(), densities, Rest_limits(),
+                   sliver_vertices(mesh.rings(), mesh.points()));
+}
+
+template <class Energy, class Step>
+Descent_loop<Energy, Step>::~Descent_loop() = default;
+
+template <class Energy, class Step>
+double Descent_loop<Energy, Step>::run(std::vector<Vector_3d>& positions, std::size_t max_sweeps)
+{
+  Parameterization_report& report = m_control.report();
+  start(positions);
+  report.stop_reason = ITERATION_LIMIT;
+  bool has_phases = true; // whether the radius policy may have further ones
+  const std::size_t window =
+      m_settings.is_accelerated ? (std::min)(1 + size_of_small_meshes / m_mesh.number_of_vertices(), max_window) : 1;
+  State last;
+  for(std::size_t i = 0; i < max_sweeps; ++i)
+  {
+    if(i % window == 0)
+      last = m_state;
+    const bool was_final = i > 0 && m_objective.is_final();
+
+    choose_objective(i);
+    choose_radius(i);
+    sweep(positions, i);
+    measure(positions);
+
+    m_control.after_iteration(i + 1, m_state.value, m_state.radius);
+    if(!m_control.go_further(i + 1, m_state.value))
+      break;
+    if(was_final && (i + 1) % window == 0 && has_converged(last))
+    {
+      has_phases = m_radius_chooser && m_radius_chooser->next_phase();
+      if(!has_phases)
+      {
+        report.stop_reason = CONVERGED;
+        break;
+      }
+    }
+  }
+  if(has_phases)
+    skip_phases();
+  if(m_control.is_stopped())
+    report.stop_reason = m_control.stop_reason();
+  choose_final_radius();
+  finish(positions);
+  return m_state.radius;
+}
+
+} // namespace internal
+} // namespace Spherical_parameterization
+} // namespace CGAL
+
+#endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_LEVELS_DESCENT_LOOP_H

@@ -1,0 +1,386 @@
+// Copyright (c) 2026  The Spherical_parameterization authors.
+// All rights reserved.
+//
+// This file is part of the Spherical_parameterization package for CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Spherical_parameterization authors
+//
+
+#ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_LEVELS_STAR_PACKETS_H
+#define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_LEVELS_STAR_PACKETS_H
+
+#include <CGAL/license/Spherical_parameterization.h>
+
+#include <CGAL/Spherical_parameterization/internal/surface/Rest_triangle.h>
+#include <CGAL/Spherical_parameterization/internal/numbers/Packed_double.h>
+#include <CGAL/Spherical_parameterization/internal/numbers/Vector_3.h>
+
+#include <CGAL/assertions.h>
+
+#include <boost/container/vector.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <numeric>
+#include <vector>
+
+namespace CGAL {
+namespace Spherical_parameterization {
+namespace internal {
+
+// How many stars or faces are laid out side by side, a multiple of all numbers of lanes.
+constexpr std::size_t packet_width = 8;
+static_assert(packet_width % Lanes<Two_lanes>::width == 0 && packet_width % Lanes<Four_lanes>::width == 0,
+              "A packet is worked on lane by lane without a rest.");
+
+// One star, or several of them lane by lane, where they lie in memory: the numbers of the vertices and their
+// neighbours, and the rest shapes of the faces. Corner j of lane k is the one of the face (vertex, neighbor j,
+// neighbor j + 1) and has the index first + j * stride + k in the arrays of the neighbors and, by rest_index(), of the
+// rest shapes. A star that has fewer faces than others of its packet is padded with its first neighbor, and with 0 for
+// the rest shapes.
+template <class FT>
+class Star_view
+{
+public:
+  Star_view() = default;
+  Star_view(const std::uint32_t* vertices, const std::uint32_t* neighbors, const double* rest, std::size_t first,
+            std::size_t stride, std::size_t size)
+    : m_vertices(vertices)
+    , m_neighbors(neighbors)
+    , m_rest(rest)
+    , m_first(first)
+    , m_stride(stride)
+    , m_size(size)
+  {}
+
+  std::size_t size() const { return m_size; }
+
+  Vector_3<FT> center(const Vector_3d* positions) const { return points(m_vertices, positions); }
+  Vector_3<FT> neighbor(std::size_t j, const Vector_3d* positions) const
+  {
+    return points(m_neighbors + m_first + j * m_stride, positions);
+  }
+
+  // see Rest_triangle
+  FT opposite_0(std::size_t j) const { return rest(j, 0); }
+  FT opposite_1(std::size_t j) const { return rest(j, 1); }
+  FT opposite_2(std::size_t j) const { return rest(j, 2); }
+  FT inverse_doubled_area(std::size_t j) const { return absolute(rest(j, 3)); }
+  // whether the face belongs to the group of the slivers, told by the sign
+  auto is_at_sliver(std::size_t j) const { return rest(j, 3) < 0.; }
+
+  // Where number k of the rest shape of a corner is: those of packet_width corners lie side by side.
+  static std::size_t rest_index(std::size_t corner, std::size_t k)
+  {
+    return 4 * (corner - corner % packet_width) + packet_width * k + corner % packet_width;
+  }
+
+private:
+  FT rest(std::size_t j, std::size_t k) const
+  {
+    return Lanes<FT>::load(m_rest + rest_index(m_first + j * m_stride, k));
+  }
+
+  static Vector_3<FT> points(const std::uint32_t* vertices, const Vector_3d* positions)
+  {
+    const auto coordinate = [&](std::size_t i) {
+      return Lanes<FT>::generate([&](std::size_t lane) { return positions[vertices[lane]][i]; });
+    };
+    return {coordinate(0), coordinate(1), coordinate(2)};
+  }
+
+  const std::uint32_t* m_vertices = nullptr;
+  const std::uint32_t* m_neighbors = nullptr;
+  const double* m_rest = nullptr;
+  std::size_t m_first = 0, m_stride = 0, m_size = 0;
+};
+
+// The stars of many vertices, laid out such that several of them can be worked on at once: `width` stars of the same
+// independent set, and wherever possible of the same number of faces, make a packet, in which they lie side by side as
+// Star_view wants them. A star of very many faces is a packet by itself.
+//
+// Each star has a place; those of a packet are consecutive, and so are the packets of an independent set. A packet that
+// is not full has its first star in the remaining places.
+//
+// Corners and places are counted in 32 bits. There are at most 6 n corners of n vertices, and padding adds less than 2
+// n:
+// within a chunk of 1024 vertices of a set, which are ordered by degree, a packet wastes at most 8 times the difference
+// of its largest and smallest degree, which telescopes to less than 8 * 32, and the last packet as much again; so does
+// the last chunk of each set; a star by itself, of which there are less than n / 5, wastes at most 7. read_mesh()
+// refuses meshes with 2^31 halfedges, that is, n > 2^31 / 6, so that 8 n is below 2^32.
+class Star_packets
+{
+public:
+  static constexpr std::size_t width = packet_width;
+
+  struct Packet
+  {
+    std::size_t first_corner; // a multiple of packet_width
+    std::uint32_t first_place, number_of_stars, number_of_rows, stride;
+  };
+
+  // Sets memory aside for so many stars of six faces, the mean of a closed mesh, with a little to spare for the lanes
+  // that stay empty.
+  void reserve(std::size_t n_vertices)
+  {
+    const std::size_t n_places = n_vertices + n_vertices / 8 + width, n_corners = 6 * n_places;
+    m_vertices.reserve(n_places);
+    m_degrees.reserve(n_places);
+    m_packets.reserve(n_places / width);
+    m_neighbors.reserve(n_corners);
+    m_rest.reserve(4 * n_corners);
+  }
+
+  // Makes room for the stars of `vertices`, of which vertices[first_of_set[k]], ..., vertices[first_of_set[k + 1] - 1]
+  // are independent. degree_of(v) is the number of neighbors of a vertex.
+  template <class DegreeOf>
+  void assign(const std::vector<std::uint32_t>& vertices, const std::vector<std::size_t>& first_of_set,
+              const DegreeOf& degree_of)
+  {
+    m_vertices.clear();
+    m_degrees.clear();
+    m_vertices.reserve(vertices.size() + vertices.size() / 16 + width);
+    m_degrees.reserve(m_vertices.capacity());
+    m_packets.clear();
+    m_number_of_singles = 0;
+    m_packets.reserve(m_vertices.capacity() / width);
+    m_first_packet.assign(1, 0);
+    std::size_t n_corners = 0;
+    std::vector<std::uint32_t> order;
+    for(std::size_t set = 0; set + 1 < first_of_set.size(); ++set)
+    {
+      for(std::size_t begin = first_of_set[set]; begin < first_of_set[set + 1]; begin += chunk_size)
+      {
+        const std::size_t end = (std::min)(begin + chunk_size, first_of_set[set + 1]);
+        order_by_degree(vertices.data() + begin, vertices.data() + end, degree_of, order);
+        for(std::size_t k = 0; k < order.size();)
+        {
+          const bool is_large = degree_of(order[k]) > max_rows;
+          const std::size_t stride = is_large ? 1 : width;
+          m_number_of_singles += is_large;
+          std::size_t last = k + 1;
+          while(last < order.size() && last < k + stride && degree_of(order[last]) <= max_rows)
+            ++last;
+          Packet packet;
+          packet.first_corner = n_corners;
+          packet.first_place = static_cast<std::uint32_t>(m_vertices.size());
+          packet.number_of_stars = static_cast<std::uint32_t>(last - k);
+          packet.number_of_rows = static_cast<std::uint32_t>(degree_of(order[last - 1]));
+          packet.stride = static_cast<std::uint32_t>(stride);
+          m_packets.push_back(packet);
+          n_corners += (stride * packet.number_of_rows + width - 1) / width * width;
+          for(std::size_t lane = 0; lane < stride; ++lane)
+          {
+            const std::uint32_t v = order[k + lane < last ? k + lane : k];
+            m_vertices.push_back(v);
+            m_degrees.push_back(static_cast<std::uint32_t>(degree_of(v)));
+          }
+          k = last;
+        }
+      }
+      m_first_packet.push_back(m_packets.size());
+    }
+    CGAL_assertion(n_corners <= (std::numeric_limits<std::uint32_t>::max)());
+    resize(m_neighbors, n_corners);
+    resize(m_rest, 4 * n_corners);
+  }
+
+  // Fills a packet: star_of(v) is the star of a vertex, with its degree(), neighbor(j) and rest(j).
+  template <class StarOf>
+  void fill(std::size_t packet, const StarOf& star_of)
+  {
+    const Packet& p = m_packets[packet];
+    for(std::size_t lane = 0; lane < p.stride; ++lane)
+    {
+      const auto star = star_of(m_vertices[p.first_place + lane]);
+      const std::size_t degree = star.degree();
+      for(std::size_t j = 0; j < p.number_of_rows; ++j)
+      {
+        const std::size_t corner = p.first_corner + j * p.stride + lane;
+        const Rest_triangle rest = j < degree ? star.rest(j) : Rest_triangle{0., 0., 0., 0.};
+        m_neighbors[corner] = star.neighbor(j < degree ? j : 0);
+        m_rest[rest_index(corner, 0)] = rest.opposite_0;
+        m_rest[rest_index(corner, 1)] = rest.opposite_1;
+        m_rest[rest_index(corner, 2)] = rest.opposite_2;
+        m_rest[rest_index(corner, 3)] = rest.inverse_doubled_area;
+      }
+    }
+  }
+
+  // One star of a packet, to copy it.
+  class Star
+  {
+  public:
+    Star(const Star_packets& stars, std::size_t place)
+      : m_stars(stars)
+    {
+      // All packets have `width` places but for those of a single star.
+      const std::size_t first = place / width, n = stars.m_packets.size();
+      const Packet* const packets = stars.m_packets.data();
+      const Packet& packet = *(std::upper_bound(packets + (std::min)(first, n),
+                                                packets + (std::min)(first + stars.m_number_of_singles + 1, n), place,
+                                                [](std::size_t p, const Packet& q) { return p < q.first_place; }) -
+                               1);
+      m_first = packet.first_corner + place - packet.first_place;
+      m_stride = packet.stride;
+      m_degree = stars.m_degrees[place];
+    }
+
+    std::size_t degree() const { return m_degree; }
+    std::uint32_t neighbor(std::size_t j) const { return m_stars.m_neighbors[m_first + j * m_stride]; }
+    Rest_triangle rest(std::size_t j) const
+    {
+      const auto number = [&](std::size_t k) { return m_stars.m_rest[rest_index(m_first + j * m_stride, k)]; };
+      return {number(0), number(1), number(2), number(3)};
+    }
+
+  private:
+    const Star_packets& m_stars;
+    std::size_t m_first, m_stride, m_degree;
+  };
+
+  Star star(std::size_t place) const { return Star(*this, place); }
+
+  std::size_t number_of_sets() const { return m_first_packet.size() - 1; }
+  std::size_t first_packet(std::size_t set) const { return m_first_packet[set]; }
+  std::size_t number_of_packets() const { return m_packets.size(); }
+  const Packet& packet(std::size_t k) const { return m_packets[k]; }
+
+  std::size_t number_of_places() const { return m_vertices.size(); }
+  std::size_t first_place_of_set(std::size_t set) const
+  {
+    return m_first_packet[set] < m_packets.size() ? m_packets[m_first_packet[set]].first_place : m_vertices.size();
+  }
+  std::uint32_t vertex(std::size_t place) const { return m_vertices[place]; }
+
+  // The stars of a packet from `lane` on. A single star has no padding.
+  template <class FT>
+  Star_view<FT> view(const Packet& p, std::size_t lane) const
+  {
+    std::size_t n_rows = p.number_of_rows;
+    if constexpr(Lanes<FT>::width == 1)
+      n_rows = m_degrees[p.first_place + lane];
+    return Star_view<FT>(m_vertices.data() + p.first_place + lane, m_neighbors.data(), m_rest.data(),
+                         p.first_corner + lane, p.stride, n_rows);
+  }
+
+  // Number k of the rest shape of a corner.
+  double rest(std::size_t corner, std::size_t k) const { return m_rest[rest_index(corner, k)]; }
+  bool is_at_sliver(std::size_t corner) const { return rest(corner, 3) < 0.; }
+
+  // Announces that the rest shape of a corner is about to be read. Corners of a packet are near each other, but too far
+  // for a processor to see what comes next.
+  void prefetch_rest([[maybe_unused]] std::size_t corner) const
+  {
+#ifdef __GNUC__
+    for(std::size_t k = 0; k < 4; ++k)
+      __builtin_prefetch(m_rest.data() + rest_index(corner, k));
+#endif
+  }
+
+  // Calls f(corner, v, p, q) for the faces of the mesh that have their smallest vertex v in a packet, in a fixed order.
+  template <class Function>
+  void for_each_face(std::size_t packet, const Function& f) const
+  {
+    const Packet& p = m_packets[packet];
+    for(std::size_t lane = 0; lane < p.number_of_stars; ++lane)
+      for(std::size_t j = 0; j < p.number_of_rows; ++j)
+      {
+        const Corner c = corner(p, lane, j);
+        if(c.is_smallest())
+          f(c.index, c.vertex, c.p, c.q);
+      }
+  }
+
+  // The number of these faces.
+  std::size_t number_of_faces(std::size_t packet) const
+  {
+    const Packet& p = m_packets[packet];
+    std::size_t result = 0;
+    for(std::size_t j = 0; j < p.number_of_rows; ++j)
+      for(std::size_t lane = 0; lane < p.number_of_stars; ++lane)
+        result += corner(p, lane, j).is_smallest();
+    return result;
+  }
+
+private:
+  static constexpr std::size_t chunk_size = 1024; // of vertices that are ordered by their numbers of faces
+  static constexpr std::size_t max_rows = 32;     // of a packet of several stars
+
+  // Puts the vertices in the order of their numbers of neighbors; those of the same number, or of more than max_rows,
+  // stay as they were.
+  template <class DegreeOf>
+  static void order_by_degree(const std::uint32_t* begin, const std::uint32_t* end, const DegreeOf& degree_of,
+                              std::vector<std::uint32_t>& order)
+  {
+    const auto key_of = [&](std::uint32_t v) {
+      return (std::min)(static_cast<std::size_t>(degree_of(v)), max_rows + 1);
+    };
+    std::array<std::size_t, max_rows + 3> next = {};
+    for(const std::uint32_t* v = begin; v != end; ++v)
+      ++next[key_of(*v) + 1];
+    std::partial_sum(next.begin(), next.end(), next.begin());
+    order.resize(static_cast<std::size_t>(end - begin));
+    for(const std::uint32_t* v = begin; v != end; ++v)
+      order[next[key_of(*v)]++] = *v;
+  }
+
+  // A vector that grows a little at a time takes twice the memory that it needs, and copies what is of no use any more.
+  // What it gets is left to fill(), which touches the memory in parallel.
+  template <class T>
+  static void resize(boost::container::vector<T>& numbers, std::size_t n)
+  {
+    if(n > numbers.capacity())
+    {
+      const bool is_first = numbers.empty();
+      boost::container::vector<T>().swap(numbers);
+      numbers.reserve(is_first ? n : n + n / 16);
+    }
+    numbers.resize(n, boost::container::default_init);
+  }
+
+  // A corner as the one of a face at its vertex; p and q are the two others.
+  struct Corner
+  {
+    std::size_t index;
+    std::uint32_t vertex, p, q;
+
+    // A padding row has the first neighbor on both sides.
+    bool is_smallest() const
+    {
+      return static_cast<int>(vertex < p) & static_cast<int>(vertex < q) & static_cast<int>(p != q);
+    }
+  };
+
+  Corner corner(const Packet& p, std::size_t lane, std::size_t j) const
+  {
+    const std::size_t first = p.first_corner + lane, index = first + j * p.stride;
+    const std::size_t next = j + 1 < p.number_of_rows ? index + p.stride : first;
+    return {index, m_vertices[p.first_place + lane], m_neighbors[index], m_neighbors[next]};
+  }
+
+  static std::size_t rest_index(std::size_t corner, std::size_t k)
+  {
+    return Star_view<double>::rest_index(corner, k);
+  }
+
+  std::vector<Packet> m_packets;
+  std::size_t m_number_of_singles = 0; // packets of a single star
+  std::vector<std::size_t> m_first_packet;
+  std::vector<std::uint32_t> m_vertices, m_degrees; // of the places
+  boost::container::vector<std::uint32_t> m_neighbors;
+  boost::container::vector<double> m_rest;
+};
+
+} // namespace internal
+} // namespace Spherical_parameterization
+} // namespace CGAL
+
+#endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_LEVELS_STAR_PACKETS_H

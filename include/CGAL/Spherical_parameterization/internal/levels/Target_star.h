@@ -1,0 +1,232 @@
+// Copyright (c) 2026  The Spherical_parameterization authors.
+// All rights reserved.
+//
+// This file is part of the Spherical_parameterization package for CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Spherical_parameterization authors
+//
+
+#ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_LEVELS_TARGET_STAR_H
+#define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_LEVELS_TARGET_STAR_H
+
+#include <CGAL/license/Spherical_parameterization.h>
+
+#include <CGAL/Spherical_parameterization/internal/align/Sphere_image.h>
+#include <CGAL/Spherical_parameterization/internal/certificate/is_safely_positive.h>
+#include <CGAL/Spherical_parameterization/internal/surface/Rest_triangle.h>
+#include <CGAL/Spherical_parameterization/internal/surface/Vertex_rings.h>
+#include <CGAL/Spherical_parameterization/internal/numbers/Vector_3.h>
+#include <CGAL/Spherical_parameterization/internal/levels/Target_metric.h>
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+namespace CGAL {
+namespace Spherical_parameterization {
+namespace internal {
+
+// The energy of the faces around one vertex of the first surface, as a function of the two tangential coordinates of its
+// image on the sphere of the second one: what a Newton_step lowers. That of a face is the symmetric Dirichlet energy of
+// its map to the second surface, integrated over both and halved,
+//
+//   E = 2 A (1 + d) / 2 (I + I / d^2) / 2,
+//
+// A being its area, I = s1^2 + s2^2 and d = s1 s2. The metric S of the second surface, at the centre of the image, makes
+// I of the edges e by e^T S e, and its area factor makes d of the determinant of the corners: so E is infinite exactly
+// where a face turns over on the sphere, as all energies of the package are. All faces at their best have E = 4 A.
+//
+// The gradient has the change of the metric along with the centre. Without it each face would be content where it is, and
+// no limb would ever slide to where it belongs. The Hessian leaves it out.
+//
+// A goal adds the squared distance from it, and features the squares of their differences, each times a weight.
+class Target_star
+{
+public:
+  explicit Target_star(const Target_metric& metric)
+    : m_metric(metric)
+  {}
+
+  // Chooses the level of the metric.
+  void set_level(std::size_t level) { m_level = level; }
+
+  // Takes the star of a vertex, without a goal or features. rest_of_face(j) is the shape of the face to neighbors j and j + 1.
+  template <class RestOfFace>
+  void load(const Vertex_rings& rings, std::uint32_t v, const std::vector<Vector_3d>& positions,
+            const RestOfFace& rest_of_face)
+  {
+    const Vertex_rings::Ring ring = rings.ring(v);
+    m_center = positions[v];
+    m_frame = Tangent_frame(m_center);
+    m_size = ring.size();
+    if(m_faces.size() < m_size)
+      m_faces.resize(2 * m_size);
+    m_squared_shortest_edge = (std::numeric_limits<double>::max)();
+    for(std::size_t j = 0; j < m_size; ++j)
+    {
+      Face& f = m_faces[j];
+      f.p = positions[ring[j]];
+      f.q = positions[ring.around(j + 1)];
+      f.normal = cross(f.p, f.q);
+      f.rest = rest_of_face(j);
+      m_squared_shortest_edge = (std::min)(m_squared_shortest_edge, squared_length(f.p - m_center));
+    }
+    m_goal = nullptr;
+    m_features = nullptr;
+  }
+
+  // see Newton_step
+  double shortest_edge() const { return std::sqrt(m_squared_shortest_edge); }
+
+  double derivatives(std::array<double, 2>& gradient, std::array<double, 3>& hessian) const
+  {
+    const Vector_3d t1 = m_frame.vector_of(1., 0.), t2 = m_frame.vector_of(0., 1.);
+    double value = 0.;
+    gradient = {0., 0.};
+    hessian = {0., 0., 0.};
+    for(std::size_t k = 0; k < m_size; ++k)
+    {
+      const Face& f = m_faces[k];
+      const Vector_3d e0 = f.q - f.p, e1 = m_center - f.q, e2 = f.p - m_center;
+      const Vector_3d sum = m_center + f.p + f.q;
+      const double size = length(sum);
+      const Vector_3d c = (1. / size) * sum;
+      std::array<Target_metric::Sample, 2> change;
+      const Target_metric::Sample s = m_metric.at(c, m_level, t1, t2, change);
+      const double o0 = f.rest.opposite_0, o1 = f.rest.opposite_1, o2 = f.rest.opposite_2;
+      const double inverse_area = f.rest.inverse_doubled_area;
+      const auto dirichlet = [&](const Target_metric::Sample& g) {
+        return o0 * g.squared_length(e0) + o1 * g.squared_length(e1) + o2 * g.squared_length(e2);
+      };
+      const double i = dirichlet(s), volume = dot(m_center, f.normal), to_d = inverse_area * s.area(),
+                   d = to_d * volume;
+      const Vector_3d pull = s(o1 * e1 - o2 * e2), st1 = s(t1), st2 = s(t2);
+      // The metric changes with the centre of the face, which moves a third as far.
+      const double share = 1. / size;
+      const double ix = 2. * dot(pull, t1) + share * dirichlet(change[0]);
+      const double iy = 2. * dot(pull, t2) + share * dirichlet(change[1]);
+      const double dx = to_d * dot(t1, f.normal) + share * inverse_area * volume * change[0].area();
+      const double dy = to_d * dot(t2, f.normal) + share * inverse_area * volume * change[1].area();
+      const double o = 2. * (o1 + o2);
+      const double ixx = o * dot(t1, st1), ixy = o * dot(t1, st2), iyy = o * dot(t2, st2);
+      const double e = 1. / d, w = 0.25 / inverse_area;
+      const double fi = w * (1. + d) * (1. + e * e), fd = w * i * (1. - e * e - 2. * e * e * e),
+                   fid = w * (1. - e * e - 2. * e * e * e), fdd = w * i * (2. * e * e * e + 6. * e * e * e * e);
+      value += fi * i;
+      gradient[0] += fi * ix + fd * dx;
+      gradient[1] += fi * iy + fd * dy;
+      hessian[0] += fi * ixx - fd * d + 2. * fid * ix * dx + fdd * dx * dx;
+      hessian[1] += fi * ixy + fid * (ix * dy + iy * dx) + fdd * dx * dy;
+      hessian[2] += fi * iyy - fd * d + 2. * fid * iy * dy + fdd * dy * dy;
+    }
+    if(m_features)
+    {
+      std::array<double, 2> g;
+      std::array<double, 3> h;
+      value += m_feature_weight * m_features->squared_difference(m_center, m_feature_values, t1, t2, g, h);
+      for(std::size_t i = 0; i < 2; ++i)
+        gradient[i] += 2. * m_feature_weight * g[i];
+      for(std::size_t i = 0; i < 3; ++i)
+        hessian[i] += 2. * m_feature_weight * h[i];
+    }
+    if(m_goal)
+    {
+      const Vector_3d offset = m_center - *m_goal;
+      value += m_goal_weight * squared_length(offset);
+      gradient[0] += 2. * m_goal_weight * dot(offset, t1);
+      gradient[1] += 2. * m_goal_weight * dot(offset, t2);
+      const double curvature = 2. * m_goal_weight * (std::max)(dot(m_center, *m_goal), 0.1);
+      hessian[0] += curvature;
+      hessian[2] += curvature;
+    }
+    return value;
+  }
+
+  double operator()(double x, double y) const
+  {
+    constexpr double infinite = std::numeric_limits<double>::infinity();
+    if(!(x * x + y * y < max_squared_step))
+      return infinite;
+    const Vector_3d center = m_frame.point_at(x, y);
+    double value = 0.;
+    for(std::size_t k = 0; k < m_size; ++k)
+    {
+      const Face& f = m_faces[k];
+      const Vector_3d e1 = center - f.q, e2 = f.p - center;
+      const double volume = dot(center, f.normal);
+      if(!is_safely_positive(volume, squared_length(e1) + squared_length(e2)))
+        return infinite;
+      const Target_metric::Sample s = m_metric.at(center + f.p + f.q, m_level);
+      const double inverse_area = f.rest.inverse_doubled_area;
+      const double i = f.rest.opposite_0 * s.squared_length(f.q - f.p) + f.rest.opposite_1 * s.squared_length(e1) +
+                       f.rest.opposite_2 * s.squared_length(e2);
+      const double e = 1. / (inverse_area * volume * s.area());
+      value += 0.25 / inverse_area * i * (1. + 1. / e) * (1. + e * e);
+    }
+    if(m_features)
+      value += m_feature_weight * m_features->squared_difference(center, m_feature_values);
+    if(m_goal)
+      value += m_goal_weight * squared_length(center - *m_goal);
+    return value;
+  }
+
+  // the same at a direction
+  double at(const Vector_3d& q) const
+  {
+    if(!(dot(q, m_center) > 0.)) // The coordinates of the other half are the same.
+      return std::numeric_limits<double>::infinity();
+    const Vector_3d offset = m_frame.offset_of(q);
+    return (*this)(offset[0], offset[1]);
+  }
+
+  // The goal has to last as long as the star.
+  void set_goal(const Vector_3d* goal, double weight)
+  {
+    m_goal = goal;
+    m_goal_weight = weight;
+  }
+
+  // The features of the second surface, and their values at the vertex; both have to last as long as the star.
+  void set_features(const Sphere_image* features, const double* values, double weight)
+  {
+    m_features = features;
+    m_feature_values = values;
+    m_feature_weight = weight;
+  }
+
+  Vector_3d point_at(double x, double y) const { return m_frame.point_at(x, y); }
+
+private:
+  static constexpr double max_squared_step = 0.75; // as Star_energy has it
+
+  struct Face
+  {
+    Vector_3d p, q, normal; // the other two corners, and their cross product
+    Rest_triangle rest;
+  };
+
+  const Target_metric& m_metric;
+  std::size_t m_level = 0, m_size = 0;
+  Vector_3d m_center = {0., 0., 1.};
+  Tangent_frame m_frame = Tangent_frame({0., 0., 1.});
+  double m_squared_shortest_edge = 0.;
+  std::vector<Face> m_faces;
+  const Vector_3d* m_goal = nullptr;
+  double m_goal_weight = 0.;
+  const Sphere_image* m_features = nullptr;
+  const double* m_feature_values = nullptr;
+  double m_feature_weight = 0.;
+};
+
+} // namespace internal
+} // namespace Spherical_parameterization
+} // namespace CGAL
+
+#endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_LEVELS_TARGET_STAR_H

@@ -1,0 +1,361 @@
+// Copyright (c) 2026  The Spherical_parameterization authors.
+// All rights reserved.
+//
+// This file is part of the Spherical_parameterization package for CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Spherical_parameterization authors
+
+#ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_LOCATE_SPHERE_TRIANGULATION_H
+#define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_LOCATE_SPHERE_TRIANGULATION_H
+
+#include <CGAL/license/Spherical_parameterization.h>
+
+#include <CGAL/Spherical_parameterization/internal/certificate/Orientation_about_origin_3.h>
+#include <CGAL/Spherical_parameterization/internal/run/parallel.h>
+#include <CGAL/Spherical_parameterization/internal/sampling/Octahedral_grid.h>
+#include <CGAL/Spherical_parameterization/internal/locate/barycentric_coordinates.h>
+#include <CGAL/Spherical_parameterization/internal/numbers/Vector_3.h>
+
+#include <CGAL/enum.h>
+#include <CGAL/number_utils.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <numeric>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Spherical_parameterization {
+namespace internal {
+
+// A triangle of a closed mesh: the neighbour i is across the edge that is opposite to vertex i.
+struct Linked_triangle
+{
+  std::array<std::uint32_t, 3> vertices, neighbors;
+
+  std::uint32_t operator[](std::size_t i) const { return vertices[i]; }
+
+  // which corner has this vertex, or is opposite to this neighbour; the last one if none of the others
+  std::size_t corner_of(std::uint32_t vertex) const
+  {
+    return vertices[0] == vertex ? 0 : vertices[1] == vertex ? 1 : 2;
+  }
+  std::size_t side_of(std::uint32_t triangle) const
+  {
+    return neighbors[0] == triangle ? 0 : neighbors[1] == triangle ? 1 : 2;
+  }
+};
+
+// Calls visit(v, w) for each vertex of a closed connected mesh with n vertices, where w is a vertex next to v that has been
+// visited before, and `none` for the first one: so that what is known of w helps with v.
+template <class Visit>
+void visit_from_neighbors(const std::vector<Linked_triangle>& triangles, std::size_t n, std::uint32_t none,
+                          const Visit& visit)
+{
+  std::vector<bool> is_reached(triangles.size(), false), is_visited(n, false);
+  std::vector<std::uint32_t> stack = {0};
+  is_reached[0] = true;
+  std::uint32_t visited = none;
+  while(!stack.empty())
+  {
+    const Linked_triangle& t = triangles[stack.back()];
+    stack.pop_back();
+    for(const std::uint32_t v : t.vertices)
+      if(is_visited[v])
+        visited = v;
+    for(const std::uint32_t v : t.vertices)
+      if(!is_visited[v])
+      {
+        visit(v, visited);
+        is_visited[v] = true;
+        visited = v;
+      }
+    for(const std::uint32_t neighbor : t.neighbors)
+      if(!is_reached[neighbor])
+      {
+        is_reached[neighbor] = true;
+        stack.push_back(neighbor);
+      }
+  }
+}
+
+// The images of a mesh on the sphere, a bijection, as flat arrays in which the triangle of a direction is found by a
+// walk, exactly, from a triangle nearby: one that contains the centre of the cell of a grid, or any that the caller
+// knows. All triangles contain their boundaries; of those that contain a direction, the first one owns it.
+//
+// `K` is a kernel with exact predicates.
+template <class K>
+class Sphere_triangulation
+{
+public:
+  using FT = typename K::FT;
+  using Point_3 = typename K::Point_3;
+
+  static constexpr std::uint32_t none = (std::numeric_limits<std::uint32_t>::max)();
+
+  // Where a direction is: no triangle if it is zero or not finite.
+  struct Place
+  {
+    std::uint32_t triangle = none;
+    std::array<FT, 3> coordinates = {FT(0), FT(0), FT(0)};
+  };
+
+  // Where a query has ended, for the next one to start there if it is in the same cell.
+  struct Hint
+  {
+    std::uint32_t cell = none, triangle = 0;
+  };
+
+  void assign(std::vector<Point_3> points, std::vector<Linked_triangle> triangles)
+  {
+    m_points = std::move(points);
+    m_triangles = std::move(triangles);
+    m_first_triangles.assign(m_points.size(), none);
+    for(std::uint32_t t = 0; t < m_triangles.size(); ++t)
+      for(const std::uint32_t v : m_triangles[t].vertices)
+        m_first_triangles[v] = (std::min)(m_first_triangles[v], t);
+  }
+
+  // Makes the grid. Returns false if a direction is in no triangle: the map is no bijection.
+  bool make_grid()
+  {
+    const auto n = static_cast<std::uint32_t>(std::sqrt(static_cast<double>(m_triangles.size())));
+    m_grid = Octahedral_grid(n);
+    m_starts.assign(m_grid.number_of_cells(), none);
+    Found found;
+    bool is_covered = n > 0;
+    m_grid.for_each_cell([&](std::uint32_t cell, const Vector_3d& p) {
+      is_covered = is_covered && find(Point_3(FT(p[0]), FT(p[1]), FT(p[2])), found.triangle, found);
+      m_starts[cell] = found.triangle;
+    });
+    return is_covered;
+  }
+
+  const std::vector<Point_3>& points() const { return m_points; }
+  const std::vector<Linked_triangle>& triangles() const { return m_triangles; }
+
+  // The image of a vertex at distance 1, rounded. Powers of two keep squares from overflow and underflow, and change no bit
+  // of what needs none.
+  Vector_3d direction(std::size_t v) const
+  {
+    const Point_3& p = m_points[v];
+    const Vector_3d x = {CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z())};
+    int exponent;
+    std::frexp((std::max)({std::abs(x[0]), std::abs(x[1]), std::abs(x[2])}), &exponent);
+    return normalized(Vector_3d{std::ldexp(x[0], -exponent), std::ldexp(x[1], -exponent), std::ldexp(x[2], -exponent)});
+  }
+
+  // Locates a direction from a triangle that is next to it, or not far from it, without a grid.
+  Place locate_from(std::uint32_t start, const Point_3& q) const
+  {
+    Found found;
+    return find(q, start, found) ? owner(q, found) : Place();
+  }
+
+  // The same by another predicate, orientation(a, b, q) for an edge from a to b; returns no more than the triangle.
+  template <class Orientation>
+  std::uint32_t triangle_from(std::uint32_t start, const Point_3& q, const Orientation& orientation) const
+  {
+    Found found;
+    return find(q, start, found, orientation) ? found.triangle : none;
+  }
+
+  // The other functions need the grid.
+  Place locate(const Point_3& q, Hint& hint) const
+  {
+    const std::uint32_t cell = m_grid.cell(approximate(q));
+    Found found;
+    if(!find(q, cell == hint.cell ? hint.triangle : m_starts[cell], found))
+      return Place();
+    hint = {cell, found.triangle};
+    return owner(q, found);
+  }
+
+  // Locates all directions, in parallel if the coordinates are doubles; in a large mesh along a curve on the sphere, so
+  // that the triangles that a query needs are in the caches since the query before.
+  std::vector<Place> locate(const std::vector<Point_3>& directions, const Execution& execution) const
+  {
+    constexpr std::size_t block_size = 1024;
+    constexpr std::size_t min_triangles_to_sort = 100000; // Less than 5 MB are in the caches anyway.
+    const Execution safe_execution = std::is_same<FT, double>::value ? execution : Execution();
+    std::vector<Place> result(directions.size());
+    if(m_triangles.size() < min_triangles_to_sort)
+      for_each_block(safe_execution, 0, directions.size(), block_size, [&](std::size_t begin, std::size_t end) {
+        Hint hint;
+        for(std::size_t k = begin; k < end; ++k)
+          result[k] = locate(directions[k], hint);
+      });
+    else
+    {
+      const std::vector<Query> queries = sorted_along_curve(directions, safe_execution);
+      for_each_block(safe_execution, 0, queries.size(), block_size, [&](std::size_t begin, std::size_t end) {
+        Hint hint;
+        for(std::size_t k = begin; k < end; ++k)
+          result[queries[k].number] = locate(queries[k].direction, hint);
+      });
+    }
+    return result;
+  }
+
+private:
+  // A triangle that contains a direction, and on which side of the edge opposite to each vertex the direction is. It is
+  // on none of three if it is zero or not finite.
+  struct Found
+  {
+    std::uint32_t triangle = 0;
+    std::array<Sign, 3> sides;
+  };
+
+  static Vector_3d approximate(const Point_3& p)
+  {
+    // Lazy numbers need not, and those that are not finite must not, be evaluated.
+    return {CGAL::to_interval(p.x()).first, CGAL::to_interval(p.y()).first, CGAL::to_interval(p.z()).first};
+  }
+
+  static constexpr std::size_t successor(std::size_t i) { return i < 2 ? i + 1 : 0; }
+
+  template <class Orientation>
+  Sign side(const Linked_triangle& t, std::size_t i, const Point_3& q, const Orientation& orientation) const
+  {
+    const std::size_t j = successor(i);
+    return orientation(m_points[t[j]], m_points[t[successor(j)]], q);
+  }
+
+  bool find(const Point_3& q, std::uint32_t start, Found& found) const { return find(q, start, found, m_orientation); }
+  template <class Orientation>
+  bool find(const Point_3& q, std::uint32_t start, Found& found, const Orientation& orientation) const
+  {
+    return walk(q, start, found, orientation) || search(q, found, orientation);
+  }
+
+  // Walks from triangle to triangle, across any edge that the direction is on the other side of. A walk that always
+  // tries the edges in the same order may go round in circles; with a random order, it leaves them sooner or later. It
+  // gives up after as many steps as there are triangles.
+  template <class Orientation>
+  bool walk(const Point_3& q, std::uint32_t start, Found& found, const Orientation& orientation) const
+  {
+    std::uint32_t current = start, previous = none, random = 0;
+    for(std::size_t n = 0; n <= m_triangles.size(); ++n)
+    {
+      const Linked_triangle& t = m_triangles[current];
+      random = 1664525u * random + 1013904223u;
+      std::size_t i = (3 * (random >> 16)) >> 16, n_tested = 0;
+      for(; n_tested < 3; ++n_tested, i = successor(i))
+      {
+        found.sides[i] = t.neighbors[i] == previous ? POSITIVE : side(t, i, q, orientation);
+        if(found.sides[i] == NEGATIVE)
+          break;
+      }
+      if(n_tested == 3)
+      {
+        found.triangle = current;
+        return true;
+      }
+      previous = current;
+      current = t.neighbors[i];
+    }
+    return false;
+  }
+
+  template <class Orientation>
+  bool search(const Point_3& q, Found& found, const Orientation& orientation) const
+  {
+    for(std::uint32_t k = 0; k < m_triangles.size(); ++k)
+    {
+      const Linked_triangle& t = m_triangles[k];
+      found = {k, {side(t, 0, q, orientation), side(t, 1, q, orientation), side(t, 2, q, orientation)}};
+      if(std::count(found.sides.begin(), found.sides.end(), NEGATIVE) == 0)
+        return true;
+    }
+    return false;
+  }
+
+  // The triangle that owns a direction, by one that contains it. The direction is in the convex hull of the vertices of
+  // the found triangle that are on the positive side of their edges: all three, the two of an edge, or one.
+  Place owner(const Point_3& q, const Found& found) const
+  {
+    const Linked_triangle& t = m_triangles[found.triangle];
+    std::uint32_t result = found.triangle;
+    std::size_t n_positive = 0, last_positive = 0;
+    for(std::size_t i = 0; i < 3; ++i)
+      if(found.sides[i] == POSITIVE)
+      {
+        ++n_positive;
+        last_positive = i;
+      }
+      else
+        result = (std::min)(result, t.neighbors[i]);
+    if(n_positive == 0)
+      return Place();
+    if(n_positive == 1)
+      result = m_first_triangles[t[last_positive]];
+
+    const Linked_triangle& r = m_triangles[result];
+    std::array<bool, 3> is_positive = {false, false, false};
+    std::array<Vector_3<FT>, 3> corners;
+    for(std::size_t i = 0; i < 3; ++i)
+    {
+      for(std::size_t j = 0; j < 3; ++j)
+        is_positive[i] = is_positive[i] || (r[i] == t[j] && found.sides[j] == POSITIVE);
+      corners[i] = coordinates(m_points[r[i]]);
+    }
+    return {result, barycentric_coordinates<FT>(corners, coordinates(q), is_positive)};
+  }
+
+  static Vector_3<FT> coordinates(const Point_3& p) { return {p.x(), p.y(), p.z()}; }
+
+  struct Query
+  {
+    Point_3 direction; // a copy, as reading from where it was would be what takes longest
+    std::size_t number;
+  };
+
+  // The directions in their order along a curve: sorted into about as many buckets as they are, in linear time.
+  static std::vector<Query> sorted_along_curve(const std::vector<Point_3>& directions, const Execution& execution)
+  {
+    constexpr std::size_t block_size = 4096;
+    constexpr unsigned int max_bits = 24;
+    unsigned int n_bits = 0;
+    while(n_bits < max_bits && (directions.size() >> n_bits) > 1)
+      ++n_bits;
+    std::vector<std::uint32_t> buckets(directions.size());
+    for_each_block(execution, 0, directions.size(), block_size, [&](std::size_t begin, std::size_t end) {
+      for(std::size_t k = begin; k < end; ++k)
+      {
+        const std::uint64_t place = Octahedral_grid::place_on_curve(approximate(directions[k]));
+        buckets[k] = static_cast<std::uint32_t>(place >> (32 - n_bits));
+      }
+    });
+    std::vector<std::size_t> starts((std::size_t(1) << n_bits) + 1, 0); // of the buckets, and then their ends
+    for(const std::uint32_t bucket : buckets)
+      ++starts[bucket + 1];
+    std::partial_sum(starts.begin(), starts.end(), starts.begin());
+    std::vector<Query> result(directions.size());
+    for(std::size_t k = 0; k < directions.size(); ++k)
+      result[starts[buckets[k]]++] = {directions[k], k};
+    return result;
+  }
+
+  Orientation_about_origin_3<K> m_orientation;
+  std::vector<Point_3> m_points;
+  std::vector<Linked_triangle> m_triangles;
+  std::vector<std::uint32_t> m_first_triangles; // the first one at each vertex
+  Octahedral_grid m_grid;
+  std::vector<std::uint32_t> m_starts; // for each cell, a triangle that contains its centre
+};
+
+} // namespace internal
+} // namespace Spherical_parameterization
+} // namespace CGAL
+
+#endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_LOCATE_SPHERE_TRIANGULATION_H

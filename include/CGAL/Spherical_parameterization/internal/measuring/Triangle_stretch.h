@@ -1,0 +1,158 @@
+// Copyright (c) 2026  The Spherical_parameterization authors.
+// All rights reserved.
+//
+// This file is part of the Spherical_parameterization package for CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Spherical_parameterization authors
+
+#ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_MEASURING_TRIANGLE_STRETCH_H
+#define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_MEASURING_TRIANGLE_STRETCH_H
+
+#include <CGAL/license/Spherical_parameterization.h>
+
+#include <CGAL/Spherical_parameterization/internal/numbers/Vector_3.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+
+namespace CGAL {
+namespace Spherical_parameterization {
+namespace internal {
+
+// The edges of a triangle: number i is opposite to corner i, and all of them run around the triangle in one sense.
+using Triangle_edges = std::array<Vector_3d, 3>;
+
+// The singular values s1 <= s2 of the linear map from one triangle to another, and the distortions that follow from
+// them.
+//
+// Both triangles are laid into the plane with the longest edge of the source, and its image, on the x-axis. The map is
+// then a matrix (a b; 0 c) with a, c >= 0, and
+//   s2 + s1 = |(a + c, b)|    and    s2 - s1 = |(a - c, b)|,
+// so that no digit is lost where s1 and s2 are close to each other, unlike in the roots of I + 2 d and I - 2 d with
+// I = s1^2 + s2^2 and d = s1 s2. Where they are far apart it is s1 = d / s2 that loses none. What remains is the
+// rounding of the edges, which costs a relative error of about 1e-15 longest edge / height of the source. The foot of
+// the height is measured from the corner next to it, so that a source that is thin because one of its edges is short
+// costs less.
+//
+// Each triangle is first scaled by a power of two, which is exact, so that coordinates up to about 1e300 and down to
+// 1e-300 cause no overflow or underflow before the final values do.
+class Triangle_stretch
+{
+public:
+  Triangle_stretch(const Triangle_edges& source, const Triangle_edges& image)
+  {
+    int source_exponent, image_exponent;
+    const Triangle_edges from = scaled(source, source_exponent);
+    const Triangle_edges to = scaled(image, image_exponent);
+
+    const std::array<double, 3> squared = {squared_length(from[0]), squared_length(from[1]), squared_length(from[2])};
+    std::size_t longest = 0, shortest = 0;
+    for(std::size_t i = 1; i < 3; ++i)
+    {
+      longest = squared[i] > squared[longest] ? i : longest;
+      shortest = squared[i] <= squared[shortest] ? i : shortest;
+    }
+    const Planar_triangle p(from[longest], from[shortest]);
+    const Planar_triangle q(to[longest], to[shortest]);
+
+    m_is_degenerate = !(p.height > min_height * p.base);
+    if(m_is_degenerate || !(q.height > 0.))
+    {
+      return;
+    }
+
+    const double a = q.base / p.base;
+    const double c = q.height / p.height;
+    const double b = (q.foot - p.foot * a) / p.height;
+    const double s2 = 0.5 * (std::hypot(a + c, b) + std::hypot(a - c, b));
+    const double s1 = a * (c / s2);
+    const int exponent = image_exponent - source_exponent;
+    const double determinant = std::ldexp(a * c, 2 * exponent);
+    m_isometric = (std::max)(std::ldexp(s2, exponent), std::ldexp(1. / s1, -exponent));
+    m_area = determinant > 0. ? determinant + 1. / determinant : infinity;
+    m_angle = s2 / s1 + s1 / s2;
+  }
+
+  // whether the source has no shape that could be distorted: twice its area is at most 1e-12 times its longest edge
+  // squared, or a coordinate is not finite. All distortions are infinite then.
+  bool is_degenerate() const { return m_is_degenerate; }
+
+  // The three measures of Face_distortion. They are infinite if the image has no area, or is not finite.
+  double isometric() const { return m_isometric; }
+  double area() const { return m_area; }
+  double angle() const { return m_angle; }
+
+private:
+  static constexpr double infinity = std::numeric_limits<double>::infinity();
+  static constexpr double min_height = 1e-12; // in units of the longest edge
+
+  // A triangle in the plane whose first edge is (base, 0) and whose apex is (foot, height), seen from the corner
+  // between `first`, the edge on the axis, and `second`.
+  struct Planar_triangle
+  {
+    // As the edges run around the triangle, one of the two starts where the other one ends; which of them does not
+    // matter, as the triangle may be turned by half a turn.
+    Planar_triangle(const Vector_3d& first, const Vector_3d& second)
+      : base(length(first))
+      , foot(-dot(first, second) / base)
+      , height(length(accurate_cross(first, second)) / base)
+    {}
+
+    double base, foot, height;
+  };
+
+  // a b - c d to the last digits: the rounding error of c d is known exactly, and is taken out again (W. Kahan)
+  static double difference_of_products(double a, double b, double c, double d)
+  {
+    const double product = c * d;
+    const double error = std::fma(-c, d, product);
+    return std::fma(a, b, -product) + error;
+  }
+
+  static Vector_3d accurate_cross(const Vector_3d& a, const Vector_3d& b)
+  {
+    return {difference_of_products(a[1], b[2], a[2], b[1]), difference_of_products(a[2], b[0], a[0], b[2]),
+            difference_of_products(a[0], b[1], a[1], b[0])};
+  }
+
+  // the edges divided by 2^exponent, so that the largest coordinate is in [1/2, 1); NaN if one of them is not finite
+  static Triangle_edges scaled(const Triangle_edges& edges, int& exponent)
+  {
+    double largest = 0.;
+    bool are_finite = true;
+    for(const Vector_3d& edge : edges)
+    {
+      are_finite = are_finite && is_finite(edge);
+      for(const double x : edge)
+        largest = (std::max)(largest, std::abs(x));
+    }
+    exponent = 0;
+    double factor = std::numeric_limits<double>::quiet_NaN();
+    if(are_finite)
+    {
+      std::frexp(largest, &exponent);
+      // The largest power of two is 2^1023: subnormal coordinates stay smaller than 1/2.
+      exponent = (std::max)(exponent, -1023);
+      factor = std::ldexp(1., -exponent);
+    }
+    return {factor * edges[0], factor * edges[1], factor * edges[2]};
+  }
+
+  bool m_is_degenerate;
+  double m_isometric = infinity;
+  double m_area = infinity;
+  double m_angle = infinity;
+};
+
+} // namespace internal
+} // namespace Spherical_parameterization
+} // namespace CGAL
+
+#endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_MEASURING_TRIANGLE_STRETCH_H

@@ -1,0 +1,158 @@
+// Copyright (c) 2026  The Spherical_parameterization authors.
+// All rights reserved.
+//
+// This file is part of the Spherical_parameterization package for CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Spherical_parameterization authors
+//
+
+#ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_NUMBERS_VECTOR_3_H
+#define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_NUMBERS_VECTOR_3_H
+
+#include <CGAL/license/Spherical_parameterization.h>
+
+#include <CGAL/Spherical_parameterization/internal/numbers/Packed_double.h>
+
+#include <array>
+#include <cstdint>
+#include <cstring>
+
+namespace CGAL {
+namespace Spherical_parameterization {
+namespace internal {
+
+// Three numbers without a kernel: everything between reading the mesh and writing the map works on arrays of these.
+template <class FT>
+using Vector_3 = std::array<FT, 3>;
+using Vector_3d = Vector_3<double>;
+
+template <class FT>
+Vector_3<FT> operator-(const Vector_3<FT>& a, const Vector_3<FT>& b)
+{
+  return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
+}
+
+template <class FT>
+Vector_3<FT> operator+(const Vector_3<FT>& a, const Vector_3<FT>& b)
+{
+  return {a[0] + b[0], a[1] + b[1], a[2] + b[2]};
+}
+
+template <class FT>
+Vector_3<FT> operator*(const FT& s, const Vector_3<FT>& a)
+{
+  return {s * a[0], s * a[1], s * a[2]};
+}
+
+template <class FT>
+FT dot(const Vector_3<FT>& a, const Vector_3<FT>& b)
+{
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+template <class FT>
+Vector_3<FT> cross(const Vector_3<FT>& a, const Vector_3<FT>& b)
+{
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+
+template <class FT>
+FT squared_length(const Vector_3<FT>& a)
+{
+  return dot(a, a);
+}
+
+template <class FT = double>
+FT length(const Vector_3<FT>& a)
+{
+  return square_root(dot(a, a));
+}
+
+template <class FT = double>
+Vector_3<FT> normalized(const Vector_3<FT>& a)
+{
+  return (1. / length(a)) * a;
+}
+
+// Whether x is neither infinite nor NaN. It asks the bits, as a compiler that may assume that all numbers are finite
+// (-ffinite-math-only, part of -ffast-math) replaces std::isfinite() by true.
+inline bool is_finite(double x)
+{
+  std::uint64_t bits;
+  static_assert(sizeof(bits) == sizeof(x), "A double has 64 bits.");
+  std::memcpy(&bits, &x, sizeof(bits));
+  constexpr std::uint64_t exponent = 0x7FF0000000000000u;
+  return (bits & exponent) != exponent;
+}
+
+inline bool is_finite(const Vector_3d& p)
+{
+  return is_finite(p[0]) && is_finite(p[1]) && is_finite(p[2]);
+}
+
+inline bool is_positive_and_finite(double x)
+{
+  return x > 0. && is_finite(x);
+}
+
+// An orthonormal frame (t1, t2, n) at the point n of the unit sphere. Points near n are handled by their offsets from n
+// in this frame: differences of nearby coordinates are exact, so a triangle keeps its relative precision however small
+// it is.
+template <class FT>
+class Basic_tangent_frame
+{
+public:
+  explicit Basic_tangent_frame(const Vector_3<FT>& n)
+    : m_n(n)
+  {
+    // The two axes as smooth functions of n but for the plane n.z = 0, where the sign keeps the denominator away from
+    // 0.
+    const FT sign = select(n[2] < 0., FT(-1.), FT(1.));
+    const FT a = -1. / (sign + n[2]);
+    const FT b = n[0] * n[1] * a;
+    m_t1 = {1. + sign * n[0] * n[0] * a, sign * b, -sign * n[0]};
+    m_t2 = {b, sign + n[1] * n[1] * a, -n[1]};
+  }
+
+  // the offset of `p` from the origin of the frame, in the coordinates of the frame
+  Vector_3<FT> offset_of(const Vector_3<FT>& p) const { return coordinates_of(p - m_n); }
+
+  // a vector in the coordinates of the frame
+  Vector_3<FT> coordinates_of(const Vector_3<FT>& v) const { return {dot(v, m_t1), dot(v, m_t2), dot(v, m_n)}; }
+
+  // the tangential vector with the given coordinates
+  Vector_3<FT> vector_of(const FT& x, const FT& y) const { return x * m_t1 + y * m_t2; }
+
+  // the point of the sphere whose offset has the tangential coordinates `x` and `y`, x^2 + y^2 < 1
+  Vector_3<FT> point_at(const FT& x, const FT& y) const
+  {
+    const FT z = height_at(x, y);
+    const Vector_3<FT> p = {m_n[0] + (x * m_t1[0] + y * m_t2[0] + z * m_n[0]),
+                            m_n[1] + (x * m_t1[1] + y * m_t2[1] + z * m_n[1]),
+                            m_n[2] + (x * m_t1[2] + y * m_t2[2] + z * m_n[2])};
+    // The length is that of n, 1 up to some roundings, so that one step of Newton's method normalizes it.
+    return (1.5 - 0.5 * squared_length(p)) * p;
+  }
+
+  // the offset along n of that point: sqrt(1 - x^2 - y^2) - 1 without its cancellation
+  static FT height_at(const FT& x, const FT& y)
+  {
+    const FT t = x * x + y * y;
+    return -t / (1. + square_root(1. - t));
+  }
+
+private:
+  Vector_3<FT> m_n, m_t1, m_t2;
+};
+
+using Tangent_frame = Basic_tangent_frame<double>;
+
+} // namespace internal
+} // namespace Spherical_parameterization
+} // namespace CGAL
+
+#endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_NUMBERS_VECTOR_3_H

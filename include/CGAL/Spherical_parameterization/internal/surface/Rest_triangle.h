@@ -1,0 +1,128 @@
+// Copyright (c) 2026  The Spherical_parameterization authors.
+// All rights reserved.
+//
+// This file is part of the Spherical_parameterization package for CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Spherical_parameterization authors
+//
+
+#ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_SURFACE_REST_TRIANGLE_H
+#define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_SURFACE_REST_TRIANGLE_H
+
+#include <CGAL/license/Spherical_parameterization.h>
+
+#include <CGAL/Spherical_parameterization/internal/numbers/Vector_3.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace CGAL {
+namespace Spherical_parameterization {
+namespace internal {
+
+// How flat and how small the shape of a face may be that a Rest_triangle asks for. A flatter one would ask for
+// derivatives beyond all measure and freeze its neighbours; it is given the minimum height instead. One without size
+// has no shape that it could ask for; it becomes equilateral.
+struct Rest_limits
+{
+  double min_height = 1e-4; // over the longest edge, in units of that edge
+  double min_edge = 1e-12;  // the longest one; surfaces are scaled to the area of the unit sphere
+
+  // Whether the surface does not count at all: every face is the same equilateral triangle.
+  bool is_uniform = false;
+};
+
+// The shape of a face on the surface as the energies see it. With the squared lengths l of the edges of the image,
+// I = opposite_0 l_12 + opposite_1 l_20 + opposite_2 l_01 and d = (doubled area of the image) * inverse_doubled_area.
+struct Rest_triangle
+{
+  double opposite_0, opposite_1, opposite_2; // cot(theta_i) / (2 A), A being the area
+  double inverse_doubled_area;               // 1 / (2 A)
+
+  // the height on the longest edge, in units of that edge
+  static double height(const Vector_3d& p0, const Vector_3d& p1, const Vector_3d& p2)
+  {
+    const Vector_3d e0 = p2 - p1, e1 = p0 - p2, e2 = p1 - p0;
+    return length(cross(e1, e2)) / (std::max)({squared_length(e0), squared_length(e1), squared_length(e2)});
+  }
+
+  static bool is_too_flat(const Vector_3d& p0, const Vector_3d& p1, const Vector_3d& p2)
+  {
+    const Vector_3d e0 = p2 - p1, e1 = p0 - p2, e2 = p1 - p0;
+    const double longest = (std::max)({squared_length(e0), squared_length(e1), squared_length(e2)});
+    return is_too_flat(length(cross(e1, e2)), longest, Rest_limits());
+  }
+
+  static Rest_triangle from_points(const Vector_3d& p0, const Vector_3d& p1, const Vector_3d& p2,
+                                   const Rest_limits& limits = Rest_limits())
+  {
+    if(limits.is_uniform)
+      return equilateral(1.);
+    const Vector_3d e0 = p2 - p1, e1 = p0 - p2, e2 = p1 - p0;
+    const double l0 = squared_length(e0), l1 = squared_length(e1), l2 = squared_length(e2);
+    const double doubled_area = length(cross(e1, e2));
+    if(is_too_flat(doubled_area, (std::max)({l0, l1, l2}), limits))
+      return lifted(l0, l1, l2, limits);
+    const double inverse = 1. / doubled_area;
+    const double scale = -inverse * inverse;
+    return {scale * dot(e1, e2), scale * dot(e2, e0), scale * dot(e0, e1), inverse};
+  }
+
+  // Makes the area `factor` times as large and leaves the angles as they are.
+  void scale_area(double factor)
+  {
+    const double inverse = 1. / factor;
+    opposite_0 *= inverse;
+    opposite_1 *= inverse;
+    opposite_2 *= inverse;
+    inverse_doubled_area *= inverse;
+  }
+
+private:
+  static bool is_too_flat(double doubled_area, double squared_longest_edge, const Rest_limits& limits)
+  {
+    return doubled_area < limits.min_height * squared_longest_edge ||
+           squared_longest_edge < limits.min_edge * limits.min_edge;
+  }
+
+  static Rest_triangle equilateral(double edge)
+  {
+    const double cotangent = 1. / std::sqrt(3.), inverse = 2. * cotangent / (edge * edge);
+    return {cotangent * inverse, cotangent * inverse, cotangent * inverse, inverse};
+  }
+
+  // The triangle that has the given one's longest edge and foot of the height on it, but at least the minimum height;
+  // or an equilateral one of the minimum size.
+  static Rest_triangle lifted(double l0, double l1, double l2, const Rest_limits& limits)
+  {
+    if((std::max)({l0, l1, l2}) < limits.min_edge * limits.min_edge)
+      return equilateral(limits.min_edge);
+    double squared[3] = {l0, l1, l2};
+    int base = 0;
+    for(int i = 1; i < 3; ++i)
+      if(squared[i] > squared[base])
+        base = i;
+    // The base runs from corner 1 to corner 2 of the rotated triangle, its apex is corner 0.
+    const double b2 = squared[base];
+    const double to_1 = squared[(base + 2) % 3], to_2 = squared[(base + 1) % 3];
+    const double t = (std::min)((std::max)(0.5 * (b2 + to_1 - to_2) / b2, 0.), 1.); // the foot, in units of the base
+    // cot(1) = t / h, cot(2) = (1 - t) / h and cot(0) = (h^2 - t (1 - t)) / h for a base of length 1, h = 2 A.
+    const double h = limits.min_height;
+    const double inverse = 1. / (b2 * h);
+    double cotangents[3];
+    cotangents[base] = (h - t * (1. - t) / h);
+    cotangents[(base + 1) % 3] = t / h;
+    cotangents[(base + 2) % 3] = (1. - t) / h;
+    return {cotangents[0] * inverse, cotangents[1] * inverse, cotangents[2] * inverse, inverse};
+  }
+};
+
+} // namespace internal
+} // namespace Spherical_parameterization
+} // namespace CGAL
+
+#endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_SURFACE_REST_TRIANGLE_H

@@ -1,0 +1,102 @@
+// Copyright (c) 2026  The Spherical_parameterization authors.
+// All rights reserved.
+//
+// This file is part of the Spherical_parameterization package for CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Spherical_parameterization authors
+//
+
+#ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_SURFACE_VERTEX_RINGS_H
+#define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_SURFACE_VERTEX_RINGS_H
+
+#include <CGAL/license/Spherical_parameterization.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Spherical_parameterization {
+namespace internal {
+
+// The connectivity of a closed triangle mesh: for each vertex its neighbours in counterclockwise order, as compressed
+// sparse rows. The faces of vertex v are (v, ring[j], ring[j + 1]), the last one closing with ring[0].
+class Vertex_rings
+{
+public:
+  struct Ring
+  {
+    const std::uint32_t* first;
+    const std::uint32_t* last;
+
+    const std::uint32_t* begin() const { return first; }
+    const std::uint32_t* end() const { return last; }
+    std::size_t size() const { return static_cast<std::size_t>(last - first); }
+    std::uint32_t operator[](std::size_t j) const { return first[j]; }
+
+    // the same around the closed ring, for j below twice its size
+    std::uint32_t around(std::size_t j) const { return first[j < size() ? j : j - size()]; }
+  };
+
+  std::size_t number_of_vertices() const { return m_offsets.size() - 1; }
+  std::size_t number_of_corners() const { return m_neighbors.size(); }
+  std::size_t number_of_faces() const { return m_neighbors.size() / 3; }
+
+  std::size_t offset(std::size_t v) const { return m_offsets[v]; }
+  std::size_t degree(std::size_t v) const { return m_offsets[v + 1] - m_offsets[v]; }
+
+  Ring ring(std::size_t v) const { return {m_neighbors.data() + m_offsets[v], m_neighbors.data() + m_offsets[v + 1]}; }
+
+  // Calls f(v, p, q) for every face once, in a fixed order; v is its smallest vertex.
+  template <class Function>
+  void for_each_face(Function f) const
+  {
+    for(std::uint32_t v = 0; v < number_of_vertices(); ++v)
+      for_each_face_of_smallest(v, ring(v), [&](std::size_t, std::uint32_t p, std::uint32_t q) { f(v, p, q); });
+  }
+
+  // Calls f(j, p, q) for every face (v, p, q) of which v is the smallest vertex; p is ring[j].
+  template <class Function>
+  static void for_each_face_of_smallest(std::uint32_t v, const Ring& ring, Function f)
+  {
+    for(std::size_t j = 0; j < ring.size(); ++j)
+    {
+      const std::uint32_t p = ring[j], q = ring.around(j + 1);
+      if(v < p && v < q)
+        f(j, p, q);
+    }
+  }
+
+  // Construction: the rings of the vertices 0, 1, 2, ... one after the other.
+  void reserve(std::size_t n_vertices, std::size_t n_corners)
+  {
+    m_offsets.reserve(n_vertices + 1);
+    m_neighbors.reserve(n_corners);
+  }
+  void push_neighbor(std::uint32_t v) { m_neighbors.push_back(v); }
+  void end_ring() { m_offsets.push_back(static_cast<std::uint32_t>(m_neighbors.size())); }
+
+  // Construction in any order: the rings get their room, ring v from offsets[v] to offsets[v + 1] of the corners, and
+  // are written to it.
+  void assign(std::vector<std::uint32_t> offsets)
+  {
+    m_offsets = std::move(offsets);
+    m_neighbors.resize(m_offsets.back());
+  }
+  std::uint32_t* ring_to_fill(std::size_t v) { return m_neighbors.data() + m_offsets[v]; }
+
+private:
+  std::vector<std::uint32_t> m_offsets = {0};
+  std::vector<std::uint32_t> m_neighbors;
+};
+
+} // namespace internal
+} // namespace Spherical_parameterization
+} // namespace CGAL
+
+#endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_SURFACE_VERTEX_RINGS_H

@@ -1,0 +1,147 @@
+// Copyright (c) 2026  The Spherical_parameterization authors.
+// All rights reserved.
+//
+// This file is part of the Spherical_parameterization package for CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Spherical_parameterization authors
+//
+
+#ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_SURFACE_MESH_MEASURES_H
+#define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_SURFACE_MESH_MEASURES_H
+
+#include <CGAL/license/Spherical_parameterization.h>
+
+#include <CGAL/Spherical_parameterization/internal/surface/Rest_triangle.h>
+#include <CGAL/Spherical_parameterization/internal/surface/Vertex_rings.h>
+#include <CGAL/Spherical_parameterization/internal/numbers/Vector_3.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <numeric>
+#include <vector>
+
+namespace CGAL {
+namespace Spherical_parameterization {
+namespace internal {
+
+// returns for each vertex a third of the area of its faces
+inline std::vector<double> vertex_areas(const Vertex_rings& rings, const std::vector<Vector_3d>& points)
+{
+  std::vector<double> areas(rings.number_of_vertices(), 0.);
+  rings.for_each_face([&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+    const double third = length(cross(points[b] - points[a], points[c] - points[a])) / 6.;
+    areas[a] += third;
+    areas[b] += third;
+    areas[c] += third;
+  });
+  return areas;
+}
+
+// the same to weigh the vertices with, so that they have a centre of mass even if the surface has no area
+inline std::vector<double> vertex_masses(const Vertex_rings& rings, const std::vector<Vector_3d>& points)
+{
+  std::vector<double> masses = vertex_areas(rings, points);
+  if(!(std::accumulate(masses.begin(), masses.end(), 0.) > 0.))
+    masses.assign(masses.size(), 1.);
+  return masses;
+}
+
+// The same with a density that follows curvature, and with the same sum. Where samples lie h apart, a surface of
+// curvature k is missed by about k h^2, so that the mean of its square is lowest where they are as dense as k^(2/3). The
+// curvature is that of the edges: their angle over the width of the surface that is theirs. A face that is split without
+// a bend has the same.
+inline std::vector<double> curvature_masses(const Vertex_rings& rings, const std::vector<Vector_3d>& points)
+{
+  constexpr double flat = 0.05;      // what a flat place counts, in units of the mean square of the curvature
+  constexpr double max_ratio = 100.; // of a squared edge and the area that is its own, on needles
+  std::vector<double> masses = vertex_areas(rings, points), squares(masses.size(), 0.); // integrals of k^2
+  for(std::uint32_t v = 0; v < rings.number_of_vertices(); ++v)
+  {
+    const Vertex_rings::Ring ring = rings.ring(v);
+    for(std::size_t j = 0; j < ring.size(); ++j)
+    {
+      const Vector_3d edge = points[ring[j]] - points[v];
+      const Vector_3d left = cross(edge, points[ring.around(j + 1)] - points[v]),
+                      right = cross(points[ring.around(j + ring.size() - 1)] - points[v], edge);
+      const double l = length(left), r = length(right);
+      if(!(l > 0. && r > 0.))
+        continue;
+      // the angle squared, nearly, times the squared edge over a third of the area of its faces
+      squares[v] += squared_length((1. / l) * left - (1. / r) * right) *
+                    (std::min)(6. * squared_length(edge) / (l + r), max_ratio);
+    }
+  }
+  const double area = std::accumulate(masses.begin(), masses.end(), 0.),
+               square = std::accumulate(squares.begin(), squares.end(), 0.);
+  if(!(square > 0.)) // a surface that is flat, or has no area
+    return masses;
+  double mass = 0.;
+  for(std::size_t v = 0; v < masses.size(); ++v)
+  {
+    masses[v] = std::cbrt((squares[v] * (area / square) + flat * masses[v]) * masses[v] * masses[v]);
+    mass += masses[v];
+  }
+  for(double& m : masses)
+    m *= area / mass;
+  return masses;
+}
+
+// How much more area the vertices of a coarse mesh stand for than they have: 1 where nothing has been lost. A vertex
+// whose faces have no area is left alone, as their rest shapes are not their own.
+inline std::vector<double> vertex_densities(const Vertex_rings& rings, const std::vector<Vector_3d>& points,
+                                            const std::vector<double>& areas)
+{
+  constexpr double max_density = 1e6;
+  std::vector<double> densities = vertex_areas(rings, points);
+  for(std::size_t v = 0; v < densities.size(); ++v)
+  {
+    const double density = areas[v] / densities[v];
+    densities[v] = density > 0. ? (std::min)((std::max)(density, 1. / max_density), max_density) : 1.;
+  }
+  return densities;
+}
+
+// The minimum weight of an edge where all have to be positive: an edge opposite to two right angles has 0.
+constexpr double min_positive_weight = 0.01;
+
+// The cotangent weight of every edge, half the sum of the cotangents of the two angles opposite to it, in the order of
+// the corners of `rings`: that of the edge (v, ring[j]) at rings.offset(v) + j. No weight is below `min_weight`.
+//
+// The two copies of a weight are equal bit by bit.
+inline std::vector<double> cotangent_weights(const Vertex_rings& rings, const std::vector<Vector_3d>& points,
+                                             double min_weight)
+{
+  std::vector<double> weights(rings.number_of_corners());
+  const auto opposite_cotangent = [&](std::uint32_t v, std::uint32_t p, std::uint32_t q) {
+    const Rest_triangle rest = Rest_triangle::from_points(points[v], points[p], points[q]);
+    return rest.opposite_2 / rest.inverse_doubled_area;
+  };
+  for(std::uint32_t v = 0; v < rings.number_of_vertices(); ++v)
+  {
+    const Vertex_rings::Ring ring = rings.ring(v);
+    for(std::size_t j = 0; j < ring.size(); ++j)
+    {
+      const std::uint32_t w = ring[j];
+      if(w < v)
+        continue;
+      const std::uint32_t left = ring.around(j + 1), right = ring.around(j + ring.size() - 1);
+      const double weight = 0.5 * (opposite_cotangent(v, w, left) + opposite_cotangent(w, v, right));
+      const Vertex_rings::Ring other = rings.ring(w);
+      const auto back = static_cast<std::size_t>(std::find(other.begin(), other.end(), v) - other.begin());
+      weights[rings.offset(v) + j] = weights[rings.offset(w) + back] = (std::max)(weight, min_weight);
+    }
+  }
+  return weights;
+}
+
+} // namespace internal
+} // namespace Spherical_parameterization
+} // namespace CGAL
+
+#endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_SURFACE_MESH_MEASURES_H
