@@ -35,7 +35,7 @@ TAG = re.compile(r"internal_np::([a-z]\w*?)(?:_t)?\b")
 FOLDER = "CGAL/Spherical_parameterization/"
 PACKAGE_INCLUDE = re.compile(rf"#include <{FOLDER}([\w/]+\.h)>")
 # CGAL's tag of a named parameter, where its name is another one
-NAMES_OF_TAGS = {"vertex_point": "vertex_point_map", "vertex_index": "vertex_index_map"}
+NAMES_OF_TAGS = {"vertex_point": "vertex_point_map"}
 
 complaints = []
 
@@ -97,6 +97,14 @@ class Entry:
         return result
 
 
+def qualified_name(member):
+    """The name of a function, an enumeration or a value with its namespace."""
+    member_name = text_of(member.find("name"))
+    definition = member.find("definition")
+    names = re.findall(r"CGAL::[\w:]+", text_of(definition) if definition is not None else "")
+    return names[-1] if names and names[-1].endswith("::" + member_name) else NAMESPACE + member_name
+
+
 def read_entries(folder):
     """All documented or undocumented public classes, concepts and members, and the groups that they are in."""
     entries, groups, pages = [], collections.defaultdict(set), []
@@ -111,14 +119,14 @@ def read_entries(folder):
                         if member.get("prot") == "public":
                             entries.append(Entry(member, f"{name}::{text_of(member.find('name'))}",
                                                  text_of(section.find("description"))))
-            elif kind == "namespace" and name + "::" == NAMESPACE:
+            elif kind == "namespace" and (name + "::").startswith(NAMESPACE):
                 for member in compound.iter("memberdef"):
-                    entries.append(Entry(member, NAMESPACE + text_of(member.find("name"))))
+                    entries.append(Entry(member, f"{name}::{text_of(member.find('name'))}"))
             elif kind == "group":
                 for inner in compound.findall("innerclass"):
                     groups[text_of(inner)].add(name)
                 for member in compound.iter("memberdef"):
-                    groups[NAMESPACE + text_of(member.find("name"))].add(name)
+                    groups[qualified_name(member)].add(name)
                 pages.append((f"group {name}", compound))
             elif kind == "page":
                 pages.append((f"page {name}", compound))
@@ -318,7 +326,7 @@ def main():
     check_result(functions)
     check_named_parameters(functions)
     check_concepts(concepts, classes)
-    top_level = {bare(e.name) for e in entries if "::" not in bare(e.name)}
+    top_level = {bare(e.name) for e in entries if "::" not in bare(e.name).removeprefix("IO::")}
     check_classified_list(top_level, pages)
     check_links([(e.name, e.element) for e in entries if e.kind not in CLASS_KINDS] +
                 [(e.name, e.element.find("detaileddescription")) for e in concepts + classes] +

@@ -31,18 +31,19 @@ int main(int argc, char** argv)
     auto parameterizer = SP::Bijective_low_distortion_parameterizer_3()
                              .sharpness(SP::Sharpness::relative(beta))
                              .radius(SP::Optimal_radius_3());
-    const SP::Error_code error =
-        SP::parameterize(mesh, parameterizer, sphere, CGAL::parameters::number_of_iterations(300));
+    SP::Distortion_summary distortion;
+    SP::Error_code error = SP::parameterize(mesh, parameterizer, sphere, CGAL::parameters::number_of_iterations(300));
+    if(error == SP::OK)
+      error = SP::measure_distortion(mesh, sphere, distortion);
     if(error != SP::OK)
     {
       std::cerr << SP::get_error_message(error) << std::endl;
       return EXIT_FAILURE;
     }
 
-    const SP::Distortion_statistics distortion = SP::measure_distortion(mesh, sphere).isometric;
-    std::cout << "beta " << beta << ": isometric distortion " << distortion.average << " on average and "
-              << distortion.maximum << " at most, " << parameterizer.report().number_of_iterations() << " sweeps, "
-              << SP::get_stop_message(parameterizer.report().stop_reason) << std::endl;
+    std::cout << "beta " << beta << ": isometric distortion " << distortion.isometric.average << " on average and "
+              << distortion.isometric.maximum << " at most, " << parameterizer.report().number_of_iterations()
+              << " sweeps, " << SP::get_stop_message(parameterizer.report().stop_reason) << std::endl;
   }
   return EXIT_SUCCESS;
 }

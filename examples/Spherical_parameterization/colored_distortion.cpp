@@ -27,15 +27,16 @@ int main(int argc, char** argv)
   }
 
   auto sphere = mesh.add_property_map<Mesh::Vertex_index, Mesh::Point>("v:sphere").first;
-  const SP::Error_code error = SP::parameterize(mesh, sphere);
+  auto distortion = mesh.add_property_map<Mesh::Face_index, SP::Face_distortion>("f:distortion").first;
+  SP::Distortion_summary summary;
+  SP::Error_code error = SP::parameterize(mesh, sphere);
+  if(error == SP::OK)
+    error = SP::measure_distortion(mesh, sphere, summary, distortion);
   if(error != SP::OK)
   {
     std::cerr << SP::get_error_message(error) << std::endl;
     return EXIT_FAILURE;
   }
-
-  auto distortion = mesh.add_property_map<Mesh::Face_index, SP::Face_distortion>("f:distortion").first;
-  const SP::Distortion_summary summary = SP::measure_distortion(mesh, sphere, distortion);
 
   // from white, an isometry, to dark red: four deviations above the average, or infinite
   const double largest = summary.isometric.average + 4. * summary.isometric.deviation;

@@ -27,14 +27,16 @@ int main(int argc, char** argv)
   auto sphere = mesh.add_property_map<Mesh::Vertex_index, Point_3>("v:sphere").first;
   auto conformal =
       SP::Bijective_low_distortion_parameterizer_3().energy(SP::Conformal_energy_3()).radius(SP::Fixed_radius_3());
-  const SP::Error_code error = SP::parameterize(mesh, conformal, sphere);
+  SP::Distortion_summary distortion;
+  SP::Error_code error = SP::parameterize(mesh, conformal, sphere);
+  if(error == SP::OK)
+    error = SP::measure_distortion(mesh, sphere, distortion);
   if(error != SP::OK)
   {
     std::cerr << SP::get_error_message(error) << std::endl;
     return EXIT_FAILURE;
   }
 
-  const SP::Distortion_summary distortion = SP::measure_distortion(mesh, sphere);
   std::cout << "angle distortion (2 is conformal) " << distortion.angle.average << " on average and "
             << distortion.angle.maximum << " at most" << std::endl;
   return EXIT_SUCCESS;

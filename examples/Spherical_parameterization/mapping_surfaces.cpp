@@ -33,18 +33,19 @@ int main(int argc, char** argv)
   auto sphere1 = first.add_property_map<Vertex, Point_3>("v:sphere").first;
   auto sphere2 = second.add_property_map<Vertex, Point_3>("v:sphere").first;
   auto directions = first.add_property_map<Vertex, Point_3>("v:directions").first; // on the sphere of the second
-  SP::Surface_map_report report;
+  SP::Surface_mapper_3<Mesh> mapper;
   if(SP::parameterize(first, sphere1) != SP::OK || SP::parameterize(second, sphere2) != SP::OK ||
-     SP::map_surface(first, sphere1, second, sphere2, directions, {}, &report) != SP::OK)
+     SP::map_surface(first, sphere1, second, sphere2, mapper, directions) != SP::OK)
     return EXIT_FAILURE;
-  std::cout << "energy " << report.energy << ", 2 for an isometry; margin of the alignment " << report.margin
-            << std::endl;
+  std::cout << "energy " << mapper.report().energy << ", 2 for an isometry; margin of the alignment "
+            << mapper.report().margin << std::endl;
 
   // The second surface with the faces of the first one
+  SP::Sphere_domain_3 domain;
   Mesh result;
   auto result_sphere = result.add_property_map<Vertex, Point_3>("v:sphere").first;
-  if(SP::remesh_through_sphere(second, sphere2, SP::Sphere_domain_3(first, directions), result, result_sphere) !=
-     SP::OK)
+  if(SP::make_sphere_domain(first, directions, domain) != SP::OK ||
+     SP::remesh_through_sphere(second, sphere2, domain, result, result_sphere) != SP::OK)
     return EXIT_FAILURE;
   CGAL::IO::write_polygon_mesh("first_on_second.off", result);
 

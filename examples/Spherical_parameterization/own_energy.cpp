@@ -48,11 +48,14 @@ int main(int argc, char** argv)
   }
 
   auto sphere = mesh.add_property_map<Mesh::Vertex_index, Point_3>("v:sphere").first;
-  const SP::Error_code error =
+  SP::Distortion_summary distortion;
+  SP::Error_code error =
       SP::parameterize(mesh, SP::Bijective_low_distortion_parameterizer_3().energy(Area_energy{0.05}), sphere);
+  if(error == SP::OK)
+    error = SP::measure_distortion(mesh, sphere, distortion);
   std::cout << SP::get_error_message(error) << std::endl;
   if(error != SP::OK)
     return EXIT_FAILURE;
-  std::cout << "area distortion (2 is equiareal) " << SP::measure_distortion(mesh, sphere).area.average << std::endl;
+  std::cout << "area distortion (2 is equiareal) " << distortion.area.average << std::endl;
   return EXIT_SUCCESS;
 }

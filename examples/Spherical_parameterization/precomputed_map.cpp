@@ -34,8 +34,12 @@ int main(int argc, char** argv)
   if(SP::parameterize(mesh, first, CGAL::parameters::number_of_iterations(5)) != SP::OK ||
      SP::parameterize(mesh, going_on_from(first), second) != SP::OK)
     return EXIT_FAILURE;
-  std::cout << "isometric distortion at most " << SP::measure_distortion(mesh, first).isometric.maximum << ", then "
-            << SP::measure_distortion(mesh, second).isometric.maximum << std::endl;
+  SP::Distortion_summary of_first, of_second;
+  if(SP::measure_distortion(mesh, first, of_first) != SP::OK ||
+     SP::measure_distortion(mesh, second, of_second) != SP::OK)
+    return EXIT_FAILURE;
+  std::cout << "isometric distortion at most " << of_first.isometric.maximum << ", then " << of_second.isometric.maximum
+            << std::endl;
 
   // Another pose of the surface, which has the same faces: bent a little.
   Mesh pose = mesh;

@@ -33,13 +33,14 @@ int main(int argc, char** argv)
   auto remesh_sphere = remesh.add_property_map<Mesh::Vertex_index, Point_3>("v:sphere").first;
   if(error == SP::OK)
     error = SP::remesh_through_sphere(mesh, sphere, SP::Sphere_domain_3::octahedron(32), remesh, remesh_sphere);
+  SP::Surface_distance distance;
+  if(error == SP::OK)
+    error = SP::measure_distance(mesh, remesh, distance);
   if(error != SP::OK)
   {
     std::cerr << SP::get_error_message(error) << std::endl;
     return EXIT_FAILURE;
   }
-
-  const SP::Surface_distance distance = SP::measure_distance(mesh, remesh);
   std::cout << num_vertices(remesh) << " vertices, " << distance.psnr() << " dB from the surface" << std::endl;
   return CGAL::IO::write_polygon_mesh("remesh.off", remesh, CGAL::parameters::stream_precision(17)) ? EXIT_SUCCESS
                                                                                                     : EXIT_FAILURE;

@@ -22,8 +22,9 @@ SP::Distortion_summary map_to_sphere(const std::string& filename)
   if(!CGAL::IO::read_polygon_mesh(filename, mesh))
     return distortion;
   auto sphere = mesh.add_property_map<Mesh::Vertex_index, Mesh::Point>("v:sphere").first;
-  if(SP::parameterize<CGAL::Sequential_tag>(mesh, sphere) == SP::OK)
-    distortion = SP::measure_distortion<CGAL::Sequential_tag>(mesh, sphere);
+  if(SP::parameterize<CGAL::Sequential_tag>(mesh, sphere) != SP::OK ||
+     SP::measure_distortion<CGAL::Sequential_tag>(mesh, sphere, distortion) != SP::OK)
+    return {};
   return distortion;
 }
 

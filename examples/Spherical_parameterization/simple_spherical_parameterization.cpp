@@ -25,14 +25,16 @@ int main(int argc, char** argv)
   }
 
   auto sphere = mesh.add_property_map<Mesh::Vertex_index, Point_3>("v:sphere").first;
-  const SP::Error_code error = SP::parameterize(mesh, sphere);
+  SP::Distortion_summary distortion;
+  SP::Error_code error = SP::parameterize(mesh, sphere);
+  if(error == SP::OK)
+    error = SP::measure_distortion(mesh, sphere, distortion);
   if(error != SP::OK)
   {
     std::cerr << SP::get_error_message(error) << std::endl;
     return EXIT_FAILURE;
   }
 
-  const SP::Distortion_summary distortion = SP::measure_distortion(mesh, sphere);
   std::cout << "radius " << distortion.radius << ", isometric distortion " << distortion.isometric.average
             << " on average and " << distortion.isometric.maximum << " at most" << std::endl;
   return EXIT_SUCCESS;

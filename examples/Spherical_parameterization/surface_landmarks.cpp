@@ -7,6 +7,8 @@
 #include <cstdlib>
 #include <iostream>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace SP = CGAL::Spherical_parameterization;
 
@@ -34,24 +36,24 @@ int main(int argc, char** argv)
     return EXIT_FAILURE;
 
   // Vertices that correspond: the ends in the directions of the axes
-  SP::Surface_map_settings<Mesh, Mesh> settings;
+  std::vector<std::pair<Vertex, Vertex>> landmarks;
   for(const int axis : {0, 1, 2})
     for(const double sign : {-1., 1.})
     {
       const Vertex end = *std::max_element(first.vertices().begin(), first.vertices().end(), [&](Vertex v, Vertex w) {
         return sign * first.point(v)[axis] < sign * first.point(w)[axis];
       });
-      settings.landmarks.emplace_back(end, end);
+      landmarks.emplace_back(end, end);
     }
 
-  SP::Surface_map_report report;
-  const SP::Error_code error = SP::map_surface(first, sphere1, second, sphere2, directions, settings, &report);
+  auto mapper = SP::Surface_mapper_3<Mesh>().landmarks(landmarks);
+  const SP::Error_code error = SP::map_surface(first, sphere1, second, sphere2, mapper, directions);
   if(error != SP::OK)
   {
     std::cerr << SP::get_error_message(error) << std::endl;
     return EXIT_FAILURE;
   }
-  std::cout << "energy " << report.energy << ", " << report.number_of_missed_landmarks << " of "
-            << settings.landmarks.size() << " landmarks are missed" << std::endl;
+  std::cout << "energy " << mapper.report().energy << ", " << mapper.report().number_of_missed_landmarks << " of "
+            << landmarks.size() << " landmarks are missed" << std::endl;
   return EXIT_SUCCESS;
 }

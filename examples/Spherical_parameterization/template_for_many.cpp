@@ -33,15 +33,18 @@ int main(int argc, char** argv)
     Mesh mesh, result;
     auto sphere = mesh.add_property_map<Vertex, Point_3>("v:sphere").first;
     auto result_sphere = result.add_property_map<Vertex, Point_3>("v:sphere").first;
-    SP::Surface_map_report report;
+    SP::Surface_mapper_3<Mesh> mapper;
+    SP::Sphere_domain_3 domain;
     if(!CGAL::IO::read_polygon_mesh(filenames[k], mesh) || SP::parameterize(mesh, sphere) != SP::OK ||
-       SP::map_surface(model, model_sphere, mesh, sphere, directions, {}, &report) != SP::OK ||
-       SP::remesh_through_sphere(mesh, sphere, SP::Sphere_domain_3(model, directions), result, result_sphere) != SP::OK)
+       SP::map_surface(model, model_sphere, mesh, sphere, mapper, directions) != SP::OK ||
+       SP::make_sphere_domain(model, directions, domain) != SP::OK ||
+       SP::remesh_through_sphere(mesh, sphere, domain, result, result_sphere) != SP::OK)
     {
       std::cerr << filenames[k] << " is left out" << std::endl;
       continue;
     }
-    std::cout << filenames[k] << ": energy " << report.energy << ", margin " << report.margin << std::endl;
+    std::cout << filenames[k] << ": energy " << mapper.report().energy << ", margin " << mapper.report().margin
+              << std::endl;
     const std::string stem = std::filesystem::path(filenames[k]).stem().string();
     CGAL::IO::write_polygon_mesh(stem + "_" + std::to_string(k) + ".off", result);
   }

@@ -30,7 +30,7 @@ int main(int argc, char** argv)
     error = SP::compute_texture_coordinates(mesh, sphere, textured, uv, {0., 1., 0.}, {0., 0., 1.});
   std::ofstream out("textured.obj");
   if(error == SP::OK)
-    error = SP::write_OBJ(out, textured, uv);
+    error = SP::IO::write_OBJ(out, textured, uv);
   if(error != SP::OK)
   {
     std::cerr << SP::get_error_message(error) << std::endl;

@@ -8,6 +8,7 @@
 #include <cstdlib>
 #include <iostream>
 #include <string>
+#include <tuple>
 #include <utility>
 
 namespace PMP = CGAL::Polygon_mesh_processing;
@@ -43,8 +44,8 @@ int main(int argc, char** argv)
   auto standard_height = standard.add_property_map<Vertex, double>("v:height").first;
   auto standard_part = standard.add_property_map<Face, int>("f:part").first;
   auto height_again = mesh.add_property_map<Vertex, double>("v:height_again").first;
-  if(SP::transfer(mesh, sphere, standard, standard.points(), std::pair(height, standard_height),
-                  std::pair(part, standard_part)) != SP::OK ||
+  if(SP::transfer(mesh, sphere, standard, standard.points(),
+                  std::tuple(std::pair(height, standard_height), std::pair(part, standard_part))) != SP::OK ||
      SP::transfer(standard, standard.points(), mesh, sphere, std::pair(standard_height, height_again)) != SP::OK)
     return EXIT_FAILURE;
 

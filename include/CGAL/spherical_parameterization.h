@@ -13,14 +13,14 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_H
 
-#include <CGAL/license/Spherical_parameterization.h>
-
 /// \file spherical_parameterization.h
 /// Convenience header file that includes every public header of the package.
 
 #if !defined(DOXYGEN_RUNNING) && __cplusplus < 201703L && !(_MSVC_LANG >= 201703L)
 #error "Spherical_parameterization needs C++17: compile with -std=c++17 or newer."
 #else
+
+#include <CGAL/license/Spherical_parameterization.h>
 
 #include <CGAL/Spherical_parameterization/ARAP_parameterizer_3.h>
 #include <CGAL/Spherical_parameterization/Area_balancing_radius_3.h>
@@ -29,32 +29,25 @@
 #include <CGAL/Spherical_parameterization/Conformal_energy_3.h>
 #include <CGAL/Spherical_parameterization/Conformal_parameterizer_3.h>
 #include <CGAL/Spherical_parameterization/Default_visitor.h>
-#include <CGAL/Spherical_parameterization/Distortion_between.h>
-#include <CGAL/Spherical_parameterization/Distortion_summary.h>
 #include <CGAL/Spherical_parameterization/Energy_derivatives_3.h>
 #include <CGAL/Spherical_parameterization/Error_code.h>
-#include <CGAL/Spherical_parameterization/Face_invariants_3.h>
 #include <CGAL/Spherical_parameterization/Face_range_3.h>
 #include <CGAL/Spherical_parameterization/Fixed_radius_3.h>
 #include <CGAL/Spherical_parameterization/Harmonic_parameterizer_3.h>
 #include <CGAL/Spherical_parameterization/Hierarchical_parameterizer_3.h>
 #include <CGAL/Spherical_parameterization/IO/write_OBJ.h>
 #include <CGAL/Spherical_parameterization/Isometric_energy_3.h>
-#include <CGAL/Spherical_parameterization/Mesh_defect.h>
 #include <CGAL/Spherical_parameterization/Optimal_radius_3.h>
 #include <CGAL/Spherical_parameterization/Parameterization_report.h>
 #include <CGAL/Spherical_parameterization/Precomputed_parameterizer_3.h>
 #include <CGAL/Spherical_parameterization/Published_low_distortion_parameterizer_3.h>
 #include <CGAL/Spherical_parameterization/Sharpness.h>
-#include <CGAL/Spherical_parameterization/Sphere_alignment_3.h>
 #include <CGAL/Spherical_parameterization/Sphere_domain_3.h>
 #include <CGAL/Spherical_parameterization/Sphere_locator_3.h>
 #include <CGAL/Spherical_parameterization/Stereographic_parameterizer_3.h>
 #include <CGAL/Spherical_parameterization/Stretch_energy_3.h>
-#include <CGAL/Spherical_parameterization/Surface_distance.h>
 #include <CGAL/Spherical_parameterization/Surface_map_report.h>
-#include <CGAL/Spherical_parameterization/Surface_map_settings.h>
-#include <CGAL/Spherical_parameterization/Surface_overlay_3.h>
+#include <CGAL/Spherical_parameterization/Surface_mapper_3.h>
 #include <CGAL/Spherical_parameterization/Symmetric_Dirichlet_energy_3.h>
 #include <CGAL/Spherical_parameterization/Two_phase_radius_3.h>
 #include <CGAL/Spherical_parameterization/align_spheres.h>

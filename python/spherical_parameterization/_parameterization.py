@@ -88,7 +88,7 @@ class Distortion:
     radius : float
         The average distance of the images from the origin.
     number_of_inverted_faces, number_of_degenerate_faces : int
-        Degenerate faces are too thin to have a distortion.
+        Degenerate faces are too thin to have a distortion, and left out of the statistics; if all are, these are infinite.
     """
 
     isometric: Measure
@@ -257,7 +257,7 @@ def measure_distortion(vertices: ArrayLike, faces: ArrayLike, sphere: ArrayLike)
     Raises
     ------
     Error
-        If the arrays are no mesh, or two faces use an edge in the same direction.
+        If the arrays are no mesh, there is no face, or two faces use an edge in the same direction.
     """
     result = _core.measure_distortion(*read_surface(vertices, faces, sphere))
     for name in ("isometric", "area", "angle"):

@@ -28,8 +28,10 @@ class SurfaceMapReport:
         How far the image of each landmark is from where it should be, in the unit of length of the second surface.
     number_of_missed_landmarks : int
         How many landmarks could not be met, though no `landmark_weight` was given.
-    is_stopped : bool
-        Whether an interruption has ended the sweeps.
+    stop_reason : str
+        Why the sweeps ended, as for `parameterize`.
+    number_of_sweeps : int
+        Sweeps over levels of the first surface.
     """
 
     energy: float
@@ -37,7 +39,8 @@ class SurfaceMapReport:
     margin: float
     landmark_distances: NDArray[np.float64]
     number_of_missed_landmarks: int
-    is_stopped: bool
+    stop_reason: str
+    number_of_sweeps: int
 
 
 def map_surface(

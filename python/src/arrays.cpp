@@ -1,7 +1,7 @@
 #include "arrays.h"
 
-#include <CGAL/Spherical_parameterization/internal/surface/Added_triangles.h>
-#include <CGAL/Spherical_parameterization/internal/surface/link_triangles.h>
+#include <CGAL/Spherical_parameterization/internal/surface/add_triangles.h>
+#include <CGAL/Spherical_parameterization/internal/surface/Linked_triangle.h>
 #include <CGAL/Spherical_parameterization/is_bijective.h>
 #include <CGAL/Spherical_parameterization/measure_distortion.h>
 
@@ -66,8 +66,8 @@ Mesh make_mesh(const std::string& name, const Points& points, const Indices& fac
     const std::vector<SP::internal::Linked_triangle> linked = SP::internal::link_triangles(triangles, n_vertices);
     if(!linked.empty() && have_three_neighbors(linked))
     {
-      const SP::internal::Added_triangles<Mesh> added(linked, n_vertices, mesh);
-      set_points(points, mesh);
+      SP::internal::add_triangles(linked, n_vertices, mesh,
+                                  [&](const auto&, const auto&) { set_points(points, mesh); });
       return mesh;
     }
   }
@@ -109,7 +109,9 @@ void check_map(const std::string& name, const Mesh& mesh, const std::string& nam
   std::vector<SP::Face_distortion> distortions(mesh.number_of_faces());
   const auto distortion_map =
       boost::make_iterator_property_map(distortions.begin(), boost::typed_identity_property_map<std::size_t>());
-  const std::size_t n_inverted = SP::measure_distortion(mesh, map, distortion_map).number_of_inverted_faces;
+  SP::Distortion_summary distortion;
+  if(const SP::Error_code error = SP::measure_distortion(mesh, map, distortion, distortion_map); error != SP::OK)
+    fail(error, SP::get_error_message(error));
   const auto inverted =
       std::find_if(distortions.begin(), distortions.end(), [](const auto& d) { return d.is_inverted; });
   if(inverted == distortions.end())
@@ -121,7 +123,8 @@ void check_map(const std::string& name, const Mesh& mesh, const std::string& nam
   const auto f = static_cast<std::size_t>(inverted - distortions.begin());
   refuse(name, {SP::ERROR_NO_1_TO_1_MAPPING,
                 name_of_map + " is not one-to-one: face " + std::to_string(f) +
-                    " is not positively oriented as seen from the origin (" + std::to_string(n_inverted) +
+                    " is not positively oriented as seen from the origin (" +
+                    std::to_string(distortion.number_of_inverted_faces) +
                     " such faces in total).\n(Faces are counted from 0.)",
                 {},
                 {},

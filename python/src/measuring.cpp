@@ -61,7 +61,10 @@ py::dict measure_distortion(const Points& vertices, const Indices& faces, const 
   SP::Distortion_summary summary;
   {
     const py::gil_scoped_release unlock;
-    summary = SP::measure_distortion(make_mesh("", vertices, faces), rows_of(sphere), columns);
+    const SP::Error_code error =
+        SP::measure_distortion(make_mesh("", vertices, faces), rows_of(sphere), summary, columns);
+    if(error != SP::OK)
+      fail(error, SP::get_error_message(error));
   }
   const auto measure = [](const py::array& of_faces, const SP::Distortion_statistics& statistics) {
     return py::make_tuple(of_faces, statistics.maximum, statistics.average, statistics.deviation);

@@ -183,8 +183,8 @@ std::pair<Points, Points> remesh_with(const Points& vertices, const Indices& fac
   const auto domain = [&] {
     const py::gil_scoped_release unlock;
     const Mesh mesh = make_mesh("domain: ", domain_sphere, domain_faces);
-    SP::Sphere_domain_3 result(mesh, rows_of(domain_sphere));
-    if(result.error_code() != SP::OK)
+    SP::Sphere_domain_3 result;
+    if(SP::make_sphere_domain(mesh, rows_of(domain_sphere), result) != SP::OK)
       check_map("domain: ", mesh, "sphere", domain_sphere);
     return result;
   }();

@@ -36,7 +36,23 @@ struct Two_surfaces
   static constexpr const char *name1 = "first surface: ", *name2 = "second surface: ";
 };
 
-using Settings = SP::Surface_map_settings<Mesh, Mesh>;
+// Asks Python for its signals while surfaces are mapped.
+class Signal_visitor : public SP::Default_visitor
+{
+public:
+  explicit Signal_visitor(Interruption& interruption)
+    : m_interruption(interruption)
+  {}
+
+  bool go_further(std::size_t, double)
+  {
+    m_interruption.check_now_and_then();
+    return !m_interruption.is_stopped();
+  }
+
+private:
+  Interruption& m_interruption;
+};
 
 std::vector<std::pair<Vertex_index, Vertex_index>> read_landmarks(const Two_surfaces& surfaces,
                                                                   const Indices& landmarks)
@@ -91,30 +107,32 @@ py::tuple map_surface(const Points& vertices1, const Indices& faces1, const Poin
   {
     const py::gil_scoped_release unlock;
     const Two_surfaces surfaces(vertices1, faces1, sphere1, vertices2, faces2, sphere2);
-    Settings settings;
-    settings.landmarks = read_landmarks(surfaces, landmarks);
-    settings.landmark_weight = landmark_weight;
+    std::vector<std::pair<std::function<double(Vertex_index)>, std::function<double(Vertex_index)>>> functions;
     const auto feature = [](const Values& values) {
       return [data = values.data()](Vertex_index v) { return data[v]; };
     };
     for(const auto& [values1, values2] : features)
-      settings.features.emplace_back(feature(values1), feature(values2));
-    settings.feature_weight = feature_weight;
+      functions.emplace_back(feature(values1), feature(values2));
+    auto mapper = SP::Surface_mapper_3<Mesh>()
+                      .landmarks(read_landmarks(surfaces, landmarks))
+                      .features(functions)
+                      .feature_weight(feature_weight);
+    if(landmark_weight)
+      mapper = mapper.landmark_weight(*landmark_weight);
     Interruption interruption(returns_on_interrupt);
-    settings.go_further = [&] {
-      interruption.check_now_and_then();
-      return !interruption.is_stopped();
-    };
-    surfaces.check(SP::map_surface(surfaces.first, rows_of(sphere1), surfaces.second, rows_of(sphere2),
-                                   Row_map<double>(rows), settings, &report));
+    Signal_visitor visitor(interruption);
+    surfaces.check(SP::map_surface(surfaces.first, rows_of(sphere1), surfaces.second, rows_of(sphere2), mapper,
+                                   Row_map<double>(rows), CGAL::parameters::visitor(std::ref(visitor))));
+    report = mapper.report();
     interruption.check(); // one that comes after the last sweep, or where none is needed, is answered as well
   }
   return py::make_tuple(
-      directions,
-      py::dict("energy"_a = report.energy, "agreement"_a = report.agreement, "margin"_a = report.margin,
-               "landmark_distances"_a =
-                   Values(static_cast<py::ssize_t>(report.landmark_distances.size()), report.landmark_distances.data()),
-               "number_of_missed_landmarks"_a = report.number_of_missed_landmarks, "is_stopped"_a = report.is_stopped));
+      directions, py::dict("energy"_a = report.energy, "agreement"_a = report.agreement, "margin"_a = report.margin,
+                           "landmark_distances"_a = Values(static_cast<py::ssize_t>(report.landmark_distances.size()),
+                                                           report.landmark_distances.data()),
+                           "number_of_missed_landmarks"_a = report.number_of_missed_landmarks,
+                           "stop_reason"_a = SP::get_stop_message(report.stop_reason),
+                           "number_of_sweeps"_a = report.number_of_sweeps));
 }
 
 py::tuple overlay(const Points& vertices1, const Indices& faces1, const Points& sphere1, const Points& vertices2,

@@ -47,7 +47,7 @@ TEST(Moebius_transformation, maps_the_sphere_to_itself_conformally)
   for(int k = 0; k < 300; ++k)
   {
     const Vector_3d c = random.between(0., 0.9) * random.direction(), u = random.direction();
-    const Moebius_transformation transformation(c);
+    const Moebius_transformation transformation{c};
     const Vector_3d image = transformation(u);
     EXPECT_NEAR(length(image), 1., 1e-15);
 
@@ -72,7 +72,7 @@ TEST(Moebius_transformation, pushes_towards_a_point)
   {
     const Vector_3d direction = random.direction(), u = random.direction();
     const Vector_3d c = random.between(0.1, 0.9) * direction;
-    const Moebius_transformation there(c), back(Vector_3d{-c[0], -c[1], -c[2]}), nothing({0., 0., 0.});
+    const Moebius_transformation there{c}, back{{-c[0], -c[1], -c[2]}}, nothing{{0., 0., 0.}};
     EXPECT_LT(length(nothing(u) - u), 1e-15);
     EXPECT_LT(length(back(there(u)) - u), 1e-13);
     EXPECT_LT(length(there(direction) - direction), 1e-14);
@@ -81,7 +81,7 @@ TEST(Moebius_transformation, pushes_towards_a_point)
     // along the circle through the three points: in the plane of u and the direction
     EXPECT_NEAR(dot(there(u), normalized(cross(u, direction))), 0., 1e-13);
     // a weak push moves u by twice its tangential part
-    const Vector_3d weak = Moebius_transformation(1e-6 * direction)(u) - u;
+    const Vector_3d weak = Moebius_transformation{1e-6 * direction}(u)-u;
     EXPECT_LT(length(weak - 2e-6 * (direction - dot(u, direction) * u)), 1e-11);
   }
 }
@@ -117,7 +117,7 @@ TEST(Center_mass, brings_the_center_to_the_origin)
     {
       SCOPED_TRACE(strength);
       const Balanced_points balanced(random, n);
-      const Moebius_transformation push(strength * random.direction());
+      const Moebius_transformation push{strength * random.direction()};
       std::vector<Vector_3d> points;
       for(const Vector_3d& u : balanced.points)
         points.push_back(push(u));
@@ -142,7 +142,7 @@ TEST(Center_mass, of_uneven_masses)
   Random random(6);
   for(int k = 0; k < 3000; ++k)
   {
-    const Moebius_transformation push(0.999 * random.direction());
+    const Moebius_transformation push{0.999 * random.direction()};
     std::vector<Vector_3d> points;
     std::vector<double> masses;
     double sum = 0.;
@@ -175,7 +175,7 @@ TEST(Center_mass, goes_no_further_than_allowed)
 {
   Random random(7);
   const Balanced_points balanced(random, 100);
-  const Moebius_transformation push({0.5, 0.3, 0.2});
+  const Moebius_transformation push{{0.5, 0.3, 0.2}};
   std::vector<Vector_3d> start;
   for(const Vector_3d& u : balanced.points)
     start.push_back(push(u));
@@ -214,7 +214,7 @@ Vector_3d laplacian(const Vertex_rings& rings, const std::vector<double>& weight
 TEST(Laplacian_system, is_solved)
 {
   Random random(8);
-  const Indexed_mesh mesh = indexed_mesh(bumpy_sphere(3));
+  const Surface mesh = surface_of(bumpy_sphere(3));
   const std::size_t n = mesh.number_of_vertices();
   const std::vector<double> weights = cotangent_weights(mesh.rings(), mesh.points(), min_positive_weight);
   const auto each_tenth = [](std::uint32_t v) { return v % 10 == 3; };
@@ -248,7 +248,7 @@ TEST(Laplacian_system, is_solved)
 
 TEST(Laplacian_system, says_that_it_cannot_be_solved)
 {
-  const Indexed_mesh mesh = indexed_mesh(icosphere(1));
+  const Surface mesh = surface_of(icosphere(1));
   const std::vector<double> weights(mesh.rings().number_of_corners(), 0.);
   Laplacian_system<Solver> system;
   const auto first = [](std::uint32_t v) { return v == 0; };
@@ -274,11 +274,11 @@ TEST(Dirichlet_energy, of_the_identity_of_a_sphere_tends_to_1)
   for(const unsigned int subdivisions : {1u, 2u, 3u, 4u})
   {
     const Triangle_list list = icosphere(subdivisions);
-    const Indexed_mesh mesh = indexed_mesh(list);
-    const std::vector<Vector_3d> u = in_order_of(mesh, list.points);
+    const Surface mesh = surface_of(list);
+    const std::vector<Vector_3d> u = mesh.in_own_order(list.points);
     const std::vector<double> weights = cotangent_weights(mesh.rings(), mesh.points(), any_weight);
     std::vector<double> shares(u.size());
-    const double energy = Dirichlet_energy(mesh.rings(), weights, Execution())(u, shares);
+    const double energy = dirichlet_energy(mesh.rings(), weights, u, shares, Execution());
     EXPECT_NEAR(energy, image_area(mesh.rings(), u) / (4. * pi), 1e-12); // it is conformal
     const double error = std::abs(energy - 1.);
     EXPECT_LT(error, 0.3 * last_error);
@@ -291,12 +291,12 @@ TEST(Dirichlet_energy, is_the_sum_over_the_edges)
 {
   Random random(9);
   const Triangle_list list = icosphere(2);
-  const Indexed_mesh mesh = indexed_mesh(scaled(list, 1., 1.5, 2.));
-  const std::vector<Vector_3d> u = in_order_of(mesh, list.points);
+  const Surface mesh = surface_of(scaled(list, 1., 1.5, 2.));
+  const std::vector<Vector_3d> u = mesh.in_own_order(list.points);
   const Vertex_rings& rings = mesh.rings();
   const std::vector<double> weights = cotangent_weights(rings, mesh.points(), any_weight);
   std::vector<double> shares(u.size());
-  const double energy = Dirichlet_energy(rings, weights, Execution())(u, shares);
+  const double energy = dirichlet_energy(rings, weights, u, shares, Execution());
   double sum = 0., sum_of_shares = 0.;
   for(std::uint32_t v = 0; v < u.size(); ++v)
   {
@@ -340,7 +340,7 @@ TEST(Harmonic_map, is_a_critical_point_of_the_energy)
   std::array<double, 2> last_end = {1., 1.};
   for(const unsigned int subdivisions : {2u, 3u, 4u})
   {
-    const Indexed_mesh mesh = indexed_mesh(bumpy_sphere(subdivisions));
+    const Surface mesh = surface_of(bumpy_sphere(subdivisions));
     for(const bool is_guarded : {true, false})
     {
       SCOPED_TRACE(is_guarded);
@@ -349,19 +349,18 @@ TEST(Harmonic_map, is_a_critical_point_of_the_energy)
       Stereographic_embedding<Solver> embedding(mesh);
       std::vector<Vector_3d> u;
       ASSERT_TRUE(embedding.solve());
-      ASSERT_TRUE(embedding.project_bijectively(u));
+      ASSERT_TRUE(embedding.project(u));
       const double start = tangential_part(mesh.rings(), weights, u);
       std::vector<double> shares(u.size());
-      const Dirichlet_energy energy(mesh.rings(), weights, Execution());
-      const double start_energy = energy(u, shares);
+      const double start_energy = dirichlet_energy(mesh.rings(), weights, u, shares, Execution());
 
       Recording_control control;
       const SP::Parameterization_report& report = control.report();
-      Harmonic_map<Solver> map(mesh, weights, is_guarded, Execution());
+      Harmonic_map<Solver> map(mesh, is_guarded, Execution());
       ASSERT_TRUE(map.run(u, 100, control));
       EXPECT_EQ(report.stop_reason, SP::CONVERGED);
       EXPECT_EQ(report.initial_energy, start_energy);
-      EXPECT_EQ(report.average_energy, energy(u, shares));
+      EXPECT_EQ(report.average_energy, dirichlet_energy(mesh.rings(), weights, u, shares, Execution()));
       ASSERT_FALSE(control.energies.empty());
       EXPECT_EQ(report.average_energy, control.energies.back());
       EXPECT_EQ(report.number_of_average_iterations, control.energies.size());
@@ -387,7 +386,7 @@ TEST(Harmonic_map, is_a_critical_point_of_the_energy)
 
 TEST(Central_vertex, of_distances)
 {
-  const Indexed_mesh mesh = indexed_mesh(with_tentacle(40, 4.));
+  const Surface mesh = surface_of(with_tentacle(40, 4.));
   const Vertex_rings& rings = mesh.rings();
   for(const std::uint32_t source : {0u, 50u, 200u})
   {
@@ -406,7 +405,7 @@ TEST(Central_vertex, is_as_near_to_all_as_any)
 {
   for(const Triangle_list& list : {with_tentacle(40, 4.), icosphere(3), suspension(12), tetrahedron()})
   {
-    const Indexed_mesh mesh = indexed_mesh(list);
+    const Surface mesh = surface_of(list);
     const auto eccentricity = [&](std::uint32_t v) {
       const std::vector<std::uint32_t> distance = SP::internal::edge_distances(mesh.rings(), v);
       return *std::max_element(distance.begin(), distance.end());
@@ -435,11 +434,11 @@ TEST(Stereographic_embedding, is_positive_and_centred)
   }
   for(const Triangle_list& list : lists)
   {
-    const Indexed_mesh mesh = indexed_mesh(list);
+    const Surface mesh = surface_of(list);
     Stereographic_embedding<Solver> embedding(mesh);
     std::vector<Vector_3d> u;
     ASSERT_TRUE(embedding.solve());
-    EXPECT_TRUE(embedding.project_bijectively(u));
+    EXPECT_TRUE(embedding.project(u));
     EXPECT_TRUE(SP::internal::are_safely_positive(mesh.rings(), u));
     EXPECT_LT(length(center_of_mass(u, vertex_masses(mesh.rings(), mesh.points()))), 1e-8);
     for(const Vector_3d& p : u)
@@ -452,7 +451,7 @@ TEST(Stereographic_embedding, is_positive_and_centred)
 
 // The energy of the map u on the sphere of radius r by its singular values: their squares add up to I and their
 // product, negative for a face that is turned over, is d, so their sum is the root of I + 2 d.
-double energy_of(const Indexed_mesh& mesh, const std::vector<Vector_3d>& u, double r)
+double energy_of(const Surface& mesh, const std::vector<Vector_3d>& u, double r)
 {
   double sum = 0.;
   mesh.rings().for_each_face([&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
@@ -474,8 +473,8 @@ struct Scattered_map
 {
   explicit Scattered_map(double scatter)
     : list(bumpy_sphere(2))
-    , mesh(indexed_mesh(list))
-    , u(in_order_of(mesh, icosphere(2).points))
+    , mesh(surface_of(list))
+    , u(mesh.in_own_order(icosphere(2).points))
   {
     Random random(1);
     for(Vector_3d& p : u)
@@ -491,7 +490,7 @@ struct Scattered_map
   }
 
   Triangle_list list;
-  Indexed_mesh mesh;
+  Surface mesh;
   std::vector<Vector_3d> u;
 };
 
@@ -528,13 +527,13 @@ TEST(ARAP_energy, of_an_isometry_is_0)
   for(const double scale : {1., 7.})
   {
     const Triangle_list sphere = icosphere(2), list = test_meshes::scaled(sphere, scale, scale, scale);
-    const Indexed_mesh mesh = indexed_mesh(list);
+    const Surface mesh = surface_of(list);
     ARAP_energy energy(mesh.rings(), mesh.points(), Execution());
-    EXPECT_NEAR(energy.fit(in_order_of(mesh, sphere.points)), 0., 1e-14);
+    EXPECT_NEAR(energy.fit(mesh.in_own_order(sphere.points)), 0., 1e-14);
     EXPECT_NEAR(energy.radius() * mesh.equal_area_radius(), scale, 1e-14 * scale);
     // the mirror image is none
     const std::vector<Coordinates> mirrored = test_meshes::scaled(sphere, 1., 1., -1.).points;
-    EXPECT_GT(energy.fit(in_order_of(mesh, mirrored)), 0.1);
+    EXPECT_GT(energy.fit(mesh.in_own_order(mirrored)), 0.1);
   }
 }
 

@@ -701,17 +701,6 @@ TEST(Is_bijective, skips_removed_vertices_and_faces)
   EXPECT_TRUE(SP::is_bijective(mesh, mesh.points()));
 }
 
-TEST(Is_bijective, uses_the_index_map_given)
-{
-  using Polyhedron = CGAL::Polyhedron_3<test::Kernel>;
-  const Polyhedron mesh = make_mesh<Polyhedron>(icosphere(1));
-  const auto index_map = get(CGAL::dynamic_vertex_property_t<std::size_t>(), mesh);
-  std::size_t index = num_vertices(mesh);
-  for(const auto v : vertices(mesh))
-    put(index_map, v, --index);
-  EXPECT_TRUE(SP::is_bijective(mesh, get(CGAL::vertex_point, mesh), CGAL::parameters::vertex_index_map(index_map)));
-}
-
 // ---------------------------------------------------------------------------------------------------------------------
 // The predicate
 
@@ -810,8 +799,8 @@ TEST(Certificate, is_the_same_in_parallel)
 TEST(Is_safely_positive, of_all_faces)
 {
   const Triangle_list sphere = icosphere(2);
-  const Indexed_mesh mesh = indexed_mesh(sphere);
-  const Images positions = in_order_of(mesh, sphere.points);
+  const Surface mesh = surface_of(sphere);
+  const Images positions = mesh.in_own_order(sphere.points);
   const auto are_safe = [&](const Images& p) { return SP::internal::are_safely_positive(mesh.rings(), p); };
   EXPECT_TRUE(are_safe(positions));
   EXPECT_FALSE(are_safe(scaled(positions, -1.)));

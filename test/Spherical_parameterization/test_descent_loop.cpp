@@ -5,7 +5,7 @@
 #include <CGAL/Spherical_parameterization/internal/levels/Descent_loop.h>
 #include <CGAL/Spherical_parameterization/internal/levels/Independent_sets.h>
 #include <CGAL/Spherical_parameterization/internal/levels/Measured_faces.h>
-#include <CGAL/Spherical_parameterization/internal/levels/Sharpness_rule.h>
+#include <CGAL/Spherical_parameterization/internal/levels/Objective.h>
 
 #include "engine.h"
 #include "indexed_meshes.h"
@@ -42,7 +42,7 @@ TEST(Independent_sets, are_independent_and_complete)
 {
   for(const Triangle_list& list : spheres())
   {
-    const Indexed_mesh mesh = indexed_mesh(list);
+    const Surface mesh = surface_of(list);
     const Vertex_rings& rings = mesh.rings();
     const std::size_t n = rings.number_of_vertices();
     const Independent_sets sets(rings);
@@ -123,7 +123,7 @@ Images on_unit_sphere(Images points)
 // All energies of a mesh at once: those of the single faces, up to rounding.
 TEST(Measured_faces, agree_with_the_single_faces)
 {
-  const Indexed_mesh mesh = indexed_mesh(icosphere(3));
+  const Surface mesh = surface_of(icosphere(3));
   const std::size_t n = mesh.number_of_vertices();
   const Images& surface = mesh.points();
   Images positions = surface;
@@ -141,7 +141,8 @@ TEST(Measured_faces, agree_with_the_single_faces)
     first_of_set.push_back(vertices.size());
   }
   SP::internal::Star_packets stars;
-  stars.assign(vertices, first_of_set, [&](std::uint32_t v) { return mesh.rings().degree(v); });
+  stars.assign(
+      vertices, first_of_set, [&](std::uint32_t v) { return mesh.rings().degree(v); }, false);
   for(std::size_t v = 0; v < n; ++v)
   {
     Random_stars::Star star;
@@ -158,7 +159,8 @@ TEST(Measured_faces, agree_with_the_single_faces)
 
   const Face_energy<SP::Symmetric_Dirichlet_energy_3> energy{SP::Symmetric_Dirichlet_energy_3()};
   const double sharpness = 3., radius = 1.2;
-  const Energy_summary all = faces.measure<Newton_step>(stars, energy, positions, radius, sharpness, Execution()).all();
+  const SP::internal::Round_sphere<SP::Symmetric_Dirichlet_energy_3, Newton_step> sphere(energy);
+  const Energy_summary all = faces.measure(sphere, stars, positions, radius, sharpness, Execution()).all();
   Energy_summary expected(sharpness);
   std::size_t face = 0, n_above = 0;
   mesh.rings().for_each_face([&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
@@ -201,13 +203,14 @@ TEST(Measured_faces, agree_with_the_single_faces)
 TEST(Block_coordinate_descent, takes_over_another_mesh)
 {
   using Energy = SP::Symmetric_Dirichlet_energy_3;
-  using Descent = Block_coordinate_descent<Energy, Newton_step>;
-  const Face_energy<Energy> energy{Energy()};
-  const auto assign = [](Descent& descent, const Indexed_mesh& mesh) {
+  using Space = SP::internal::Round_sphere<Energy, Newton_step>;
+  using Descent = Block_coordinate_descent<Space, Newton_step>;
+  const Space energy{Face_energy<Energy>(Energy())};
+  const auto assign = [](Descent& descent, const Surface& mesh) {
     descent.assign(mesh.rings(), Independent_sets(mesh.rings()), mesh.points(), {}, SP::internal::Rest_limits());
     EXPECT_EQ(descent.focus_on_faces_above(0., mesh.number_of_vertices()), 0u); // it is not measured yet
   };
-  const auto optimize = [&](Descent& descent, const Indexed_mesh& mesh, Execution execution) {
+  const auto optimize = [&](Descent& descent, const Surface& mesh, Execution execution) {
     Images positions = on_unit_sphere(mesh.points()); // of an ellipsoid
     const std::size_t n = mesh.number_of_vertices();
     for(int k = 0; k < 3; ++k)
@@ -230,7 +233,7 @@ TEST(Block_coordinate_descent, takes_over_another_mesh)
   descent.reserve(600); // for some of them
   for(const unsigned int subdivisions : {3u, 2u, 4u, 3u})
   {
-    const Indexed_mesh mesh = indexed_mesh(ellipsoid(1., 2., 3., subdivisions));
+    const Surface mesh = surface_of(ellipsoid(1., 2., 3., subdivisions));
     Descent own(energy, Newton_step(), Execution());
     assign(own, mesh);
     assign(descent, mesh);
@@ -367,10 +370,9 @@ protected:
     Descent_loop<SP::Isometric_energy_3, Gradient_step> loop(m_mesh, SP::Isometric_energy_3(), Gradient_step(),
                                                              sharpness, &chooser, settings, *control, Execution());
     const double radius = loop.run(positions, max_sweeps);
-    Images result(positions.size());
-    for(std::size_t v = 0; v < positions.size(); ++v)
-      result[m_mesh.original(v)] = {radius * positions[v][0], radius * positions[v][1], radius * positions[v][2]};
-    return result;
+    for(auto& p : positions)
+      p = {radius * p[0], radius * p[1], radius * p[2]};
+    return m_mesh.in_callers_order(positions);
   }
 
   const Triangle_list list = bumpy_sphere(2);
@@ -380,7 +382,7 @@ private:
   // as the map is read that another parameterizer has written
   Images start() const
   {
-    Images result = in_order_of(m_mesh, harmonic().run(list).images);
+    Images result = m_mesh.in_own_order(harmonic().run(list).images);
     for(Coordinates& p : result)
     {
       const double size = (std::max)({std::abs(p[0]), std::abs(p[1]), std::abs(p[2])});
@@ -389,7 +391,7 @@ private:
     return result;
   }
 
-  Indexed_mesh m_mesh = indexed_mesh(list);
+  Surface m_mesh = surface_of(list);
   Images m_start = start();
 };
 

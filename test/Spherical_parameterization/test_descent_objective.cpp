@@ -4,7 +4,8 @@
 #include <CGAL/Spherical_parameterization/internal/levels/Energy_summary.h>
 #include <CGAL/Spherical_parameterization/internal/levels/Independent_sets.h>
 #include <CGAL/Spherical_parameterization/internal/levels/Objective.h>
-#include <CGAL/Spherical_parameterization/internal/surface/sliver_vertices.h>
+#include <CGAL/Spherical_parameterization/internal/levels/Round_sphere.h>
+#include <CGAL/Spherical_parameterization/internal/surface/mesh_measures.h>
 
 #include "engine.h"
 #include "indexed_meshes.h"
@@ -217,11 +218,12 @@ TEST(Radius_derivatives, are_those_of_the_sum_over_all_but_the_slivers)
   const Triangle_list list = bumpy_sphere(3);
   for(const bool has_slivers : {false, true})
   {
-    const Indexed_mesh mesh = indexed_mesh(has_slivers ? with_slivers(list, 6, 1e-4) : list);
+    const Surface mesh = surface_of(has_slivers ? with_slivers(list, 6, 1e-4) : list);
     Images positions = mesh.points();
     for(Coordinates& p : positions)
       p = normalized(p);
-    Block_coordinate_descent<Energy, Newton_step> descent(energy, Newton_step(), Execution());
+    using Space = SP::internal::Round_sphere<Energy, Newton_step>;
+    Block_coordinate_descent<Space, Newton_step> descent(Space{energy}, Newton_step(), Execution());
     descent.assign(mesh.rings(), SP::internal::Independent_sets(mesh.rings()), mesh.points(), {},
                    SP::internal::Rest_limits(), SP::internal::sliver_vertices(mesh.rings(), mesh.points()));
     ASSERT_EQ(descent.has_slivers(), has_slivers);

@@ -65,8 +65,8 @@ Random_stars stars_with_slivers(Random& random, const std::vector<std::size_t>& 
 {
   Random_stars result(random, degrees, size);
   for(Random_stars::Star& star : result.stars)
-    for(std::size_t j = 1; j < star.degree(); j += 3)
-      star.rests[j].inverse_doubled_area *= -1.;
+    for(std::size_t j = 0; j < star.degree(); ++j)
+      star.are_at_slivers.push_back(j % 3 == 1);
   return result;
 }
 
@@ -103,7 +103,7 @@ struct Loaded_star
   }
   void load(double squared_radius, double sharpness) { load(squared_radius, Face_objective(sharpness)); }
 
-  bool is_sliver(std::size_t j) const { return m_stars.stars[0].rest(j).inverse_doubled_area < 0.; }
+  bool is_sliver(std::size_t j) const { return m_stars.stars[0].is_at_sliver(j); }
 
   void move_to(double x, double y) { m_stars.points[0] = energy.point_at(x, y); }
 
@@ -136,7 +136,7 @@ struct Loaded_star
       const double squared_radius = is_sliver(j) && objective.sliver_radius > 0.
                                         ? objective.sliver_radius * objective.sliver_radius
                                         : squared_radius_of_all;
-      const double doubled_area = 1. / std::abs(r.inverse_doubled_area);
+      const double doubled_area = 1. / r.inverse_doubled_area;
       const long double pp = squared_edge(1, 2), pq = squared_edge(2, 0), qq = squared_edge(0, 1);
       const long double i = squared_radius * (r.opposite_0 * pp + r.opposite_1 * pq + r.opposite_2 * qq);
       // Heron's formula, as twice the area
@@ -162,9 +162,8 @@ struct Loaded_star
   template <class Model>
   double count_of(std::size_t j) const
   {
-    return Weighs_faces_by_area<typename Model::Energy>::value
-               ? 1. / std::abs(m_stars.stars[0].rest(j).inverse_doubled_area)
-               : 1.;
+    return Weighs_faces_by_area<typename Model::Energy>::value ? 1. / m_stars.stars[0].rest(j).inverse_doubled_area
+                                                               : 1.;
   }
 
   // What face j with this energy adds: E, exp(s (E - largest)), or s psi(E), s being the sharpness of all but the slivers.
@@ -589,11 +588,12 @@ TEST(Star_packets, list_every_face_once)
 {
   for(const Triangle_list& list : {icosphere(3), suspension(40)}) // 5 and 6 faces in a packet, and packets of one star
   {
-    const Indexed_mesh mesh = indexed_mesh(list);
+    const Surface mesh = surface_of(list);
     const Vertex_rings& rings = mesh.rings();
     const Independent_sets sets(rings);
     Star_packets stars;
-    stars.assign(sets.vertices(), sets.first(), [&](std::uint32_t v) { return rings.degree(v); });
+    stars.assign(
+        sets.vertices(), sets.first(), [&](std::uint32_t v) { return rings.degree(v); }, false);
     for(std::size_t k = 0; k < stars.number_of_packets(); ++k)
       stars.fill(k, [&](std::uint32_t v) {
         Random_stars::Star star;

@@ -64,12 +64,11 @@ std::pair<Vertex_removal, bool> removal_in_a_face(double height)
 {
   const Triangle_list list = {{{0., 0., 0.}, {10., 0., 0.}, {0., 10., 0.}, {0., 0., 10.}, {1., 2., -height}},
                               {{0, 2, 4}, {2, 1, 4}, {1, 0, 4}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}}};
-  const Indexed_mesh mesh = indexed_mesh(list);
-  std::uint32_t v = 0;
-  while(mesh.original(v) != 4)
-    ++v;
+  const Surface mesh = surface_of(list);
+  const std::vector<std::uint32_t> numbers = callers_numbers(mesh);
+  const auto v = static_cast<std::uint32_t>(std::find(numbers.begin(), numbers.end(), 4u) - numbers.begin());
   const Vertex_removal removal = Vertex_removal::best(mesh.rings(), mesh.points(), v, true);
-  return {removal, mesh.original(mesh.rings().ring(v)[removal.target()]) == 0};
+  return {removal, numbers[mesh.rings().ring(v)[removal.target()]] == 0};
 }
 
 TEST(Vertex_removal, prefers_what_is_flat_and_near)
@@ -86,7 +85,7 @@ TEST(Vertex_removal, prefers_what_is_flat_and_near)
   }
 }
 
-void expect_hierarchy(const Indexed_mesh& mesh, bool has_area = true)
+void expect_hierarchy(const Surface& mesh, bool has_area = true)
 {
   Recording_control control;
   const Mesh_hierarchy hierarchy =
@@ -166,11 +165,11 @@ void expect_hierarchy(const Indexed_mesh& mesh, bool has_area = true)
 TEST(Mesh_hierarchy, leads_to_a_tetrahedron_through_simplicial_spheres)
 {
   for(const Triangle_list& list : spheres())
-    expect_hierarchy(indexed_mesh(list));
+    expect_hierarchy(surface_of(list));
   // vertices of huge degree, also when they are flat, or all at one point
-  expect_hierarchy(indexed_mesh(wavy_suspension(20000)));
-  expect_hierarchy(indexed_mesh(test_meshes::scaled(suspension(1000), 1., 1., 0.)));
-  expect_hierarchy(indexed_mesh(test_meshes::scaled(suspension(1000), 0., 0., 0.)), false);
+  expect_hierarchy(surface_of(wavy_suspension(20000)));
+  expect_hierarchy(surface_of(test_meshes::scaled(suspension(1000), 1., 1., 0.)));
+  expect_hierarchy(surface_of(test_meshes::scaled(suspension(1000), 0., 0., 0.)), false);
 }
 
 TEST(Mesh_hierarchy, copes_with_a_thousand_nested_separating_triangles)
@@ -189,7 +188,7 @@ TEST(Mesh_hierarchy, copes_with_a_thousand_nested_separating_triangles)
     list.triangles.push_back({t[2], t[0], v});
     face = list.triangles.size() - 1;
   }
-  expect_hierarchy(indexed_mesh(list));
+  expect_hierarchy(surface_of(list));
 }
 
 // ---------------------------------------------------------------------------------------------------------------------
@@ -284,7 +283,7 @@ TEST(Hierarchical_embedding, tells_of_every_level)
 {
   for(const bool sweeps_finest_level : {false, true})
   {
-    const Indexed_mesh mesh = indexed_mesh(bumpy_sphere(3));
+    const Surface mesh = surface_of(bumpy_sphere(3));
     Recording_control control;
     Images positions;
     EXPECT_TRUE(SP::internal::embed_hierarchically(mesh, SP::Isometric_energy_3(), Sharpness::lowest_average(), 20,
@@ -297,10 +296,7 @@ TEST(Hierarchical_embedding, tells_of_every_level)
     EXPECT_GT(report.number_of_level_iterations, report.number_of_levels);
     EXPECT_EQ(report.number_of_attempts, 1u);
     EXPECT_EQ(report.stop_reason, sweeps_finest_level ? SP::ITERATION_LIMIT : SP::NOT_RUN);
-    Images in_old_order(positions.size());
-    for(std::size_t v = 0; v < positions.size(); ++v)
-      in_old_order[mesh.original(v)] = positions[v];
-    EXPECT_TRUE(judge::is_one_to_one(in_old_order, bumpy_sphere(3).triangles));
+    EXPECT_TRUE(judge::is_one_to_one(mesh.in_callers_order(positions), bumpy_sphere(3).triangles));
   }
 }
 

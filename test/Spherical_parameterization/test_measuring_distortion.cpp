@@ -39,7 +39,7 @@ Measurement measure(const Triangle_list& list, const Images& images)
   const Mesh mesh = make(list);
   const auto distortion = get(CGAL::dynamic_face_property_t<SP::Face_distortion>(), mesh);
   Measurement result;
-  result.summary = SP::measure_distortion(mesh, Point_map(mesh, images), distortion);
+  result.summary = distortion_of(mesh, Point_map(mesh, images), distortion);
   for(const auto f : faces(mesh))
     result.faces.push_back(get(distortion, f));
   return result;
@@ -121,7 +121,6 @@ TEST(Distortion, of_a_similarity_is_its_factor)
     EXPECT_EQ(s.number_of_faces, list.triangles.size());
     EXPECT_EQ(s.number_of_inverted_faces, 0u);
     EXPECT_EQ(s.number_of_degenerate_faces, 0u);
-    EXPECT_EQ(s.error, SP::OK);
   }
 }
 
@@ -362,11 +361,10 @@ TEST(Distortion, is_measured_with_the_points_given)
   const Point_map sphere(mesh, icosphere(1).points), half(mesh, scaled(points(mesh), 0.5));
   const auto distortion = get(CGAL::dynamic_face_property_t<SP::Face_distortion>(), mesh);
   const auto np = CGAL::parameters::vertex_point_map(half);
-  const SP::Distortion_summary plain = SP::measure_distortion(mesh, sphere),
-                               of_half = SP::measure_distortion(mesh, sphere, np);
+  const SP::Distortion_summary plain = distortion_of(mesh, sphere), of_half = distortion_of(mesh, sphere, np);
   EXPECT_NE(of_half.isometric.average, plain.isometric.average);
-  EXPECT_EQ(SP::measure_distortion(mesh, sphere, distortion).isometric.average, plain.isometric.average);
-  EXPECT_EQ(SP::measure_distortion(mesh, sphere, distortion, np).isometric.average, of_half.isometric.average);
+  EXPECT_EQ(distortion_of(mesh, sphere, distortion).isometric.average, plain.isometric.average);
+  EXPECT_EQ(distortion_of(mesh, sphere, distortion, np).isometric.average, of_half.isometric.average);
 }
 
 // A mesh with exact points, and images of type float, which need not be closed.
@@ -377,35 +375,40 @@ TEST(Distortion, of_different_kernels_and_open_meshes)
   list.points.push_back({9., 9., 9.}); // isolated: neither its image nor its point matters
   const auto mesh = make_mesh<CGAL::Surface_mesh<Epeck::Point_3>>(list);
   const auto sphere = make_vertex_map<CGAL::Simple_cartesian<float>::Point_3>(mesh, list.points);
-  const SP::Distortion_summary s = SP::measure_distortion(mesh, sphere);
+  const SP::Distortion_summary s = distortion_of(mesh, sphere);
   EXPECT_EQ(s.number_of_faces, 7u);
   EXPECT_EQ(s.number_of_inverted_faces, 0u);
   EXPECT_EQ(s.radius, 1.);
   EXPECT_NEAR(s.isometric.maximum, 1., 1e-15);
 }
 
-TEST(Distortion, of_an_empty_mesh)
+// 0 would be better than an isometry.
+TEST(Distortion, of_a_surface_without_area_is_infinite)
 {
-  const SP::Distortion_summary s = measure({}, {}).summary;
-  EXPECT_EQ(s.error, SP::OK);
-  EXPECT_EQ(s.number_of_faces, 0u);
-  EXPECT_EQ(s.isometric.maximum, 0.);
-  EXPECT_EQ(s.isometric.average, 0.);
-  EXPECT_EQ(s.radius, 0.);
+  const Triangle_list list = icosphere(1);
+  const SP::Distortion_summary s = measure(test_meshes::scaled(list, 0., 1., 0.), list.points).summary;
+  EXPECT_EQ(s.number_of_degenerate_faces, list.triangles.size());
+  EXPECT_EQ(s.radius, 1.);
+  for(const SP::Distortion_statistics& statistics : {s.isometric, s.area, s.angle})
+    for(const double value : {statistics.maximum, statistics.average, statistics.deviation})
+      EXPECT_EQ(value, infinity);
 }
 
 // Faces that are not triangles are data, not a mistake of the caller's program.
-TEST(Distortion, of_polygons_is_refused)
+TEST(Distortion, of_polygons_and_of_nothing_is_refused)
 {
   Mesh cube;
   CGAL::make_hexahedron(Point_3(-1, -1, -1), Point_3(1, -1, -1), Point_3(1, 1, -1), Point_3(-1, 1, -1),
                         Point_3(-1, 1, 1), Point_3(-1, -1, 1), Point_3(1, -1, 1), Point_3(1, 1, 1), cube);
-  const auto distortion = get(CGAL::dynamic_face_property_t<SP::Face_distortion>(), cube);
-  for(const SP::Distortion_summary& s :
-      {SP::measure_distortion(cube, cube.points()), SP::measure_distortion(cube, cube.points(), distortion)})
+  for(const Mesh& mesh : {cube, Mesh()})
   {
-    EXPECT_EQ(s.error, SP::ERROR_NON_TRIANGULAR_MESH);
-    EXPECT_EQ(s.isometric.maximum, 0.); // nothing has been measured
+    const SP::Error_code expected = mesh.is_empty() ? SP::ERROR_EMPTY_MESH : SP::ERROR_NON_TRIANGULAR_MESH;
+    const auto distortion = get(CGAL::dynamic_face_property_t<SP::Face_distortion>(), mesh);
+    SP::Distortion_summary s;
+    s.radius = 7.;
+    EXPECT_EQ(SP::measure_distortion(mesh, mesh.points(), s), expected);
+    EXPECT_EQ(SP::measure_distortion(mesh, mesh.points(), s, distortion), expected);
+    EXPECT_EQ(s.radius, 7.);
   }
 }
 

@@ -89,7 +89,7 @@ TYPED_TEST(Mesh_type, is_mapped_and_not_changed)
   const auto map = make_sentinel_map<Point_of<TypeParam>>(mesh);
   ASSERT_EQ(SP::parameterize(mesh, map), SP::OK);
   expect_reference(mesh, map); // An exact kernel gets the same doubles: all coordinates are theirs.
-  EXPECT_EQ(SP::measure_distortion(mesh, map).number_of_inverted_faces, 0u);
+  EXPECT_EQ(distortion_of(mesh, map).number_of_inverted_faces, 0u);
   const auto after = content(mesh);
   EXPECT_TRUE(have_same_bits(after.first, before.first));
   EXPECT_EQ(after.second, before.second);

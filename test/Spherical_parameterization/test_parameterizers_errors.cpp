@@ -62,13 +62,15 @@ void expect_error(const Mesh& mesh, SP::Error_code error)
 TEST(Error_message, is_a_different_sentence_for_each_code)
 {
   std::set<std::string> messages;
-  for(int code = SP::OK; code <= SP::ERROR_INVALID_DIRECTION; ++code)
+  for(int code = SP::OK; code <= SP::ERROR_INVALID_LANDMARK; ++code)
   {
     const char* message = SP::get_error_message(static_cast<SP::Error_code>(code));
     ASSERT_NE(message, nullptr);
     EXPECT_GT(std::string(message).size(), 20u);
     EXPECT_TRUE(messages.insert(message).second) << message;
   }
+  // Not everything that succeeds is a map.
+  EXPECT_EQ(std::string(SP::get_error_message(SP::OK)).find("one-to-one"), std::string::npos);
   std::set<std::string> reasons;
   for(int reason = SP::NOT_RUN; reason <= SP::NON_FINITE_ENERGY; ++reason)
     EXPECT_TRUE(reasons.insert(SP::get_stop_message(static_cast<SP::Stop_reason>(reason))).second);

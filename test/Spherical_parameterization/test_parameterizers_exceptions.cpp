@@ -347,8 +347,8 @@ TEST_F(Exception_safety, of_measuring)
   map.on_get() = surface.on_get() = std::ref(countdown);
   const std::function<void()> functions[] = {
       [&] { EXPECT_TRUE(SP::is_bijective(mesh, map)); },
-      [&] { EXPECT_NEAR(SP::measure_distortion(mesh, map).isometric.maximum, 1., 1e-12); },
-      [&] { SP::measure_distortion(mesh, mesh.points(), params::vertex_point_map(surface)); }};
+      [&] { EXPECT_NEAR(distortion_of(mesh, map).isometric.maximum, 1., 1e-12); },
+      [&] { distortion_of(mesh, mesh.points(), params::vertex_point_map(surface)); }};
   for(const std::function<void()>& function : functions)
   {
     countdown = Countdown();

@@ -73,7 +73,7 @@ using SP::Sharpness;
 class Wish : public ::testing::Test
 {
 protected:
-  SP::Distortion_summary distortion() const { return SP::measure_distortion(mesh(), sphere); }
+  SP::Distortion_summary distortion() const { return distortion_of(mesh(), sphere); }
 
   Point_map sphere = Point_map(mesh(), sentinels(num_vertices(mesh())));
 };
@@ -634,7 +634,7 @@ TEST(Archetype, visitor_and_property_maps)
   const Vertex_point_map surface(mesh());
   const auto np = params::vertex_point_map(surface);
   EXPECT_TRUE(SP::is_bijective(mesh(), surface));
-  EXPECT_EQ(SP::measure_distortion(mesh(), surface, np).isometric.maximum, 1.);
+  EXPECT_EQ(distortion_of(mesh(), surface, np).isometric.maximum, 1.);
   EXPECT_EQ(SP::find_defect(mesh(), np).error, SP::OK);
 }
 

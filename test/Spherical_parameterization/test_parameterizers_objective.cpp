@@ -239,7 +239,7 @@ TEST(Objective, gives_the_others_what_they_had_without_a_needle)
     const Mesh mesh = make(with_slivers(rotated, 1, 1e-5));
     const Result with = bijective().run(mesh);
     const auto distortion = get(CGAL::dynamic_face_property_t<SP::Face_distortion>(), mesh);
-    SP::measure_distortion(mesh, Point_map(mesh, with.images), distortion);
+    distortion_of(mesh, Point_map(mesh, with.images), distortion);
     const std::size_t new_vertex = list.points.size();
     double largest = 0., largest_of_slivers = 0.;
     for(const auto f : faces(mesh))

@@ -107,8 +107,8 @@ TEST(Determinism, of_measuring)
   const Point_map map(mesh, alone(0));
   EXPECT_TRUE(SP::is_bijective<CGAL::Sequential_tag>(mesh, map));
   EXPECT_TRUE(SP::is_bijective<CGAL::Parallel_if_available_tag>(mesh, map));
-  const SP::Distortion_summary a = SP::measure_distortion<CGAL::Sequential_tag>(mesh, map),
-                               b = SP::measure_distortion<CGAL::Parallel_if_available_tag>(mesh, map);
+  const SP::Distortion_summary a = distortion_of<CGAL::Sequential_tag>(mesh, map),
+                               b = distortion_of<CGAL::Parallel_if_available_tag>(mesh, map);
   for(const auto statistics :
       {&SP::Distortion_summary::isometric, &SP::Distortion_summary::area, &SP::Distortion_summary::angle})
   {

@@ -1,8 +1,9 @@
-// A geometry image has the layout of its documentation, and gives the mesh back that it was made of; what is damaged gives
-// an error and no mesh.
+// A geometry image has the layout of its documentation, other programs see the values in it, and it gives the mesh back that
+// it was made of; what is damaged gives an error and no mesh.
 
 #include "methods.h"
 
+#include <CGAL/Spherical_parameterization/Sphere_domain_3.h>
 #include <CGAL/Spherical_parameterization/remesh_through_sphere.h>
 
 #ifdef TEST_PNG
@@ -11,7 +12,7 @@
 #ifdef TEST_EXR
 #include <CGAL/Spherical_parameterization/IO/EXR_geometry_image.h>
 #endif
-#include <CGAL/Spherical_parameterization/internal/images/Geometry_image_layout.h>
+#include <CGAL/Spherical_parameterization/internal/images/Geometry_image.h>
 
 #include <gtest/gtest.h>
 
@@ -23,6 +24,7 @@
 #include <cstring>
 #include <fstream>
 #include <limits>
+#include <map>
 #include <set>
 #include <sstream>
 #include <string>
@@ -36,27 +38,23 @@ namespace {
 using Layout = SP::internal::Geometry_image_layout;
 using Vertex_index = Mesh::Vertex_index;
 
-std::set<std::array<std::uint32_t, 2>> edges_of(const SP::Sphere_domain_3& domain)
+// Pixels that are next to each other show vertices with an edge, and each vertex is shown.
+void expect_regular(const Layout& layout, const SP::Sphere_domain_3& domain, std::size_t tile_height)
 {
-  std::set<std::array<std::uint32_t, 2>> result;
+  EXPECT_EQ(layout.triangles, domain.triangles());
+  EXPECT_EQ(layout.number_of_vertices, domain.directions().size());
+  std::set<std::array<std::uint32_t, 2>> edges;
   for(const auto& t : domain.triangles())
     for(std::size_t i = 0; i < 3; ++i)
-      result.insert({t[i], t[(i + 1) % 3]});
-  return result;
-}
-
-// Pixels that are next to each other show vertices with an edge, and each vertex is shown.
-void expect_regular(const Layout& layout, std::size_t tile_height)
-{
-  const auto edges = edges_of(layout.domain());
-  const auto& v = layout.vertices();
+      edges.insert({t[i], t[(i + 1) % 3]});
+  const auto& v = layout.vertices;
+  ASSERT_EQ(v.size(), layout.width * layout.height);
   for(std::size_t k = 0; k < v.size(); ++k)
   {
-    EXPECT_TRUE((k + 1) % layout.width() == 0 || edges.count({v[k], v[k + 1]}) > 0) << k;
-    EXPECT_TRUE(k / layout.width() % tile_height + 1 == tile_height || edges.count({v[k], v[k + layout.width()]}) > 0)
-        << k;
+    EXPECT_TRUE((k + 1) % layout.width == 0 || edges.count({v[k], v[k + 1]}) > 0) << k;
+    EXPECT_TRUE(k / layout.width % tile_height + 1 == tile_height || edges.count({v[k], v[k + layout.width]}) > 0) << k;
   }
-  EXPECT_EQ(std::set<std::uint32_t>(v.begin(), v.end()).size(), layout.domain().directions().size());
+  EXPECT_EQ(std::set<std::uint32_t>(v.begin(), v.end()).size(), domain.directions().size());
 }
 
 TEST(Layout, of_an_octahedron)
@@ -64,11 +62,12 @@ TEST(Layout, of_an_octahedron)
   for(const std::size_t n : {1u, 2u, 5u})
   {
     const std::size_t last = 2 * n;
+    const SP::Sphere_domain_3 domain = SP::Sphere_domain_3::octahedron(static_cast<std::uint32_t>(n));
     const Layout layout = Layout::of_size(last + 1, last + 1).value();
-    EXPECT_EQ(layout.height(), layout.width());
-    expect_regular(layout, last + 1);
+    EXPECT_EQ(layout.height, layout.width);
+    expect_regular(layout, domain, last + 1);
     const auto direction = [&](std::size_t column, std::size_t row) {
-      return layout.domain().directions()[layout.vertices()[row * layout.width() + column]];
+      return domain.directions()[layout.vertices[row * layout.width + column]];
     };
     EXPECT_LT(CGAL::squared_distance(direction(n, n), Point_3(0, 0, 1)), 1e-30);
     EXPECT_LT(CGAL::squared_distance(direction(last, n), Point_3(1, 0, 0)), 1e-30);
@@ -87,11 +86,12 @@ TEST(Layout, of_a_cube)
 {
   for(const std::size_t n : {1u, 2u, 5u})
   {
+    const SP::Sphere_domain_3 domain = SP::Sphere_domain_3::cube(static_cast<std::uint32_t>(n));
     const Layout layout = Layout::of_size(n + 1, 6 * (n + 1)).value();
-    expect_regular(layout, n + 1);
-    for(std::size_t k = 0; k < layout.vertices().size(); ++k)
+    expect_regular(layout, domain, n + 1);
+    for(std::size_t k = 0; k < layout.vertices.size(); ++k)
     {
-      const Point_3 p = layout.domain().directions()[layout.vertices()[k]];
+      const Point_3 p = domain.directions()[layout.vertices[k]];
       const std::size_t face = k / (n + 1) / (n + 1), axis = 2 - face / 2;
       EXPECT_GE((face % 2 == 0 ? -1. : 1.) * p[static_cast<int>(axis)], 1. / std::sqrt(3.) - 1e-15) << k;
     }
@@ -169,6 +169,53 @@ void expect_round_trip(const F& format)
   }
 }
 
+// What an independent decoder finds in a file: the channels one by one, row by row.
+struct Decoded_image
+{
+  std::size_t width = 0, height = 0;
+  std::vector<std::vector<double>> channels;
+};
+
+// Each channel has its component of the value of the vertex that the pixel shows, up to a tolerance.
+template <class Value>
+void expect_values(const Decoded_image& image, const Layout& layout, const Mesh& mesh, const Value& value_of,
+                   std::size_t n_channels, const Coordinates& tolerance)
+{
+  ASSERT_EQ(image.width, layout.width);
+  ASSERT_EQ(image.height, layout.height);
+  ASSERT_EQ(image.channels.size(), n_channels);
+  ASSERT_EQ(mesh.number_of_vertices(), layout.number_of_vertices);
+  for(std::size_t c = 0; c < n_channels; ++c)
+    for(std::size_t k = 0; k < layout.vertices.size(); ++k)
+      ASSERT_NEAR(image.channels[c].at(k), value_of(Vertex_index(layout.vertices[k]), c), tolerance[c])
+          << c << ' ' << k;
+}
+
+// Of files that decode(content) takes apart: points, normals and numbers, over an octahedron and a cube.
+template <class F, class Decode>
+void expect_decoded(const F& format, const Decode& decode, double tolerance_of_normals)
+{
+  for(const bool is_cube : {false, true})
+  {
+    const Sampled sampled(is_cube ? SP::Sphere_domain_3::cube(3) : SP::Sphere_domain_3::octahedron(4));
+    const Layout layout = is_cube ? Layout::of_cube(3) : Layout::of_octahedron(4);
+    std::stringstream points, normals, heights;
+    ASSERT_EQ(format.write(points, sampled.remesh, sampled.remesh.points()), SP::OK);
+    ASSERT_EQ(format.write(normals, sampled.remesh, sampled.normals), SP::OK);
+    ASSERT_EQ(format.write(heights, sampled.remesh, sampled.heights), SP::OK);
+    const double t = tolerance_of_normals;
+    expect_values(
+        decode(points.str()), layout, sampled.remesh,
+        [&](Vertex_index v, std::size_t c) { return sampled.remesh.point(v)[static_cast<int>(c)]; }, 3,
+        format.tolerance);
+    expect_values(decode(normals.str()), layout, sampled.remesh,
+                  [&](Vertex_index v, std::size_t c) { return sampled.normals[v][static_cast<int>(c)]; }, 3, {t, t, t});
+    expect_values(decode(heights.str()), layout, sampled.remesh,
+                  [&](Vertex_index v, std::size_t) { return static_cast<double>(sampled.heights[v]); }, 1,
+                  {format.tolerance[1], 0., 0.});
+  }
+}
+
 template <class F>
 void expect_errors(const F& format)
 {
@@ -229,9 +276,52 @@ void expect_errors_of_images(const F& format, const Write_image& write_image)
 }
 
 #ifdef TEST_PNG
-const Format png = {[](auto& out, const auto&... arguments) { return SP::write_PNG_geometry_image(out, arguments...); },
-                    [](auto& in, Mesh& mesh) { return SP::read_PNG_geometry_image(in, mesh); },
-                    Coordinates{6.01 / 65535. / 2., 4.01 / 65535. / 2., 2.01e-3 / 65535. / 2.}};
+const Format png = {
+    [](auto& out, const auto&... arguments) { return SP::IO::write_PNG_geometry_image(out, arguments...); },
+    [](auto& in, Mesh& mesh) { return SP::IO::read_PNG_geometry_image(in, mesh); },
+    Coordinates{6.01 / 65535. / 2., 4.01 / 65535. / 2., 2.01e-3 / 65535. / 2.}};
+
+// with the functions of libpng that read a file at once
+Decoded_image decode_png(const std::string& content)
+{
+  Decoded_image result;
+  png_structp reader = png_create_read_struct(PNG_LIBPNG_VER_STRING, nullptr, nullptr, nullptr);
+  png_infop info = png_create_info_struct(reader);
+  std::istringstream in(content);
+  png_set_read_fn(reader, &in, [](png_structp p, png_bytep data, std::size_t n) {
+    static_cast<std::istream*>(png_get_io_ptr(p))->read(reinterpret_cast<char*>(data), static_cast<std::streamsize>(n));
+  });
+  png_read_png(reader, info, PNG_TRANSFORM_IDENTITY, nullptr);
+  EXPECT_EQ(png_get_bit_depth(reader, info), 16);
+  result.width = png_get_image_width(reader, info);
+  result.height = png_get_image_height(reader, info);
+  result.channels.resize(png_get_channels(reader, info));
+
+  std::map<std::string, std::vector<double>> ranges;
+  png_textp texts = nullptr;
+  const int n_texts = png_get_text(reader, info, &texts, nullptr);
+  for(int i = 0; i < n_texts; ++i)
+  {
+    std::istringstream text(texts[i].text);
+    for(double x = 0.; text >> x;)
+      ranges[texts[i].key].push_back(x);
+  }
+  for(std::size_t c = 0; c < result.channels.size(); ++c)
+    for(std::size_t row = 0; row < result.height; ++row)
+      for(std::size_t column = 0; column < result.width; ++column)
+      {
+        const png_bytep bytes = png_get_rows(reader, info)[row] + 2 * (column * result.channels.size() + c);
+        const double code = 256. * bytes[0] + bytes[1], min = ranges["Minimum"].at(c), max = ranges["Maximum"].at(c);
+        result.channels[c].push_back(min + (max - min) * code / 65535.);
+      }
+  png_destroy_read_struct(&reader, &info, nullptr);
+  return result;
+}
+
+TEST(Png_image, shows_the_values_to_others)
+{
+  expect_decoded(png, decode_png, 2.01 / 65535. / 2.);
+}
 
 TEST(Png_image, gives_the_mesh_back)
 {
@@ -259,24 +349,42 @@ TEST(Png_image, holds_the_largest_numbers)
   ASSERT_EQ(png.read(file, again), SP::OK);
   EXPECT_EQ(points(again), points(sampled.remesh));
 }
-
-// Normals and numbers, whose range is in the file.
-TEST(Png_image, has_the_range_in_its_texts)
-{
-  const Sampled sampled(SP::Sphere_domain_3::octahedron(2));
-  std::stringstream points, heights;
-  ASSERT_EQ(png.write(points, sampled.remesh, sampled.remesh.points()), SP::OK);
-  EXPECT_NE(points.str().find("tEXtMinimum"), std::string::npos);
-  EXPECT_NE(points.str().find("tEXtMaximum"), std::string::npos);
-  ASSERT_EQ(png.write(heights, sampled.remesh, sampled.heights), SP::OK);
-  EXPECT_NE(heights.str().find(std::string("Minimum\0-7", 10)), std::string::npos);
-}
 #endif
 
 #ifdef TEST_EXR
-const Format exr = {[](auto& out, const auto&... arguments) { return SP::write_EXR_geometry_image(out, arguments...); },
-                    [](auto& in, Mesh& mesh) { return SP::read_EXR_geometry_image(in, mesh); },
-                    Coordinates{103. * 6e-8, 7. * 6e-8, 1e-3 * 6e-8}};
+const Format exr = {
+    [](auto& out, const auto&... arguments) { return SP::IO::write_EXR_geometry_image(out, arguments...); },
+    [](auto& in, Mesh& mesh) { return SP::IO::read_EXR_geometry_image(in, mesh); },
+    Coordinates{103. * 6e-8, 7. * 6e-8, 1e-3 * 6e-8}};
+
+// with the channels and the order of the rows that the file says
+Decoded_image decode_exr(const std::string& content)
+{
+  const char* const name = "decoded.exr";
+  std::ofstream(name, std::ios::binary) << content;
+  Imf::InputFile file(name);
+  const Imath::Box2i window = file.header().dataWindow();
+  Decoded_image result;
+  result.width = static_cast<std::size_t>(window.max.x - window.min.x + 1);
+  result.height = static_cast<std::size_t>(window.max.y - window.min.y + 1);
+  const bool is_grey = file.header().channels().findChannel("Y") != nullptr;
+  for(const char* const channel : is_grey ? std::vector<const char*>{"Y"} : std::vector<const char*>{"R", "G", "B"})
+  {
+    EXPECT_NE(file.header().channels().findChannel(channel), nullptr);
+    std::vector<float> pixels(result.width * result.height);
+    Imf::FrameBuffer buffer;
+    buffer.insert(channel, Imf::Slice::Make(Imf::FLOAT, pixels.data(), window));
+    file.setFrameBuffer(buffer);
+    file.readPixels(window.min.y, window.max.y);
+    result.channels.emplace_back(pixels.begin(), pixels.end());
+  }
+  return result;
+}
+
+TEST(Exr_image, shows_the_values_to_others)
+{
+  expect_decoded(exr, decode_exr, 6e-8);
+}
 
 TEST(Exr_image, gives_the_mesh_back)
 {

@@ -1,8 +1,9 @@
 // The domains triangulate the sphere; what is sampled through them, or carried from mesh to mesh, is what the rules of the
-// documentation say, and distances are those of surfaces for which they are known.
+// documentation say.
 
 #include <CGAL/Spherical_parameterization/Sphere_domain_3.h>
-#include <CGAL/Spherical_parameterization/measure_distance.h>
+#include <CGAL/Spherical_parameterization/Sphere_locator_3.h>
+#include <CGAL/Spherical_parameterization/is_bijective.h>
 #include <CGAL/Spherical_parameterization/remesh_through_sphere.h>
 #include <CGAL/Spherical_parameterization/transfer.h>
 
@@ -23,7 +24,11 @@
 #include <cstdint>
 #include <limits>
 #include <map>
+#include <memory>
+#include <new>
+#include <stdexcept>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -53,6 +58,11 @@ Triangle_list list_of(const Domain& domain)
   return result;
 }
 
+Point_3 scaled_by_power(const Point_3& p, int exponent)
+{
+  return Point_3(std::ldexp(p.x(), exponent), std::ldexp(p.y(), exponent), std::ldexp(p.z(), exponent));
+}
+
 // A mesh with a map to the sphere, as a property of its vertices.
 struct Mapped_mesh
 {
@@ -71,6 +81,12 @@ struct Mapped_mesh
   auto add(const std::string& name)
   {
     return mesh.add_property_map<Index, T>(name).first;
+  }
+
+  void scale(int exponent)
+  {
+    for(Point_3& p : mesh.points())
+      p = scaled_by_power(p, exponent);
   }
 
   Mesh mesh;
@@ -94,6 +110,26 @@ struct Remesh
   SP::Error_code error;
 };
 
+template <class Index, class T, class Make>
+void fill(Mapped_mesh& source, const std::string& name, const Make& make_value)
+{
+  auto map = source.add<Index, T>(name);
+  std::size_t i = 0;
+  for(auto&& value : map)
+    value = make_value(i++);
+}
+
+// of meshes that have this property
+template <class Index, class T>
+void expect_same(Mesh& a, Mesh& b, const std::string& name)
+{
+  SCOPED_TRACE(name);
+  const auto [from, is_new] = a.add_property_map<Index, T>(name);
+  const auto [to, is_new_too] = b.add_property_map<Index, T>(name);
+  ASSERT_FALSE(is_new || is_new_too);
+  EXPECT_TRUE(std::equal(from.begin(), from.end(), to.begin(), to.end()));
+}
+
 struct Solid
 {
   Domain (*make)(std::uint32_t);
@@ -110,7 +146,6 @@ TEST(Domains, triangulate_the_sphere_evenly)
     {
       SCOPED_TRACE(std::to_string(solid.factor) + " " + std::to_string(n));
       const Domain domain = solid.make(n);
-      ASSERT_EQ(domain.error_code(), SP::OK);
       const Triangle_list list = list_of(domain);
       EXPECT_EQ(list.points.size(), solid.factor * n * n + 2);
       EXPECT_EQ(list.triangles.size(), 2 * solid.factor * n * n);
@@ -147,7 +182,7 @@ TEST(Domains, are_divided_into_one_or_more)
   for(const Solid& solid : solids)
     for(const std::uint32_t n : {0u, Domain::max_subdivision + 1})
     {
-      EXPECT_EQ(solid.make(n).error_code(), SP::ERROR_WRONG_PARAMETER);
+      EXPECT_TRUE(solid.make(n).is_empty());
       EXPECT_TRUE(solid.make(n).directions().empty());
     }
 }
@@ -155,23 +190,25 @@ TEST(Domains, are_divided_into_one_or_more)
 TEST(Domains, of_meshes_are_bijections)
 {
   const Mapped_mesh mapped = ellipsoid_on_sphere(1);
-  const Domain domain(mapped.mesh, mapped.sphere);
-  EXPECT_EQ(domain.error_code(), SP::OK);
+  Domain domain = Domain::cube(1);
+  EXPECT_EQ(SP::make_sphere_domain(mapped.mesh, mapped.sphere, domain), SP::OK);
   EXPECT_EQ(list_of(domain).points, icosphere(1).points);
   EXPECT_EQ(list_of(domain).triangles, triangles(mapped.mesh));
 
   Triangle_list folded = icosphere(1);
   std::swap(folded.points[0], folded.points[1]);
   const Mesh folded_mesh = make(folded), torus_mesh = make(torus(5, 5));
-  EXPECT_EQ(Domain(folded_mesh, folded_mesh.points()).error_code(), SP::ERROR_NO_1_TO_1_MAPPING);
-  EXPECT_EQ(Domain(torus_mesh, torus_mesh.points()).error_code(), SP::ERROR_NO_TOPOLOGICAL_SPHERE);
-  EXPECT_TRUE(Domain(torus_mesh, torus_mesh.points()).triangles().empty());
+  EXPECT_EQ(SP::make_sphere_domain(folded_mesh, folded_mesh.points(), domain), SP::ERROR_NO_1_TO_1_MAPPING);
+  EXPECT_EQ(SP::make_sphere_domain(torus_mesh, torus_mesh.points(), domain), SP::ERROR_NO_TOPOLOGICAL_SPHERE);
+  EXPECT_EQ(list_of(domain).points, icosphere(1).points); // as it was
 }
 
 TEST(Remeshing, by_the_mesh_itself_is_the_identity)
 {
   const Mapped_mesh source(scaled(random_stacked_sphere(200, 1), 1., 2., 3.), random_stacked_sphere(200, 1).points);
-  const Remesh remesh(source, Domain(source.mesh, source.sphere));
+  Domain domain;
+  ASSERT_EQ(SP::make_sphere_domain(source.mesh, source.sphere, domain), SP::OK);
+  const Remesh remesh(source, domain);
   ASSERT_EQ(remesh.error, SP::OK);
   EXPECT_EQ(points(remesh.mesh), points(source.mesh));
   EXPECT_EQ(triangles(remesh.mesh), triangles(source.mesh));
@@ -251,15 +288,13 @@ TEST(Remeshing, is_the_same_in_any_number_of_threads)
   for(const Vertex_index v : source.mesh.vertices())
     value[v] = source.mesh.point(v).x();
   const Domain domain = Domain::octahedron(60);
-  const Remesh parallel(source, domain);
+  Remesh parallel(source, domain);
   Mesh sequential;
   auto sphere = sequential.add_property_map<Vertex_index, Point_3>("v:sphere").first;
   ASSERT_EQ(SP::remesh_through_sphere<CGAL::Sequential_tag>(source.mesh, source.sphere, domain, sequential, sphere),
             SP::OK);
   EXPECT_EQ(points(parallel.mesh), points(sequential));
-  const auto a = sequential.property_map<Vertex_index, double>("v:value").first;
-  const auto b = parallel.mesh.property_map<Vertex_index, double>("v:value").first;
-  EXPECT_TRUE(std::equal(a.begin(), a.end(), b.begin(), b.end()));
+  expect_same<Vertex_index, double>(sequential, parallel.mesh, "v:value");
 }
 
 TEST(Remeshing, refuses_what_is_no_bijection)
@@ -271,7 +306,7 @@ TEST(Remeshing, refuses_what_is_no_bijection)
     EXPECT_EQ(remesh.mesh.number_of_vertices(), 0u);
   };
   expect(Domain::cube(0), SP::ERROR_INVALID_DOMAIN);
-  expect(Domain(Mesh(), Mesh().points()), SP::ERROR_INVALID_DOMAIN);
+  expect(Domain(), SP::ERROR_INVALID_DOMAIN);
   std::swap(source.sphere[Vertex_index(0)], source.sphere[Vertex_index(1)]);
   expect(Domain::cube(1), SP::ERROR_NO_1_TO_1_MAPPING);
   std::swap(source.sphere[Vertex_index(0)], source.sphere[Vertex_index(1)]);
@@ -281,22 +316,127 @@ TEST(Remeshing, refuses_what_is_no_bijection)
   expect(Domain::cube(1), SP::ERROR_NON_CLOSED_MESH);
 }
 
-template <class Index, class T, class Make>
-void fill(Mapped_mesh& source, const std::string& name, const Make& make_value)
+// Fourth powers of lengths would overflow and underflow.
+TEST(Remeshing, does_not_depend_on_the_unit)
 {
-  auto map = source.add<Index, T>(name);
-  std::size_t i = 0;
-  for(auto&& value : map)
-    value = make_value(i++);
+  struct Result
+  {
+    explicit Result(int exponent)
+    {
+      Mapped_mesh source = ellipsoid_on_sphere(4);
+      fill<Vertex_index, double>(source, "v:x", [](std::size_t i) { return std::sin(static_cast<double>(i)); });
+      fill<Face_index, double>(source, "f:x", [](std::size_t i) { return std::sin(static_cast<double>(i)); });
+      source.scale(exponent);
+      auto sphere = mesh.add_property_map<Vertex_index, Point_3>("v:sphere").first;
+      auto normal = mesh.add_property_map<Vertex_index, Kernel::Vector_3>("v:normal").first;
+      EXPECT_EQ(SP::remesh_through_sphere(source.mesh, source.sphere, Domain::icosahedron(2), mesh, sphere,
+                                          CGAL::parameters::default_values(),
+                                          CGAL::parameters::vertex_normal_map(normal)),
+                SP::OK);
+    }
+    Mesh mesh;
+  };
+  Result expected(0);
+  for(const int exponent : {-996, -270, 270, 510, 996}) // 1e-300, 1e-81, 1e81, 1e153, 1e300
+  {
+    SCOPED_TRACE(exponent);
+    Result result(exponent);
+    for(const Vertex_index v : result.mesh.vertices())
+      EXPECT_EQ(result.mesh.point(v), scaled_by_power(expected.mesh.point(v), exponent));
+    expect_same<Vertex_index, double>(expected.mesh, result.mesh, "v:x");
+    expect_same<Face_index, double>(expected.mesh, result.mesh, "f:x");
+    expect_same<Vertex_index, Kernel::Vector_3>(expected.mesh, result.mesh, "v:normal");
+  }
 }
 
-template <class Index, class T>
-void expect_same(const Mesh& a, const Mesh& b, const std::string& name)
+// Memory that runs out.
+std::size_t n_allocations_left = 0;
+template <class T>
+struct Scarce_allocator : std::allocator<T>
 {
-  SCOPED_TRACE(name);
-  ASSERT_TRUE((b.property_map<Index, T>(name).second));
-  const auto from = a.property_map<Index, T>(name).first, to = b.property_map<Index, T>(name).first;
-  EXPECT_TRUE(std::equal(from.begin(), from.end(), to.begin(), to.end()));
+  template <class U>
+  struct rebind
+  {
+    using other = Scarce_allocator<U>;
+  };
+  Scarce_allocator() = default;
+  template <class U>
+  Scarce_allocator(const Scarce_allocator<U>&)
+  {}
+  T* allocate(std::size_t n)
+  {
+    if(n_allocations_left == 0)
+      throw std::bad_alloc();
+    --n_allocations_left;
+    return std::allocator<T>::allocate(n);
+  }
+};
+using Scarce_polyhedron =
+    CGAL::Polyhedron_3<Kernel, CGAL::Polyhedron_items_3, CGAL::HalfedgeDS_default, Scarce_allocator<int>>;
+
+TEST(Remeshing, leaves_the_mesh_as_it_was_if_memory_runs_out)
+{
+  const Mapped_mesh source = ellipsoid_on_sphere(1);
+  n_allocations_left = 1000;
+  Scarce_polyhedron mesh = make_mesh<Scarce_polyhedron>(tetrahedron());
+  std::map<Scarce_polyhedron::Vertex_handle, Point_3> sphere;
+  std::size_t n_failures = 0;
+  for(bool has_failed = true; has_failed; n_failures += has_failed)
+  {
+    n_allocations_left = n_failures;
+    has_failed = false;
+    try
+    {
+      ASSERT_EQ(SP::remesh_through_sphere(source.mesh, source.sphere, Domain::octahedron(1), mesh,
+                                          boost::make_assoc_property_map(sphere)),
+                SP::OK);
+    }
+    catch(const std::bad_alloc&)
+    {
+      has_failed = true;
+    }
+    ASSERT_EQ(mesh.size_of_vertices(), has_failed ? 4u : 10u);
+    ASSERT_EQ(mesh.size_of_halfedges(), has_failed ? 12u : 36u);
+    ASSERT_EQ(mesh.size_of_facets(), has_failed ? 4u : 12u);
+    ASSERT_TRUE(mesh.is_valid());
+    ASSERT_TRUE(mesh.is_closed());
+  }
+  EXPECT_GE(n_failures, 6u + 12u + 8u);
+}
+
+// A map that takes a number of points only.
+struct Full_map
+{
+  using key_type = Vertex_index;
+  using value_type = Point_3;
+  using reference = void;
+  using category = boost::writable_property_map_tag;
+  std::size_t* n_left;
+
+  friend void put(const Full_map& map, Vertex_index, const Point_3&)
+  {
+    if(*map.n_left == 0)
+      throw std::length_error("full");
+    --*map.n_left;
+  }
+};
+
+TEST(Remeshing, leaves_the_mesh_as_it_was_if_a_map_throws)
+{
+  const Mapped_mesh source = ellipsoid_on_sphere(1);
+  Mesh mesh = make(tetrahedron());
+  std::size_t n_left = 5;
+  EXPECT_THROW(
+      (void)SP::remesh_through_sphere(source.mesh, source.sphere, Domain::octahedron(1), mesh, Full_map{&n_left}),
+      std::length_error);
+  EXPECT_EQ(points(mesh), tetrahedron().points);
+  EXPECT_EQ(triangles(mesh), triangles(make(tetrahedron())));
+  EXPECT_TRUE(CGAL::is_valid_polygon_mesh(mesh));
+  n_left = 6;
+  EXPECT_EQ(SP::remesh_through_sphere(source.mesh, source.sphere, Domain::octahedron(1), mesh, Full_map{&n_left}),
+            SP::OK);
+  EXPECT_EQ(mesh.number_of_vertices(), 4u + 6u);
+  EXPECT_TRUE(CGAL::is_valid_polygon_mesh(mesh));
 }
 
 TEST(Transfer, from_a_mesh_to_itself_changes_no_bit_of_any_type)
@@ -428,12 +568,23 @@ private:
   std::vector<double> m_areas;
 };
 
-bool has_most_weight(int label, const std::map<std::size_t, double>& weights)
+template <class Label, class Label_of>
+bool has_most_weight(const Label& label, const std::map<std::size_t, double>& weights, const Label_of& label_of)
 {
-  std::array<double, 3> sums = {0., 0., 0.};
+  std::map<Label, double> sums;
   for(const auto& [s, w] : weights)
-    sums[s % 3] += w;
-  return sums.at(static_cast<std::size_t>(label)) >= *std::max_element(sums.begin(), sums.end()) - 1e-12;
+    sums[label_of(s)] += w;
+  return std::all_of(sums.begin(), sums.end(), [&](const auto& sum) { return sum.second <= sums[label] + 1e-12; });
+}
+
+// A region of the sphere, as atlases have them: those of 12 directions, of which one has no name
+std::string region(const Point_3& p)
+{
+  const std::vector<Coordinates>& seeds = icosphere(0).points;
+  const Coordinates q = coordinates(p);
+  const auto nearest = std::max_element(
+      seeds.begin(), seeds.end(), [&](const Coordinates& a, const Coordinates& b) { return dot(a, q) < dot(b, q); });
+  return nearest == seeds.begin() ? "" : "region " + std::to_string(nearest - seeds.begin());
 }
 
 double mean(const std::map<std::size_t, double>& weights)
@@ -471,12 +622,21 @@ TEST(Transfer, follows_its_rules_to_coarser_and_finer_meshes)
       SCOPED_TRACE(std::to_string(from.points.size()) + " to " + std::to_string(to.points.size()));
       Mapped_mesh source(scaled(from, 1., 1., 2.), from.points), target(turned(to));
       fill<Vertex_index, double>(source, "v:x", [](std::size_t i) { return std::sin(static_cast<double>(i)); });
-      fill<Vertex_index, int>(source, "v:label", [](std::size_t i) { return static_cast<int>(i % 3); });
+      const auto region_of = [&](std::size_t i) {
+        return region(source.sphere[Vertex_index(static_cast<Mesh::size_type>(i))]);
+      };
+      const auto number_of_corner = [&](std::size_t i) { // fans of faces have the same
+        const Face_index f(static_cast<Mesh::size_type>(i));
+        return -static_cast<int>(source.mesh.source(source.mesh.halfedge(f)).idx());
+      };
+      fill<Vertex_index, std::string>(source, "v:region", region_of);
+      fill<Vertex_index, std::size_t>(source, "v:number", [](std::size_t i) { return i; });
       fill<Face_index, double>(source, "f:x", [](std::size_t i) { return std::sin(static_cast<double>(i)); });
-      fill<Face_index, int>(source, "f:label", [](std::size_t i) { return static_cast<int>(i % 3); });
+      fill<Face_index, int>(source, "f:label", number_of_corner);
       ASSERT_EQ(SP::transfer(source.mesh, source.sphere, target.mesh, target.sphere), SP::OK);
       const auto x = target.add<Vertex_index, double>("v:x");
-      const auto label = target.add<Vertex_index, int>("v:label");
+      const auto region = target.add<Vertex_index, std::string>("v:region");
+      const auto number = target.add<Vertex_index, std::size_t>("v:number");
       const auto face_x = target.add<Face_index, double>("f:x");
       const auto face_label = target.add<Face_index, int>("f:label");
       const Rules rules(source, target);
@@ -484,13 +644,14 @@ TEST(Transfer, follows_its_rules_to_coarser_and_finer_meshes)
       {
         const auto weights = rules.of_vertex(v);
         ASSERT_NEAR(x[v], mean(weights), 1e-12) << v;
-        ASSERT_TRUE(has_most_weight(label[v], weights)) << v;
+        ASSERT_TRUE(has_most_weight(region[v], weights, region_of)) << v;
+        ASSERT_TRUE(has_most_weight(number[v], weights, [](std::size_t s) { return s; })) << v;
       }
       for(const Face_index f : target.mesh.faces())
       {
         const auto weights = rules.of_face(f);
         ASSERT_NEAR(face_x[f], mean(weights), 1e-12) << f;
-        ASSERT_TRUE(has_most_weight(face_label[f], weights)) << f;
+        ASSERT_TRUE(has_most_weight(face_label[f], weights, number_of_corner)) << f;
       }
     }
 }
@@ -504,9 +665,10 @@ TEST(Transfer, takes_pairs_of_maps)
   CGAL::Polyhedron_3<Kernel> target = make_mesh<CGAL::Polyhedron_3<Kernel>>(octahedron());
   std::map<CGAL::Polyhedron_3<Kernel>::Vertex_handle, double> x;
   std::map<CGAL::Polyhedron_3<Kernel>::Facet_handle, int> label;
-  ASSERT_EQ(SP::transfer(source.mesh, source.sphere, target, get(CGAL::vertex_point, target),
-                         std::pair(source.add<Vertex_index, float>("v:x"), boost::make_assoc_property_map(x)),
-                         std::pair(source.add<Face_index, short>("f:label"), boost::make_assoc_property_map(label))),
+  ASSERT_EQ(SP::transfer(
+                source.mesh, source.sphere, target, get(CGAL::vertex_point, target),
+                std::tuple(std::pair(source.add<Vertex_index, float>("v:x"), boost::make_assoc_property_map(x)),
+                           std::pair(source.add<Face_index, short>("f:label"), boost::make_assoc_property_map(label)))),
             SP::OK);
   EXPECT_EQ(x.size(), 6u);
   EXPECT_EQ(label.size(), 8u);
@@ -549,6 +711,60 @@ TEST(Transfer, does_not_depend_on_the_size_of_the_spheres)
   expect_same<Face_index, double>(expected.mesh, target.mesh, "f:x");
 }
 
+// Areas are those of the points that are given.
+TEST(Transfer, weights_with_the_areas_of_the_surface)
+{
+  const Triangle_list sphere = icosphere(2);
+  Mapped_mesh flat(scaled(sphere, 1., 1., 0.1), sphere.points), round(sphere), expected(octahedron()),
+      target(octahedron()), other(octahedron());
+  fill<Vertex_index, double>(flat, "v:x", [](std::size_t i) { return std::sin(static_cast<double>(i)); });
+  fill<Vertex_index, double>(round, "v:x", [](std::size_t i) { return std::sin(static_cast<double>(i)); });
+  const auto of_flat = CGAL::parameters::vertex_point_map(flat.mesh.points());
+  ASSERT_EQ(SP::transfer(flat.mesh, flat.sphere, expected.mesh, expected.sphere), SP::OK);
+  ASSERT_EQ(SP::transfer(round.mesh, round.sphere, target.mesh, target.sphere, of_flat), SP::OK);
+  expect_same<Vertex_index, double>(expected.mesh, target.mesh, "v:x");
+  ASSERT_EQ(SP::transfer(round.mesh, round.sphere, other.mesh, other.sphere,
+                         std::pair(round.add<Vertex_index, double>("v:x"), other.add<Vertex_index, double>("v:x")),
+                         of_flat),
+            SP::OK);
+  expect_same<Vertex_index, double>(expected.mesh, other.mesh, "v:x");
+  ASSERT_EQ(SP::transfer(round.mesh, round.sphere, other.mesh, other.sphere), SP::OK);
+  const auto x = other.add<Vertex_index, double>("v:x"), y = expected.add<Vertex_index, double>("v:x");
+  for(const Vertex_index v : other.mesh.vertices())
+    EXPECT_GT(std::abs(x[v] - y[v]), 1e-4);
+}
+
+// Labels of which each is another one, averaged by few vertices
+TEST(Transfer, compares_labels_as_often_as_sorting_does)
+{
+  struct Label
+  {
+    std::size_t value = 0;
+    bool operator<(const Label& other) const
+    {
+      ++n_comparisons();
+      return value < other.value;
+    }
+    static std::size_t& n_comparisons()
+    {
+      static std::size_t n = 0;
+      return n;
+    }
+  };
+  Mapped_mesh source(icosphere(5)), target(turned(octahedron()));
+  fill<Vertex_index, Label>(source, "v:label", [](std::size_t i) { return Label{i}; });
+  const auto label = target.add<Vertex_index, Label>("v:label");
+  ASSERT_EQ(SP::transfer(source.mesh, source.sphere, target.mesh, target.sphere,
+                         std::pair(source.add<Vertex_index, Label>("v:label"), label)),
+            SP::OK);
+  const auto n = static_cast<double>(source.mesh.number_of_vertices());
+  EXPECT_LE(static_cast<double>(Label::n_comparisons()), 4. * n * std::log2(n)); // each vertex is in three stars
+  for(const Vertex_index v : target.mesh.vertices())
+    EXPECT_LT(distance(coordinates(source.sphere[Vertex_index(static_cast<Mesh::size_type>(label[v].value))]),
+                       coordinates(target.sphere[v])),
+              0.2);
+}
+
 TEST(Transfer, refuses_what_is_no_bijection)
 {
   Mapped_mesh good(icosphere(1)), folded(icosphere(1)), open(icosphere(1));
@@ -565,75 +781,6 @@ TEST(Transfer, refuses_what_is_no_bijection)
   EXPECT_EQ(SP::transfer(infinite.mesh, infinite.sphere, good.mesh, good.sphere), SP::ERROR_NON_FINITE_COORDINATE);
   const auto x = good.add<Vertex_index, double>("v:x");
   EXPECT_TRUE(std::all_of(x.begin(), x.end(), [](double value) { return value == 1.; }));
-}
-
-TEST(Distance, between_spheres_is_that_of_their_radii)
-{
-  const Mesh small = make(icosphere(5)), large = make(scaled(icosphere(5), 1.1, 1.1, 1.1));
-  const SP::Surface_distance distance = SP::measure_distance(small, large);
-  EXPECT_NEAR(distance.from_first.root_mean_square, 0.1, 1e-3);
-  EXPECT_NEAR(distance.from_second.maximum, 0.1, 1e-3);
-  EXPECT_NEAR(distance.diagonal, std::sqrt(12.), 1e-2);
-  EXPECT_NEAR(distance.psnr(), 20. * std::log10(std::sqrt(12.) / 0.1), 0.1);
-}
-
-// Of the larger surface, only a part is near the smaller one: it takes both ways to see that.
-TEST(Distance, is_measured_both_ways)
-{
-  const Mesh one = make(icosphere(2)), two = make(disjoint_union(icosphere(2), scaled(icosphere(2), 3., 3., 3.)));
-  const SP::Surface_distance distance = SP::measure_distance(one, two);
-  EXPECT_NEAR(distance.from_first.maximum, 0., 1e-12);
-  EXPECT_NEAR(distance.from_second.maximum, 2., 0.1);
-  EXPECT_NEAR(distance.from_second.root_mean_square, 2. * std::sqrt(0.9), 0.1);
-}
-
-// Faces without an area are left out; a mesh of nothing else has no distance.
-TEST(Distance, with_flat_faces)
-{
-  const Mesh sphere = make(icosphere(2)), slivers = make(with_slivers(icosphere(2), 40, 0.)),
-             flat = make(scaled(icosphere(0), 1., 0., 0.));
-  EXPECT_NEAR(SP::measure_distance(sphere, slivers).from_first.maximum, 0., 1e-12);
-  EXPECT_EQ(SP::measure_distance(sphere, flat).from_first.maximum, 0.);
-  EXPECT_EQ(SP::measure_distance(flat, sphere).diagonal, 0.);
-}
-
-// Exact predicates throw for NaN and end the process for infinity.
-TEST(Distance, of_what_is_not_finite_is_not_a_number)
-{
-  const Mesh sphere = make(icosphere(1));
-  for(const double x : {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()})
-  {
-    Mesh broken = sphere;
-    broken.point(Vertex_index(7)) = Point_3(0., x, 0.);
-    const SP::Surface_distance to = SP::measure_distance(sphere, broken), from = SP::measure_distance(broken, sphere);
-    for(const double d : {to.from_first.maximum, to.from_second.root_mean_square, from.from_first.root_mean_square,
-                          from.from_second.maximum, from.diagonal})
-      EXPECT_TRUE(std::isnan(d));
-  }
-}
-
-TEST(Distance, does_not_depend_on_the_unit)
-{
-  const Mesh one = make(icosphere(1)), two = make(scaled(icosphere(1), 1.5, 1.5, 1.5));
-  const SP::Surface_distance distance = SP::measure_distance(one, two, 100);
-  for(const int exponent : {-1060, -500, 500, 1022})
-  {
-    const double unit = std::scalbn(1., exponent), tolerance = exponent == -1060 ? 1e-3 : 1e-12;
-    const SP::Surface_distance other =
-        SP::measure_distance(make(scaled(icosphere(1), unit, unit, unit)),
-                             make(scaled(icosphere(1), 1.5 * unit, 1.5 * unit, 1.5 * unit)), 100);
-    EXPECT_NEAR(other.from_first.root_mean_square / unit, distance.from_first.root_mean_square, tolerance);
-    EXPECT_NEAR(other.from_second.maximum / unit, distance.from_second.maximum, tolerance);
-    EXPECT_NEAR(other.psnr(), distance.psnr(), 0.1);
-  }
-}
-
-TEST(Distance, without_samples_is_zero)
-{
-  const Mesh small = make(icosphere(1)), large = make(scaled(icosphere(1), 2., 2., 2.));
-  const SP::Surface_distance distance = SP::measure_distance(small, large, 0);
-  EXPECT_EQ(distance.from_first.root_mean_square, 0.);
-  EXPECT_EQ(distance.from_second.maximum, 0.);
 }
 
 } // namespace

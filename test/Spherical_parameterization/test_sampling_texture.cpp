@@ -95,7 +95,7 @@ template <class Any_mesh>
 void expect_whole(const Textured<Any_mesh>& textured, double& total_area, double& least_area)
 {
   const Any_mesh& mesh = textured.mesh;
-  ASSERT_EQ(textured.error, SP::OK);
+  ASSERT_FALSE(is_empty(mesh));
   ASSERT_TRUE(CGAL::is_valid_polygon_mesh(mesh));
   ASSERT_TRUE(CGAL::is_closed(mesh));
   ASSERT_TRUE(CGAL::is_triangle_mesh(mesh));
@@ -124,6 +124,7 @@ void expect_right(const Any_mesh& mesh, const Map& map, const Axes& axes, double
 {
   const Textured<Any_mesh> textured(mesh, map, axes);
   const Any_mesh& result = textured.mesh;
+  ASSERT_EQ(textured.error, SP::OK);
   double total_area = 0., least_area = 0.;
   ASSERT_NO_FATAL_FAILURE(expect_whole(textured, total_area, least_area));
   ASSERT_NEAR(margin > 0. ? 1. : total_area, 1., 1e-12);
@@ -275,6 +276,7 @@ TEST(Texture_coordinates, cover_the_image_in_maps_of_random_meshes)
     double total_area = 0., least_area = 0.;
     expect_whole(textured, total_area, least_area);
     EXPECT_NEAR(total_area, 1., 1e-12);
+    EXPECT_EQ(textured.error, least_area < -1e-10 ? SP::ERROR_FOLDED_TEXTURE : SP::OK) << least_area;
   }
 }
 
@@ -326,6 +328,59 @@ TEST(Texture_coordinates, are_added_to_a_mesh)
     EXPECT_EQ(uv[h] == Point_2(7., 7.), h.idx() < num_halfedges(mesh));
 }
 
+// Needles that are narrower than the arcs along them are bent, and more of them than new vertices could divide
+TEST(Texture_coordinates, that_stay_folded_are_told)
+{
+  Triangle_list list = icosphere(2);
+  for(std::size_t k = 0, n = list.triangles.size(); k < n; ++k)
+  {
+    const Triangle t = list.triangles[k];
+    const std::size_t v = list.points.size();
+    const Coordinates on_edge = combination(0.7, list.points[t[0]], 0.3, list.points[t[1]]);
+    list.points.push_back(combination(1. - 3e-6, on_edge, 3e-6, list.points[t[2]]));
+    list.triangles[k] = {t[0], t[1], v};
+    list.triangles.push_back({t[1], t[2], v});
+    list.triangles.push_back({t[2], t[0], v});
+  }
+  const Mesh mesh = make(list);
+  const Textured<Mesh> textured(mesh, mesh.points(), Axes());
+  EXPECT_EQ(textured.error, SP::ERROR_FOLDED_TEXTURE);
+  double total_area = 0., least_area = 0.;
+  expect_whole(textured, total_area, least_area);
+  EXPECT_NEAR(total_area, 1., 1e-12);
+  EXPECT_LT(least_area, -1e-10);
+}
+
+// A map that throws what it is given, some time
+template <class Key, class Value>
+struct Throwing_map
+{
+  using key_type = Key;
+  using value_type = Value;
+  using reference = void;
+  using category = boost::writable_property_map_tag;
+  std::size_t* n_left;
+
+  friend void put(const Throwing_map& map, Key, const Value& value)
+  {
+    if(*map.n_left == 0)
+      throw value;
+    --*map.n_left;
+  }
+};
+
+TEST(Texture_coordinates, leave_the_mesh_as_it_was_if_a_map_throws)
+{
+  const Mesh mesh = make(icosphere(1));
+  Mesh result = make(tetrahedron());
+  std::size_t n_left = 100;
+  using Map = Throwing_map<Mesh::Halfedge_index, Point_2>;
+  EXPECT_THROW((void)SP::compute_texture_coordinates(mesh, mesh.points(), result, Map{&n_left}), Point_2);
+  EXPECT_EQ(points(result), tetrahedron().points);
+  EXPECT_EQ(triangles(result), triangles(make(tetrahedron())));
+  EXPECT_TRUE(CGAL::is_valid_polygon_mesh(result));
+}
+
 void expect_refusal(const Triangle_list& list, const Axes& axes, SP::Error_code error)
 {
   const Mesh mesh = make(list);
@@ -364,7 +419,7 @@ TEST(Obj_file, holds_the_mesh_and_each_coordinate_once)
   const Textured<Mesh> textured(mesh, mesh.points(), {{1., 2., 3.}, {3., 1., 2.}});
   std::stringstream file;
   file.precision(3);
-  ASSERT_EQ(SP::write_OBJ(file, textured.mesh, textured.uv), SP::OK);
+  ASSERT_EQ(SP::IO::write_OBJ(file, textured.mesh, textured.uv), SP::OK);
   EXPECT_EQ(file.precision(), 3);
 
   std::vector<Point_3> points;
@@ -409,7 +464,7 @@ TEST(Obj_file, that_cannot_be_written_is_told)
   for(const char* name : {"no_folder/textured.obj", "/dev/full"})
   {
     std::ofstream file(name);
-    EXPECT_EQ(SP::write_OBJ(file, textured.mesh, textured.uv), SP::ERROR_CANNOT_WRITE_FILE);
+    EXPECT_EQ(SP::IO::write_OBJ(file, textured.mesh, textured.uv), SP::ERROR_CANNOT_WRITE_FILE);
   }
 }
 

@@ -4,9 +4,10 @@
 #include "judge.h"
 #include "methods.h"
 #include "random_meshes.h"
+#include "recording_control.h"
 #include "surfaces.h"
 
-#include <CGAL/Spherical_parameterization/Sphere_domain_3.h>
+#include <CGAL/Spherical_parameterization/Surface_mapper_3.h>
 #include <CGAL/Spherical_parameterization/align_spheres.h>
 #include <CGAL/Spherical_parameterization/internal/align/Bent_map.h>
 #include <CGAL/Spherical_parameterization/is_bijective.h>
@@ -18,6 +19,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <optional>
 #include <utility>
@@ -106,6 +108,8 @@ TEST(Alignment, depends_neither_on_threads_nor_on_the_unit)
   expect_same(align(a, Mapped_mesh(icosphere(3), scaled_body(0x1p-1000), rotation(turns[1]))));
 }
 
+using Mapper = SP::Surface_mapper_3<Mesh>;
+
 TEST(Alignment, compares_the_features_of_the_caller)
 {
   // The surfaces are round: all that tells directions apart are the features. Their scale does not matter.
@@ -119,16 +123,65 @@ TEST(Alignment, compares_the_features_of_the_caller)
     feature_a[v] = p.x() + 0.3 * p.y() * p.z();
     feature_b[v] = static_cast<float>(std::exp(feature_a[v]));
   }
+  const std::vector<Mapper::Feature> features = {
+      {[&](Vertex_index v) { return feature_a[v]; }, [&](Vertex_index v) { return feature_b[v]; }}};
   SP::Sphere_alignment_3 result;
-  ASSERT_EQ(SP::align_spheres(a.mesh, a.sphere, b.mesh, b.sphere, result, std::make_pair(feature_a, feature_b)),
-            SP::OK);
+  ASSERT_EQ(SP::align_spheres(a.mesh, a.sphere, b.mesh, b.sphere, features, result), SP::OK);
   EXPECT_LT(angle(result.candidates[0].rotation, rotation(turns[3])), 1.);
 
   const SP::Sphere_alignment_3 before = result;
   feature_a[Vertex_index(7)] = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_EQ(SP::align_spheres(a.mesh, a.sphere, b.mesh, b.sphere, result, std::make_pair(feature_a, feature_b)),
-            SP::ERROR_WRONG_PARAMETER);
+  EXPECT_EQ(SP::align_spheres(a.mesh, a.sphere, b.mesh, b.sphere, features, result), SP::ERROR_WRONG_PARAMETER);
   EXPECT_EQ(result.candidates[0].rotation, before.candidates[0].rotation);
+}
+
+TEST(Alignment, stops_with_what_it_has)
+{
+  struct Visitor : SP::Default_visitor
+  {
+    std::size_t n_left;
+    bool go_further(std::size_t, double) { return n_left-- > 0; }
+  };
+  const Mapped_mesh a(icosphere(3), on_body, rotation(turns[0])), b(icosphere(3), on_body, rotation(turns[1]));
+  SP::Sphere_alignment_3 result;
+  for(const std::size_t n : {0u, 2u, 10u})
+  {
+    Visitor visitor;
+    visitor.n_left = n;
+    ASSERT_EQ(
+        SP::align_spheres(a.mesh, a.sphere, b.mesh, b.sphere, result, CGAL::parameters::visitor(std::ref(visitor))),
+        SP::OK);
+    EXPECT_TRUE(result.is_stopped);
+    ASSERT_FALSE(result.candidates.empty());
+  }
+  EXPECT_GT(result.candidates[0].score, 0.5); // Some rotations have been tried by the tenth question.
+  ASSERT_EQ(SP::align_spheres(a.mesh, a.sphere, b.mesh, b.sphere, result, CGAL::parameters::maximum_running_time(1e-9)),
+            SP::OK);
+  EXPECT_TRUE(result.is_stopped);
+  EXPECT_EQ(result.candidates.size(), 1u);
+  EXPECT_FALSE(align(a, b).is_stopped);
+}
+
+TEST(Alignment, takes_the_points_of_named_parameters)
+{
+  Mapped_mesh a(icosphere(3), on_body, rotation(turns[0])), b(icosphere(3), on_body, rotation(turns[1]));
+  const SP::Sphere_alignment_3 expected = align(a, b);
+  std::array<Mesh::Property_map<Vertex_index, Point_3>, 2> points;
+  for(const std::size_t k : {0u, 1u})
+  {
+    Mesh& mesh = (k == 0 ? a : b).mesh;
+    points[k] = mesh.add_property_map<Vertex_index, Point_3>("v:points").first;
+    for(const Vertex_index v : mesh.vertices())
+    {
+      points[k][v] = mesh.point(v);
+      mesh.point(v) = Point_3(0., 0., 0.);
+    }
+  }
+  SP::Sphere_alignment_3 result;
+  ASSERT_EQ(SP::align_spheres(a.mesh, a.sphere, b.mesh, b.sphere, result, CGAL::parameters::vertex_point_map(points[0]),
+                              CGAL::parameters::vertex_point_map(points[1])),
+            SP::OK);
+  EXPECT_EQ(result.candidates[0].score, expected.candidates[0].score);
 }
 
 TEST(Alignment, tells_what_is_wrong)
@@ -152,6 +205,49 @@ TEST(Alignment, tells_what_is_wrong)
   EXPECT_EQ(result.margin(), 0.);
 }
 
+// The spheres of two meshes as a run between surfaces has them.
+struct Aligned_spheres
+{
+  using Triangulation = SP::internal::Sphere_triangulation<Kernel>;
+  using Features = std::vector<std::vector<double>>;
+
+  Aligned_spheres(const SP::internal::Sphere_grid& grid, const Mapped_mesh& a, const Mapped_mesh& b,
+                  const std::array<Features, 2>& features, SP::internal::Run_control& control,
+                  const SP::internal::Execution& execution)
+    : alignment(grid, sampled(grid, a, features[0], execution, first), sampled(grid, b, features[1], execution, second),
+                control, execution)
+  {}
+
+  static SP::internal::Sampled_surface sampled(const SP::internal::Sphere_grid& grid, const Mapped_mesh& mesh,
+                                               const Features& features, const SP::internal::Execution& execution,
+                                               Triangulation& sphere)
+  {
+    SP::internal::Mesh_on_sphere<Mesh, Mesh::Property_map<Vertex_index, Point_3>> arrays;
+    EXPECT_EQ(arrays.read(mesh.mesh, mesh.sphere, false, execution), SP::OK);
+    EXPECT_EQ(arrays.read_points(mesh.mesh.points()), SP::OK);
+    sphere.assign(arrays.images, arrays.triangles);
+    sphere.make_grid();
+    return SP::internal::Sampled_surface(grid, sphere, arrays.points, features, execution);
+  }
+
+  Triangulation first, second;
+  SP::internal::Surface_alignment alignment;
+};
+
+Point_3 point(const SP::internal::Vector_3d& p)
+{
+  return Point_3(p[0], p[1], p[2]);
+}
+
+void expect_bijective(const Mapped_mesh& original, const std::vector<SP::internal::Vector_3d>& directions)
+{
+  Mesh mesh = original.mesh;
+  ASSERT_EQ(directions.size(), mesh.number_of_vertices());
+  for(const Vertex_index v : mesh.vertices())
+    mesh.point(v) = point(directions[v]);
+  EXPECT_TRUE(SP::is_bijective(mesh, mesh.points()));
+}
+
 // Another sphere of the same body: its map differs from the first one by a smooth bijection, which a rotation is not.
 TEST(Bending, comes_nearer_to_a_smooth_map_and_stays_a_bijection)
 {
@@ -164,50 +260,83 @@ TEST(Bending, comes_nearer_to_a_smooth_map_and_stays_a_bijection)
   for(const Vertex_index v : b.mesh.vertices())
     b.sphere[v] = rotation(turns[1]).transform(warped(a.sphere[v]));
 
-  const SP::internal::Sphere_grid grid;
+  const SP::internal::Sphere_grid grid({});
   std::vector<SP::internal::Vector_3d> results[2];
   double turned_error = 0., bent_error = 0.;
   for(const bool is_parallel : {false, true})
   {
     const SP::internal::Execution execution =
         is_parallel ? SP::internal::execution_of<CGAL::Parallel_if_available_tag>() : SP::internal::Execution();
-    SP::internal::Surface_alignment::Samples samples_a, samples_b;
-    ASSERT_EQ(SP::internal::read_samples(grid, a.mesh, a.sphere, execution, samples_a), SP::OK);
-    ASSERT_EQ(SP::internal::read_samples(grid, b.mesh, b.sphere, execution, samples_b), SP::OK);
-    const SP::internal::Surface_alignment alignment(grid, samples_a, samples_b, execution);
-    const SP::internal::Scored_rotation start = alignment.best_rotations(1).front();
-    const auto bent_grid = alignment.bent(start.rotation);
-    EXPECT_GT(alignment.agreement(bent_grid), start.score);
+    Recording_control control;
+    Aligned_spheres spheres(grid, a, b, {}, control, execution);
+    const auto start = spheres.alignment.best_rotations(1);
+    const auto bent_grids = spheres.alignment.bent(start);
+    ASSERT_EQ(bent_grids.size(), 1u);
+    EXPECT_GT(bent_grids[0].score, start[0].score);
+    EXPECT_EQ(spheres.alignment.margin(bent_grids), bent_grids[0].score);
 
-    SP::internal::Mesh_on_sphere<Mesh, Mesh::Property_map<Vertex_index, Point_3>> arrays;
-    ASSERT_EQ(arrays.read(a.mesh, a.sphere, false, execution), SP::OK);
-    SP::internal::Sphere_triangulation<Kernel> images;
-    images.assign(arrays.images, arrays.triangles);
     const auto directions =
-        SP::internal::Bent_map<Kernel>(images).directions(grid, bent_grid, start.rotation, execution);
+        SP::internal::Bent_map<Kernel>(spheres.first).directions(grid, bent_grids[0].directions, control, execution);
     ASSERT_TRUE(directions);
     results[is_parallel] = *directions;
-    Mapped_mesh bent = a;
-    auto sphere = bent.mesh.add_property_map<Vertex_index, Point_3>("v:bent").first;
+    const Rotation_3 rotation = SP::internal::as_transformation(start[0].rotation);
     turned_error = bent_error = 0.;
     for(const Vertex_index v : a.mesh.vertices())
     {
-      const SP::internal::Vector_3d& p = (*directions)[v];
-      sphere[v] = Point_3(p[0], p[1], p[2]);
-      const Point_3 turned = SP::internal::as_transformation(start.rotation).transform(a.sphere[v]);
-      turned_error += std::sqrt(CGAL::squared_distance(turned, b.sphere[v]));
-      bent_error += std::sqrt(CGAL::squared_distance(sphere[v], b.sphere[v]));
+      turned_error += std::sqrt(CGAL::squared_distance(rotation.transform(a.sphere[v]), b.sphere[v]));
+      bent_error += std::sqrt(CGAL::squared_distance(point((*directions)[v]), b.sphere[v]));
     }
-    EXPECT_TRUE(SP::is_bijective(bent.mesh, sphere));
+    expect_bijective(a, *directions);
   }
   EXPECT_EQ(results[0], results[1]);
   EXPECT_LT(bent_error, 0.75 * turned_error); // The body is smooth: it has few features to go by.
 }
 
+// The features of the caller do not agree, and the start that is bent is the only one.
+TEST(Bending, starts_from_a_single_rotation_however_bad_it_is)
+{
+  const Mapped_mesh a(icosphere(3), on_body, rotation(turns[0]));
+  const SP::internal::Sphere_grid grid({});
+  std::array<std::vector<double>, 2> features;
+  for(const Vertex_index v : a.mesh.vertices())
+  {
+    features[0].push_back(a.sphere[v].z());
+    features[1].push_back(-a.sphere[v].z());
+  }
+  Recording_control control;
+  Aligned_spheres spheres(grid, a, a, {{{features[0]}, {features[1]}}}, control, {});
+  const auto bent = spheres.alignment.bent({{SP::internal::rotation_matrix(turns[0]), -1.}});
+  ASSERT_EQ(bent.size(), 1u);
+  EXPECT_LT(bent[0].score, 0.);
+  EXPECT_EQ(spheres.alignment.margin(bent), bent[0].score);
+}
+
+// Whenever the control says no, there is a start, and it is a bijection.
+TEST(Bending, stops_when_it_is_told_to)
+{
+  const Mapped_mesh a(icosphere(3), on_body, rotation(turns[0]));
+  Mapped_mesh b(
+      icosphere(3), [](const Point_3& p) { return Point_3(p.x(), p.y(), 2. * p.z()); }, rotation(turns[1]));
+  const SP::internal::Sphere_grid grid({});
+  std::size_t n_questions = 0;
+  for(const std::size_t max_questions : {1000u, 0u, 3u, 12u, 40u})
+  {
+    Recording_control control;
+    control.max_questions = max_questions;
+    Aligned_spheres spheres(grid, a, b, {}, control, {});
+    const SP::internal::Aligned_start start = spheres.alignment.start(spheres.first, spheres.second);
+    expect_bijective(a, start.directions);
+    EXPECT_EQ(control.is_stopped(), max_questions < 1000u);
+    EXPECT_LE(control.number_of_questions, max_questions + 1);
+    n_questions = (std::max)(n_questions, control.number_of_questions);
+  }
+  EXPECT_GT(n_questions, 100u);
+}
+
 // A grid that is bent so much that triangles of a mesh, whose edges stay straight, turn over.
 TEST(Bending, repairs_what_straight_edges_turn_over)
 {
-  const SP::internal::Sphere_grid grid;
+  const SP::internal::Sphere_grid grid({});
   std::vector<SP::internal::Vector_3d> bent_grid;
   for(const SP::internal::Vector_3d& q : grid.directions())
   {
@@ -220,8 +349,8 @@ TEST(Bending, repairs_what_straight_edges_turn_over)
   ASSERT_EQ(arrays.read(a.mesh, a.sphere, false, {}), SP::OK);
   SP::internal::Sphere_triangulation<Kernel> images;
   images.assign(arrays.images, arrays.triangles);
-  const auto directions =
-      SP::internal::Bent_map<Kernel>(images).directions(grid, bent_grid, SP::internal::rotation_matrix(turns[0]), {});
+  Recording_control control;
+  const auto directions = SP::internal::Bent_map<Kernel>(images).directions(grid, bent_grid, control, {});
   ASSERT_TRUE(directions);
   const SP::internal::Orientation_about_origin_3<Kernel> orientation;
   const auto count = [&](const auto& point_of) {

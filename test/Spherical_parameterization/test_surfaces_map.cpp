@@ -8,10 +8,10 @@
 #include "test_meshes.h"
 
 #include <CGAL/Spherical_parameterization/internal/align/Sphere_grid.h>
-#include <CGAL/Spherical_parameterization/internal/align/Sphere_image.h>
+#include <CGAL/Spherical_parameterization/internal/locate/Sphere_image.h>
 #include <CGAL/Spherical_parameterization/internal/certificate/is_safely_positive.h>
 #include <CGAL/Spherical_parameterization/internal/levels/Mesh_hierarchy.h>
-#include <CGAL/Spherical_parameterization/internal/surface/link_triangles.h>
+#include <CGAL/Spherical_parameterization/internal/surface/Linked_triangle.h>
 #include <CGAL/Spherical_parameterization/internal/levels/Target_metric.h>
 #include <CGAL/Spherical_parameterization/internal/levels/Target_star.h>
 #include <CGAL/Spherical_parameterization/is_bijective.h>
@@ -34,7 +34,9 @@
 #include <cstddef>
 #include <cstdint>
 #include <iterator>
+#include <functional>
 #include <limits>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <thread>
@@ -45,7 +47,33 @@ using namespace test;
 
 namespace {
 
-using Settings = SP::Surface_map_settings<Mesh, Mesh>;
+// What a test changes before the surfaces are mapped.
+template <class TriangleMesh1, class TriangleMesh2>
+struct Settings_of
+{
+  using Mapper = SP::Surface_mapper_3<TriangleMesh1, TriangleMesh2>;
+
+  std::vector<typename Mapper::Landmark> landmarks;
+  std::optional<double> landmark_weight;
+  std::vector<typename Mapper::Feature> features;
+  double feature_weight = 4.;
+  std::function<bool()> go_further;
+  double max_seconds = 0.;
+
+  Mapper mapper() const
+  {
+    const Mapper result = Mapper().landmarks(landmarks).features(features).feature_weight(feature_weight);
+    return landmark_weight ? result.landmark_weight(*landmark_weight) : result;
+  }
+};
+using Settings = Settings_of<Mesh, Mesh>;
+
+struct Asking_visitor : SP::Default_visitor
+{
+  std::function<bool()> ask;
+  bool go_further(std::size_t, double) { return !ask || ask(); }
+};
+
 using Images = Mesh::Property_map<Vertex_index, Point_3>;
 using Vector_3d = SP::internal::Vector_3d;
 
@@ -63,8 +91,13 @@ struct Match
     const Images images = a.mesh.add_property_map<Vertex_index, Point_3>("v:images").first;
     for(const Vertex_index v : a.mesh.vertices())
       images[v] = Point_3(7., 7., 7.);
-    result.error =
-        SP::map_surface<ConcurrencyTag>(a.mesh, a.sphere, b.mesh, b.sphere, images, settings, &result.report);
+    auto mapper = settings.mapper();
+    Asking_visitor visitor;
+    visitor.ask = settings.go_further;
+    result.error = SP::map_surface<ConcurrencyTag>(
+        a.mesh, a.sphere, b.mesh, b.sphere, mapper, images,
+        CGAL::parameters::visitor(std::ref(visitor)).maximum_running_time(settings.max_seconds));
+    result.report = mapper.report();
     for(const Vertex_index v : a.mesh.vertices())
       result.directions.push_back(images[v]);
     if(result.error == SP::OK)
@@ -72,10 +105,11 @@ struct Match
       EXPECT_TRUE(SP::is_bijective(a.mesh, images));
       SP::Surface_overlay_3<Mesh, Mesh> overlay;
       EXPECT_EQ(SP::overlay(a.mesh, images, b.mesh, b.sphere, overlay), SP::OK);
-      const auto energy = SP::measure_distortion_between(overlay).energy;
-      const double mean = 0.5 * (energy.average_over_first + energy.average_over_second);
-      EXPECT_TRUE(mean == 0. || mean > 100. || std::abs(result.report.energy - mean) < 1e-6 * mean)
-          << result.report.energy << ", but " << mean; // without areas nothing can be told
+      SP::Distortion_between distortion;
+      EXPECT_EQ(SP::measure_distortion_between(overlay, distortion), SP::OK);
+      const double mean = 0.5 * (distortion.energy.average_over_first + distortion.energy.average_over_second);
+      EXPECT_TRUE(mean > 100. || std::abs(result.report.energy - mean) < 1e-6 * mean)
+          << result.report.energy << ", but " << mean; // infinite if a surface has no area
     }
     else
       for(const Point_3& p : result.directions)
@@ -246,18 +280,20 @@ TEST(Split_blocking_edges, meets_landmarks_that_straight_edges_keep_away)
       settings.landmarks.emplace_back(v, nearest);
     }
     const auto directions = a.mesh.add_property_map<Vertex_index, Point_3>("v:directions").first;
-    SP::Surface_map_report report;
-    ASSERT_EQ(SP::map_surface(a.mesh, a.sphere, b.mesh, b.sphere, directions, settings, &report), SP::OK);
-    n_missed += report.number_of_missed_landmarks;
-    for(int round = 0; round < 5 && report.number_of_missed_landmarks > 0; ++round)
+    auto mapper = settings.mapper();
+    ASSERT_EQ(SP::map_surface(a.mesh, a.sphere, b.mesh, b.sphere, mapper, directions), SP::OK);
+    n_missed += mapper.report().number_of_missed_landmarks;
+    for(int round = 0; round < 5 && mapper.report().number_of_missed_landmarks > 0; ++round)
     {
-      if(SP::split_blocking_edges(a.mesh, a.sphere, directions, b.sphere, settings.landmarks) == 0)
+      std::size_t n_split = 0;
+      ASSERT_EQ(SP::split_blocking_edges(a.mesh, a.sphere, directions, b.sphere, settings.landmarks, n_split), SP::OK);
+      if(n_split == 0)
         break;
       ASSERT_TRUE(CGAL::is_triangle_mesh(a.mesh) && CGAL::is_closed(a.mesh));
       ASSERT_TRUE(SP::is_bijective(a.mesh, a.sphere));
-      ASSERT_EQ(SP::map_surface(a.mesh, a.sphere, b.mesh, b.sphere, directions, settings, &report), SP::OK);
+      ASSERT_EQ(SP::map_surface(a.mesh, a.sphere, b.mesh, b.sphere, mapper, directions), SP::OK);
     }
-    n_left += report.number_of_missed_landmarks;
+    n_left += mapper.report().number_of_missed_landmarks;
     EXPECT_NEAR(CGAL::to_double(CGAL::Polygon_mesh_processing::area(a.mesh)), area, 1e-12 * area);
   }
   EXPECT_GT(n_missed, 4u);
@@ -281,7 +317,7 @@ TEST(Map_surface, stops_when_it_is_told_to)
     };
     const Match match = Match::make(a, b, settings);
     EXPECT_EQ(match.error, SP::OK); // and certified
-    EXPECT_EQ(match.report.is_stopped, n_calls > n_sweeps);
+    EXPECT_EQ(match.report.stop_reason == SP::STOPPED, n_calls > n_sweeps);
     return match.report.energy;
   };
   const double last = energy_after((std::numeric_limits<std::size_t>::max)());
@@ -290,6 +326,53 @@ TEST(Map_surface, stops_when_it_is_told_to)
   EXPECT_EQ(n_calls, n_sweeps / 2 + 1); // It is not asked again.
   EXPECT_GT(middle, last);
   EXPECT_GT(energy_after(0), middle);
+}
+
+TEST(Map_surface, keeps_a_time_limit)
+{
+  Mapped_mesh a(octahedron_of(30), as_it_is, rotation(turns[0]));
+  const Mapped_mesh b(octahedron_of(32), on_body, rotation(turns[1]));
+  Settings settings;
+  settings.max_seconds = 1e-9;
+  const Match match = Match::make(a, b, settings);
+  EXPECT_EQ(match.error, SP::OK); // and certified
+  EXPECT_EQ(match.report.stop_reason, SP::TIME_LIMIT);
+  const Match whole = Match::make(a, b);
+  EXPECT_EQ(whole.report.stop_reason, SP::CONVERGED);
+  EXPECT_LT(whole.report.energy, match.report.energy);
+  EXPECT_LT(match.report.number_of_sweeps, whole.report.number_of_sweeps);
+}
+
+// The distances of images from the origin say nothing.
+TEST(Split_blocking_edges, takes_spheres_of_any_size)
+{
+  const auto number_of_split_edges = [](double scale) {
+    Mapped_mesh a(octahedron_of(3), as_it_is, rotation(turns[0]));
+    Mapped_mesh b(octahedron_of(3), as_it_is, rotation(turns[0]));
+    std::vector<std::pair<Vertex_index, Vertex_index>> landmarks;
+    for(std::uint32_t k = 0; k < 6; ++k)
+      landmarks.emplace_back(k, (7 * k + 11) % 38);
+    for(const Vertex_index v : b.mesh.vertices())
+      b.sphere[v] = CGAL::ORIGIN + scale * (b.sphere[v] - CGAL::ORIGIN);
+    std::size_t result = 0;
+    EXPECT_EQ(SP::split_blocking_edges(a.mesh, a.sphere, a.sphere, b.sphere, landmarks, result), SP::OK);
+    EXPECT_TRUE(SP::is_bijective(a.mesh, a.sphere));
+    return result;
+  };
+  const std::size_t n = number_of_split_edges(1.);
+  EXPECT_GT(n, 0u);
+  EXPECT_EQ(number_of_split_edges(std::ldexp(1., 600)), n);
+  EXPECT_EQ(number_of_split_edges(std::ldexp(1., -600)), n);
+}
+
+TEST(Split_blocking_edges, refuses_what_is_no_surface)
+{
+  Mapped_mesh a(octahedron_of(1), as_it_is, rotation(turns[0]));
+  const Mapped_mesh b(octahedron_of(1), as_it_is, rotation(turns[0]));
+  CGAL::Euler::remove_face(halfedge(*faces(a.mesh).begin(), a.mesh), a.mesh);
+  const std::vector<std::pair<Vertex_index, Vertex_index>> landmarks = {{Vertex_index(0), Vertex_index(1)}};
+  std::size_t n = 7;
+  EXPECT_EQ(SP::split_blocking_edges(a.mesh, a.sphere, a.sphere, b.sphere, landmarks, n), SP::ERROR_NON_CLOSED_MESH);
 }
 
 TEST(Map_surface, tells_of_landmarks_that_cannot_be_met)
@@ -404,9 +487,12 @@ TEST(Map_surface, maps_the_smallest_the_flattest_and_those_without_any_area)
   Mapped_mesh a(
       icosphere(1), [](const Point_3&) { return Point_3(1., 2., 3.); }, rotation(turns[0]));
   const Mapped_mesh b(icosphere(2), as_it_is, rotation(turns[0]));
-  EXPECT_EQ(Match::make(a, b).error, SP::OK);
   Mapped_mesh c(icosphere(2), as_it_is, rotation(turns[0]));
-  EXPECT_EQ(Match::make(c, a).error, SP::OK);
+  for(const Match& match : {Match::make(a, b), Match::make(c, a)})
+  {
+    EXPECT_EQ(match.error, SP::OK);
+    EXPECT_EQ(match.report.energy, std::numeric_limits<double>::infinity()); // and not less than that of a copy
+  }
 }
 
 TEST(Map_surface, maps_needles_and_slivers)
@@ -471,16 +557,15 @@ TEST(Map_surface, takes_other_types_of_meshes_and_numbers)
   const auto sphere1 = make_vertex_map<Float_point_3>(a, images1);
   const auto sphere2 = make_vertex_map<Float_point_3>(b, images2);
   const auto directions = make_vertex_map<Float_point_3>(a, images1);
-  SP::Surface_map_settings<Polyhedron, Float_mesh> settings;
-  SP::Surface_map_report report;
-  ASSERT_EQ(SP::map_surface(a, sphere1, b, sphere2, directions, settings, &report), SP::OK);
+  SP::Surface_mapper_3<Polyhedron, Float_mesh> mapper;
+  ASSERT_EQ(SP::map_surface(a, sphere1, b, sphere2, mapper, directions), SP::OK);
   EXPECT_TRUE(SP::is_bijective(a, directions));
-  EXPECT_LT(report.energy, 2.5);
+  EXPECT_LT(mapper.report().energy, 2.5);
 
   const auto last = std::prev(vertices(a).end());
-  settings.landmarks = {{*vertices(a).begin(), Vertex_index(0)}, {*last, Vertex_index(7)}};
-  ASSERT_EQ(SP::map_surface(a, sphere1, b, sphere2, directions, settings, &report), SP::OK);
-  EXPECT_EQ(report.number_of_missed_landmarks, 0u);
+  mapper = mapper.landmarks({{*vertices(a).begin(), Vertex_index(0)}, {*last, Vertex_index(7)}});
+  ASSERT_EQ(SP::map_surface(a, sphere1, b, sphere2, mapper, directions), SP::OK);
+  EXPECT_EQ(mapper.report().number_of_missed_landmarks, 0u);
   EXPECT_LT(CGAL::squared_distance(get(directions, *last), get(sphere2, Vertex_index(7))), 1e-12f);
 }
 
@@ -533,7 +618,7 @@ TEST(Map_surface, writes_over_the_sphere_and_follows_features_of_the_caller)
           return std::exp(p[k] + 0.3 * p[0] * p[2]);
         });
   const auto spheres = a.sphere;
-  ASSERT_EQ(SP::map_surface(a.mesh, a.sphere, b.mesh, b.sphere, spheres, settings), SP::OK);
+  ASSERT_EQ(SP::map_surface(a.mesh, a.sphere, b.mesh, b.sphere, settings.mapper(), spheres), SP::OK);
   double sum = 0.;
   for(const Vertex_index v : a.mesh.vertices())
     sum += distance(a.sphere[v], rotation(turns[3]).transform(a.mesh.point(v)));
@@ -600,7 +685,8 @@ TEST(Map_surface, tells_what_is_wrong_with_the_first_surface)
   settings.features[0].first = [](Vertex_index) -> double { throw std::runtime_error("feature"); };
   const Point_3 image = a.sphere[v], point = a.mesh.point(v);
   const auto sphere = a.sphere;
-  EXPECT_THROW((void)SP::map_surface(a.mesh, a.sphere, b.mesh, b.sphere, sphere, settings), std::runtime_error);
+  EXPECT_THROW((void)SP::map_surface(a.mesh, a.sphere, b.mesh, b.sphere, settings.mapper(), sphere),
+               std::runtime_error);
   for(const Vertex_index u : a.mesh.vertices())
     EXPECT_EQ(a.sphere[u], b.sphere[u]);
   a.sphere[v] = Point_3(-image.x(), -image.y(), -image.z());
@@ -635,13 +721,13 @@ SP::internal::Sphere_triangulation<Kernel> located(const Mapped_mesh& m, std::ve
   return result;
 }
 
-SP::internal::Indexed_mesh indexed(const SP::internal::Sphere_triangulation<Kernel>& images,
-                                   const std::vector<Vector_3d>& points)
+SP::internal::Surface indexed(const SP::internal::Sphere_triangulation<Kernel>& images,
+                              const std::vector<Vector_3d>& points)
 {
   std::vector<std::array<std::uint32_t, 3>> triangles;
   for(const auto& t : images.triangles())
     triangles.push_back(t.vertices);
-  SP::internal::Indexed_mesh mesh;
+  SP::internal::Surface mesh;
   EXPECT_EQ(mesh.assign(points, triangles), SP::OK);
   return mesh;
 }
@@ -697,6 +783,37 @@ TEST(Target_metric, sees_the_lengths_of_images)
   }
 }
 
+// The star of a vertex of a surface, as the engine lays it out.
+class Star_of_vertex
+{
+public:
+  Star_of_vertex(const SP::internal::Surface& mesh, std::uint32_t v)
+    : m_vertex(v)
+    , m_degree(static_cast<std::uint32_t>(mesh.rings().degree(v)))
+    , m_rest(4 * (m_degree + SP::internal::packet_width))
+  {
+    const auto ring = mesh.rings().ring(v);
+    m_neighbors.assign(ring.begin(), ring.end());
+    for(std::size_t j = 0; j < m_degree; ++j)
+    {
+      const auto rest = SP::internal::Rest_triangle::from_points(mesh.points()[v], mesh.points()[ring[j]],
+                                                                 mesh.points()[ring.around(j + 1)]);
+      const std::array<double, 4> numbers = {rest.opposite_0, rest.opposite_1, rest.opposite_2,
+                                             rest.inverse_doubled_area};
+      for(std::size_t k = 0; k < 4; ++k)
+        m_rest[View::rest_index(j, k)] = numbers[k];
+    }
+  }
+
+  using View = SP::internal::Star_view<double>;
+  View view() const { return View(&m_vertex, &m_degree, m_neighbors.data(), m_rest.data(), nullptr, 0, 1, m_degree); }
+
+private:
+  std::uint32_t m_vertex, m_degree;
+  std::vector<std::uint32_t> m_neighbors;
+  std::vector<double> m_rest;
+};
+
 // The gradient is the derivative of the value, wherever the metric has one.
 TEST(Target_star, has_the_gradient_of_its_value)
 {
@@ -705,33 +822,27 @@ TEST(Target_star, has_the_gradient_of_its_value)
   std::vector<Vector_3d> points, source_points;
   const auto images = located(target, points), source_images = located(source, source_points);
   const SP::internal::Target_metric metric(images, points, {});
-  const SP::internal::Indexed_mesh mesh = indexed(source_images, source_points);
+  const SP::internal::Surface mesh = indexed(source_images, source_points);
   std::vector<Vector_3d> positions;
-  for(std::size_t v = 0; v < mesh.number_of_vertices(); ++v)
-  {
-    const Point_3& p = source_images.points()[mesh.original(v)];
+  for(const Point_3& p : mesh.in_own_order(source_images.points()))
     positions.push_back(SP::internal::normalized(Vector_3d{p.x(), p.y(), p.z()}));
-  }
   SP::internal::Target_star star(metric);
-  star.set_level(metric.level_for(200));
+  const std::size_t level = metric.level_for(200);
   const Vector_3d goal = SP::internal::normalized(Vector_3d{1., 2., 3.});
-  const SP::internal::Sphere_grid grid;
+  const SP::internal::Sphere_grid grid({});
   std::vector<std::vector<double>> channels(2);
   for(const Vector_3d& q : grid.directions())
   {
     channels[0].push_back(q[0] * q[1]);
     channels[1].push_back(q[2]);
   }
-  const SP::internal::Sphere_image features(grid, SP::internal::Cube_raster(grid, {}), channels);
+  const SP::internal::Sphere_image features = grid.image(channels);
   const std::array<double, 2> feature_values = {0.2, -0.3};
   std::size_t n_right = 0;
   for(std::uint32_t v = 0; v < mesh.number_of_vertices(); ++v)
   {
-    const auto ring = mesh.rings().ring(v);
-    star.load(mesh.rings(), v, positions, [&](std::size_t j) {
-      return SP::internal::Rest_triangle::from_points(mesh.points()[v], mesh.points()[ring[j]],
-                                                      mesh.points()[ring.around(j + 1)]);
-    });
+    const Star_of_vertex of_vertex(mesh, v);
+    star.load(of_vertex.view(), positions.data(), level);
     if(v % 2 == 0)
       star.set_goal(&goal, 3.);
     if(v % 3 == 0)
@@ -755,7 +866,7 @@ TEST(Target_star, has_positive_curvature_where_the_metric_is_nearly_constant)
   std::vector<Vector_3d> points;
   const auto images = located(sphere, points);
   const SP::internal::Target_metric metric(images, points, {});
-  const SP::internal::Indexed_mesh mesh = indexed(images, points);
+  const SP::internal::Surface mesh = indexed(images, points);
   std::vector<Vector_3d> positions = mesh.points();
   Random random(2);
   for(Vector_3d& p : positions)
@@ -764,14 +875,11 @@ TEST(Target_star, has_positive_curvature_where_the_metric_is_nearly_constant)
   for(Vector_3d& p : positions)
     p = SP::internal::normalized(p);
   SP::internal::Target_star star(metric);
-  star.set_level(metric.level_for(positions.size()));
+  const std::size_t level = metric.level_for(positions.size());
   for(std::uint32_t v = 0; v < positions.size(); ++v)
   {
-    const auto ring = mesh.rings().ring(v);
-    star.load(mesh.rings(), v, positions, [&](std::size_t j) {
-      return SP::internal::Rest_triangle::from_points(mesh.points()[v], mesh.points()[ring[j]],
-                                                      mesh.points()[ring.around(j + 1)]);
-    });
+    const Star_of_vertex of_vertex(mesh, v);
+    star.load(of_vertex.view(), positions.data(), level);
     std::array<double, 2> gradient;
     std::array<double, 3> hessian;
     const double value = star.derivatives(gradient, hessian);
@@ -793,13 +901,12 @@ TEST(Hierarchy_on_the_sphere, keeps_all_faces_positive_and_all_fixed_vertices)
     const Mapped_mesh source(icosphere(3), on_body, rotation(turns[0]));
     std::vector<Vector_3d> points;
     const auto images = located(source, points);
-    const SP::internal::Indexed_mesh mesh = indexed(images, points);
+    const SP::internal::Surface mesh = indexed(images, points);
     std::vector<Vector_3d> positions;
     std::vector<char> is_fixed;
-    for(std::size_t v = 0; v < mesh.number_of_vertices(); ++v)
+    for(const Point_3& p : mesh.in_own_order(images.points()))
     {
       // A linear map turns no face over.
-      const Point_3& p = images.points()[mesh.original(v)];
       positions.push_back(SP::internal::normalized(Vector_3d{(1. + k) * p.x(), p.y() + 0.5 * p.x(), p.z()}));
       is_fixed.push_back(random.between(0., 1.) < 0.02);
     }

@@ -8,7 +8,7 @@
 
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Spherical_parameterization/Sphere_domain_3.h>
-#include <CGAL/Spherical_parameterization/internal/surface/link_triangles.h>
+#include <CGAL/Spherical_parameterization/internal/surface/Linked_triangle.h>
 #include <CGAL/Spherical_parameterization/measure_distortion_between.h>
 #include <CGAL/Spherical_parameterization/overlay.h>
 
@@ -166,7 +166,7 @@ TEST(Overlay, has_the_crossings_of_a_brute_force)
       }
     const Triangulation first = triangulation_of(list1), second = triangulation_of(list2);
     SP::internal::Sphere_overlay<Kernel> overlay;
-    ASSERT_TRUE(overlay.assign(first, second, {}));
+    ASSERT_EQ(overlay.assign(first, second, {}), SP::OK);
     EXPECT_EQ(overlay.crossings().size(), n);
   }
 }
@@ -176,10 +176,15 @@ TEST(Overlay, around_vertices_of_high_degree)
 {
   SP::internal::Sphere_overlay<Kernel> overlay;
   const Triangulation hub = triangulation_of(suspension(10000)), other = triangulation_of(tilted(icosphere(3)));
-  EXPECT_TRUE(overlay.assign(hub, other, {}));
-  EXPECT_TRUE(overlay.assign(other, hub, {}));
+  EXPECT_EQ(overlay.assign(hub, other, {}), SP::OK);
+  EXPECT_EQ(overlay.assign(other, hub, {}), SP::OK);
   const Triangulation small_hub = triangulation_of(suspension(300));
-  EXPECT_TRUE(overlay.assign(small_hub, small_hub, {}));
+  EXPECT_EQ(overlay.assign(small_hub, small_hub, {}), SP::OK);
+  // What is too large for the numbers of vertices is told.
+  const std::size_t n = overlay.number_of_vertices();
+  SP::internal::Sphere_overlay<Kernel> large(n - 1), fitting(n);
+  EXPECT_EQ(large.assign(small_hub, small_hub, {}), SP::ERROR_TOO_LARGE_MESH);
+  EXPECT_EQ(fitting.assign(small_hub, small_hub, {}), SP::OK);
 }
 
 TEST(Overlay, is_the_same_in_any_number_of_threads)
@@ -227,13 +232,20 @@ TEST(Overlay, of_what_is_no_bijection_is_refused)
   EXPECT_TRUE(overlay.points.empty());
 }
 
+SP::Distortion_between distortion_of(const Overlay& overlay)
+{
+  SP::Distortion_between result;
+  EXPECT_EQ(SP::measure_distortion_between(overlay, result), SP::OK);
+  return result;
+}
+
 TEST(Distortion_between, a_surface_and_itself_is_none)
 {
   for(const auto& [name, list] : lists())
   {
     SCOPED_TRACE(name);
     const Mesh mesh1 = surface_of(list, 1.), mesh2 = surface_of(scaled(list, 5., 5., 5.), 1.);
-    const SP::Distortion_between distortion = SP::measure_distortion_between(overlay_of(mesh1, list, mesh2, list));
+    const SP::Distortion_between distortion = distortion_of(overlay_of(mesh1, list, mesh2, list));
     EXPECT_NEAR(distortion.energy.maximum, 2., 1e-4); // of triangles with a share of 1e-10
     EXPECT_NEAR(distortion.energy.average_over_first, 2., 1e-9);
     EXPECT_NEAR(distortion.isometric.average_over_second, 1., 1e-9);
@@ -241,13 +253,31 @@ TEST(Distortion_between, a_surface_and_itself_is_none)
   }
 }
 
-TEST(Distortion_between, slivers_alone_is_none)
+// 0 would be better than an isometry.
+TEST(Distortion_between, surfaces_without_area_is_infinite)
+{
+  const Triangle_list list = icosphere(1);
+  const Mesh mesh = make(list), point = make(scaled(list, 0., 0., 0.)), line = make(scaled(list, 0., 1., 0.));
+  for(const auto& [first, second] : {std::pair(&mesh, &point), std::pair(&line, &mesh), std::pair(&line, &point)})
+  {
+    const SP::Distortion_between distortion = distortion_of(overlay_of(*first, list, *second, list));
+    EXPECT_EQ(distortion.number_of_slivers, distortion.number_of_triangles);
+    for(const auto& statistics : {distortion.isometric, distortion.area, distortion.angle, distortion.energy})
+      for(const double value : {statistics.maximum, statistics.average_over_first, statistics.average_over_second})
+        EXPECT_EQ(value, std::numeric_limits<double>::infinity());
+  }
+}
+
+TEST(Distortion_between, nothing_is_refused)
 {
   const Triangle_list list = icosphere(1);
   const Mesh mesh = make(list);
-  const SP::Distortion_between distortion = SP::measure_distortion_between(overlay_of(mesh, list, mesh, list), 1.);
-  EXPECT_EQ(distortion.number_of_slivers, distortion.number_of_triangles);
-  EXPECT_EQ(distortion.energy.average_over_first, 0.);
+  SP::Distortion_between distortion;
+  EXPECT_EQ(SP::measure_distortion_between(Overlay(), distortion), SP::ERROR_EMPTY_MESH);
+  for(const double smallest_area : {-1e-10, 1., std::nan("")})
+    EXPECT_EQ(SP::measure_distortion_between(overlay_of(mesh, list, mesh, list), distortion, smallest_area),
+              SP::ERROR_WRONG_PARAMETER);
+  EXPECT_EQ(distortion.number_of_triangles, 0u);
 }
 
 // One surface, stretched: all triangles have the same distortion, as the mesh is mapped by one affinity.
@@ -261,7 +291,7 @@ TEST(Distortion_between, affine_images_is_that_of_the_affinity)
     flat1.point(v) = Point_3(p[0], p[1], 0.);
     flat2.point(v) = Point_3(2. * p[0], 0.5 * p[1], 0.);
   }
-  const SP::Distortion_between distortion = SP::measure_distortion_between(overlay_of(flat1, list, flat2, list));
+  const SP::Distortion_between distortion = distortion_of(overlay_of(flat1, list, flat2, list));
   EXPECT_NEAR(distortion.isometric.maximum, 2., 1e-12);
   EXPECT_NEAR(distortion.area.average_over_first, 2., 1e-12);
   EXPECT_NEAR(distortion.angle.average_over_second, 4.25, 1e-12);
@@ -274,8 +304,8 @@ TEST(Distortion_between, is_symmetric)
 {
   const Triangle_list list1 = icosphere(2), list2 = turned(bumpy_sphere(2), 0.4);
   const Mesh mesh1 = surface_of(list1, 1.), mesh2 = surface_of(list2, 3.);
-  const SP::Distortion_between there = SP::measure_distortion_between(overlay_of(mesh1, list1, mesh2, list2)),
-                               back = SP::measure_distortion_between(overlay_of(mesh2, list2, mesh1, list1));
+  const SP::Distortion_between there = distortion_of(overlay_of(mesh1, list1, mesh2, list2)),
+                               back = distortion_of(overlay_of(mesh2, list2, mesh1, list1));
   EXPECT_NEAR(there.energy.average_over_first, back.energy.average_over_second, 1e-2);
   EXPECT_NEAR(there.isometric.average_over_second, back.isometric.average_over_first, 1e-2);
   EXPECT_GT(there.energy.average_over_first, 2.1);

@@ -22,7 +22,7 @@
 #include <CGAL/Spherical_parameterization/internal/levels/Hierarchical_embedding.h>
 #include <CGAL/Spherical_parameterization/internal/levels/Mesh_hierarchy.h>
 #include <CGAL/Spherical_parameterization/internal/levels/Vertex_removal.h>
-#include <CGAL/Spherical_parameterization/internal/surface/Indexed_mesh.h>
+#include <CGAL/Spherical_parameterization/internal/surface/Surface.h>
 #include <CGAL/Spherical_parameterization/internal/surface/read_mesh.h>
 #include <CGAL/Spherical_parameterization/internal/run/parallel.h>
 #include <CGAL/Spherical_parameterization/internal/run_parameterization.h>
@@ -104,10 +104,12 @@ struct Unlimited_run
 };
 
 template <class Step>
-using Descent = internal::Block_coordinate_descent<Energy, Step>;
+using Descent = internal::Block_coordinate_descent<internal::Round_sphere<Energy, Step>, Step>;
+
+using Sphere = internal::Round_sphere<Energy, internal::Newton_step>;
 
 template <class Step>
-void assign(Descent<Step>& descent, const internal::Indexed_mesh& mesh)
+void assign(Descent<Step>& descent, const internal::Surface& mesh)
 {
   descent.assign(mesh.rings(), internal::Independent_sets(mesh.rings()), mesh.points(), {}, internal::Rest_limits());
 }
@@ -122,20 +124,20 @@ public:
     : tmesh(read_off(options.mesh_file))
     , sphere(tmesh.add_property_map<Mesh::Vertex_index, Kernel::Point_3>("v:sphere").first)
   {
-    SP::Parameterization_report report;
-    std::vector<Mesh::Vertex_index> vertices;
-    check(internal::read_mesh(tmesh, tmesh.points(), mesh, vertices, report));
+    internal::Mesh_arrays<Mesh> arrays;
+    check(internal::read_surface(tmesh, tmesh.points(), arrays, mesh));
     const Mesh map = std::ifstream(options.map_file) ? read_off(options.map_file) : make_map();
     if(map.number_of_vertices() != tmesh.number_of_vertices())
       throw std::runtime_error(options.map_file + ": the map is not that of the mesh");
-    for(std::size_t v = 0; v < mesh.number_of_vertices(); ++v)
+    std::vector<Vector_3d> directions = internal::read_points(arrays.vertices_of_mesh, map.points());
+    for(std::size_t v = 0; v < directions.size(); ++v)
     {
-      const Kernel::Point_3& p = map.point(vertices[mesh.original(v)]);
-      positions.push_back(internal::normalized(Vector_3d{p.x(), p.y(), p.z()}));
-      images.emplace_back(positions[v][0], positions[v][1], positions[v][2]);
-      sphere[vertices[mesh.original(v)]] = images[v];
+      const Vector_3d& p = directions[v] = internal::normalized(directions[v]);
+      images.emplace_back(p[0], p[1], p[2]);
+      sphere[arrays.vertices_of_mesh[v]] = images[v];
     }
-    triangles = mesh.triangles();
+    positions = mesh.in_own_order(directions);
+    triangles = std::move(arrays.triangles);
     if(!internal::certify_bijectivity<Kernel>(images, triangles, Execution()).is_bijective())
       throw std::runtime_error(options.map_file + ": the map is not one-to-one");
 
@@ -159,7 +161,7 @@ public:
   {
     std::optional<Descent<internal::Newton_step>>& result = m_descents[execution.run != Execution().run];
     if(!result)
-      assign(result.emplace(internal::Face_energy<Energy>(Energy()), internal::Newton_step(), execution), mesh);
+      assign(result.emplace(Sphere(internal::Face_energy<Energy>(Energy())), internal::Newton_step(), execution), mesh);
     return *result;
   }
 
@@ -167,7 +169,7 @@ public:
 
   Mesh tmesh;
   Sphere_map sphere; // of its vertices
-  internal::Indexed_mesh mesh;
+  internal::Surface mesh;
   std::vector<Vector_3d> positions; // on the unit sphere
   std::vector<Kernel::Point_3> images;
   std::vector<std::array<std::uint32_t, 3>> triangles;
@@ -204,10 +206,9 @@ Situation& situation()
 
 std::size_t read(Situation& s, Execution, benchmark::State&)
 {
-  SP::Parameterization_report report;
-  internal::Indexed_mesh mesh;
-  std::vector<Mesh::Vertex_index> vertices;
-  benchmark::DoNotOptimize(internal::read_mesh(s.tmesh, s.tmesh.points(), mesh, vertices, report));
+  internal::Mesh_arrays<Mesh> arrays;
+  internal::Surface mesh;
+  benchmark::DoNotOptimize(internal::read_surface(s.tmesh, s.tmesh.points(), arrays, mesh));
   return s.number_of_vertices();
 }
 
@@ -219,7 +220,8 @@ std::size_t color(Situation& s, Execution, benchmark::State&)
 
 std::size_t set_descent_up(Situation& s, Execution execution, benchmark::State&)
 {
-  Descent<internal::Newton_step> descent(internal::Face_energy<Energy>(Energy()), internal::Newton_step(), execution);
+  Descent<internal::Newton_step> descent(Sphere(internal::Face_energy<Energy>(Energy())), internal::Newton_step(),
+                                         execution);
   assign(descent, s.mesh);
   benchmark::DoNotOptimize(descent.faces().begin());
   return s.number_of_vertices();
@@ -261,7 +263,7 @@ std::size_t cost_removals(Situation& s, Execution, benchmark::State&)
   return s.number_of_vertices();
 }
 
-internal::Mesh_hierarchy build_hierarchy(const internal::Indexed_mesh& mesh, Execution execution)
+internal::Mesh_hierarchy build_hierarchy(const internal::Surface& mesh, Execution execution)
 {
   return internal::Mesh_hierarchy::build(mesh.rings(), mesh.points(), vertex_areas(mesh.rings(), mesh.points()),
                                          execution);
@@ -282,11 +284,13 @@ std::size_t embed(Situation& s, Execution execution, benchmark::State& state)
   Unlimited_run run;
   internal::Mesh_hierarchy hierarchy = build_hierarchy(s.mesh, execution);
   state.ResumeTiming();
-  std::vector<Vector_3d> positions;
-  internal::Hierarchical_embedding<Energy>(hierarchy, s.mesh.points(), internal::Face_energy<Energy>(Energy()),
-                                           SP::Sharpness(), sweeps_per_level, internal::Rest_limits(), run.control,
-                                           execution)
-      .run(positions, false);
+  std::vector<Vector_3d> positions(s.number_of_vertices());
+  using Plan = internal::Hierarchical_embedding<Energy>;
+  Plan plan(s.number_of_vertices(), internal::Face_energy<Energy>(Energy()), SP::Sharpness(), sweeps_per_level, false,
+            false);
+  internal::place_tetrahedron(hierarchy, positions);
+  internal::Level_descent<Plan>(hierarchy, s.mesh.points(), internal::Rest_limits(), plan, run.control, execution)
+      .run(positions);
   benchmark::DoNotOptimize(positions.data());
   return s.number_of_vertices();
 }
@@ -408,8 +412,8 @@ std::size_t build_remesh(Situation&, Execution, benchmark::State&)
   result.add_property_map<Mesh::Vertex_index, Kernel::Point_3>("v:sphere");
   for(const char* name : carried_values)
     result.add_property_map<Mesh::Vertex_index, double>(name);
-  const internal::Added_triangles<Mesh> added(triangles, domain.directions().size(), result);
-  return added.vertices.size();
+  internal::add_triangles(triangles, domain.directions().size(), result, [](const auto&, const auto&) {});
+  return result.number_of_vertices();
 }
 
 // What the locator is compared with.
@@ -560,7 +564,8 @@ void add_work_of_sweep(benchmark::State& state)
   static const Counting_step::Counts counts = [] {
     Situation& s = situation();
     Counting_step::Counts result;
-    Descent<Counting_step> descent{internal::Face_energy<Energy>{Energy()}, Counting_step(result), Execution()};
+    const internal::Round_sphere<Energy, Counting_step> sphere{internal::Face_energy<Energy>{Energy()}};
+    Descent<Counting_step> descent{sphere, Counting_step(result), Execution()};
     assign(descent, s.mesh);
     std::vector<Vector_3d> positions = s.positions;
     descent.sweep(positions, s.radius, s.objective.of_faces());

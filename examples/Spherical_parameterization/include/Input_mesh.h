@@ -27,6 +27,18 @@ using Vertex_index = Mesh::Vertex_index;
 using Sphere_map = Mesh::Property_map<Vertex_index, Point_3>;
 using Distortion_map = Mesh::Property_map<Mesh::Face_index, SP::Face_distortion>;
 
+/// measures a map to the sphere, each face and all together.
+///
+/// \throws Program_error if that cannot be measured
+inline SP::Distortion_summary measured_distortion(const Mesh& mesh, const Sphere_map& map, Distortion_map distortions)
+{
+  SP::Distortion_summary summary;
+  const SP::Error_code error = SP::measure_distortion(mesh, map, summary, distortions);
+  if(error != SP::OK)
+    throw Program_error(SP::get_error_message(error));
+  return summary;
+}
+
 /// The mesh of a file, if a halfedge data structure can hold it. It keeps the faces as they were in the file, whose first
 /// corners `Surface_mesh` forgets.
 class Input_mesh
@@ -94,7 +106,7 @@ public:
 
     const Distortion_map distortions =
         m_mesh.add_property_map<Mesh::Face_index, SP::Face_distortion>("f:initial").first;
-    const std::size_t n_inverted = SP::measure_distortion(m_mesh, map, distortions).number_of_inverted_faces;
+    const std::size_t n_inverted = measured_distortion(m_mesh, map, distortions).number_of_inverted_faces;
     for(const Mesh::Face_index f : m_mesh.faces())
       if(distortions[f].is_inverted)
         throw Program_error(

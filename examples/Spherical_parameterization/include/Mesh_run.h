@@ -16,7 +16,6 @@
 #include "write_soup.h"
 
 #include <CGAL/Spherical_parameterization/measure_distance.h>
-#include <CGAL/Spherical_parameterization/measure_distortion.h>
 
 #include <algorithm>
 #include <chrono>
@@ -95,9 +94,12 @@ public:
       m_remesh.emplace(*m_input, m_sphere, Remesh::find_domain(m_options));
       if(!m_options.values_file.empty())
         m_remesh->carry_values(m_options, *m_input, m_sphere);
-      m_report.remesh =
-          Run_report::Remesh_figures{m_remesh->mesh().number_of_vertices(), m_remesh->mesh().number_of_faces(),
-                                     SP::measure_distance(mesh(), m_remesh->mesh())};
+      SP::Surface_distance distance;
+      const SP::Error_code error = SP::measure_distance(mesh(), m_remesh->mesh(), distance);
+      if(error != SP::OK)
+        throw Program_error(m_names.input, SP::get_error_message(error));
+      m_report.remesh = Run_report::Remesh_figures{m_remesh->mesh().number_of_vertices(),
+                                                   m_remesh->mesh().number_of_faces(), distance};
     }
     if(m_options.image_size > 0)
       m_image.emplace(*m_input, m_sphere, SP::Sphere_domain_3::octahedron((m_options.image_size - 1) / 2));
@@ -145,7 +147,7 @@ public:
   {
     const double start = seconds_now();
     m_distortions = mesh().add_property_map<Mesh::Face_index, SP::Face_distortion>("f:distortion").first;
-    m_report.distortion = SP::measure_distortion(mesh(), m_sphere, m_distortions);
+    m_report.distortion = measured_distortion(mesh(), m_sphere, m_distortions);
     if(m_options.is_unit_sphere)
       m_report.balanced = measure_balanced(m_report.distortion.radius);
     m_report.seconds_for_measuring = seconds_now() - start;
@@ -246,7 +248,7 @@ private:
     for(const Vertex_index v : mesh().vertices())
       scaled[v] = Point_3(balanced * (m_sphere[v].x() / radius), balanced * (m_sphere[v].y() / radius),
                           balanced * (m_sphere[v].z() / radius));
-    return SP::measure_distortion(mesh(), scaled, m_distortions);
+    return measured_distortion(mesh(), scaled, m_distortions);
   }
 
   void write_colors()

@@ -9,7 +9,7 @@
 #include "Run_report.h"
 
 #include <CGAL/Bbox_3.h>
-#include <CGAL/Spherical_parameterization/Surface_overlay_3.h>
+#include <CGAL/Spherical_parameterization/overlay.h>
 #include <CGAL/Spherical_parameterization/align_spheres.h>
 #include <CGAL/Spherical_parameterization/measure_distortion.h>
 #include <CGAL/property_map.h>
@@ -218,7 +218,7 @@ private:
     }
     const Distortion_map distortions =
         refinement.mesh().add_property_map<Mesh::Face_index, SP::Face_distortion>("f:between").first;
-    SP::measure_distortion(refinement.mesh(), map, distortions);
+    measured_distortion(refinement.mesh(), map, distortions);
     m_distortions.assign(distortions.begin(), distortions.end());
     for(SP::Face_distortion& distortion : m_distortions)
       distortion.is_inverted = false; // which is about a sphere

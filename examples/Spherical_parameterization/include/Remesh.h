@@ -74,12 +74,10 @@ public:
   /// \throws Program_error if that fails
   void write_image(std::ostream& out, const std::string& format, bool shows_normals) const
   {
-    std::ostringstream file; // OpenEXR goes back in what it has written
     const SP::Error_code error =
-        shows_normals ? write_image(file, format, m_normals) : write_image(file, format, m_mesh.points());
+        shows_normals ? write_image(out, format, m_normals) : write_image(out, format, m_mesh.points());
     if(error != SP::OK)
       throw Program_error(SP::get_error_message(error));
-    out << file.str();
   }
 
   /// returns the domain that the options name.
@@ -95,11 +93,12 @@ public:
     if(options.domain == "icosahedron")
       return SP::Sphere_domain_3::icosahedron(n);
     Input_mesh mesh(options.domain, read_soup(options.domain));
-    SP::Sphere_domain_3 domain(mesh.mesh(), mesh.mesh().points());
-    if(domain.error_code() == SP::ERROR_NO_1_TO_1_MAPPING)
+    SP::Sphere_domain_3 domain;
+    const SP::Error_code error = SP::make_sphere_domain(mesh.mesh(), mesh.mesh().points(), domain);
+    if(error == SP::ERROR_NO_1_TO_1_MAPPING)
       throw Program_error(options.domain, "is no mesh of the sphere to sample by: not all of its faces are positively "
                                           "oriented as seen from the origin, or they do not cover the sphere once");
-    if(domain.error_code() != SP::OK)
+    if(error != SP::OK)
       throw Program_error(mesh.find_defect());
     return domain;
   }
@@ -144,11 +143,11 @@ private:
   {
 #ifdef PROGRAM_WRITES_EXR
     if(format == ".exr")
-      return SP::write_EXR_geometry_image(out, m_mesh, map);
+      return SP::IO::write_EXR_geometry_image(out, m_mesh, map);
 #endif
 #ifdef PROGRAM_WRITES_PNG
     if(format == ".png")
-      return SP::write_PNG_geometry_image(out, m_mesh, map);
+      return SP::IO::write_PNG_geometry_image(out, m_mesh, map);
 #endif
     throw Program_error("this program was built without the library that writes " + format + " files");
   }

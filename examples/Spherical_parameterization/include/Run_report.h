@@ -9,10 +9,10 @@
 #include "mesh_files.h"
 #include "run_method.h"
 
-#include <CGAL/Spherical_parameterization/Distortion_summary.h>
 #include <CGAL/Spherical_parameterization/Parameterization_report.h>
-#include <CGAL/Spherical_parameterization/Surface_distance.h>
+#include <CGAL/Spherical_parameterization/measure_distance.h>
 #include <CGAL/Spherical_parameterization/Surface_map_report.h>
+#include <CGAL/Spherical_parameterization/measure_distortion.h>
 #include <CGAL/Spherical_parameterization/measure_distortion_between.h>
 #include <CGAL/version_macros.h>
 
@@ -96,8 +96,7 @@ public:
   /// returns whether a signal has ended the method, or the map between surfaces.
   bool is_interrupted() const
   {
-    return result.report.stop_reason == SP::STOPPED ||
-           (match && match->report.is_stopped && Interrupt_guard::is_interrupted());
+    return result.report.stop_reason == SP::STOPPED || (match && match->report.stop_reason == SP::STOPPED);
   }
 
   double seconds() const
@@ -298,7 +297,8 @@ public:
                            .add("vertices", match->number_of_vertices)
                            .add("agreement", match->report.agreement)
                            .add("margin", match->report.margin)
-                           .add("is_stopped", match->report.is_stopped)
+                           .add("stop_reason", SP::get_stop_message(match->report.stop_reason))
+                           .add("sweeps", match->report.number_of_sweeps)
                            .add("energy", between(match->distortion.energy))
                            .add("D_iso", between(match->distortion.isometric))
                            .add("D_area", between(match->distortion.area))
@@ -355,8 +355,7 @@ private:
     if(n_landmarks > 0)
       out << "; " << n_landmarks - report.number_of_missed_landmarks << " of " << n_landmarks << " landmarks "
           << (m_options.landmark_weight > 0. ? "are soft" : "are met");
-    if(report.is_stopped)
-      out << "; stopped before the last sweep";
+    out << "; " << SP::get_stop_message(report.stop_reason);
     out << "\nCertified: the map between the surfaces is one-to-one.\n";
   }
 

@@ -6,6 +6,7 @@
 #include "Polygon_soup.h"
 #include "Program_error.h"
 #include "Program_options.h"
+#include "Progress_visitor.h"
 #include "mesh_files.h"
 #include "read_soup.h"
 #include "run_method.h"
@@ -19,11 +20,11 @@
 
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <functional>
 #include <iterator>
 #include <map>
 #include <optional>
@@ -85,27 +86,28 @@ public:
     , m_triangles(first.triangles())
     , m_directions(m_first.add_property_map<Vertex_index, Point_3>("v:directions", Point_3(0, 0, 0)).first)
   {
-    Settings settings;
+    Mapper mapper;
     if(!options.landmark_files.empty())
-      read_landmarks(options, settings);
+      mapper = mapper.landmarks(read_landmarks(options));
     if(options.landmark_weight > 0.)
-      settings.landmark_weight = options.landmark_weight;
+      mapper = mapper.landmark_weight(options.landmark_weight);
     if(!options.feature_files.empty())
-      read_features(options, settings);
+      mapper = mapper.features(read_features(options));
     std::optional<Interrupt_guard> guard;
     if(!options.is_batch()) // which has one for all
       guard.emplace();
-    using Clock = std::chrono::steady_clock;
-    settings.go_further = [max_seconds = options.max_seconds, start = Clock::now()] {
-      const std::chrono::duration<double> elapsed = Clock::now() - start;
-      return !Interrupt_guard::is_interrupted() && !(max_seconds > 0. && elapsed.count() > max_seconds);
-    };
-    const SP::Error_code error = SP::map_surface(m_first, sphere1, m_second, sphere2, m_directions, settings, &report);
+    Progress_visitor progress(!options.is_quiet && !options.is_batch());
+    SP::Error_code error =
+        SP::map_surface(m_first, sphere1, m_second, sphere2, mapper, m_directions,
+                        CGAL::parameters::visitor(std::ref(progress)).maximum_running_time(options.max_seconds));
+    report = mapper.report();
     if(error != SP::OK)
       throw Program_error(first.name() + ": " + SP::get_error_message(error));
     if(SP::overlay(m_first, m_directions, m_second, m_sphere2, m_overlay) != SP::OK)
       throw Program_error(first.name() + ": " + SP::get_error_message(SP::ERROR_INSUFFICIENT_PRECISION));
-    distortion = SP::measure_distortion_between(m_overlay);
+    error = SP::measure_distortion_between(m_overlay, distortion);
+    if(error != SP::OK)
+      throw Program_error(first.name() + ": " + SP::get_error_message(error));
   }
 
   SP::Surface_map_report report;
@@ -190,7 +192,7 @@ public:
   }
 
 private:
-  using Settings = SP::Surface_map_settings<Mesh, Mesh>;
+  using Mapper = SP::Surface_mapper_3<Mesh>;
 
   // the bytes of a number, the lowest one first
   template <class T>
@@ -260,7 +262,7 @@ private:
     }
   }
 
-  void read_landmarks(const Program_options& options, Settings& settings)
+  std::vector<Mapper::Landmark> read_landmarks(const Program_options& options)
   {
     const std::vector<Landmark> first = read_vertices(options.landmark_files[0], m_first),
                                 second = read_vertices(options.landmark_files[1], m_second);
@@ -271,12 +273,14 @@ private:
     if(first.empty())
       throw Program_error(options.landmark_files[0], "has no landmark");
     m_is_soft = options.landmark_weight > 0.;
+    std::vector<Mapper::Landmark> result;
     for(std::size_t k = 0; k < first.size(); ++k)
     {
-      settings.landmarks.emplace_back(first[k].vertex, second[k].vertex);
+      result.emplace_back(first[k].vertex, second[k].vertex);
       m_landmark_names.push_back("vertex " + std::to_string(first[k].vertex) + " in line " +
                                  std::to_string(first[k].line) + " of " + printable(options.landmark_files[0]));
     }
+    return result;
   }
 
   // The scalar properties of the vertices of a PLY file.
@@ -314,19 +318,21 @@ private:
     return result;
   }
 
-  void read_features(const Program_options& options, Settings& settings)
+  std::vector<Mapper::Feature> read_features(const Program_options& options) const
   {
+    std::vector<Mapper::Feature> result;
     auto first = read_scalars(options.feature_files[0], m_first),
          second = read_scalars(options.feature_files[1], m_second);
     for(auto& [name, values] : first)
       if(const auto other = second.find(name); other != second.end())
-        settings.features.emplace_back([values = std::move(values)](Vertex_index v) { return values[v]; },
-                                       [values = std::move(other->second)](Vertex_index v) { return values[v]; });
-    if(settings.features.empty())
+        result.emplace_back([values = std::move(values)](Vertex_index v) { return values[v]; },
+                            [values = std::move(other->second)](Vertex_index v) { return values[v]; });
+    if(result.empty())
       throw Program_error(options.feature_files[1],
                           "has no property of vertices, of type float or double, that has the "
                           "name of one in " +
                               printable(options.feature_files[0]));
+    return result;
   }
 
   Mesh& m_first;

@@ -19,7 +19,7 @@
 #include <CGAL/Spherical_parameterization/Hierarchical_parameterizer_3.h>
 #include <CGAL/Spherical_parameterization/Parameterization_report.h>
 #include <CGAL/Spherical_parameterization/internal/baselines/ARAP_map.h>
-#include <CGAL/Spherical_parameterization/internal/policy_traits.h>
+#include <CGAL/Spherical_parameterization/internal/run/policy_traits.h>
 #include <CGAL/Spherical_parameterization/internal/run_parameterization.h>
 
 #include <CGAL/Default.h>
@@ -30,8 +30,7 @@
 
 /// \file ARAP_parameterizer_3.h
 
-namespace CGAL {
-namespace Spherical_parameterization {
+namespace CGAL::Spherical_parameterization {
 
 /// \ingroup PkgSphericalParameterizationMethods
 ///
@@ -51,12 +50,8 @@ namespace Spherical_parameterization {
 /// \cgalModels{SphericalParameterizer_3}
 ///
 /// \tparam InitialParameterizer must be a model of `SphericalParameterizer_3`.
-/// \tparam SolverTraits must be a model of `SparseLinearAlgebraWithFactorTraits_d`.<br> <b>%Default:</b> if
-///         \ref thirdpartyEigen "Eigen" 3.1 or greater is available and `CGAL_EIGEN3_ENABLED` is defined,
-/// \code
-///   CGAL::Eigen_solver_traits<
-///           Eigen::SimplicialLDLT<Eigen_sparse_symmetric_matrix<double>::EigenType> >
-/// \endcode
+/// \tparam SolverTraits must be a model of `SparseLinearAlgebraWithFactorTraits_d`; the default is that of
+///         `Stereographic_parameterizer_3`.
 ///
 /// \sa `Bijective_low_distortion_parameterizer_3`
 template <class InitialParameterizer = Hierarchical_parameterizer_3<>, class SolverTraits = Default>
@@ -91,18 +86,20 @@ public:
     std::size_t max_iterations = 500;
     if(!is_valid() || !internal::read_number_of_iterations(np, max_iterations))
       return ERROR_WRONG_PARAMETER;
-    return internal::run_parameterization<ConcurrencyTag>(
-        tmesh, vertex_sphere_map, np, m_report, internal::Guarantee::NONE, [&](auto& run) {
-          const Error_code error = internal::make_initial_map(m_initial_parameterizer, run);
-          if(error != OK)
-            return error;
-          internal::ARAP_map<SolverTraits> map(run.mesh, run.execution);
-          if(!map.run(run.positions, run.radius, max_iterations, run.control))
-            return ERROR_CANNOT_SOLVE_LINEAR_SYSTEM;
-          m_report.seconds_for_optimization = run.control.lap();
-          run.control.on_optimization_end();
-          return OK;
-        });
+    if constexpr(internal::check_run<TriangleMesh, VertexSphereMap, CGAL_NP_CLASS>())
+    {
+      internal::Parameterization_run<ConcurrencyTag, TriangleMesh, CGAL_NP_CLASS> run(tmesh, np, m_report);
+      Error_code error = run.read();
+      if(error == OK)
+      {
+        error = internal::make_initial_map(m_initial_parameterizer, run);
+        if(error == OK)
+          error = internal::map_as_rigidly_as_possible<SolverTraits>(max_iterations, run);
+      }
+      return run.write(error, vertex_sphere_map, internal::Guarantee::NONE);
+    }
+    else
+      return ERROR_WRONG_PARAMETER;
   }
 
   /// returns what the last run did.
@@ -116,7 +113,6 @@ private:
   Parameterization_report m_report;
 };
 
-} // namespace Spherical_parameterization
-} // namespace CGAL
+} // namespace CGAL::Spherical_parameterization
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_ARAP_PARAMETERIZER_3_H

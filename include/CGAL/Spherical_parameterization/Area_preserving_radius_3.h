@@ -15,7 +15,6 @@
 
 #include <CGAL/license/Spherical_parameterization.h>
 
-#include <CGAL/Spherical_parameterization/Face_invariants_3.h>
 #include <CGAL/Spherical_parameterization/Face_range_3.h>
 
 #include <array>
@@ -23,8 +22,7 @@
 
 /// \file Area_preserving_radius_3.h
 
-namespace CGAL {
-namespace Spherical_parameterization {
+namespace CGAL::Spherical_parameterization {
 
 /// \ingroup PkgSphericalParameterizationRadius
 ///
@@ -42,12 +40,7 @@ public:
   /// surface.
   double initial_radius(double equal_area_radius) const { return equal_area_radius; }
 
-  /// returns the radius that follows `radius`, in linear time.
-  ///
-  /// \tparam Energy a model of `DistortionEnergy_3`; not used
-  ///
-  /// \param faces the faces, as they are on the sphere of radius `radius`
-  /// \param radius the current radius, in the unit of length of the surface
+  /// returns the radius that follows `radius`, whatever the energy, in linear time.
   template <class Energy>
   double operator()(const Energy& /* energy */, const Face_range_3& faces, double radius)
   {
@@ -58,7 +51,6 @@ public:
   }
 };
 
-} // namespace Spherical_parameterization
-} // namespace CGAL
+} // namespace CGAL::Spherical_parameterization
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_AREA_PRESERVING_RADIUS_3_H

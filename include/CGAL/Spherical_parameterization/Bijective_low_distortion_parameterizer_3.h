@@ -16,13 +16,12 @@
 #include <CGAL/license/Spherical_parameterization.h>
 
 #include <CGAL/Spherical_parameterization/Error_code.h>
-#include <CGAL/Spherical_parameterization/Hierarchical_parameterizer_3.h>
 #include <CGAL/Spherical_parameterization/Parameterization_report.h>
 #include <CGAL/Spherical_parameterization/Sharpness.h>
 #include <CGAL/Spherical_parameterization/Symmetric_Dirichlet_energy_3.h>
 #include <CGAL/Spherical_parameterization/internal/check_arguments.h>
 #include <CGAL/Spherical_parameterization/internal/levels/Vertex_step.h>
-#include <CGAL/Spherical_parameterization/internal/policy_traits.h>
+#include <CGAL/Spherical_parameterization/internal/run/policy_traits.h>
 #include <CGAL/Spherical_parameterization/internal/run_descent.h>
 #include <CGAL/Spherical_parameterization/internal/run_parameterization.h>
 
@@ -36,8 +35,7 @@
 
 /// \file Bijective_low_distortion_parameterizer_3.h
 
-namespace CGAL {
-namespace Spherical_parameterization {
+namespace CGAL::Spherical_parameterization {
 
 /// \ingroup PkgSphericalParameterizationMethods
 ///
@@ -191,28 +189,24 @@ public:
       std::size_t max_sweeps = by_size;
       if(!is_valid() || !internal::read_number_of_iterations(np, max_sweeps))
         return ERROR_WRONG_PARAMETER;
-      return internal::run_parameterization<ConcurrencyTag>(
-          tmesh, vertex_sphere_map, np, m_report, internal::Guarantee::ONE_TO_ONE, [&](auto& run) {
+      if constexpr(internal::check_run<TriangleMesh, VertexSphereMap, CGAL_NP_CLASS>())
+      {
+        internal::Parameterization_run<ConcurrencyTag, TriangleMesh, CGAL_NP_CLASS> run(tmesh, np, m_report);
+        Error_code error = run.read();
+        if(error == OK)
+        {
+          error = make_initial_map(run);
+          if(error == OK)
+          {
             if(max_sweeps == by_size)
-              max_sweeps = internal::default_number_of_sweeps(run.mesh.number_of_vertices());
-            const auto improve = [&](auto& initial_parameterizer) {
-              return internal::run_descent<internal::Newton_step>(initial_parameterizer, m_energy, m_radius,
-                                                                  m_sharpness, m_settings, max_sweeps, run);
-            };
-            if constexpr(std::is_same<InitialParameterizer, Default>::value)
-            {
-              // Where the radius is free, the areas are right from the beginning. Else they may have far to go, which they do on
-              // coarse levels.
-              constexpr std::size_t sweeps_per_level = std::is_same<Radius, Default>::value ? 14 : 20;
-              auto hierarchical = Hierarchical_parameterizer_3<>()
-                                      .energy(m_energy)
-                                      .sharpness(m_sharpness)
-                                      .sweeps_per_level(sweeps_per_level);
-              return improve(hierarchical);
-            }
-            else
-              return improve(m_initial_parameterizer);
-          });
+              max_sweeps = internal::default_number_of_sweeps(run.surface.number_of_vertices());
+            internal::run_descent<internal::Newton_step>(m_energy, m_radius, m_sharpness, m_settings, max_sweeps, run);
+          }
+        }
+        return run.write(error, vertex_sphere_map);
+      }
+      else
+        return ERROR_WRONG_PARAMETER;
     }
     else
       return ERROR_WRONG_PARAMETER;
@@ -237,6 +231,24 @@ private:
     , m_settings(settings)
   {}
 
+  template <class Run>
+  Error_code make_initial_map(Run& run)
+  {
+    if constexpr(std::is_same<InitialParameterizer, Default>::value)
+    {
+      // Where the radius is free, the areas are right from the beginning. Else they may have far to go, which they do on
+      // coarse levels.
+      constexpr std::size_t sweeps_per_level = std::is_same<Radius, Default>::value ? 14 : 20;
+      run.control.on_initialization_begin(run.surface.number_of_vertices());
+      const Error_code error = internal::embed_surface(m_energy, m_sharpness, sweeps_per_level, false, run);
+      if(error == OK)
+        run.control.on_initialization_end();
+      return error;
+    }
+    else
+      return internal::make_initial_map(m_initial_parameterizer, run);
+  }
+
   Energy m_energy;
   Radius m_radius;
   InitialParameterizer m_initial_parameterizer;
@@ -245,7 +257,6 @@ private:
   Parameterization_report m_report;
 };
 
-} // namespace Spherical_parameterization
-} // namespace CGAL
+} // namespace CGAL::Spherical_parameterization
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_BIJECTIVE_LOW_DISTORTION_PARAMETERIZER_3_H

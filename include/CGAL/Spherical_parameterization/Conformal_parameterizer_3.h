@@ -28,8 +28,7 @@
 
 /// \file Conformal_parameterizer_3.h
 
-namespace CGAL {
-namespace Spherical_parameterization {
+namespace CGAL::Spherical_parameterization {
 
 /// \ingroup PkgSphericalParameterizationMethods
 ///
@@ -42,17 +41,12 @@ namespace Spherical_parameterization {
 /// one-to-one as it has been written. `Bijective_low_distortion_parameterizer_3` with `Conformal_energy_3` is the
 /// method that never folds.
 ///
-/// The iteration starts from the map of `Stereographic_parameterizer_3`, and each step solves a sparse system, whose
-/// matrix is factored once; some ten steps are enough. It ends when a step changes the energy by less than 1e-9 of it.
+/// The iteration is that of `Harmonic_parameterizer_3`.
 ///
 /// \cgalModels{SphericalParameterizer_3}
 ///
-/// \tparam SolverTraits must be a model of `SparseLinearAlgebraWithFactorTraits_d`.<br> <b>%Default:</b> if
-///         \ref thirdpartyEigen "Eigen" 3.1 or greater is available and `CGAL_EIGEN3_ENABLED` is defined,
-/// \code
-///   CGAL::Eigen_solver_traits<
-///           Eigen::SimplicialLDLT<Eigen_sparse_symmetric_matrix<double>::EigenType> >
-/// \endcode
+/// \tparam SolverTraits must be a model of `SparseLinearAlgebraWithFactorTraits_d`; the default is that of
+///         `Stereographic_parameterizer_3`.
 ///
 /// \sa `Harmonic_parameterizer_3`
 /// \sa `Conformal_energy_3`
@@ -79,11 +73,16 @@ public:
     std::size_t max_iterations = 100;
     if(!internal::read_number_of_iterations(np, max_iterations))
       return ERROR_WRONG_PARAMETER;
-    return internal::run_parameterization<ConcurrencyTag>(
-        tmesh, vertex_sphere_map, np, m_report, internal::Guarantee::NONE, [&](auto& run) {
-          return internal::map_harmonically<SolverTraits>(run.mesh, false, max_iterations, run.positions, run.control,
-                                                          run.execution);
-        });
+    if constexpr(internal::check_run<TriangleMesh, VertexSphereMap, CGAL_NP_CLASS>())
+    {
+      internal::Parameterization_run<ConcurrencyTag, TriangleMesh, CGAL_NP_CLASS> run(tmesh, np, m_report);
+      Error_code error = run.read();
+      if(error == OK)
+        error = internal::map_harmonically<SolverTraits>(run, false, max_iterations);
+      return run.write(error, vertex_sphere_map, internal::Guarantee::NONE);
+    }
+    else
+      return ERROR_WRONG_PARAMETER;
   }
 
   /// returns what the last run did.
@@ -93,7 +92,6 @@ private:
   Parameterization_report m_report;
 };
 
-} // namespace Spherical_parameterization
-} // namespace CGAL
+} // namespace CGAL::Spherical_parameterization
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_CONFORMAL_PARAMETERIZER_3_H

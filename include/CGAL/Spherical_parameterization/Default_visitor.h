@@ -19,8 +19,7 @@
 
 /// \file Default_visitor.h
 
-namespace CGAL {
-namespace Spherical_parameterization {
+namespace CGAL::Spherical_parameterization {
 
 /// \ingroup PkgSphericalParameterizationVisitor
 ///
@@ -43,7 +42,6 @@ struct Default_visitor
 #endif
 };
 
-} // namespace Spherical_parameterization
-} // namespace CGAL
+} // namespace CGAL::Spherical_parameterization
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_DEFAULT_VISITOR_H

@@ -17,8 +17,7 @@
 
 /// \file Energy_derivatives_3.h
 
-namespace CGAL {
-namespace Spherical_parameterization {
+namespace CGAL::Spherical_parameterization {
 
 /// \ingroup PkgSphericalParameterizationEnergies
 ///
@@ -39,7 +38,6 @@ struct Energy_derivatives_3
   FT dd;    ///< \f$ \partial^2 E / \partial d^2 \f$
 };
 
-} // namespace Spherical_parameterization
-} // namespace CGAL
+} // namespace CGAL::Spherical_parameterization
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_ENERGY_DERIVATIVES_3_H

@@ -15,7 +15,6 @@
 
 #include <CGAL/license/Spherical_parameterization.h>
 
-#include <CGAL/Spherical_parameterization/Face_invariants_3.h>
 #include <CGAL/Spherical_parameterization/internal/run/parallel.h>
 
 #include <array>
@@ -24,15 +23,29 @@
 
 /// \file Face_range_3.h
 
-namespace CGAL {
-namespace Spherical_parameterization {
+namespace CGAL::Spherical_parameterization {
 
 #ifndef DOXYGEN_RUNNING
 namespace internal {
-template <class Energy, class Step>
+template <class Space, class Step>
 class Block_coordinate_descent;
 }
 #endif
+
+/// \ingroup PkgSphericalParameterizationEnergies
+///
+/// What a radius policy gets to know of one face: its area on the surface and the two invariants of its map onto the
+/// sphere of the current radius. They follow a change of the radius: multiplying it by \f$ \rho \f$ multiplies `i`, `d`
+/// and `flat_d` by \f$ \rho^2 \f$. A face that is (nearly) flat counts as if it were a little less so.
+///
+/// \sa `Face_range_3`
+struct Face_invariants_3
+{
+  double area;   ///< \f$ A \f$, the area of the face on the surface, in a unit in which that of the surface is 4 pi
+  double i;      ///< \f$ I = \sigma_1^2 + \sigma_2^2 \f$ of the map onto the flat image triangle
+  double d;      ///< what the energy sees: \f$ \det(u_0, u_1, u_2) / (2 A r) \f$; the published method: `flat_d`
+  double flat_d; ///< \f$ \sigma_1 \sigma_2 = a / A \f$ of the map onto the flat image triangle, whose area is \f$ a \f$
+};
 
 /// \ingroup PkgSphericalParameterizationEnergies
 ///
@@ -93,7 +106,7 @@ public:
   }
 
 private:
-  template <class Energy, class Step>
+  template <class Space, class Step>
   friend class internal::Block_coordinate_descent;
 
   Face_range_3(const_iterator begin, const_iterator end, const internal::Execution& execution)
@@ -113,7 +126,6 @@ private:
   internal::Execution m_execution; // sequential but for the faces of a run
 };
 
-} // namespace Spherical_parameterization
-} // namespace CGAL
+} // namespace CGAL::Spherical_parameterization
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_FACE_RANGE_3_H

@@ -20,8 +20,7 @@
 
 /// \file Fixed_radius_3.h
 
-namespace CGAL {
-namespace Spherical_parameterization {
+namespace CGAL::Spherical_parameterization {
 
 /// \ingroup PkgSphericalParameterizationRadius
 ///
@@ -47,8 +46,6 @@ public:
   double initial_radius(double /* equal_area_radius */) const { return m_radius; }
 
   /// returns the radius, whatever the arguments.
-  ///
-  /// \tparam Energy a model of `DistortionEnergy_3`; not used
   template <class Energy>
   double operator()(const Energy& /* energy */, const Face_range_3& /* faces */, double /* radius */)
   {
@@ -59,7 +56,6 @@ private:
   double m_radius;
 };
 
-} // namespace Spherical_parameterization
-} // namespace CGAL
+} // namespace CGAL::Spherical_parameterization
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_FIXED_RADIUS_3_H

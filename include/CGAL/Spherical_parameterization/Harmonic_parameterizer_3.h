@@ -28,8 +28,7 @@
 
 /// \file Harmonic_parameterizer_3.h
 
-namespace CGAL {
-namespace Spherical_parameterization {
+namespace CGAL::Spherical_parameterization {
 
 /// \ingroup PkgSphericalParameterizationMethods
 ///
@@ -52,12 +51,8 @@ namespace Spherical_parameterization {
 ///
 /// \cgalModels{SphericalParameterizer_3}
 ///
-/// \tparam SolverTraits must be a model of `SparseLinearAlgebraWithFactorTraits_d`.<br> <b>%Default:</b> if
-///         \ref thirdpartyEigen "Eigen" 3.1 or greater is available and `CGAL_EIGEN3_ENABLED` is defined,
-/// \code
-///   CGAL::Eigen_solver_traits<
-///           Eigen::SimplicialLDLT<Eigen_sparse_symmetric_matrix<double>::EigenType> >
-/// \endcode
+/// \tparam SolverTraits must be a model of `SparseLinearAlgebraWithFactorTraits_d`; the default is that of
+///         `Stereographic_parameterizer_3`.
 ///
 /// \sa `Stereographic_parameterizer_3`
 /// \sa `Conformal_parameterizer_3`
@@ -82,11 +77,16 @@ public:
     std::size_t max_iterations = 100;
     if(!internal::read_number_of_iterations(np, max_iterations))
       return ERROR_WRONG_PARAMETER;
-    return internal::run_parameterization<ConcurrencyTag>(
-        tmesh, vertex_sphere_map, np, m_report, internal::Guarantee::ONE_TO_ONE, [&](auto& run) {
-          return internal::map_harmonically<SolverTraits>(run.mesh, true, max_iterations, run.positions, run.control,
-                                                          run.execution);
-        });
+    if constexpr(internal::check_run<TriangleMesh, VertexSphereMap, CGAL_NP_CLASS>())
+    {
+      internal::Parameterization_run<ConcurrencyTag, TriangleMesh, CGAL_NP_CLASS> run(tmesh, np, m_report);
+      Error_code error = run.read();
+      if(error == OK)
+        error = internal::map_harmonically<SolverTraits>(run, true, max_iterations);
+      return run.write(error, vertex_sphere_map);
+    }
+    else
+      return ERROR_WRONG_PARAMETER;
   }
 
   /// returns what the last run did.
@@ -96,7 +96,6 @@ private:
   Parameterization_report m_report;
 };
 
-} // namespace Spherical_parameterization
-} // namespace CGAL
+} // namespace CGAL::Spherical_parameterization
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_HARMONIC_PARAMETERIZER_3_H

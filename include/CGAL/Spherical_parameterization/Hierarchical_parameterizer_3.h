@@ -20,8 +20,8 @@
 #include <CGAL/Spherical_parameterization/Parameterization_report.h>
 #include <CGAL/Spherical_parameterization/Sharpness.h>
 #include <CGAL/Spherical_parameterization/internal/check_arguments.h>
-#include <CGAL/Spherical_parameterization/internal/levels/Hierarchical_embedding.h>
-#include <CGAL/Spherical_parameterization/internal/policy_traits.h>
+#include <CGAL/Spherical_parameterization/internal/run_descent.h>
+#include <CGAL/Spherical_parameterization/internal/run/policy_traits.h>
 #include <CGAL/Spherical_parameterization/internal/run_parameterization.h>
 
 #include <CGAL/Named_function_parameters.h>
@@ -31,8 +31,7 @@
 
 /// \file Hierarchical_parameterizer_3.h
 
-namespace CGAL {
-namespace Spherical_parameterization {
+namespace CGAL::Spherical_parameterization {
 
 /// \ingroup PkgSphericalParameterizationMethods
 ///
@@ -123,14 +122,21 @@ public:
       m_report = Parameterization_report();
       if(!is_valid())
         return ERROR_WRONG_PARAMETER;
-      return internal::run_parameterization<ConcurrencyTag>(
-          tmesh, vertex_sphere_map, np, m_report, internal::Guarantee::ONE_TO_ONE, [&](auto& run) {
-            run.control.on_initialization_begin(run.mesh.number_of_vertices());
-            if(!embed(run, true))
-              return ERROR_INSUFFICIENT_PRECISION;
+      if constexpr(internal::check_run<TriangleMesh, VertexSphereMap, CGAL_NP_CLASS>())
+      {
+        internal::Parameterization_run<ConcurrencyTag, TriangleMesh, CGAL_NP_CLASS> run(tmesh, np, m_report);
+        Error_code error = run.read();
+        if(error == OK)
+        {
+          run.control.on_initialization_begin(run.surface.number_of_vertices());
+          error = embed(run, true);
+          if(error == OK)
             run.control.on_initialization_end();
-            return OK;
-          });
+        }
+        return run.write(error, vertex_sphere_map);
+      }
+      else
+        return ERROR_WRONG_PARAMETER;
     }
     else
       return ERROR_WRONG_PARAMETER;
@@ -142,16 +148,18 @@ public:
 
   /// @}
 
+#ifndef DOXYGEN_RUNNING
+  // maps the surface of a run; see internal::Embeds_surface
+  template <class Run>
+  Error_code embed(Run& run, bool sweeps_finest_level) const
+  {
+    return internal::embed_surface(m_energy, m_sharpness, m_sweeps_per_level, sweeps_finest_level, run);
+  }
+#endif
+
 private:
   template <class OtherEnergy>
   friend class Hierarchical_parameterizer_3;
-
-  // Overloads internal::compute_initial_map(), by argument-dependent lookup.
-  template <class Run>
-  friend Error_code compute_initial_map(Hierarchical_parameterizer_3& parameterizer, Run& run)
-  {
-    return parameterizer.embed(run, false) ? OK : ERROR_INSUFFICIENT_PRECISION;
-  }
 
   Hierarchical_parameterizer_3(const Energy& energy, const Sharpness& sharpness, std::size_t sweeps_per_level)
     : m_energy(energy)
@@ -159,20 +167,12 @@ private:
     , m_sweeps_per_level(sweeps_per_level)
   {}
 
-  template <class Run>
-  bool embed(Run& run, bool sweeps_finest_level) const
-  {
-    return internal::embed_hierarchically(run.mesh, m_energy, m_sharpness, m_sweeps_per_level, sweeps_finest_level,
-                                          run.positions, run.control, run.execution);
-  }
-
   Energy m_energy;
   Sharpness m_sharpness = Sharpness::lowest_average();
   std::size_t m_sweeps_per_level = 20;
   Parameterization_report m_report;
 };
 
-} // namespace Spherical_parameterization
-} // namespace CGAL
+} // namespace CGAL::Spherical_parameterization
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_HIERARCHICAL_PARAMETERIZER_3_H

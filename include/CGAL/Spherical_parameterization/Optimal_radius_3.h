@@ -17,7 +17,7 @@
 
 #include <CGAL/Spherical_parameterization/Energy_derivatives_3.h>
 #include <CGAL/Spherical_parameterization/Face_range_3.h>
-#include <CGAL/Spherical_parameterization/internal/surface/face_weights.h>
+#include <CGAL/Spherical_parameterization/internal/run/policy_traits.h>
 
 #include <algorithm>
 #include <cmath>
@@ -26,8 +26,7 @@
 
 /// \file Optimal_radius_3.h
 
-namespace CGAL {
-namespace Spherical_parameterization {
+namespace CGAL::Spherical_parameterization {
 
 /// \ingroup PkgSphericalParameterizationRadius
 ///
@@ -45,12 +44,6 @@ public:
   double initial_radius(double equal_area_radius) const { return equal_area_radius; }
 
   /// returns the radius that follows `radius`, in linear time.
-  ///
-  /// \tparam Energy a model of `DistortionEnergy_3`
-  ///
-  /// \param energy the energy in use
-  /// \param faces the faces, as they are on the sphere of radius `radius`
-  /// \param radius the current radius, in the unit of length of the surface
   template <class Energy>
   double operator()(const Energy& energy, const Face_range_3& faces, double radius)
   {
@@ -104,7 +97,6 @@ private:
   }
 };
 
-} // namespace Spherical_parameterization
-} // namespace CGAL
+} // namespace CGAL::Spherical_parameterization
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_OPTIMAL_RADIUS_3_H

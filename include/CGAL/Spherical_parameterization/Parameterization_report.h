@@ -19,8 +19,7 @@
 
 /// \file Parameterization_report.h
 
-namespace CGAL {
-namespace Spherical_parameterization {
+namespace CGAL::Spherical_parameterization {
 
 /// \ingroup PkgSphericalParameterizationEnums
 ///
@@ -104,7 +103,6 @@ struct Parameterization_report
   }
 };
 
-} // namespace Spherical_parameterization
-} // namespace CGAL
+} // namespace CGAL::Spherical_parameterization
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_PARAMETERIZATION_REPORT_H

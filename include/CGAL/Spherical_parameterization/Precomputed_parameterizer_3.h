@@ -25,8 +25,7 @@
 
 /// \file Precomputed_parameterizer_3.h
 
-namespace CGAL {
-namespace Spherical_parameterization {
+namespace CGAL::Spherical_parameterization {
 
 /// \ingroup PkgSphericalParameterizationMethods
 ///
@@ -67,16 +66,21 @@ public:
                           const CGAL_NP_CLASS& np = parameters::default_values())
   {
     m_report = Parameterization_report();
-    return internal::run_parameterization<ConcurrencyTag>(
-        tmesh, vertex_sphere_map, np, m_report, internal::Guarantee::ONE_TO_ONE, [&](auto& run) {
-          const bool is_bijective =
-              internal::read_map(run.mesh, run.vertices_of_mesh, m_map, run.positions, run.execution);
-          m_report.seconds_for_embedding = run.control.lap();
-          if(!is_bijective)
-            return ERROR_INVALID_INITIAL_PARAMETERIZATION;
+    if constexpr(internal::check_run<TriangleMesh, VertexSphereMap, CGAL_NP_CLASS>())
+    {
+      internal::Parameterization_run<ConcurrencyTag, TriangleMesh, CGAL_NP_CLASS> run(tmesh, np, m_report);
+      Error_code error = run.read();
+      if(error == OK)
+      {
+        error = run.read_map(m_map) ? OK : ERROR_INVALID_INITIAL_PARAMETERIZATION;
+        m_report.seconds_for_embedding = run.control.lap();
+        if(error == OK)
           m_report.stop_reason = CONVERGED; // as there is nothing to improve
-          return OK;
-        });
+      }
+      return run.write(error, vertex_sphere_map);
+    }
+    else
+      return ERROR_WRONG_PARAMETER;
   }
 
   /// returns what the last run did.
@@ -87,7 +91,6 @@ private:
   Parameterization_report m_report;
 };
 
-} // namespace Spherical_parameterization
-} // namespace CGAL
+} // namespace CGAL::Spherical_parameterization
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_PRECOMPUTED_PARAMETERIZER_3_H

@@ -25,7 +25,7 @@
 #include <CGAL/Spherical_parameterization/Two_phase_radius_3.h>
 #include <CGAL/Spherical_parameterization/internal/check_arguments.h>
 #include <CGAL/Spherical_parameterization/internal/levels/Vertex_step.h>
-#include <CGAL/Spherical_parameterization/internal/policy_traits.h>
+#include <CGAL/Spherical_parameterization/internal/run/policy_traits.h>
 #include <CGAL/Spherical_parameterization/internal/run_descent.h>
 #include <CGAL/Spherical_parameterization/internal/run_parameterization.h>
 
@@ -37,8 +37,7 @@
 
 /// \file Published_low_distortion_parameterizer_3.h
 
-namespace CGAL {
-namespace Spherical_parameterization {
+namespace CGAL::Spherical_parameterization {
 
 /// \ingroup PkgSphericalParameterizationMethods
 ///
@@ -129,12 +128,21 @@ public:
       std::size_t max_sweeps = 2000;
       if(!is_valid() || !internal::read_number_of_iterations(np, max_sweeps))
         return ERROR_WRONG_PARAMETER;
-      return internal::run_parameterization<ConcurrencyTag>(
-          tmesh, vertex_sphere_map, np, m_report, internal::Guarantee::ONE_TO_ONE, [&](auto& run) {
-            return internal::run_descent<internal::Gradient_step>(m_initial_parameterizer, Isometric_energy_3(),
-                                                                  m_radius, m_sharpness, {1e-5, 1e-3, false},
-                                                                  max_sweeps, run);
-          });
+      if constexpr(internal::check_run<TriangleMesh, VertexSphereMap, CGAL_NP_CLASS>())
+      {
+        internal::Parameterization_run<ConcurrencyTag, TriangleMesh, CGAL_NP_CLASS> run(tmesh, np, m_report);
+        Error_code error = run.read();
+        if(error == OK)
+        {
+          error = internal::make_initial_map(m_initial_parameterizer, run);
+          if(error == OK)
+            internal::run_descent<internal::Gradient_step>(Isometric_energy_3(), m_radius, m_sharpness,
+                                                           {1e-5, 1e-3, false}, max_sweeps, run);
+        }
+        return run.write(error, vertex_sphere_map);
+      }
+      else
+        return ERROR_WRONG_PARAMETER;
     }
     else
       return ERROR_WRONG_PARAMETER;
@@ -170,7 +178,6 @@ private:
   Parameterization_report m_report;
 };
 
-} // namespace Spherical_parameterization
-} // namespace CGAL
+} // namespace CGAL::Spherical_parameterization
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_PUBLISHED_LOW_DISTORTION_PARAMETERIZER_3_H

@@ -19,8 +19,7 @@
 
 /// \file Sharpness.h
 
-namespace CGAL {
-namespace Spherical_parameterization {
+namespace CGAL::Spherical_parameterization {
 
 #ifndef DOXYGEN_RUNNING
 namespace internal {
@@ -130,7 +129,6 @@ private:
   double m_min_fall = 0.; // of an energy in a sweep, relative: below, the schedule goes on
 };
 
-} // namespace Spherical_parameterization
-} // namespace CGAL
+} // namespace CGAL::Spherical_parameterization
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_SHARPNESS_H

@@ -16,7 +16,7 @@
 
 #include <CGAL/Spherical_parameterization/Error_code.h>
 #include <CGAL/Spherical_parameterization/internal/run/parallel.h>
-#include <CGAL/Spherical_parameterization/internal/surface/Mesh_on_sphere.h>
+#include <CGAL/Spherical_parameterization/internal/Mesh_on_sphere.h>
 #include <CGAL/Spherical_parameterization/internal/sampling/Subdivided_solid.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -30,13 +30,17 @@
 
 /// \file Sphere_domain_3.h
 
-namespace CGAL {
-namespace Spherical_parameterization {
+namespace CGAL::Spherical_parameterization {
+
+class Sphere_domain_3;
+template <class ConcurrencyTag = Parallel_if_available_tag, class TriangleMesh, class VertexSphereMap>
+[[nodiscard]] Error_code make_sphere_domain(const TriangleMesh&, VertexSphereMap, Sphere_domain_3&);
 
 /// \ingroup PkgSphericalParameterizationSampling
 ///
 /// The class `Sphere_domain_3` is a triangulation of the sphere, by which a surface is sampled: directions, and triangles
-/// that cover the sphere once. There are regular ones, and any mesh that has a map to the sphere is one.
+/// that cover the sphere once. There are regular ones, and `make_sphere_domain()` makes one of any mesh that has a map to the
+/// sphere.
 ///
 /// The regular ones are solids whose edges are divided into `n`. Those of the octahedron and the icosahedron are divided
 /// into arcs of the same angle, and their triangles accordingly; the squares of the cube are divided by planes through
@@ -53,65 +57,32 @@ public:
   /// The numbers of the vertices of a triangle, counterclockwise as seen from outside
   using Triangle = std::array<std::uint32_t, 3>;
 
-  /// The largest number that edges can be divided into
-  static constexpr std::uint32_t max_subdivision = 5000;
+  /// The largest number that edges can be divided into: 5000
+  static constexpr std::uint32_t max_subdivision = internal::max_subdivision;
+
+  /// makes an empty domain.
+  Sphere_domain_3() = default;
 
   /// returns an octahedron whose edges are divided into `n`: \f$ 4 n^2 + 2 \f$ directions of length 1. The vertices of
   /// the octahedron are on the axes.
   ///
-  /// \param n from 1 to `max_subdivision`
-  static Sphere_domain_3 octahedron(std::uint32_t n)
-  {
-    return make<internal::Subdivided_solid<3>>(n, internal::subdivided_octahedron);
-  }
+  /// \param n from 1 to `max_subdivision`; otherwise the domain is empty
+  static Sphere_domain_3 octahedron(std::uint32_t n) { return make(n, internal::subdivided_octahedron); }
 
   /// returns a cube whose edges are divided into `n`: \f$ 6 n^2 + 2 \f$ directions of length 1. The faces of the cube are
   /// orthogonal to the axes, and each of their squares consists of two triangles.
   ///
-  /// \param n from 1 to `max_subdivision`
-  static Sphere_domain_3 cube(std::uint32_t n)
-  {
-    return make<internal::Subdivided_solid<4>>(n, internal::subdivided_cube);
-  }
+  /// \param n from 1 to `max_subdivision`; otherwise the domain is empty
+  static Sphere_domain_3 cube(std::uint32_t n) { return make(n, internal::subdivided_cube); }
 
   /// returns an icosahedron whose edges are divided into `n`: \f$ 10 n^2 + 2 \f$ directions of length 1. Two vertices of
   /// the icosahedron are on the z-axis, and one is in the plane of the x-axis and the z-axis.
   ///
-  /// \param n from 1 to `max_subdivision`
-  static Sphere_domain_3 icosahedron(std::uint32_t n)
-  {
-    return make<internal::Subdivided_solid<3>>(n, internal::subdivided_icosahedron);
-  }
+  /// \param n from 1 to `max_subdivision`; otherwise the domain is empty
+  static Sphere_domain_3 icosahedron(std::uint32_t n) { return make(n, internal::subdivided_icosahedron); }
 
-  /// makes a domain of a mesh and a map to the sphere; vertices without faces are left out. Coordinates of an exact
-  /// number type are rounded.
-  ///
-  /// \tparam TriangleMesh a model of `FaceListGraph`
-  /// \tparam VertexSphereMap a model of `ReadablePropertyMap` with
-  ///         `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and `%Point_3` of a \cgal kernel as
-  ///         value type
-  ///
-  /// \param tmesh the mesh
-  /// \param vertex_sphere_map the directions of the vertices: points around the origin, at any distance from it
-  template <class TriangleMesh, class VertexSphereMap>
-  Sphere_domain_3(const TriangleMesh& tmesh, VertexSphereMap vertex_sphere_map)
-  {
-    internal::Mesh_on_sphere<TriangleMesh, VertexSphereMap> mesh;
-    m_error_code = mesh.read(tmesh, vertex_sphere_map, false, internal::execution_of<Parallel_if_available_tag>());
-    if(m_error_code != OK)
-      return;
-    m_directions.reserve(mesh.images.size());
-    for(const auto& p : mesh.images)
-      m_directions.emplace_back(CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z()));
-    m_triangles.reserve(mesh.triangles.size());
-    for(const internal::Linked_triangle& t : mesh.triangles)
-      m_triangles.push_back(t.vertices);
-  }
-
-  /// returns `OK`; `ERROR_WRONG_PARAMETER` if the number that edges were to be divided into is out of its range; or what
-  /// is wrong with the mesh, see `find_defect()`, or with its map: `ERROR_NO_1_TO_1_MAPPING` if that is no bijection. The
-  /// domain is empty then.
-  Error_code error_code() const { return m_error_code; }
+  /// returns whether there is nothing to sample by.
+  bool is_empty() const { return m_triangles.empty(); }
 
   /// returns the directions.
   const std::vector<Point_3>& directions() const { return m_directions; }
@@ -120,17 +91,15 @@ public:
   const std::vector<Triangle>& triangles() const { return m_triangles; }
 
 private:
-  Sphere_domain_3() = default;
+  template <class ConcurrencyTag, class TriangleMesh, class VertexSphereMap>
+  friend Error_code make_sphere_domain(const TriangleMesh&, VertexSphereMap, Sphere_domain_3&);
 
   template <class Solid>
   static Sphere_domain_3 make(std::uint32_t n, Solid (*subdivide)(std::uint32_t))
   {
     Sphere_domain_3 result;
     if(n == 0 || n > max_subdivision)
-    {
-      result.m_error_code = ERROR_WRONG_PARAMETER;
       return result;
-    }
     Solid solid = subdivide(n);
     result.m_triangles = std::move(solid.triangles);
     result.m_directions.reserve(solid.directions.size());
@@ -139,12 +108,48 @@ private:
     return result;
   }
 
-  Error_code m_error_code = OK;
   std::vector<Point_3> m_directions;
   std::vector<Triangle> m_triangles;
 };
 
-} // namespace Spherical_parameterization
-} // namespace CGAL
+/// \ingroup PkgSphericalParameterizationSampling
+///
+/// makes a domain of a mesh and its map to the sphere; vertices without faces are left out. Coordinates of an exact number type
+/// are rounded.
+///
+/// \tparam ConcurrencyTag enables sequential versus parallel algorithm. Possible values are `Sequential_tag`,
+///         `Parallel_tag`, and `Parallel_if_available_tag`. The result does not depend on it.
+/// \tparam TriangleMesh a model of `FaceListGraph`
+/// \tparam VertexSphereMap a model of `ReadablePropertyMap` with
+///         `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and `%Point_3` of a \cgal kernel as
+///         value type
+///
+/// \param tmesh the mesh
+/// \param vertex_sphere_map the directions of the vertices: points around the origin, at any distance from it
+/// \param domain receives the domain
+///
+/// \return `OK`; what is wrong with the mesh, see `find_defect()`, or with its map: `ERROR_NO_1_TO_1_MAPPING` if that is no
+///         bijection. The domain is as it was then.
+///
+/// \sa `CGAL::Spherical_parameterization::remesh_through_sphere()`
+template <class ConcurrencyTag, class TriangleMesh, class VertexSphereMap>
+[[nodiscard]] Error_code make_sphere_domain(const TriangleMesh& tmesh, VertexSphereMap vertex_sphere_map,
+                                            Sphere_domain_3& domain)
+{
+  internal::Mesh_on_sphere<TriangleMesh, VertexSphereMap> mesh;
+  if(const Error_code error = mesh.read(tmesh, vertex_sphere_map, false, internal::execution_of<ConcurrencyTag>()))
+    return error;
+  Sphere_domain_3 result;
+  result.m_directions.reserve(mesh.images.size());
+  for(const auto& p : mesh.images)
+    result.m_directions.emplace_back(CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z()));
+  result.m_triangles.reserve(mesh.triangles.size());
+  for(const internal::Linked_triangle& t : mesh.triangles)
+    result.m_triangles.push_back(t.vertices);
+  domain = std::move(result);
+  return OK;
+}
+
+} // namespace CGAL::Spherical_parameterization
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_SPHERE_DOMAIN_3_H

@@ -18,7 +18,7 @@
 #include <CGAL/Spherical_parameterization/internal/check_arguments.h>
 #include <CGAL/Spherical_parameterization/internal/certificate/Orientation_about_origin_3.h>
 #include <CGAL/Spherical_parameterization/internal/run/parallel.h>
-#include <CGAL/Spherical_parameterization/internal/surface/Mesh_on_sphere.h>
+#include <CGAL/Spherical_parameterization/internal/Mesh_on_sphere.h>
 #include <CGAL/Spherical_parameterization/internal/locate/Sphere_triangulation.h>
 
 #include <CGAL/Kernel_traits.h>
@@ -36,8 +36,7 @@
 
 /// \file Sphere_locator_3.h
 
-namespace CGAL {
-namespace Spherical_parameterization {
+namespace CGAL::Spherical_parameterization {
 
 /// \ingroup PkgSphericalParameterizationSampling
 ///
@@ -208,7 +207,6 @@ private:
   std::vector<face_descriptor> m_faces;
 };
 
-} // namespace Spherical_parameterization
-} // namespace CGAL
+} // namespace CGAL::Spherical_parameterization
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_SPHERE_LOCATOR_3_H

@@ -26,8 +26,7 @@
 
 /// \file Stereographic_parameterizer_3.h
 
-namespace CGAL {
-namespace Spherical_parameterization {
+namespace CGAL::Spherical_parameterization {
 
 /// \ingroup PkgSphericalParameterizationMethods
 ///
@@ -73,20 +72,16 @@ public:
                           const CGAL_NP_CLASS& np = parameters::default_values())
   {
     m_report = Parameterization_report();
-    return internal::run_parameterization<ConcurrencyTag>(
-        tmesh, vertex_sphere_map, np, m_report, internal::Guarantee::ONE_TO_ONE, [&](auto& run) {
-          run.control.on_initialization_begin(run.mesh.number_of_vertices());
-          internal::Stereographic_embedding<SolverTraits> embedding(run.mesh);
-          if(!embedding.solve())
-            return ERROR_CANNOT_SOLVE_LINEAR_SYSTEM;
-          const bool is_bijective = embedding.project_bijectively(run.positions);
-          m_report.seconds_for_embedding = run.control.lap();
-          if(!is_bijective)
-            return ERROR_INSUFFICIENT_PRECISION;
-          run.control.on_initialization_end();
-          m_report.stop_reason = CONVERGED;
-          return OK;
-        });
+    if constexpr(internal::check_run<TriangleMesh, VertexSphereMap, CGAL_NP_CLASS>())
+    {
+      internal::Parameterization_run<ConcurrencyTag, TriangleMesh, CGAL_NP_CLASS> run(tmesh, np, m_report);
+      Error_code error = run.read();
+      if(error == OK)
+        error = internal::embed_stereographically<SolverTraits>(run, true);
+      return run.write(error, vertex_sphere_map);
+    }
+    else
+      return ERROR_WRONG_PARAMETER;
   }
 
   /// returns what the last run did.
@@ -96,7 +91,6 @@ private:
   Parameterization_report m_report;
 };
 
-} // namespace Spherical_parameterization
-} // namespace CGAL
+} // namespace CGAL::Spherical_parameterization
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_STEREOGRAPHIC_PARAMETERIZER_3_H

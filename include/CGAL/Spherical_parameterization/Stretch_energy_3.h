@@ -20,8 +20,7 @@
 
 /// \file Stretch_energy_3.h
 
-namespace CGAL {
-namespace Spherical_parameterization {
+namespace CGAL::Spherical_parameterization {
 
 /// \ingroup PkgSphericalParameterizationEnergies
 ///
@@ -79,7 +78,6 @@ private:
   double m_epsilon;
 };
 
-} // namespace Spherical_parameterization
-} // namespace CGAL
+} // namespace CGAL::Spherical_parameterization
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_STRETCH_ENERGY_3_H

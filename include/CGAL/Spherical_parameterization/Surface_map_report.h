@@ -14,13 +14,14 @@
 
 #include <CGAL/license/Spherical_parameterization.h>
 
+#include <CGAL/Spherical_parameterization/Parameterization_report.h>
+
 #include <cstddef>
 #include <vector>
 
 /// \file Surface_map_report.h
 
-namespace CGAL {
-namespace Spherical_parameterization {
+namespace CGAL::Spherical_parameterization {
 
 /// \ingroup PkgSphericalParameterizationSurfaces
 ///
@@ -28,7 +29,7 @@ namespace Spherical_parameterization {
 struct Surface_map_report
 {
   /// The symmetric Dirichlet energy of the map, measured on the common refinement: the mean of both directions. 2 is an
-  /// isometry, up to scale.
+  /// isometry, up to scale; infinite if a surface has no area.
   double energy = 0.;
 
   /// How well features agree after the spheres have been aligned, a correlation, at most 1; 0 if landmarks aligned them
@@ -45,11 +46,17 @@ struct Surface_map_report
   /// How many hard landmarks could not be met
   std::size_t number_of_missed_landmarks = 0;
 
-  /// Whether `Surface_map_settings::go_further` has ended the sweeps
-  bool is_stopped = false;
+  /// Why the last level was left: `CONVERGED`, also for surfaces that agree as they are; `ITERATION_LIMIT`; `STOPPED` or
+  /// `TIME_LIMIT`; `OBSTRUCTED` if doubles could not hold the descent, so that the map is the one from which it started
+  Stop_reason stop_reason = NOT_RUN;
+
+  std::size_t number_of_sweeps = 0;  ///< over levels of the first surface
+  double seconds_for_reading = 0.;   ///< to read both surfaces, and to certify their maps
+  double seconds_for_alignment = 0.; ///< to turn and bend one sphere onto the other one
+  double seconds_for_descent = 0.;   ///< to lower the energy
+  double seconds_for_overlay = 0.;   ///< to measure it on the common refinement
 };
 
-} // namespace Spherical_parameterization
-} // namespace CGAL
+} // namespace CGAL::Spherical_parameterization
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_SURFACE_MAP_REPORT_H

@@ -16,7 +16,6 @@
 #include <CGAL/license/Spherical_parameterization.h>
 
 #include <CGAL/Spherical_parameterization/Energy_derivatives_3.h>
-#include <CGAL/Spherical_parameterization/Face_invariants_3.h>
 #include <CGAL/Spherical_parameterization/Face_range_3.h>
 
 #include <array>
@@ -24,8 +23,7 @@
 
 /// \file Symmetric_Dirichlet_energy_3.h
 
-namespace CGAL {
-namespace Spherical_parameterization {
+namespace CGAL::Spherical_parameterization {
 
 /// \ingroup PkgSphericalParameterizationEnergies
 ///
@@ -76,7 +74,6 @@ public:
   }
 };
 
-} // namespace Spherical_parameterization
-} // namespace CGAL
+} // namespace CGAL::Spherical_parameterization
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_SYMMETRIC_DIRICHLET_ENERGY_3_H

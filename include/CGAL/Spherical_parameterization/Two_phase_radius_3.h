@@ -18,14 +18,13 @@
 #include <CGAL/Spherical_parameterization/Area_balancing_radius_3.h>
 #include <CGAL/Spherical_parameterization/Area_preserving_radius_3.h>
 #include <CGAL/Spherical_parameterization/Face_range_3.h>
-#include <CGAL/Spherical_parameterization/internal/policy_traits.h>
+#include <CGAL/Spherical_parameterization/internal/run/policy_traits.h>
 
 #include <cmath>
 
 /// \file Two_phase_radius_3.h
 
-namespace CGAL {
-namespace Spherical_parameterization {
+namespace CGAL::Spherical_parameterization {
 
 /// \ingroup PkgSphericalParameterizationRadius
 ///
@@ -66,12 +65,6 @@ public:
   double initial_radius(double equal_area_radius) const { return m_first.initial_radius(equal_area_radius); }
 
   /// returns the radius that follows `radius`, in linear time.
-  ///
-  /// \tparam Energy a model of `DistortionEnergy_3`
-  ///
-  /// \param energy the energy in use
-  /// \param faces the faces, as they are on the sphere of radius `radius`
-  /// \param radius the current radius, in the unit of length of the surface
   template <class Energy>
   double operator()(const Energy& energy, const Face_range_3& faces, double radius)
   {
@@ -100,7 +93,6 @@ private:
   bool m_is_settled = false;
 };
 
-} // namespace Spherical_parameterization
-} // namespace CGAL
+} // namespace CGAL::Spherical_parameterization
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_TWO_PHASE_RADIUS_3_H

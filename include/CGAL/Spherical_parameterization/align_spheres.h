@@ -14,32 +14,74 @@
 
 #include <CGAL/license/Spherical_parameterization.h>
 
+#include <CGAL/Spherical_parameterization/Default_visitor.h>
 #include <CGAL/Spherical_parameterization/Error_code.h>
-#include <CGAL/Spherical_parameterization/Sphere_alignment_3.h>
+#include <CGAL/Spherical_parameterization/Parameterization_report.h>
+#include <CGAL/Spherical_parameterization/internal/Mesh_on_sphere.h>
 #include <CGAL/Spherical_parameterization/internal/align/Rotation_search.h>
+#include <CGAL/Spherical_parameterization/internal/align/Sampled_surface.h>
 #include <CGAL/Spherical_parameterization/internal/align/Sphere_grid.h>
 #include <CGAL/Spherical_parameterization/internal/align/Surface_alignment.h>
-#include <CGAL/Spherical_parameterization/internal/run/parallel.h>
-#include <CGAL/Spherical_parameterization/internal/surface/Mesh_on_sphere.h>
+#include <CGAL/Spherical_parameterization/internal/check_run.h>
 #include <CGAL/Spherical_parameterization/internal/locate/Sphere_triangulation.h>
+#include <CGAL/Spherical_parameterization/internal/numbers/Rotation_matrix.h>
 #include <CGAL/Spherical_parameterization/internal/numbers/Vector_3.h>
+#include <CGAL/Spherical_parameterization/internal/run/Run_control.h>
+#include <CGAL/Spherical_parameterization/internal/run/parallel.h>
 
-#include <CGAL/boost/graph/properties.h>
+#include <CGAL/Aff_transformation_3.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Named_function_parameters.h>
+#include <CGAL/boost/graph/named_params_helper.h>
 #include <CGAL/number_utils.h>
 #include <CGAL/tags.h>
 
+#include <boost/graph/graph_traits.hpp>
 #include <boost/property_map/property_map.hpp>
 
-#include <algorithm>
+#include <array>
 #include <cstddef>
+#include <functional>
 #include <optional>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
 /// \file align_spheres.h
 
-namespace CGAL {
-namespace Spherical_parameterization {
+namespace CGAL::Spherical_parameterization {
+
+/// \ingroup PkgSphericalParameterizationSurfaces
+///
+/// The rotations that bring the sphere of one surface onto the sphere of another one: what `align_spheres()` finds.
+struct Sphere_alignment_3
+{
+  /// Type of a rotation about the origin
+  using Rotation_3 = CGAL::Aff_transformation_3<Exact_predicates_inexact_constructions_kernel>;
+
+  /// A rotation, and how well the surfaces agree by it
+  struct Candidate
+  {
+    Rotation_3 rotation; ///< Of the first sphere
+    double score;        ///< Correlation of the features, at most 1
+  };
+
+  /// The best rotations that differ by 20 degrees or more, at most four, the best one first
+  std::vector<Candidate> candidates;
+
+  /// Whether the visitor or the time limit has ended the search: the candidates are the best of what has been tried by then,
+  /// at worst the identity alone, with the score 0
+  bool is_stopped = false;
+
+  /// returns how much higher the score of the best candidate is than that of the second best, or than 0 if there is one only.
+  /// A margin below 0.1 or so means that the surface has a symmetry, or nearly: then look at both.
+  double margin() const
+  {
+    if(candidates.empty())
+      return 0.;
+    return candidates[0].score - (candidates.size() > 1 ? candidates[1].score : 0.);
+  }
+};
 
 namespace internal {
 
@@ -48,31 +90,15 @@ inline Sphere_alignment_3::Rotation_3 as_transformation(const Rotation_matrix& r
   return {r[0][0], r[0][1], r[0][2], r[1][0], r[1][1], r[1][2], r[2][0], r[2][1], r[2][2]};
 }
 
-// Reads a mesh, its map and features of its vertices, and samples them at the directions of a grid.
-template <class TriangleMesh, class VertexSphereMap, class... FeatureMap>
-Error_code read_samples(const Sphere_grid& grid, const TriangleMesh& tmesh, const VertexSphereMap& vertex_sphere_map,
-                        const Execution& execution, Surface_alignment::Samples& samples, const FeatureMap&... maps)
+// Samples a surface that has been read.
+template <class Arrays>
+Sampled_surface sampled_surface(const Sphere_grid& grid, Arrays& arrays, const std::vector<Channel>& features,
+                                const Execution& execution)
 {
-  using Arrays = Mesh_on_sphere<TriangleMesh, VertexSphereMap>;
-  Arrays arrays;
-  if(const Error_code error = arrays.read(tmesh, vertex_sphere_map, false, execution))
-    return error;
-  if(const Error_code error = arrays.read_points(get(vertex_point, tmesh)))
-    return error;
-  std::vector<Surface_alignment::Channel> features;
-  [[maybe_unused]] const auto read = [&](const auto& map) {
-    features.emplace_back();
-    for(const auto v : arrays.vertices_of_mesh)
-      features.back().push_back(CGAL::to_double(get(map, v)));
-  };
-  (read(maps), ...);
-  if(!Surface_alignment::are_finite(features))
-    return ERROR_WRONG_PARAMETER;
   Sphere_triangulation<typename Arrays::Exact_kernel> images;
   images.assign(std::move(arrays.images), std::move(arrays.triangles));
   images.make_grid();
-  samples = Surface_alignment::samples_of(grid, images, arrays.points, features, execution);
-  return OK;
+  return Sampled_surface(grid, images, arrays.points, features, execution);
 }
 
 } // namespace internal
@@ -81,13 +107,13 @@ Error_code read_samples(const Sphere_grid& grid, const TriangleMesh& tmesh, cons
 ///
 /// finds the rotations that bring the sphere of one surface onto that of another one such that the surfaces agree best, among
 /// all rotations and without a start. What is compared are features of the surfaces that do not depend on how they lie in
-/// space, and little on their pose: how much the maps change areas; the average geodesic distance of a place from all others;
-/// and the mean curvature, with its sign, at two scales, which tells front from back where a half turn would exchange both
-/// sides of a body. Instead, the caller may give any features.
+/// space, and little on their pose: how much the maps change areas; the average geodesic distance of a place from all others
+/// \cgalCite{cgal:hskk-tmfase-01}; and the mean curvature, with its sign, at two scales, which tells front from back where a
+/// half turn would exchange both sides of a body. Instead, the caller may give any features.
 ///
 /// Both surfaces are sampled at the same 4002 directions. Only the order of the values of a feature counts, so that scales
 /// and outliers do not matter. The score of a rotation is the correlation of all features, evenly over the sphere. 12,000
-/// rotations are tried, and the best ones refined to about 0.2 degrees.
+/// rotations are tried \cgalCite{cgal:a-sfs-22}, and the best ones refined to about 0.2 degrees.
 ///
 /// It is meant for surfaces that are nearly isometric, such as poses of a body, with maps made in the same way. Between
 /// bodies of other proportions it is likely to fail: look at the margin, and give landmarks or features.
@@ -99,57 +125,122 @@ Error_code read_samples(const Sphere_grid& grid, const TriangleMesh& tmesh, cons
 ///
 /// \tparam ConcurrencyTag enables sequential versus parallel algorithm. Possible values are `Sequential_tag`,
 ///         `Parallel_tag`, and `Parallel_if_available_tag`. The result does not depend on it.
-/// \tparam TriangleMesh1 a model of `FaceListGraph` with an internal vertex point property map
+/// \tparam TriangleMesh1 a model of `FaceListGraph`
 /// \tparam VertexSphereMap1 a model of `ReadablePropertyMap` with
 ///         `boost::graph_traits<TriangleMesh1>::%vertex_descriptor` as key type and `%Point_3` of a \cgal kernel as value
 ///         type; its coordinates are of type `double` or `float`, or of an exact number type
-/// \tparam TriangleMesh2 a model of `FaceListGraph` with an internal vertex point property map
+/// \tparam TriangleMesh2 a model of `FaceListGraph`
 /// \tparam VertexSphereMap2 the same for it
-/// \tparam FeatureMap1 a model of `ReadablePropertyMap` with
-///         `boost::graph_traits<TriangleMesh1>::%vertex_descriptor` as key type and a number type as value type
-/// \tparam FeatureMap2 the same for the second mesh
+/// \tparam Features a range of `std::pair` of two functions: they return the value, a number, of a feature at a vertex of
+///         the first mesh and of the second one. `Surface_mapper_3::Feature` is such a pair.
+/// \tparam NamedParameters1 a sequence of \ref bgl_namedparameters "Named Parameters"
+/// \tparam NamedParameters2 a sequence of \ref bgl_namedparameters "Named Parameters"
 ///
 /// \param tmesh1 the first surface
 /// \param vertex_sphere_map1 the images of its vertices, at any distance from the origin
 /// \param tmesh2 the second surface
 /// \param vertex_sphere_map2 the images of its vertices, at any distance from the origin
-/// \param result receives the rotations of the first sphere
-/// \param features for each feature that is to be compared, the map of the first mesh and that of the second one; if there
-///        are none, those of the package are
+/// \param features what is to be compared; if there are none, the features of the package are
+/// \param alignment receives the rotations of the first sphere
+/// \param np1 an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
+/// \param np2 an optional sequence of \ref bgl_namedparameters "Named Parameters": `vertex_point_map` of `tmesh2`
+///
+/// \cgalNamedParamsBegin
+///   \cgalParamNBegin{vertex_point_map}
+///     \cgalParamDescription{a property map associating points to the vertices of `tmesh1`}
+///     \cgalParamType{a class model of `ReadablePropertyMap` with
+///                    `boost::graph_traits<TriangleMesh1>::%vertex_descriptor` as key type and `%Point_3` as value type}
+///     \cgalParamDefault{`boost::get(CGAL::vertex_point, tmesh1)`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{visitor}
+///     \cgalParamDescription{a visitor, of which `go_further(0, 0)` is asked every few milliseconds whether to go on}
+///     \cgalParamType{a class model of `SphericalParameterizationVisitor`, or `std::ref()` of one}
+///     \cgalParamDefault{`Default_visitor`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{maximum_running_time}
+///     \cgalParamDescription{the time limit in seconds; none if it is not positive}
+///     \cgalParamType{`double`}
+///     \cgalParamDefault{`0`}
+///   \cgalParamNEnd
+/// \cgalNamedParamsEnd
 ///
 /// \return `OK`; what is wrong with the first mesh, or else the second one, see `find_defect()`, or with its map:
 ///         `ERROR_NO_1_TO_1_MAPPING` if that is no bijection; `ERROR_NON_FINITE_COORDINATE` if a point is not finite; or
-///         `ERROR_WRONG_PARAMETER` if the value of a feature is not. The result is as it was then.
+///         `ERROR_WRONG_PARAMETER` if the value of a feature is not. The alignment is as it was then.
 ///
 /// \sa `CGAL::Spherical_parameterization::fit_rotation()`
 template <class ConcurrencyTag = Parallel_if_available_tag, class TriangleMesh1, class VertexSphereMap1,
-          class TriangleMesh2, class VertexSphereMap2, class... FeatureMap1, class... FeatureMap2>
+          class TriangleMesh2, class VertexSphereMap2, class Features, typename CGAL_NP_TEMPLATE_PARAMETERS_1,
+          typename CGAL_NP_TEMPLATE_PARAMETERS_2>
 [[nodiscard]] Error_code align_spheres(const TriangleMesh1& tmesh1, VertexSphereMap1 vertex_sphere_map1,
                                        const TriangleMesh2& tmesh2, VertexSphereMap2 vertex_sphere_map2,
-                                       Sphere_alignment_3& result,
-                                       const std::pair<FeatureMap1, FeatureMap2>&... features)
+                                       const Features& features, Sphere_alignment_3& alignment,
+                                       const CGAL_NP_CLASS_1& np1 = parameters::default_values(),
+                                       const CGAL_NP_CLASS_2& np2 = parameters::default_values())
 {
-  const internal::Execution execution = internal::execution_of<ConcurrencyTag>();
-  const internal::Sphere_grid grid;
-  internal::Surface_alignment::Samples first, second;
-  if(const Error_code error =
-         internal::read_samples(grid, tmesh1, vertex_sphere_map1, execution, first, features.first...))
-    return error;
-  if(const Error_code error =
-         internal::read_samples(grid, tmesh2, vertex_sphere_map2, execution, second, features.second...))
-    return error;
-  const internal::Surface_alignment alignment(grid, std::move(first), std::move(second), execution);
-  constexpr std::size_t n_candidates = 4;
-  result.candidates.clear();
-  for(const internal::Scored_rotation& candidate : alignment.best_rotations(n_candidates))
-    result.candidates.push_back({internal::as_transformation(candidate.rotation), candidate.score});
-  return OK;
+  if constexpr(internal::check_mesh_and_readable_map<TriangleMesh1, VertexSphereMap1>() &&
+               internal::check_mesh_and_readable_map<TriangleMesh2, VertexSphereMap2>() &&
+               internal::check_run_parameters<TriangleMesh1, CGAL_NP_CLASS_1>() &&
+               internal::check_vertex_point_map<TriangleMesh2, CGAL_NP_CLASS_2>())
+  {
+    using parameters::choose_parameter;
+    using parameters::get_parameter;
+    using parameters::get_parameter_reference;
+    using Visitor = typename internal_np::Lookup_named_param_def<internal_np::visitor_t, CGAL_NP_CLASS_1,
+                                                                 Default_visitor>::reference;
+    Default_visitor default_visitor;
+    Visitor visitor = choose_parameter(get_parameter_reference(np1, internal_np::visitor), default_visitor);
+    Parameterization_report unused;
+    internal::Visitor_control<std::remove_reference_t<Visitor>> control(
+        visitor, choose_parameter(get_parameter(np1, internal_np::maximum_running_time), 0.), unused);
+    const internal::Execution execution = internal::execution_of<ConcurrencyTag>();
+    internal::Mesh_on_sphere<TriangleMesh1, VertexSphereMap1> arrays1;
+    internal::Mesh_on_sphere<TriangleMesh2, VertexSphereMap2> arrays2;
+    std::vector<internal::Channel> features1, features2;
+    if(const Error_code error = internal::read_surfaces(tmesh1, vertex_sphere_map1, arrays1, np1, tmesh2,
+                                                        vertex_sphere_map2, arrays2, np2, execution))
+      return error;
+    if(!internal::read_features<0>(features, arrays1.vertices_of_mesh, features1) ||
+       !internal::read_features<1>(features, arrays2.vertices_of_mesh, features2))
+      return ERROR_WRONG_PARAMETER;
+    const internal::Sphere_grid grid(execution);
+    const internal::Surface_alignment surfaces(grid, internal::sampled_surface(grid, arrays1, features1, execution),
+                                               internal::sampled_surface(grid, arrays2, features2, execution), control,
+                                               execution);
+    constexpr std::size_t n_candidates = 4;
+    alignment.candidates.clear();
+    for(const internal::Scored_rotation& candidate : surfaces.best_rotations(n_candidates))
+      alignment.candidates.push_back({internal::as_transformation(candidate.rotation), candidate.score});
+    alignment.is_stopped = control.is_stopped();
+    return OK;
+  }
+  else
+    return ERROR_WRONG_PARAMETER;
+}
+
+/// \ingroup PkgSphericalParameterizationSurfaces
+///
+/// finds the same with the features of the package.
+template <class ConcurrencyTag = Parallel_if_available_tag, class TriangleMesh1, class VertexSphereMap1,
+          class TriangleMesh2, class VertexSphereMap2, typename CGAL_NP_TEMPLATE_PARAMETERS_1,
+          typename CGAL_NP_TEMPLATE_PARAMETERS_2>
+[[nodiscard]] Error_code align_spheres(const TriangleMesh1& tmesh1, VertexSphereMap1 vertex_sphere_map1,
+                                       const TriangleMesh2& tmesh2, VertexSphereMap2 vertex_sphere_map2,
+                                       Sphere_alignment_3& alignment,
+                                       const CGAL_NP_CLASS_1& np1 = parameters::default_values(),
+                                       const CGAL_NP_CLASS_2& np2 = parameters::default_values())
+{
+  using Feature = std::pair<std::function<double(typename boost::graph_traits<TriangleMesh1>::vertex_descriptor)>,
+                            std::function<double(typename boost::graph_traits<TriangleMesh2>::vertex_descriptor)>>;
+  return align_spheres<ConcurrencyTag>(tmesh1, vertex_sphere_map1, tmesh2, vertex_sphere_map2, std::array<Feature, 0>(),
+                                       alignment, np1, np2);
 }
 
 /// \ingroup PkgSphericalParameterizationSurfaces
 ///
 /// finds the rotation that brings the sphere of one surface onto that of another one such that landmarks come as near as
-/// possible to theirs: the sum of the squared distances between their directions is least. It is never a reflection.
+/// possible to theirs \cgalCite{cgal:h-csaouq-87} - the sum of the squared distances between their directions is least. It is
+/// never a reflection.
 ///
 /// The running time is linear in the number of landmarks.
 ///
@@ -190,7 +281,6 @@ template <class VertexSphereMap1, class VertexSphereMap2, class Landmarks>
   return OK;
 }
 
-} // namespace Spherical_parameterization
-} // namespace CGAL
+} // namespace CGAL::Spherical_parameterization
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_ALIGN_SPHERES_H

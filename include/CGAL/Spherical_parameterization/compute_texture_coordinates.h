@@ -16,38 +16,34 @@
 
 #include <CGAL/Spherical_parameterization/Error_code.h>
 #include <CGAL/Spherical_parameterization/internal/run/parallel.h>
-#include <CGAL/Spherical_parameterization/internal/surface/Added_triangles.h>
+#include <CGAL/Spherical_parameterization/internal/Mesh_on_sphere.h>
+#include <CGAL/Spherical_parameterization/internal/surface/add_triangles.h>
 #include <CGAL/Spherical_parameterization/internal/images/Geographic_frame.h>
-#include <CGAL/Spherical_parameterization/internal/surface/Mesh_on_sphere.h>
 #include <CGAL/Spherical_parameterization/internal/images/Seam_cut.h>
-#include <CGAL/Spherical_parameterization/internal/numbers/Vector_3.h>
 
 #include <CGAL/Cartesian_converter.h>
 #include <CGAL/Kernel_traits.h>
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/named_params_helper.h>
 #include <CGAL/boost/graph/properties.h>
-#include <CGAL/number_utils.h>
 #include <CGAL/tags.h>
 
 #include <boost/property_map/property_map.hpp>
 
-#include <array>
 #include <cstddef>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 /// \file compute_texture_coordinates.h
 
-namespace CGAL {
-namespace Spherical_parameterization {
+namespace CGAL::Spherical_parameterization {
 
 /// \ingroup PkgSphericalParameterizationSampling
 ///
 /// makes a mesh with texture coordinates of a surface and its map to the sphere: longitude and latitude, for images of the
 /// whole globe and others in the equirectangular projection. The first coordinate goes from 0 to 1 eastwards, with the zero
-/// meridian at 0.5; the second one from 0 at the south pole to 1 at the north pole. As seen from outside, the image is as it
-/// is, and not mirrored.
+/// meridian at 0.5; the second one from 0 at the south pole to 1 at the north pole. Seen from outside, the image is not mirrored.
 ///
 /// The ends of the image meet at the seam, the meridian opposite to the zero meridian. No face goes on beyond it: edges that
 /// cross the seam get a vertex there, and the faces on each side coordinates of their own, 0 or 1. Therefore
@@ -59,10 +55,11 @@ namespace Spherical_parameterization {
 /// Which faces are divided there is decided exactly, for the images and directions as they are given, whatever passes
 /// through a vertex or along an edge. Within a face, texture coordinates are interpolated linearly, while edges are mapped to
 /// arcs of great circles, which are curved in the image, most of all around the poles. Where a face is so narrow that its
-/// texture triangle would be turned over by that, edges are cut in the middle, until all texture triangles are positively
-/// oriented: they cover the image once, but for as much as the triangles at the poles cover of it. In maps of usual surfaces,
-/// this takes a vertex in 600. It ends when as many vertices have been added as the mesh has, and 1000, as may happen with
-/// extreme needles. Texture triangles of faces whose images are narrower than a millionth of their length, or shorter than
+/// texture triangle would be turned over by that, edges are cut in the middle, by longest-edge propagation
+/// \cgalCite{cgal:r-nlea-97}, until all texture triangles are positively oriented: they cover the image once, but for as much
+/// as the triangles at the poles cover of it. In maps of usual surfaces, this adds one vertex to 600. It ends, with
+/// `ERROR_FOLDED_TEXTURE`, when as many vertices have been added as the mesh has, and 1000, as may happen with extreme needles.
+/// Texture triangles of faces whose images are narrower than a millionth of their length, or shorter than
 /// 1e-9 of the radius, may stay turned over, each by less than 1e-10 of the image.
 ///
 /// The running time is linear in the size of the mesh. It is only read.
@@ -101,9 +98,11 @@ namespace Spherical_parameterization {
 ///
 /// \return `OK`; what is wrong with the mesh, see `find_defect()`, or with its map: `ERROR_NO_1_TO_1_MAPPING` if that is
 ///         no bijection; or `ERROR_INVALID_DIRECTION` if the north pole or the zero meridian is zero, infinite or not a
-///         number, or if they are parallel. Nothing is added then.
+///         number, or if they are parallel. Nothing is added then. Or `ERROR_FOLDED_TEXTURE`: the mesh and the coordinates are
+///         complete, but some texture triangles are turned over. What is thrown, for want of memory or by property maps of the
+///         caller, is passed on; `textured_mesh` has the vertices, edges and faces that it had then.
 ///
-/// \sa `CGAL::Spherical_parameterization::write_OBJ()`
+/// \sa `CGAL::Spherical_parameterization::IO::write_OBJ()`
 template <class ConcurrencyTag = Parallel_if_available_tag, class TriangleMesh, class VertexSphereMap,
           class TexturedMesh, class HalfedgeTextureMap, typename CGAL_NP_TEMPLATE_PARAMETERS_1,
           typename CGAL_NP_TEMPLATE_PARAMETERS_2>
@@ -136,27 +135,30 @@ template <class ConcurrencyTag = Parallel_if_available_tag, class TriangleMesh, 
                                               get_property_map(vertex_point, textured_mesh));
   using Point_3 = typename boost::property_traits<std::decay_t<decltype(point_map)>>::value_type;
   using New_point_3 = typename boost::property_traits<std::decay_t<decltype(new_point_map)>>::value_type;
-  using New_FT = typename Kernel_traits<New_point_3>::Kernel::FT;
-  const internal::Added_triangles<TexturedMesh> added(mesh.triangles, mesh.points.size(), textured_mesh);
   const Cartesian_converter<typename Kernel_traits<Point_3>::Kernel, typename Kernel_traits<New_point_3>::Kernel>
       convert;
-  for(std::size_t v = 0; v < mesh.points.size(); ++v)
-    put(new_point_map, added.vertices[v], convert(get(point_map, mesh.vertices_of_mesh[v])));
-  const internal::Seam_cut<TexturedMesh, Exact_kernel> cut(frame, mesh.images, mesh.triangles, mesh.points, added,
-                                                           textured_mesh);
-  cut.for_each_new_vertex([&](const auto v, const internal::Vector_3d& p) {
-    put(new_point_map, v, New_point_3(static_cast<New_FT>(p[0]), static_cast<New_FT>(p[1]), static_cast<New_FT>(p[2])));
-  });
-
   using Point_2 = typename boost::property_traits<HalfedgeTextureMap>::value_type;
   using Texture_FT = typename Kernel_traits<Point_2>::Kernel::FT;
-  cut.for_each_corner([&](const auto h, const std::array<double, 2>& c) {
-    put(halfedge_texture_map, h, Point_2(static_cast<Texture_FT>(c[0]), static_cast<Texture_FT>(c[1])));
-  });
-  return OK;
+  const internal::Seam_cut<Exact_kernel> cut(frame, mesh.images, mesh.triangles, std::move(mesh.points));
+  internal::add_triangles(
+      cut.triangles(), cut.points().size(), textured_mesh, [&](const auto& new_vertices, const auto& new_faces) {
+        internal::write_vectors(new_point_map, new_vertices, [&](std::size_t v) { return cut.points()[v]; });
+        for(std::size_t v = 0; v < mesh.vertices_of_mesh.size(); ++v) // which may be more exact
+          put(new_point_map, new_vertices[v], convert(get(point_map, mesh.vertices_of_mesh[v])));
+        for(std::size_t t = 0; t < new_faces.size(); ++t)
+        {
+          auto h = halfedge(new_faces[t], textured_mesh); // to the corner 1
+          for(const std::size_t i : {1u, 2u, 0u})
+          {
+            const auto uv = cut.coordinates(t, i);
+            put(halfedge_texture_map, h, Point_2(static_cast<Texture_FT>(uv[0]), static_cast<Texture_FT>(uv[1])));
+            h = next(h, textured_mesh);
+          }
+        }
+      });
+  return cut.is_complete() ? OK : ERROR_FOLDED_TEXTURE;
 }
 
-} // namespace Spherical_parameterization
-} // namespace CGAL
+} // namespace CGAL::Spherical_parameterization
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_COMPUTE_TEXTURE_COORDINATES_H

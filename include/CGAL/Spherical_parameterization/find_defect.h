@@ -16,9 +16,7 @@
 #include <CGAL/license/Spherical_parameterization.h>
 
 #include <CGAL/Spherical_parameterization/Error_code.h>
-#include <CGAL/Spherical_parameterization/Mesh_defect.h>
-#include <CGAL/Spherical_parameterization/Parameterization_report.h>
-#include <CGAL/Spherical_parameterization/internal/surface/Indexed_mesh.h>
+#include <CGAL/Spherical_parameterization/internal/surface/Surface.h>
 #include <CGAL/Spherical_parameterization/internal/surface/Mesh_defect_locator.h>
 #include <CGAL/Spherical_parameterization/internal/surface/read_mesh.h>
 
@@ -28,12 +26,54 @@
 
 #include <boost/graph/graph_traits.hpp>
 
-#include <vector>
+#include <cstddef>
+#include <string>
 
 /// \file find_defect.h
 
-namespace CGAL {
-namespace Spherical_parameterization {
+namespace CGAL::Spherical_parameterization {
+
+/// \ingroup PkgSphericalParameterizationMeasuring
+///
+/// What keeps a mesh from being parameterized, and where it is. The text is for people, the descriptors are for
+/// programs that show or repair the place.
+///
+/// | `error`                       | `vertex`          | `other_vertex` | `face`                 | `count`                |
+/// | :---------------------------- | :---------------- | :------------- | :--------------------- | :--------------------- |
+/// | `ERROR_EMPTY_MESH`            | -                 | -              | -                      | 0                      |
+/// | `ERROR_TOO_FEW_VERTICES`      | -                 | -              | -                      | vertices with a face   |
+/// | `ERROR_NON_TRIANGULAR_MESH`   | -                 | -              | the first of them      | such faces             |
+/// | `ERROR_NON_CLOSED_MESH`       | an end of an edge on the border | the other end | the face at that edge | such edges |
+/// | `ERROR_SEVERAL_COMPONENTS`    | one of a component | one of another component | -           | components             |
+/// | `ERROR_NO_TOPOLOGICAL_SPHERE` | -                 | -              | -                      | handles, the genus     |
+/// | `ERROR_NO_SIMPLICIAL_COMPLEX` | a vertex where several fans of faces meet, or an end of a repeated edge | the other end of the repeated edge | - | such edges, or vertices |
+/// | `ERROR_TOO_LARGE_MESH`        | -                 | -              | -                      | 0                      |
+/// | `ERROR_NON_FINITE_COORDINATE` | the first of them | -              | -                      | such vertices          |
+///
+/// What does not apply is a null descriptor.
+///
+/// \tparam TriangleMesh a model of `FaceListGraph`
+///
+/// \sa `CGAL::Spherical_parameterization::find_defect()`
+template <class TriangleMesh>
+struct Mesh_defect
+{
+  /// Vertex descriptor type
+  using vertex_descriptor = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
+  /// Face descriptor type
+  using face_descriptor = typename boost::graph_traits<TriangleMesh>::face_descriptor;
+
+  Error_code error = OK;                                                       ///< what is wrong; `OK` if nothing is
+  vertex_descriptor vertex = boost::graph_traits<TriangleMesh>::null_vertex(); ///< where; see above
+  vertex_descriptor other_vertex = boost::graph_traits<TriangleMesh>::null_vertex(); ///< where; see above
+  face_descriptor face = boost::graph_traits<TriangleMesh>::null_face();             ///< where; see above
+  std::size_t count = 0;                                                             ///< how often; see above
+
+  /// English sentences: what is wrong, where, and what to do about it. They name vertices and faces by their places in
+  /// the ranges `vertices(tmesh)` and `faces(tmesh)`, counted from 0: for a mesh without removed elements, these are
+  /// its indices, and those of the file that it was read from.
+  std::string message;
+};
 
 /// \ingroup PkgSphericalParameterizationMeasuring
 ///
@@ -73,14 +113,12 @@ Mesh_defect<TriangleMesh> find_defect(const TriangleMesh& tmesh, const CGAL_NP_C
 
   const auto vpm =
       choose_parameter(get_parameter(np, internal_np::vertex_point), get_const_property_map(vertex_point, tmesh));
-  internal::Indexed_mesh mesh;
-  std::vector<typename boost::graph_traits<TriangleMesh>::vertex_descriptor> vertices_of_mesh;
-  Parameterization_report report;
-  const Error_code error = internal::read_mesh(tmesh, vpm, mesh, vertices_of_mesh, report);
-  return internal::Mesh_defect_locator<TriangleMesh>(tmesh).locate(error, vpm);
+  internal::Mesh_arrays<TriangleMesh> arrays;
+  internal::Surface surface;
+  const Error_code error = internal::read_surface(tmesh, vpm, arrays, surface);
+  return internal::Mesh_defect_locator<Mesh_defect<TriangleMesh>, TriangleMesh>(tmesh).locate(error, vpm);
 }
 
-} // namespace Spherical_parameterization
-} // namespace CGAL
+} // namespace CGAL::Spherical_parameterization
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_FIND_DEFECT_H

@@ -15,155 +15,86 @@
 
 #include <CGAL/license/Spherical_parameterization.h>
 
-#include <CGAL/Spherical_parameterization/Distortion_summary.h>
 #include <CGAL/Spherical_parameterization/Error_code.h>
-#include <CGAL/Spherical_parameterization/internal/check_arguments.h>
 #include <CGAL/Spherical_parameterization/internal/certificate/Orientation_about_origin_3.h>
-#include <CGAL/Spherical_parameterization/internal/measuring/Triangle_stretch.h>
+#include <CGAL/Spherical_parameterization/internal/check_arguments.h>
+#include <CGAL/Spherical_parameterization/internal/measuring/distortion_of_faces.h>
 #include <CGAL/Spherical_parameterization/internal/run/parallel.h>
-#include <CGAL/Spherical_parameterization/internal/numbers/Vector_3.h>
+#include <CGAL/Spherical_parameterization/internal/surface/read_mesh.h>
 
-#include <CGAL/Dynamic_property_map.h>
 #include <CGAL/Named_function_parameters.h>
-#include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/named_params_helper.h>
 #include <CGAL/boost/graph/properties.h>
 #include <CGAL/number_utils.h>
 #include <CGAL/tags.h>
 
-#include <boost/graph/graph_traits.hpp>
-#include <boost/property_map/property_map.hpp>
-
-#include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
-#include <type_traits>
-#include <utility>
-#include <vector>
 
 /// \file measure_distortion.h
 
-namespace CGAL {
-namespace Spherical_parameterization {
+namespace CGAL::Spherical_parameterization {
 
-#ifndef DOXYGEN_RUNNING
-namespace internal {
-
-// Maximum, average and standard deviation of a sequence of numbers >= 0, in one pass. The sums are those of Welford,
-// because a difference of the sums of squares has no correct digit left where the numbers hardly differ.
-class Statistics_accumulator
+/// \ingroup PkgSphericalParameterizationMeasuring
+///
+/// The distortion of a face of a mesh by a map to the sphere. The map sends the face to a flat triangle by a linear map
+/// with singular values \f$ s_1 \leq s_2 \f$. Each of the measures is invariant under inversion, that is, stretching a
+/// length, an area or a ratio of lengths by a factor is as bad as shrinking it by the same factor.
+///
+/// \sa `CGAL::Spherical_parameterization::measure_distortion()`
+struct Face_distortion
 {
-public:
-  void add(double x)
-  {
-    m_maximum = (std::max)(m_maximum, x);
-    ++m_size;
-    const double difference = x - m_average;
-    m_average += difference / static_cast<double>(m_size);
-    m_squares += difference * (x - m_average);
-  }
+  /// \f$ \max(s_2, 1 / s_1) \f$: the largest factor by which a length is stretched or shrunk. At least 1, and 1 for an
+  /// isometry.
+  double isometric;
 
-  double average() const { return !is_finite(m_maximum) ? m_maximum : m_average; }
+  /// \f$ s_1 s_2 + 1 / (s_1 s_2) \f$: how the area changes. At least 2, and 2 if it stays the same.
+  double area;
 
-  Distortion_statistics statistics() const
-  {
-    if(m_size == 0 || !is_finite(m_maximum))
-      return {m_maximum, m_maximum, m_maximum};
-    return {m_maximum, m_average, std::sqrt(m_squares / static_cast<double>(m_size))};
-  }
+  /// \f$ s_1 / s_2 + s_2 / s_1 \f$: how the angles change. At least 2, and 2 for a similarity.
+  double angle;
 
-private:
-  std::size_t m_size = 0;
-  double m_maximum = 0.;
-  double m_average = 0.;
-  double m_squares = 0.; // sum of the squared differences from the average
+  /// whether the image is not positively oriented about the origin, by an exact predicate on the points in the map.
+  bool is_inverted;
 };
 
-// p - q, computed in the number type of the coordinates if that is exact
-template <class Point_3>
-Vector_3d difference(const Point_3& p, const Point_3& q)
+/// \ingroup PkgSphericalParameterizationMeasuring
+///
+/// The statistics of one measure of distortion over the faces of a mesh, each face counting the same whatever its area.
+///
+/// All three numbers are infinite if the distortion of a face is, or if all faces are degenerate.
+///
+/// \sa `CGAL::Spherical_parameterization::Distortion_summary`
+struct Distortion_statistics
 {
-  if constexpr(std::is_arithmetic<std::decay_t<decltype(p.x())>>::value)
-  {
-    // Differences of float are exact, or more so, in double precision.
-    return {static_cast<double>(p.x()) - static_cast<double>(q.x()),
-            static_cast<double>(p.y()) - static_cast<double>(q.y()),
-            static_cast<double>(p.z()) - static_cast<double>(q.z())};
-  }
-  else
-    return {CGAL::to_double(p.x() - q.x()), CGAL::to_double(p.y() - q.y()), CGAL::to_double(p.z() - q.z())};
-}
+  double maximum = 0.;   ///< the largest value
+  double average = 0.;   ///< the arithmetic mean
+  double deviation = 0.; ///< the standard deviation, the square root of the mean squared difference from the average
+};
 
-template <class Point_3>
-Triangle_edges triangle_edges(const Point_3& p0, const Point_3& p1, const Point_3& p2)
+/// \ingroup PkgSphericalParameterizationMeasuring
+///
+/// The distortion of a map from a mesh to the sphere, summed up over its faces.
+///
+/// \sa `CGAL::Spherical_parameterization::measure_distortion()`
+struct Distortion_summary
 {
-  return {difference(p2, p1), difference(p0, p2), difference(p1, p0)};
-}
+  Distortion_statistics isometric; ///< statistics of `Face_distortion::isometric`
+  Distortion_statistics area;      ///< statistics of `Face_distortion::area`
+  Distortion_statistics angle;     ///< statistics of `Face_distortion::angle`
 
-template <class Point_3>
-struct Has_floating_point_coordinates
-  : std::is_floating_point<std::decay_t<decltype(std::declval<const Point_3&>().x())>>
-{};
+  /// the radius of the sphere: the average distance of the images from the origin.
+  double radius = 0.;
 
-// Measures all faces, in the order of faces(tmesh). The mesh and its property maps are read by this thread, and only
-// then are the faces measured in parallel; copies of an exact number may share mutable state, so those are not.
-template <class TriangleMesh, class VertexPointMap, class VertexSphereMap>
-std::vector<Face_distortion> distortions_of_faces(const TriangleMesh& tmesh, VertexPointMap vertex_point_map,
-                                                  VertexSphereMap vertex_sphere_map, std::vector<char>& is_degenerate,
-                                                  Execution execution)
-{
-  using Surface_point_3 = typename boost::property_traits<VertexPointMap>::value_type;
-  using Image_point_3 = typename boost::property_traits<VertexSphereMap>::value_type;
-  using Selection = Exact_predicates_kernel_of_map<VertexSphereMap>;
+  /// all faces of the mesh.
+  std::size_t number_of_faces = 0;
 
-  std::vector<Surface_point_3> surface_points;
-  std::vector<Image_point_3> images;
-  surface_points.reserve(num_vertices(tmesh));
-  images.reserve(num_vertices(tmesh));
-  const auto index = get(CGAL::dynamic_vertex_property_t<std::size_t>(), tmesh);
-  for(const auto v : vertices(tmesh))
-    if(halfedge(v, tmesh) != boost::graph_traits<TriangleMesh>::null_halfedge())
-    {
-      put(index, v, images.size());
-      surface_points.push_back(get(vertex_point_map, v));
-      images.push_back(get(vertex_sphere_map, v));
-    }
-  std::vector<std::array<std::size_t, 3>> triangles;
-  triangles.reserve(num_faces(tmesh));
-  for(const auto f : faces(tmesh))
-  {
-    const auto h = halfedge(f, tmesh);
-    triangles.push_back(
-        {get(index, source(h, tmesh)), get(index, target(h, tmesh)), get(index, target(next(h, tmesh), tmesh))});
-  }
+  /// faces whose image is not positively oriented about the origin; degenerate faces may be among them.
+  std::size_t number_of_inverted_faces = 0;
 
-  constexpr std::size_t block_size = 256;
-  constexpr bool may_be_parallel =
-      Has_floating_point_coordinates<Surface_point_3>::value && Has_floating_point_coordinates<Image_point_3>::value;
-  const Orientation_about_origin_3<typename Selection::type> orientation;
-  std::vector<Face_distortion> result(triangles.size());
-  is_degenerate.resize(triangles.size());
-  for_each_block(may_be_parallel ? execution : Execution(), 0, triangles.size(), block_size,
-                 [&](std::size_t begin, std::size_t end) {
-                   for(std::size_t k = begin; k < end; ++k)
-                   {
-                     const auto [a, b, c] = triangles[k];
-                     const Image_point_3 &u = images[a], &v = images[b], &w = images[c];
-                     const Triangle_stretch stretch(
-                         triangle_edges(surface_points[a], surface_points[b], surface_points[c]),
-                         triangle_edges(u, v, w));
-                     const bool is_inverted =
-                         orientation(Selection::convert(u), Selection::convert(v), Selection::convert(w)) != POSITIVE;
-                     result[k] = {stretch.isometric(), stretch.area(), stretch.angle(), is_inverted};
-                     is_degenerate[k] = stretch.is_degenerate();
-                   }
-                 });
-  return result;
-}
-
-} // namespace internal
-#endif
+  /// faces that are so thin that they have no distortion; they are left out of the statistics.
+  std::size_t number_of_degenerate_faces = 0;
+};
 
 /// \ingroup PkgSphericalParameterizationMeasuring
 ///
@@ -199,6 +130,7 @@ std::vector<Face_distortion> distortions_of_faces(const TriangleMesh& tmesh, Ver
 ///
 /// \param tmesh a triangle mesh, closed or not
 /// \param vertex_sphere_map the images of the vertices, points around the origin
+/// \param distortion receives the statistics over the faces, the radius and the numbers of special faces
 /// \param face_distortion_map receives the distortion of each face
 /// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
 ///
@@ -213,79 +145,65 @@ std::vector<Face_distortion> distortions_of_faces(const TriangleMesh& tmesh, Ver
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
-/// \return the statistics over the faces, the radius and the numbers of special faces; if a face is no triangle,
-///         nothing but the member `error`, and `face_distortion_map` is as it was
+/// \return `OK`; or `ERROR_EMPTY_MESH`, `ERROR_NON_TRIANGULAR_MESH` or `ERROR_TOO_LARGE_MESH`, and `distortion` and
+///         `face_distortion_map` are as they were
 ///
 /// \sa `CGAL::Spherical_parameterization::is_bijective()`
 template <class ConcurrencyTag = Parallel_if_available_tag, class TriangleMesh, class VertexSphereMap,
           class FaceDistortionMap, typename CGAL_NP_TEMPLATE_PARAMETERS>
-Distortion_summary measure_distortion(const TriangleMesh& tmesh, VertexSphereMap vertex_sphere_map,
-                                      FaceDistortionMap face_distortion_map,
-                                      const CGAL_NP_CLASS& np = parameters::default_values())
+[[nodiscard]] Error_code measure_distortion(const TriangleMesh& tmesh, VertexSphereMap vertex_sphere_map,
+                                            Distortion_summary& distortion, FaceDistortionMap face_distortion_map,
+                                            const CGAL_NP_CLASS& np = parameters::default_values())
 {
   if constexpr(internal::check_mesh_and_readable_map<TriangleMesh, VertexSphereMap>())
   {
     using parameters::choose_parameter;
     using parameters::get_parameter;
 
-    Distortion_summary summary;
-    if(!CGAL::is_triangle_mesh(tmesh))
-    {
-      summary.error = ERROR_NON_TRIANGULAR_MESH;
-      return summary;
-    }
-    internal::Statistics_accumulator isometric, area, angle, radius;
-    for(const auto v : vertices(tmesh))
-      if(halfedge(v, tmesh) != boost::graph_traits<TriangleMesh>::null_halfedge())
-      {
-        const auto& p = get(vertex_sphere_map, v);
-        radius.add(std::hypot(CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z())));
-      }
-    summary.radius = radius.average();
-
-    std::vector<char> is_degenerate;
-    const std::vector<Face_distortion> distortions = internal::distortions_of_faces(
-        tmesh,
+    internal::Mesh_arrays<TriangleMesh> mesh;
+    if(const Error_code error = mesh.read(tmesh, true))
+      return error;
+    const auto as_it_is = [](const auto& p) { return p; };
+    const auto points = internal::read_values(
+        mesh.vertices_of_mesh,
         choose_parameter(get_parameter(np, internal_np::vertex_point), get_const_property_map(vertex_point, tmesh)),
-        vertex_sphere_map, is_degenerate, internal::execution_of<ConcurrencyTag>());
-    summary.number_of_faces = distortions.size();
-    std::size_t k = 0;
+        as_it_is);
+    const auto images = internal::read_values(mesh.vertices_of_mesh, vertex_sphere_map, as_it_is);
+    const auto measured = internal::distortion_of_faces<internal::Exact_predicates_kernel_of_map<VertexSphereMap>>(
+        points, images, mesh.triangles, internal::execution_of<ConcurrencyTag>());
+
+    internal::Statistics_accumulator isometric, area, angle, radius;
+    for(const auto& p : images)
+      radius.add(std::hypot(CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z())));
+    Distortion_summary summary;
+    summary.radius = radius.average();
+    summary.number_of_faces = measured.size();
+    auto face = measured.begin();
     for(const auto f : faces(tmesh))
     {
-      const Face_distortion& distortion = distortions[k];
-      summary.number_of_inverted_faces += distortion.is_inverted;
-      if(is_degenerate[k++])
-        ++summary.number_of_degenerate_faces;
-      else
+      const internal::Measured_face& values = *face++;
+      summary.number_of_inverted_faces += values.is_inverted;
+      summary.number_of_degenerate_faces += values.is_degenerate;
+      if(!values.is_degenerate)
       {
-        isometric.add(distortion.isometric);
-        area.add(distortion.area);
-        angle.add(distortion.angle);
+        isometric.add(values.isometric);
+        area.add(values.area);
+        angle.add(values.angle);
       }
-      put(face_distortion_map, f, distortion);
+      put(face_distortion_map, f, Face_distortion{values.isometric, values.area, values.angle, values.is_inverted});
     }
-    summary.isometric = isometric.statistics();
-    summary.area = area.statistics();
-    summary.angle = angle.statistics();
-    return summary;
+    const auto statistics = [](const internal::Statistics_accumulator& of) {
+      return Distortion_statistics{of.maximum(), of.average(), of.deviation()};
+    };
+    summary.isometric = statistics(isometric);
+    summary.area = statistics(area);
+    summary.angle = statistics(angle);
+    distortion = summary;
+    return OK;
   }
   else
-    return Distortion_summary();
+    return ERROR_WRONG_PARAMETER;
 }
-
-#ifndef DOXYGEN_RUNNING
-namespace internal {
-
-// where the overload without a face map leaves the values of the faces
-struct No_face_distortion_map
-{
-  template <class Face>
-  friend void put(const No_face_distortion_map&, const Face&, const Face_distortion&)
-  {}
-};
-
-} // namespace internal
-#endif
 
 /// \ingroup PkgSphericalParameterizationMeasuring
 ///
@@ -294,14 +212,14 @@ struct No_face_distortion_map
 /// Measures and parameters are those of the first function of this name.
 template <class ConcurrencyTag = Parallel_if_available_tag, class TriangleMesh, class VertexSphereMap,
           typename CGAL_NP_TEMPLATE_PARAMETERS>
-Distortion_summary measure_distortion(const TriangleMesh& tmesh, VertexSphereMap vertex_sphere_map,
-                                      const CGAL_NP_CLASS& np = parameters::default_values())
+[[nodiscard]] Error_code measure_distortion(const TriangleMesh& tmesh, VertexSphereMap vertex_sphere_map,
+                                            Distortion_summary& distortion,
+                                            const CGAL_NP_CLASS& np = parameters::default_values())
 {
-  return Spherical_parameterization::measure_distortion<ConcurrencyTag>(tmesh, vertex_sphere_map,
-                                                                        internal::No_face_distortion_map(), np);
+  return Spherical_parameterization::measure_distortion<ConcurrencyTag>(tmesh, vertex_sphere_map, distortion,
+                                                                        internal::No_face_map(), np);
 }
 
-} // namespace Spherical_parameterization
-} // namespace CGAL
+} // namespace CGAL::Spherical_parameterization
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_MEASURE_DISTORTION_H

@@ -15,15 +15,17 @@
 #include <CGAL/license/Spherical_parameterization.h>
 
 #include <CGAL/Spherical_parameterization/Error_code.h>
-#include <CGAL/Spherical_parameterization/Surface_overlay_3.h>
 #include <CGAL/Spherical_parameterization/internal/overlay/Overlay_arrays.h>
 #include <CGAL/Spherical_parameterization/internal/run/parallel.h>
-#include <CGAL/Spherical_parameterization/internal/surface/Mesh_on_sphere.h>
+#include <CGAL/Spherical_parameterization/internal/Mesh_on_sphere.h>
 #include <CGAL/Spherical_parameterization/internal/locate/Sphere_triangulation.h>
 #include <CGAL/Spherical_parameterization/internal/numbers/Vector_3.h>
 
-#include <CGAL/boost/graph/properties.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Named_function_parameters.h>
 #include <CGAL/tags.h>
+
+#include <boost/graph/graph_traits.hpp>
 
 #include <cstddef>
 #include <type_traits>
@@ -32,8 +34,33 @@
 
 /// \file overlay.h
 
-namespace CGAL {
-namespace Spherical_parameterization {
+namespace CGAL::Spherical_parameterization {
+
+/// \ingroup PkgSphericalParameterizationSurfaces
+///
+/// The common refinement of two surfaces that have maps to the same sphere, as `overlay()` makes it: triangles, each of
+/// which is a part of one face of the first surface and of one face of the second. It is closed: with `points` of either
+/// surface, `triangles` are that surface; and what is between the two points of a vertex is a morph.
+///
+/// \tparam TriangleMesh1 a model of `FaceListGraph`
+/// \tparam TriangleMesh2 a model of `FaceListGraph`
+template <class TriangleMesh1, class TriangleMesh2>
+struct Surface_overlay_3
+{
+  /// Type of the points
+  using Point_3 = Exact_predicates_inexact_constructions_kernel::Point_3;
+
+  /// For each vertex, its places on the first surface and on the second one
+  std::vector<std::array<Point_3, 2>> points;
+
+  /// The vertices of each triangle, counterclockwise as seen from outside
+  std::vector<std::array<std::uint32_t, 3>> triangles;
+
+  /// For each triangle, the face of the first surface and that of the second one which it is a part of
+  std::vector<std::pair<typename boost::graph_traits<TriangleMesh1>::face_descriptor,
+                        typename boost::graph_traits<TriangleMesh2>::face_descriptor>>
+      faces;
+};
 
 /// \ingroup PkgSphericalParameterizationSurfaces
 ///
@@ -53,67 +80,86 @@ namespace Spherical_parameterization {
 ///
 /// \tparam ConcurrencyTag enables sequential versus parallel algorithm. Possible values are `Sequential_tag`,
 ///         `Parallel_tag`, and `Parallel_if_available_tag`. The result does not depend on it.
-/// \tparam TriangleMesh1 a model of `FaceListGraph` with an internal vertex point property map
+/// \tparam TriangleMesh1 a model of `FaceListGraph`
 /// \tparam VertexSphereMap1 a model of `ReadablePropertyMap` with
 ///         `boost::graph_traits<TriangleMesh1>::%vertex_descriptor` as key type and `%Point_3` of a \cgal kernel with
 ///         coordinates of type `double` or `float` as value type
-/// \tparam TriangleMesh2 a model of `FaceListGraph` with an internal vertex point property map
+/// \tparam TriangleMesh2 a model of `FaceListGraph`
 /// \tparam VertexSphereMap2 the same for it
+/// \tparam NamedParameters1 a sequence of \ref bgl_namedparameters "Named Parameters"
+/// \tparam NamedParameters2 a sequence of \ref bgl_namedparameters "Named Parameters"
 ///
 /// \param tmesh1 the first surface
 /// \param vertex_sphere_map1 the images of its vertices, at any distance from the origin
 /// \param tmesh2 the second surface
 /// \param vertex_sphere_map2 the images of its vertices, at any distance from the origin
 /// \param result receives the refinement
+/// \param np1 an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
+/// \param np2 the same for `tmesh2`
 ///
-/// \return `OK`; or what is wrong with the first mesh, or else the second one, see `find_defect()`, or with its map:
-///         `ERROR_NO_1_TO_1_MAPPING` if that is no bijection. The result is as it was then.
+/// \cgalNamedParamsBegin
+///   \cgalParamNBegin{vertex_point_map}
+///     \cgalParamDescription{a property map associating points to the vertices of `tmesh1`}
+///     \cgalParamType{a class model of `ReadablePropertyMap` with
+///                    `boost::graph_traits<TriangleMesh1>::%vertex_descriptor` as key type and `%Point_3` as value type}
+///     \cgalParamDefault{`boost::get(CGAL::vertex_point, tmesh1)`}
+///   \cgalParamNEnd
+/// \cgalNamedParamsEnd
+///
+/// \return `OK`; what is wrong with the first mesh, or else the second one, see `find_defect()`, or with its map:
+///         `ERROR_NO_1_TO_1_MAPPING` if that is no bijection; or `ERROR_TOO_LARGE_MESH` if the refinement has more vertices
+///         than 32 bits can count. The result is as it was then.
 ///
 /// \sa `CGAL::Spherical_parameterization::measure_distortion_between()`
 template <class ConcurrencyTag = Parallel_if_available_tag, class TriangleMesh1, class VertexSphereMap1,
-          class TriangleMesh2, class VertexSphereMap2>
+          class TriangleMesh2, class VertexSphereMap2, typename CGAL_NP_TEMPLATE_PARAMETERS_1,
+          typename CGAL_NP_TEMPLATE_PARAMETERS_2>
 [[nodiscard]] Error_code overlay(const TriangleMesh1& tmesh1, VertexSphereMap1 vertex_sphere_map1,
                                  const TriangleMesh2& tmesh2, VertexSphereMap2 vertex_sphere_map2,
-                                 Surface_overlay_3<TriangleMesh1, TriangleMesh2>& result)
+                                 Surface_overlay_3<TriangleMesh1, TriangleMesh2>& result,
+                                 const CGAL_NP_CLASS_1& np1 = parameters::default_values(),
+                                 const CGAL_NP_CLASS_2& np2 = parameters::default_values())
 {
-  using Arrays1 = internal::Mesh_on_sphere<TriangleMesh1, VertexSphereMap1>;
-  using Arrays2 = internal::Mesh_on_sphere<TriangleMesh2, VertexSphereMap2>;
-  using K = typename Arrays1::Exact_kernel;
-  static_assert(std::is_same<typename K::FT, double>::value && std::is_same<K, typename Arrays2::Exact_kernel>::value,
-                "The coordinates of both maps to the sphere have to be of type double or float.");
-  using Overlay = Surface_overlay_3<TriangleMesh1, TriangleMesh2>;
-
-  const internal::Execution execution = internal::execution_of<ConcurrencyTag>();
-  Arrays1 arrays1;
-  Arrays2 arrays2;
-  if(const Error_code error =
-         internal::read_surfaces(tmesh1, vertex_sphere_map1, arrays1, tmesh2, vertex_sphere_map2, arrays2, execution))
-    return error;
-  const std::vector<internal::Vector_3d>&points1 = arrays1.points, &points2 = arrays2.points;
-  internal::Sphere_triangulation<K> sphere1, sphere2;
-  sphere1.assign(std::move(arrays1.images), std::move(arrays1.triangles));
-  sphere2.assign(std::move(arrays2.images), std::move(arrays2.triangles));
-
-  internal::Overlay_arrays arrays;
-  if(!arrays.assign(sphere1, points1, sphere2, points2, execution))
-    return ERROR_NO_1_TO_1_MAPPING; // never, for two bijections
-  Overlay overlay;
-  overlay.points.reserve(arrays.points[0].size());
-  for(std::size_t v = 0; v < arrays.points[0].size(); ++v)
+  if constexpr(internal::check_two_spheres<TriangleMesh1, VertexSphereMap1, TriangleMesh2, VertexSphereMap2>())
   {
-    const internal::Vector_3d &p = arrays.points[0][v], &q = arrays.points[1][v];
-    overlay.points.push_back(
-        {typename Overlay::Point_3(p[0], p[1], p[2]), typename Overlay::Point_3(q[0], q[1], q[2])});
+    using Arrays1 = internal::Mesh_on_sphere<TriangleMesh1, VertexSphereMap1>;
+    using Arrays2 = internal::Mesh_on_sphere<TriangleMesh2, VertexSphereMap2>;
+    using K = typename Arrays1::Exact_kernel;
+    using Overlay = Surface_overlay_3<TriangleMesh1, TriangleMesh2>;
+
+    const internal::Execution execution = internal::execution_of<ConcurrencyTag>();
+    Arrays1 arrays1;
+    Arrays2 arrays2;
+    if(const Error_code error = internal::read_surfaces(tmesh1, vertex_sphere_map1, arrays1, np1, tmesh2,
+                                                        vertex_sphere_map2, arrays2, np2, execution))
+      return error;
+    const std::vector<internal::Vector_3d>&points1 = arrays1.points, &points2 = arrays2.points;
+    internal::Sphere_triangulation<K> sphere1, sphere2;
+    sphere1.assign(std::move(arrays1.images), std::move(arrays1.triangles));
+    sphere2.assign(std::move(arrays2.images), std::move(arrays2.triangles));
+
+    internal::Overlay_arrays arrays;
+    if(const Error_code error = arrays.assign(sphere1, points1, sphere2, points2, execution))
+      return error;
+    Overlay overlay;
+    overlay.points.reserve(arrays.points[0].size());
+    for(std::size_t v = 0; v < arrays.points[0].size(); ++v)
+    {
+      const internal::Vector_3d &p = arrays.points[0][v], &q = arrays.points[1][v];
+      overlay.points.push_back(
+          {typename Overlay::Point_3(p[0], p[1], p[2]), typename Overlay::Point_3(q[0], q[1], q[2])});
+    }
+    overlay.faces.reserve(arrays.parents.size());
+    for(const auto& parents : arrays.parents)
+      overlay.faces.emplace_back(arrays1.faces_of_mesh[parents[0]], arrays2.faces_of_mesh[parents[1]]);
+    overlay.triangles = std::move(arrays.triangles);
+    result = std::move(overlay);
+    return OK;
   }
-  overlay.faces.reserve(arrays.parents.size());
-  for(const auto& parents : arrays.parents)
-    overlay.faces.emplace_back(arrays1.faces_of_mesh[parents[0]], arrays2.faces_of_mesh[parents[1]]);
-  overlay.triangles = std::move(arrays.triangles);
-  result = std::move(overlay);
-  return OK;
+  else
+    return ERROR_WRONG_PARAMETER;
 }
 
-} // namespace Spherical_parameterization
-} // namespace CGAL
+} // namespace CGAL::Spherical_parameterization
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_OVERLAY_H

@@ -13,11 +13,11 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_PARAMETERIZE_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_PARAMETERIZE_H
 
-#include <CGAL/license/Spherical_parameterization.h>
-
 #if !defined(DOXYGEN_RUNNING) && __cplusplus < 201703L && !(_MSVC_LANG >= 201703L)
 #error "Spherical_parameterization needs C++17: compile with -std=c++17 or newer."
 #else
+
+#include <CGAL/license/Spherical_parameterization.h>
 
 #include <CGAL/Spherical_parameterization/Bijective_low_distortion_parameterizer_3.h>
 #include <CGAL/Spherical_parameterization/Error_code.h>
@@ -30,8 +30,7 @@
 
 /// \file parameterize.h
 
-namespace CGAL {
-namespace Spherical_parameterization {
+namespace CGAL::Spherical_parameterization {
 
 /// \ingroup PkgSphericalParameterizationMainFunction
 ///
@@ -163,8 +162,7 @@ Error_code parameterize(const TriangleMesh& tmesh, VertexSphereMap vertex_sphere
                                                                   vertex_sphere_map, np);
 }
 
-} // namespace Spherical_parameterization
-} // namespace CGAL
+} // namespace CGAL::Spherical_parameterization
 
 #endif // C++17
 

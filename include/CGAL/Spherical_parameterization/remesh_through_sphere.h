@@ -17,41 +17,59 @@
 #include <CGAL/Spherical_parameterization/Error_code.h>
 #include <CGAL/Spherical_parameterization/Sphere_domain_3.h>
 #include <CGAL/Spherical_parameterization/internal/run/parallel.h>
-#include <CGAL/Spherical_parameterization/internal/surface/Added_triangles.h>
-#include <CGAL/Spherical_parameterization/internal/surface/Mesh_on_sphere.h>
-#include <CGAL/Spherical_parameterization/internal/sampling/Property_carrier.h>
+#include <CGAL/Spherical_parameterization/internal/Mesh_on_sphere.h>
+#include <CGAL/Spherical_parameterization/internal/surface/add_triangles.h>
+#include <CGAL/Spherical_parameterization/internal/surface/Linked_triangle.h>
+#include <CGAL/Spherical_parameterization/internal/surface/Surface.h>
 #include <CGAL/Spherical_parameterization/internal/locate/Sphere_triangulation.h>
-#include <CGAL/Spherical_parameterization/internal/sampling/Transfer_mixtures.h>
-#include <CGAL/Spherical_parameterization/internal/surface/link_triangles.h>
-#include <CGAL/Spherical_parameterization/internal/sampling/surface_samples.h>
+#include <CGAL/Spherical_parameterization/internal/sampling/Property_carrier.h>
 #include <CGAL/Spherical_parameterization/internal/numbers/Vector_3.h>
 
-#include <CGAL/Kernel_traits.h>
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/named_params_helper.h>
 #include <CGAL/boost/graph/properties.h>
 #include <CGAL/tags.h>
 
-#include <boost/graph/graph_traits.hpp>
-#include <boost/property_map/property_map.hpp>
-
 #include <cstddef>
-#include <type_traits>
+#include <cstdint>
 #include <utility>
 #include <vector>
 
 /// \file remesh_through_sphere.h
 
-namespace CGAL {
-namespace Spherical_parameterization {
+namespace CGAL::Spherical_parameterization {
+namespace internal {
+
+inline Vector_3d normalized_or_zero(const Vector_3d& v)
+{
+  return length(v) > 0. ? normalized(v) : v;
+}
+
+inline std::vector<Vector_3d> vertex_normals(std::vector<Vector_3d> points,
+                                             const std::vector<Linked_triangle>& triangles)
+{
+  normalize(points);
+  std::vector<Vector_3d> result(points.size(), Vector_3d{0., 0., 0.});
+  for(const Linked_triangle& t : triangles)
+  {
+    const Vector_3d normal = cross(points[t[1]] - points[t[0]], points[t[2]] - points[t[0]]);
+    for(const std::uint32_t v : t.vertices)
+      result[v] = result[v] + normal;
+  }
+  for(Vector_3d& normal : result)
+    normal = normalized_or_zero(normal);
+  return result;
+}
+
+} // namespace internal
 
 /// \ingroup PkgSphericalParameterizationSampling
 ///
-/// samples a surface at the directions of a domain: makes a mesh that has the triangles of the domain, and its vertices at
-/// the places of the surface that have their directions, see `Sphere_locator_3`. So the connectivity is regular, if the
-/// domain is; the number of vertices is chosen; and the new mesh corresponds to the surface one-to-one by the sphere. It is
-/// close to it where samples are dense: maps made with `Stretch_energy_3` spread them most evenly over the surface.
-/// `measure_distance()` tells how close it is. Nothing excludes that it intersects itself where it is too coarse.
+/// samples a surface at the directions of a domain \cgalCite{cgal:ph-spr-03} - makes a mesh that has the triangles of the domain,
+/// and its vertices at the places of the surface that have their directions, see `Sphere_locator_3`. So the connectivity is
+/// regular, if the domain is; the number of vertices is chosen; and the new mesh corresponds to the surface one-to-one by the
+/// sphere. It is close to it where samples are dense: maps made with `Stretch_energy_3` spread them most evenly over the
+/// surface. `measure_distance()` tells how close it is. Nothing excludes that it intersects itself where it is too coarse.
 ///
 /// If both meshes are of class `Surface_mesh`, the properties of vertices and faces are carried over, too; see
 /// `transfer()`, which does it for others.
@@ -95,7 +113,9 @@ namespace Spherical_parameterization {
 /// \cgalNamedParamsEnd
 ///
 /// \return `OK`; what is wrong with the mesh, see `find_defect()`, or with its map: `ERROR_NO_1_TO_1_MAPPING` if that is
-///         no bijection; or `ERROR_INVALID_DOMAIN` if `domain.error_code()` is not `OK`. Nothing is added then.
+///         no bijection; or `ERROR_INVALID_DOMAIN` if the domain is empty. Nothing is added then. What is thrown, for want of
+///         memory or by property maps of the caller, is passed on; `remesh` has the vertices, edges and faces that it had then,
+///         but properties of their own may have been added to a `Surface_mesh`, and it may have garbage.
 ///
 /// \sa `CGAL::Spherical_parameterization::transfer()`
 /// \sa `CGAL::Spherical_parameterization::measure_distance()`
@@ -113,7 +133,7 @@ template <class ConcurrencyTag = Parallel_if_available_tag, class TriangleMesh, 
   using parameters::choose_parameter;
   using parameters::get_parameter;
 
-  if(domain.error_code() != OK)
+  if(domain.is_empty())
     return ERROR_INVALID_DOMAIN;
   const internal::Execution execution = internal::execution_of<ConcurrencyTag>();
   Mesh_arrays mesh;
@@ -131,40 +151,35 @@ template <class ConcurrencyTag = Parallel_if_available_tag, class TriangleMesh, 
     directions.emplace_back(FT(q.x()), FT(q.y()), FT(q.z()));
   target.assign(std::move(directions), internal::link_triangles(domain.triangles(), domain.directions().size()));
   const auto places = source.locate(target.points(), execution);
-  const internal::Added_triangles<Remesh> added(target.triangles(), places.size(), remesh);
 
-  const auto write = [&](const auto& map, const auto& value_of) { // value_of(i)[k] is coordinate k at vertex i
-    using Value = typename boost::property_traits<std::decay_t<decltype(map)>>::value_type;
-    using Value_FT = typename Kernel_traits<Value>::Kernel::FT;
-    for(std::size_t i = 0; i < places.size(); ++i)
-    {
-      const auto value = value_of(i);
-      put(map, added.vertices[i],
-          Value(static_cast<Value_FT>(value[0]), static_cast<Value_FT>(value[1]), static_cast<Value_FT>(value[2])));
-    }
-  };
-  write(choose_parameter(get_parameter(np_remesh, internal_np::vertex_point), get_property_map(vertex_point, remesh)),
-        [&](std::size_t i) { return internal::interpolated(mesh.points, source.triangles(), places[i]); });
-  write(remesh_sphere_map, [&](std::size_t i) { return domain.directions()[i]; });
-  if constexpr(!parameters::is_default_parameter<CGAL_NP_CLASS_2, internal_np::vertex_normal_map_t>::value)
-  {
-    const std::vector<internal::Vector_3d> normals = internal::vertex_normals(mesh.points, source.triangles());
-    write(get_parameter(np_remesh, internal_np::vertex_normal_map), [&](std::size_t i) {
-      return internal::normalized_or_zero(internal::interpolated(normals, source.triangles(), places[i]));
-    });
-  }
-
-  if constexpr(internal::are_surface_meshes<TriangleMesh, Remesh>)
-  {
-    const internal::Transfer_mixtures<Exact_kernel> mixtures(source, mesh.points, target, places, execution);
-    internal::Property_carrier<TriangleMesh, Remesh, Exact_kernel> carrier(
-        {mesh.vertices_of_mesh, mesh.faces_of_mesh}, {added.vertices, added.faces}, mixtures, execution);
-    internal::carry_all_properties(carrier, tmesh, vertex_sphere_map, remesh, remesh_sphere_map);
-  }
+  internal::add_triangles(
+      target.triangles(), places.size(), remesh, [&](const auto& new_vertices, const auto& new_faces) {
+        const auto sample = [&](const std::vector<internal::Vector_3d>& values, std::size_t k) {
+          return internal::interpolated(values, source.triangles(), places[k]);
+        };
+        internal::write_vectors(choose_parameter(get_parameter(np_remesh, internal_np::vertex_point),
+                                                 get_property_map(vertex_point, remesh)),
+                                new_vertices, [&](std::size_t k) { return sample(mesh.points, k); });
+        internal::write_vectors(remesh_sphere_map, new_vertices, [&](std::size_t k) { return domain.directions()[k]; });
+        if constexpr(!parameters::is_default_parameter<CGAL_NP_CLASS_2, internal_np::vertex_normal_map_t>::value)
+        {
+          const auto normals = internal::vertex_normals(mesh.points, source.triangles());
+          internal::write_vectors(get_parameter(np_remesh, internal_np::vertex_normal_map), new_vertices,
+                                  [&](std::size_t k) { return internal::normalized_or_zero(sample(normals, k)); });
+        }
+        if constexpr(internal::are_surface_meshes<TriangleMesh, Remesh>)
+        {
+          const internal::Transfer_mixtures<Exact_kernel> mixtures(source, mesh.points, target, places, execution);
+          internal::Property_carrier<TriangleMesh, Remesh, Exact_kernel> carrier(
+              {mesh.vertices_of_mesh, mesh.faces_of_mesh}, {new_vertices, new_faces}, mixtures);
+          internal::carry_all_properties(carrier, tmesh, vertex_sphere_map, remesh, remesh_sphere_map);
+        }
+        else
+          (void)new_faces;
+      });
   return OK;
 }
 
-} // namespace Spherical_parameterization
-} // namespace CGAL
+} // namespace CGAL::Spherical_parameterization
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_REMESH_THROUGH_SPHERE_H

@@ -15,12 +15,15 @@
 
 #include <CGAL/license/Spherical_parameterization.h>
 
+#include <CGAL/Spherical_parameterization/Error_code.h>
 #include <CGAL/Spherical_parameterization/internal/certificate/is_safely_positive.h>
 #include <CGAL/Spherical_parameterization/internal/numbers/Vector_3.h>
 
 #include <CGAL/boost/graph/Euler_operations.h>
+#include <CGAL/Named_function_parameters.h>
+#include <CGAL/boost/graph/helpers.h>
+#include <CGAL/boost/graph/named_params_helper.h>
 #include <CGAL/boost/graph/properties.h>
-#include <CGAL/number_utils.h>
 
 #include <boost/graph/graph_traits.hpp>
 #include <boost/property_map/property_map.hpp>
@@ -33,8 +36,7 @@
 
 /// \file split_blocking_edges.h
 
-namespace CGAL {
-namespace Spherical_parameterization {
+namespace CGAL::Spherical_parameterization {
 
 namespace internal {
 
@@ -60,15 +62,16 @@ inline bool do_arcs_cross(const Vector_3d& a, const Vector_3d& b, const Vector_3
 /// landmarks that would have to be exchanged, it does not. Call both until all are met, or a few times:
 ///
 /// \code{.cpp}
-/// for(int round = 0; round < 5 && report.number_of_missed_landmarks > 0; ++round)
-///   if(split_blocking_edges(copy, sphere_of_copy, directions, sphere2, settings.landmarks) == 0 ||
-///      map_surface(copy, sphere_of_copy, tmesh2, sphere2, directions, settings, &report) != OK)
+/// std::size_t n = 1; // edges that have been split
+/// for(int round = 0; round < 5 && n > 0 && mapper.report().number_of_missed_landmarks > 0; ++round)
+///   if(split_blocking_edges(copy, sphere_of_copy, directions, sphere2, landmarks, n) != OK ||
+///      map_surface(copy, sphere_of_copy, tmesh2, sphere2, mapper, directions) != OK)
 ///     break;
 /// \endcode
 ///
 /// It takes time proportional to the number of edges times that of the landmarks that are missed.
 ///
-/// \tparam TriangleMesh a model of `MutableFaceGraph` with an internal vertex point property map
+/// \tparam TriangleMesh a model of `MutableFaceGraph`
 /// \tparam VertexSphereMap a model of `ReadWritePropertyMap` with
 ///         `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and `%Point_3` of a \cgal kernel as value
 ///         type
@@ -76,26 +79,38 @@ inline bool do_arcs_cross(const Vector_3d& a, const Vector_3d& b, const Vector_3
 /// \tparam VertexSphereMap2 a model of `ReadablePropertyMap` with the vertices of the second surface as key type and
 ///         `%Point_3` of a \cgal kernel as value type
 /// \tparam LandmarkRange a range of pairs of vertices, one of either surface
+/// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 ///
 /// \param tmesh the first surface, or rather a copy of it. Its vertices stay what they are
 /// \param vertex_sphere_map its map to the sphere, which stays a bijection. Has room for new vertices
 /// \param vertex_direction_map what `map_surface()` has found for it. New vertices have none yet
 /// \param vertex_sphere_map2 the map of the second surface
-/// \param landmarks as they are in `Surface_map_settings`
+/// \param landmarks as for `Surface_mapper_3`
+/// \param number_of_split_edges receives the number of edges that have been split: 0 if none is crossed, as where a way leads
+///        exactly through vertices, or if double precision numbers cannot hold what is left of their faces
+/// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
 ///
-/// \return the number of edges that have been split; 0 if none is crossed, as where a way leads exactly through
-///         vertices, or if double precision numbers cannot hold what is left of their faces
+/// \cgalNamedParamsBegin
+///   \cgalParamNBegin{vertex_point_map}
+///     \cgalParamDescription{a property map associating points to the vertices of `tmesh`, with room for new ones}
+///     \cgalParamType{a class model of `ReadWritePropertyMap` with
+///                    `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and `%Point_3` as value type}
+///     \cgalParamDefault{`boost::get(CGAL::vertex_point, tmesh)`}
+///   \cgalParamNEnd
+/// \cgalNamedParamsEnd
+///
+/// \return `OK`, or `ERROR_NON_CLOSED_MESH` or `ERROR_NON_TRIANGULAR_MESH` if the mesh is no surface that has been mapped;
+///         it is as it was then
 template <class TriangleMesh, class VertexSphereMap, class VertexDirectionMap, class VertexSphereMap2,
-          class LandmarkRange>
-std::size_t split_blocking_edges(TriangleMesh& tmesh, VertexSphereMap vertex_sphere_map,
-                                 VertexDirectionMap vertex_direction_map, VertexSphereMap2 vertex_sphere_map2,
-                                 const LandmarkRange& landmarks)
+          class LandmarkRange, typename CGAL_NP_TEMPLATE_PARAMETERS>
+[[nodiscard]] Error_code split_blocking_edges(TriangleMesh& tmesh, VertexSphereMap vertex_sphere_map,
+                                              VertexDirectionMap vertex_direction_map,
+                                              VertexSphereMap2 vertex_sphere_map2, const LandmarkRange& landmarks,
+                                              std::size_t& number_of_split_edges,
+                                              const CGAL_NP_CLASS& np = parameters::default_values())
 {
   using halfedge_descriptor = typename boost::graph_traits<TriangleMesh>::halfedge_descriptor;
-  const auto direction_of = [](const auto& p) {
-    return internal::normalized(
-        internal::Vector_3d{CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z())});
-  };
+  using internal::direction_of;
   const auto middle = [](const auto& p, const auto& q) {
     return std::decay_t<decltype(p)>(p.x() / 2 + q.x() / 2, p.y() / 2 + q.y() / 2, p.z() / 2 + q.z() / 2);
   };
@@ -110,8 +125,13 @@ std::size_t split_blocking_edges(TriangleMesh& tmesh, VertexSphereMap vertex_sph
     if(internal::dot(p, q) < cosine_of_rounding)
       ways.emplace_back(p, q);
   }
+  number_of_split_edges = 0;
+  if(!CGAL::is_closed(tmesh))
+    return ERROR_NON_CLOSED_MESH;
+  if(!CGAL::is_triangle_mesh(tmesh))
+    return ERROR_NON_TRIANGULAR_MESH;
   if(ways.empty())
-    return 0;
+    return OK;
   for(const auto e : edges(tmesh))
   {
     const halfedge_descriptor h = halfedge(e, tmesh);
@@ -122,8 +142,8 @@ std::size_t split_blocking_edges(TriangleMesh& tmesh, VertexSphereMap vertex_sph
       blocking.push_back(h);
   }
 
-  const auto points = get(CGAL::vertex_point, tmesh);
-  std::size_t n = 0;
+  const auto points = parameters::choose_parameter(parameters::get_parameter(np, internal_np::vertex_point),
+                                                   get_property_map(vertex_point, tmesh));
   for(const halfedge_descriptor h : blocking)
   {
     const auto a = source(h, tmesh), b = target(h, tmesh);
@@ -142,12 +162,11 @@ std::size_t split_blocking_edges(TriangleMesh& tmesh, VertexSphereMap vertex_sph
     put(vertex_sphere_map, target(first_half, tmesh), image);
     CGAL::Euler::split_face(first_half, next(h, tmesh), tmesh);
     CGAL::Euler::split_face(opposite(h, tmesh), next(other, tmesh), tmesh);
-    ++n;
+    ++number_of_split_edges;
   }
-  return n;
+  return OK;
 }
 
-} // namespace Spherical_parameterization
-} // namespace CGAL
+} // namespace CGAL::Spherical_parameterization
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_SPLIT_BLOCKING_EDGES_H

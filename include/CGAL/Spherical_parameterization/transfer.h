@@ -15,22 +15,65 @@
 #include <CGAL/license/Spherical_parameterization.h>
 
 #include <CGAL/Spherical_parameterization/Error_code.h>
-#include <CGAL/Spherical_parameterization/internal/run/parallel.h>
-#include <CGAL/Spherical_parameterization/internal/surface/Mesh_on_sphere.h>
-#include <CGAL/Spherical_parameterization/internal/sampling/Property_carrier.h>
+#include <CGAL/Spherical_parameterization/internal/Mesh_on_sphere.h>
 #include <CGAL/Spherical_parameterization/internal/locate/Sphere_triangulation.h>
+#include <CGAL/Spherical_parameterization/internal/run/parallel.h>
+#include <CGAL/Spherical_parameterization/internal/sampling/Property_carrier.h>
 
+#include <CGAL/Named_function_parameters.h>
 #include <CGAL/Surface_mesh/Surface_mesh_fwd.h>
+#include <CGAL/boost/graph/named_params_helper.h>
 #include <CGAL/boost/graph/properties.h>
 #include <CGAL/tags.h>
 
+#include <tuple>
 #include <type_traits>
 #include <utility>
 
 /// \file transfer.h
 
-namespace CGAL {
-namespace Spherical_parameterization {
+namespace CGAL::Spherical_parameterization {
+namespace internal {
+
+// Reads both meshes and calls carry(carrier).
+template <class ConcurrencyTag, class SourceMesh, class SourceSphereMap, class TargetMesh, class TargetSphereMap,
+          class NamedParameters, class Carry>
+Error_code carry_properties(const SourceMesh& source, const SourceSphereMap& source_sphere, const TargetMesh& target,
+                            const TargetSphereMap& target_sphere, const NamedParameters& np_source, const Carry& carry)
+{
+  using Source = Mesh_on_sphere<SourceMesh, SourceSphereMap>;
+  using Target = Mesh_on_sphere<TargetMesh, TargetSphereMap>;
+  using Exact_kernel = typename Source::Exact_kernel;
+  static_assert(std::is_same<Exact_kernel, typename Target::Exact_kernel>::value,
+                "The coordinates of both maps to the sphere have to be of type double or float, or of the same exact "
+                "number type.");
+
+  const Execution execution = execution_of<ConcurrencyTag>();
+  Source source_arrays;
+  if(const Error_code error = source_arrays.read(source, source_sphere, false, execution))
+    return error;
+  if(const Error_code error = source_arrays.read_points(
+         parameters::choose_parameter(parameters::get_parameter(np_source, internal_np::vertex_point),
+                                      get_const_property_map(vertex_point, source))))
+    return error;
+  Target target_arrays;
+  if(const Error_code error = target_arrays.read(target, target_sphere, false, execution))
+    return error;
+  Sphere_triangulation<Exact_kernel> source_triangulation, target_triangulation;
+  source_triangulation.assign(std::move(source_arrays.images), std::move(source_arrays.triangles));
+  target_triangulation.assign(std::move(target_arrays.images), std::move(target_arrays.triangles));
+  source_triangulation.make_grid();
+  const auto places = source_triangulation.locate(target_triangulation.points(), execution);
+  const Transfer_mixtures<Exact_kernel> mixtures(source_triangulation, std::move(source_arrays.points),
+                                                 target_triangulation, places, execution);
+  Property_carrier<SourceMesh, TargetMesh, Exact_kernel> carrier(
+      {source_arrays.vertices_of_mesh, source_arrays.faces_of_mesh},
+      {target_arrays.vertices_of_mesh, target_arrays.faces_of_mesh}, mixtures);
+  carry(carrier);
+  return OK;
+}
+
+} // namespace internal
 
 /// \ingroup PkgSphericalParameterizationSampling
 ///
@@ -40,8 +83,9 @@ namespace Spherical_parameterization {
 /// - A vertex of the target gets the interpolated value of the place of the source that has its direction; see
 ///   `Sphere_locator_3`. Where the target is coarser, that would leave out most values of the source: if all vertices
 ///   that would be interpolated are inside the star of the vertex, it gets the average of all vertices that are,
-///   weighted with the area around them on the surface and with their barycentric coordinate for the vertex. (This is
-///   the rule of the adaptive barycentric resampling that is usual for cortical surfaces.)
+///   weighted with the area around them on the surface and with their barycentric coordinate for the vertex. The adaptive
+///   barycentric resampling of cortical surfaces \cgalCite{cgal:gswcfawxjp-mpphcp-13} also has these two cases; it averages if
+///   one of the vertices is inside the star, and its weights balance the areas of both surfaces.
 /// - A face of the target gets the value of the face of the source that has the direction of its centre, which is the sum
 ///   of its vertices' directions. If the centre of that face is in the face of the target as well, it gets the average
 ///   of all faces whose centres are, weighted with their areas.
@@ -51,14 +95,14 @@ namespace Spherical_parameterization {
 /// Values of these types are interpolated and averaged: floating-point numbers, `%Point_2`, `%Vector_2`, `%Point_3` and
 /// `%Vector_3` of a \cgal kernel, `CGAL::IO::Color`, and `std::array` and `std::vector` of any of them; a vector is taken to
 /// go on with 0. All other ones, such as `int`, `bool`, enumerations and strings, are labels, of which the one with the
-/// largest sum of weights is carried over: the types have an operator `==`.
+/// largest sum of weights is carried over: they have an order, by `std::less`.
 ///
-/// The running time is linear in the size of the meshes, but for what `Sphere_locator_3` says; they are copied once for all
-/// properties. Maps are read and written by the calling thread alone.
+/// The running time is linear in the size of the meshes, but for what `Sphere_locator_3` says, and for labels, which are sorted
+/// where they are averaged. The meshes are copied once for all properties. Maps are read and written by the calling thread alone.
 ///
 /// \tparam ConcurrencyTag enables sequential versus parallel algorithm. Possible values are `Sequential_tag`,
 ///         `Parallel_tag`, and `Parallel_if_available_tag`. The result does not depend on it.
-/// \tparam SourceMesh a model of `FaceListGraph` with an internal vertex point property map
+/// \tparam SourceMesh a model of `FaceListGraph`
 /// \tparam SourceSphereMap a model of `ReadablePropertyMap` with
 ///         `boost::graph_traits<SourceMesh>::%vertex_descriptor` as key type and `%Point_3` of a \cgal kernel as value
 ///         type; its coordinates are of type `double` or `float`, or of an exact number type
@@ -69,25 +113,50 @@ namespace Spherical_parameterization {
 ///         the source
 /// \tparam TargetMap a model of `WritablePropertyMap` whose key type is the vertex descriptor or the face descriptor of
 ///         the target, accordingly, and whose value type is that of the `SourceMap` or one that this can be converted to
+/// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 ///
 /// \param source the mesh that has the properties
 /// \param source_sphere the images of its vertices, at any distance from the origin
 /// \param target the mesh that gets them
 /// \param target_sphere the images of its vertices, at any distance from the origin
 /// \param properties for each property, the map of the source and the map of the target
+/// \param np_source an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
+///
+/// \cgalNamedParamsBegin
+///   \cgalParamNBegin{vertex_point_map}
+///     \cgalParamDescription{a property map associating points to the vertices of `source`, for areas}
+///     \cgalParamType{a class model of `ReadablePropertyMap` with `%Point_3` of a \cgal kernel as value type}
+///     \cgalParamDefault{`boost::get(CGAL::vertex_point, source)`}
+///   \cgalParamNEnd
+/// \cgalNamedParamsEnd
 ///
 /// \return `OK`; or what is wrong with the source, or else the target, see `find_defect()`, or with its map to the sphere:
 ///         `ERROR_NO_1_TO_1_MAPPING` if that is no bijection. Nothing is written then.
 ///
 /// \sa `CGAL::Spherical_parameterization::remesh_through_sphere()`
 template <class ConcurrencyTag = Parallel_if_available_tag, class SourceMesh, class SourceSphereMap, class TargetMesh,
-          class TargetSphereMap, class... SourceMap, class... TargetMap>
+          class TargetSphereMap, class... SourceMap, class... TargetMap, typename CGAL_NP_TEMPLATE_PARAMETERS>
 [[nodiscard]] Error_code transfer(const SourceMesh& source, SourceSphereMap source_sphere, const TargetMesh& target,
-                                  TargetSphereMap target_sphere, const std::pair<SourceMap, TargetMap>&... properties)
+                                  TargetSphereMap target_sphere,
+                                  const std::tuple<std::pair<SourceMap, TargetMap>...>& properties,
+                                  const CGAL_NP_CLASS& np_source = parameters::default_values())
 {
-  return internal::carry_properties<ConcurrencyTag>(source, source_sphere, target, target_sphere, [&](auto& carrier) {
-    (carrier.carry(properties.first, properties.second), ...);
-  });
+  return internal::carry_properties<ConcurrencyTag>(
+      source, source_sphere, target, target_sphere, np_source, [&](auto& carrier) {
+        std::apply([&](const auto&... maps) { (carrier.carry(maps.first, maps.second), ...); }, properties);
+      });
+}
+
+/// \ingroup PkgSphericalParameterizationSampling
+///
+/// carries one property.
+template <class ConcurrencyTag = Parallel_if_available_tag, class SourceMesh, class SourceSphereMap, class TargetMesh,
+          class TargetSphereMap, class SourceMap, class TargetMap, typename CGAL_NP_TEMPLATE_PARAMETERS>
+[[nodiscard]] Error_code transfer(const SourceMesh& source, SourceSphereMap source_sphere, const TargetMesh& target,
+                                  TargetSphereMap target_sphere, const std::pair<SourceMap, TargetMap>& properties,
+                                  const CGAL_NP_CLASS& np_source = parameters::default_values())
+{
+  return transfer<ConcurrencyTag>(source, source_sphere, target, target_sphere, std::make_tuple(properties), np_source);
 }
 
 /// \ingroup PkgSphericalParameterizationSampling
@@ -101,16 +170,16 @@ template <class ConcurrencyTag = Parallel_if_available_tag, class SourceMesh, cl
 /// \tparam SourcePoint `%Point_3` of a \cgal kernel
 /// \tparam TargetPoint `%Point_3` of a \cgal kernel
 template <class ConcurrencyTag = Parallel_if_available_tag, class SourcePoint, class SourceSphereMap, class TargetPoint,
-          class TargetSphereMap>
+          class TargetSphereMap, typename CGAL_NP_TEMPLATE_PARAMETERS>
 [[nodiscard]] Error_code transfer(const Surface_mesh<SourcePoint>& source, SourceSphereMap source_sphere,
-                                  Surface_mesh<TargetPoint>& target, TargetSphereMap target_sphere)
+                                  Surface_mesh<TargetPoint>& target, TargetSphereMap target_sphere,
+                                  const CGAL_NP_CLASS& np_source = parameters::default_values())
 {
-  return internal::carry_properties<ConcurrencyTag>(source, source_sphere, target, target_sphere, [&](auto& carrier) {
-    internal::carry_all_properties(carrier, source, source_sphere, target, target_sphere);
-  });
+  return internal::carry_properties<ConcurrencyTag>(
+      source, source_sphere, target, target_sphere, np_source,
+      [&](auto& carrier) { internal::carry_all_properties(carrier, source, source_sphere, target, target_sphere); });
 }
 
-} // namespace Spherical_parameterization
-} // namespace CGAL
+} // namespace CGAL::Spherical_parameterization
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_TRANSFER_H

@@ -39,8 +39,9 @@ void call(Mesh& mesh, SP::Bijective_low_distortion_parameterizer_3<>& bld)
   SP::parameterize(mesh, bld.initial_parameterizer(sphere), sphere);       // error: Precomputed_parameterizer_3(map)
   SP::parameterize(mesh, SP::Hierarchical_parameterizer_3<int>(), sphere); // error: The setting energy has to be
 
-  SP::is_bijective(mesh, of_faces);         // error: has to be one for the vertices
-  SP::is_bijective(mesh, std_map);          // error: The argument after a mesh has to be a property map
-  SP::measure_distortion(mesh, of_doubles); // error: has to hold points
-  SP::measure_distortion(sphere, of_faces); // error: The first argument has to be the mesh
+  SP::is_bijective(mesh, of_faces); // error: has to be one for the vertices
+  SP::is_bijective(mesh, std_map);  // error: has to be the property map
+  SP::Distortion_summary distortion;
+  (void)SP::measure_distortion(mesh, of_doubles, distortion); // error: has to hold points
+  (void)SP::measure_distortion(sphere, of_faces, distortion); // error: The first argument has to be the mesh
 }

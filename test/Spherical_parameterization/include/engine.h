@@ -68,7 +68,7 @@ private:
 #define CGAL_SPHERICAL_PARAMETERIZATION_TEST_LOOP(EXTERN, Energy, Step)                                                \
   EXTERN template class Descent_loop<Energy, Step>;
 #define CGAL_SPHERICAL_PARAMETERIZATION_TEST_ENERGY(EXTERN, Energy)                                                    \
-  EXTERN template bool embed_hierarchically(const Indexed_mesh&, const Energy&, const Sharpness&, std::size_t, bool,   \
+  EXTERN template bool embed_hierarchically(const Surface&, const Energy&, const Sharpness&, std::size_t, bool,        \
                                             std::vector<Vector_3d>&, Run_control&, Execution);                         \
   CGAL_SPHERICAL_PARAMETERIZATION_TEST_LOOP(EXTERN, Energy, Newton_step)
 #define CGAL_SPHERICAL_PARAMETERIZATION_TEST_ENGINE(EXTERN)                                                            \

@@ -13,7 +13,7 @@
 // The package's own flat meshes from lists of points and triangles, points in their numbering, and that the rings of a mesh
 // are those of a sphere.
 
-#include <CGAL/Spherical_parameterization/internal/surface/Indexed_mesh.h>
+#include <CGAL/Spherical_parameterization/internal/surface/Surface.h>
 #include <CGAL/Spherical_parameterization/internal/surface/Vertex_rings.h>
 
 #include "images.h"
@@ -24,13 +24,14 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <numeric>
 #include <set>
 #include <utility>
 #include <vector>
 
 namespace test {
 
-using CGAL::Spherical_parameterization::internal::Indexed_mesh;
+using CGAL::Spherical_parameterization::internal::Surface;
 using CGAL::Spherical_parameterization::internal::Vertex_rings;
 
 using Index_triangle = std::array<std::uint32_t, 3>;
@@ -44,20 +45,19 @@ inline std::vector<Index_triangle> index_triangles(const Triangle_list& list)
   return result;
 }
 
-inline Indexed_mesh indexed_mesh(const Triangle_list& list)
+inline Surface surface_of(const Triangle_list& list)
 {
-  Indexed_mesh mesh;
+  Surface mesh;
   EXPECT_EQ(mesh.assign(list.points, index_triangles(list)), CGAL::Spherical_parameterization::OK);
   return mesh;
 }
 
-// Points that are given for the vertices of the list, in the numbering of the mesh that was made from it.
-inline Images in_order_of(const Indexed_mesh& mesh, const Images& points)
+// The numbers of the vertices in the list that the surface was made from.
+inline std::vector<std::uint32_t> callers_numbers(const Surface& mesh)
 {
-  Images result;
-  for(std::size_t v = 0; v < mesh.number_of_vertices(); ++v)
-    result.push_back(points[mesh.original(v)]);
-  return result;
+  std::vector<std::uint32_t> result(mesh.number_of_vertices());
+  std::iota(result.begin(), result.end(), 0u);
+  return mesh.in_own_order(result);
 }
 
 // the triangle with its smallest vertex first

@@ -17,9 +17,9 @@
 #include "images.h"
 #include "test_meshes.h"
 
-#include <CGAL/Spherical_parameterization/Distortion_summary.h>
 #include <CGAL/Spherical_parameterization/Error_code.h>
 #include <CGAL/Spherical_parameterization/Parameterization_report.h>
+#include <CGAL/Spherical_parameterization/measure_distortion.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Named_function_parameters.h>
@@ -27,6 +27,8 @@
 #include <CGAL/tags.h>
 
 #include <boost/property_map/property_map.hpp>
+
+#include <gtest/gtest.h>
 
 #include <cstddef>
 #include <functional>
@@ -255,6 +257,15 @@ std::vector<Triangle> triangles(const Mesh& mesh);
 Images points(const Mesh& mesh);
 bool is_bijective(const Mesh& mesh, const Images& images);
 SP::Distortion_summary measure(const Mesh& mesh, const Images& images);
+
+// measures what can be measured
+template <class ConcurrencyTag = CGAL::Parallel_if_available_tag, class Any_mesh, class Map, class... NamedParameters>
+SP::Distortion_summary distortion_of(const Any_mesh& mesh, const Map& map, const NamedParameters&... np)
+{
+  SP::Distortion_summary result;
+  EXPECT_EQ(SP::measure_distortion<ConcurrencyTag>(mesh, map, result, np...), SP::OK);
+  return result;
+}
 
 } // namespace test
 

@@ -39,10 +39,12 @@ public:
   {
     std::vector<std::uint32_t> neighbors;
     std::vector<Rest_triangle> rests;
+    std::vector<char> are_at_slivers; // the faces; none if it is empty
 
     std::size_t degree() const { return neighbors.size(); }
     std::uint32_t neighbor(std::size_t j) const { return neighbors[j]; }
     Rest_triangle rest(std::size_t j) const { return rests[j]; }
+    bool is_at_sliver(std::size_t j) const { return !are_at_slivers.empty() && are_at_slivers[j]; }
   };
 
   Random_stars(Random& random, const std::vector<std::size_t>& degrees, double size)
@@ -83,7 +85,8 @@ public:
   Star_packets packets(const std::vector<std::size_t>& first_of_set) const
   {
     Star_packets result;
-    result.assign(vertices, first_of_set, [&](std::uint32_t v) { return star_of(v).degree(); });
+    result.assign(
+        vertices, first_of_set, [&](std::uint32_t v) { return star_of(v).degree(); }, !stars[0].are_at_slivers.empty());
     for(std::size_t k = 0; k < result.number_of_packets(); ++k)
       result.fill(k, [&](std::uint32_t v) { return star_of(v); });
     return result;

@@ -10,12 +10,14 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_TEST_RECORDING_CONTROL_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_TEST_RECORDING_CONTROL_H
 
-// What accompanies a run of the package's inner parts: a visitor that stores what it is told, no time limit, and a report.
+// What accompanies a run of the package's inner parts: a visitor that stores what it is told, and may say no after a number
+// of questions, no time limit, and a report.
 
 #include <CGAL/Spherical_parameterization/Parameterization_report.h>
 #include <CGAL/Spherical_parameterization/internal/run/Run_control.h>
 
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 namespace test {
@@ -44,9 +46,10 @@ public:
 
   std::vector<std::size_t> levels;
   std::vector<double> energies, radii;
+  std::size_t number_of_questions = 0, max_questions = (std::numeric_limits<std::size_t>::max)();
 
 private:
-  bool visitor_goes_further(std::size_t, double) override { return true; }
+  bool visitor_goes_further(std::size_t, double) override { return number_of_questions++ < max_questions; }
 };
 
 } // namespace test

@@ -175,7 +175,7 @@ bool is_bijective(const Mesh& mesh, const Images& images)
 
 SP::Distortion_summary measure(const Mesh& mesh, const Images& images)
 {
-  return SP::measure_distortion(mesh, Point_map(mesh, images));
+  return distortion_of(mesh, Point_map(mesh, images));
 }
 
 } // namespace test

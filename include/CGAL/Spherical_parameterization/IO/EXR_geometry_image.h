@@ -16,77 +16,30 @@
 
 #include <CGAL/Spherical_parameterization/Error_code.h>
 #include <CGAL/Spherical_parameterization/internal/images/Geometry_image.h>
-#include <CGAL/Spherical_parameterization/internal/images/Geometry_image_layout.h>
 
 #include <ImathBox.h>
 #include <ImfChannelList.h>
 #include <ImfFrameBuffer.h>
 #include <ImfHeader.h>
-#include <ImfIO.h>
 #include <ImfInputFile.h>
 #include <ImfOutputFile.h>
+#include <ImfStdIO.h>
 
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
 #include <exception>
 #include <istream>
+#include <iterator>
 #include <limits>
 #include <new>
 #include <ostream>
-#include <stdexcept>
 #include <vector>
 
 /// \file EXR_geometry_image.h
 
-namespace CGAL {
-namespace Spherical_parameterization {
+namespace CGAL::Spherical_parameterization {
 namespace internal {
-
-class Exr_output : public Imf::OStream
-{
-public:
-  explicit Exr_output(std::ostream& out)
-    : Imf::OStream("")
-    , m_out(out)
-    , m_begin(out.tellp())
-  {}
-  void write(const char* data, int n) override
-  {
-    if(!m_out.write(data, n))
-      throw std::runtime_error("");
-  }
-  std::uint64_t tellp() override { return static_cast<std::uint64_t>(m_out.tellp() - m_begin); }
-  void seekp(std::uint64_t position) override { m_out.seekp(m_begin + static_cast<std::streamoff>(position)); }
-
-private:
-  std::ostream& m_out;
-  std::streampos m_begin;
-};
-
-class Exr_input : public Imf::IStream
-{
-public:
-  explicit Exr_input(std::istream& in)
-    : Imf::IStream("")
-    , m_in(in)
-    , m_begin(in.tellg())
-  {}
-  bool read(char* data, int n) override
-  {
-    if(!m_in.read(data, n))
-      throw std::runtime_error("");
-    return true;
-  }
-  std::uint64_t tellg() override { return static_cast<std::uint64_t>(m_in.tellg() - m_begin); }
-  void seekg(std::uint64_t position) override { m_in.seekg(m_begin + static_cast<std::streamoff>(position)); }
-  void clear() override { m_in.clear(); }
-
-private:
-  std::istream& m_in;
-  std::streampos m_begin;
-};
 
 constexpr std::array<const char*, 3> exr_channels = {"R", "G", "B"};
 
@@ -104,13 +57,13 @@ try
     const std::size_t stride = sizeof(float) * image.number_of_components;
     buffer.insert(name, Imf::Slice(Imf::FLOAT, reinterpret_cast<char*>(&pixels[i]), stride, stride * image.width));
   }
-  Exr_output stream(out);
+  Imf::StdOSStream stream; // as it goes back in what has been written, which not all streams can do
   {
     Imf::OutputFile file(stream, header);
     file.setFrameBuffer(buffer);
     file.writePixels(static_cast<int>(image.height));
   }
-  return out.good();
+  return !(out << stream.str()).fail();
 }
 catch(const std::bad_alloc&)
 {
@@ -125,12 +78,13 @@ catch(const std::exception&)
 inline Error_code read_exr(std::istream& in, Geometry_image& image)
 try
 {
-  Exr_input stream(in);
+  Imf::StdISStream stream;
+  stream.str({std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()});
   Imf::InputFile file(stream);
   const Imath::Box2i window = file.header().dataWindow();
   image.width = static_cast<std::size_t>(window.max.x - window.min.x + 1);
   image.height = static_cast<std::size_t>(window.max.y - window.min.y + 1);
-  if(!Geometry_image_layout::of_size(image.width, image.height))
+  if(!Geometry_image_layout::is_size(image.width, image.height))
     return ERROR_INVALID_IMAGE_SIZE;
   if(!file.isComplete())
     return ERROR_INVALID_IMAGE_FILE;
@@ -163,6 +117,8 @@ catch(const std::exception&)
 
 } // namespace internal
 
+namespace IO {
+
 /// \ingroup PkgSphericalParameterizationSampling
 ///
 /// writes a property of the vertices of a remesh as a <em>geometry image</em>, as `write_PNG_geometry_image()` does, but to an
@@ -176,12 +132,12 @@ catch(const std::exception&)
 ///         `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and as value type `%Point_3` or `%Vector_3` of a
 ///         \cgal kernel, or a type of numbers
 ///
-/// \param out the file, in binary mode; it has to be one in which positions can be set
+/// \param out the file, in binary mode
 /// \param remesh a mesh that has been made by `remesh_through_sphere()` with `Sphere_domain_3::octahedron()` or
 ///        `Sphere_domain_3::cube()`
 /// \param map what is to be written: the points, say, or the normals
 ///
-/// \return `OK`; `ERROR_NO_GEOMETRY_IMAGE_MESH` if the mesh has not as many vertices as one of these domains;
+/// \return `OK`; `ERROR_NO_GEOMETRY_IMAGE_MESH` if no such domain has as many vertices as the mesh;
 ///         `ERROR_NON_FINITE_COORDINATE`, also of what is beyond the range of `float`; or `ERROR_CANNOT_WRITE_FILE`
 template <class TriangleMesh, class VertexMap>
 [[nodiscard]] Error_code write_EXR_geometry_image(std::ostream& out, const TriangleMesh& remesh, VertexMap map)
@@ -205,7 +161,7 @@ template <class TriangleMesh, class VertexMap>
 /// \param in the file, in binary mode
 /// \param tmesh receives the mesh
 ///
-/// \return `OK`; `ERROR_INVALID_IMAGE_FILE` if the file is damaged, or has not the channels R, G and B;
+/// \return `OK`; `ERROR_INVALID_IMAGE_FILE` if the file is damaged, or lacks the channels R, G and B;
 ///         `ERROR_INVALID_IMAGE_SIZE` if it has other sizes than these images; `ERROR_NON_FINITE_COORDINATE`; or
 ///         `ERROR_NON_MATCHING_BOUNDARY` if pixels differ that are the same vertex. Nothing is added then.
 template <class TriangleMesh>
@@ -216,7 +172,7 @@ template <class TriangleMesh>
   return error == OK ? internal::add_mesh_of_geometry_image(image, tmesh) : error;
 }
 
-} // namespace Spherical_parameterization
-} // namespace CGAL
+} // namespace IO
+} // namespace CGAL::Spherical_parameterization
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_IO_EXR_GEOMETRY_IMAGE_H

@@ -15,7 +15,7 @@
 #include <CGAL/license/Spherical_parameterization.h>
 
 #include <CGAL/Spherical_parameterization/Error_code.h>
-#include <CGAL/Spherical_parameterization/Sphere_domain_3.h>
+#include <CGAL/Spherical_parameterization/internal/sampling/Subdivided_solid.h>
 #include <CGAL/Spherical_parameterization/internal/images/Geometry_image.h>
 
 #include <png.h>
@@ -37,38 +37,17 @@
 
 /// \file PNG_geometry_image.h
 
-namespace CGAL {
-namespace Spherical_parameterization {
+namespace CGAL::Spherical_parameterization {
 namespace internal {
-
-// The range of the values of an image, for each of its components.
-struct Value_range
-{
-  std::vector<double> minimum, maximum;
-
-  explicit Value_range(const Geometry_image& image)
-    : minimum(image.values.begin(), image.values.begin() + static_cast<std::ptrdiff_t>(image.number_of_components))
-    , maximum(minimum)
-  {
-    for(std::size_t k = 0; k < image.values.size(); ++k)
-    {
-      double &min = minimum[k % minimum.size()], &max = maximum[k % maximum.size()];
-      min = (std::min)(min, image.values[k]);
-      max = (std::max)(max, image.values[k]);
-    }
-  }
-};
 
 // What libpng works with. It leaves its functions by longjmp() where something is wrong, so that no object with a
 // destructor may be made in a function that calls them: all are members here.
 class Png_file
 {
 public:
-  static constexpr double max_code = 65535.; // of 16 bits
-
   ~Png_file()
   {
-    if(m_is_written)
+    if(m_out)
       png_destroy_write_struct(&m_png, &m_info);
     else
       png_destroy_read_struct(&m_png, &m_info, nullptr);
@@ -77,207 +56,184 @@ public:
   Png_file& operator=(const Png_file&) = delete;
 
   explicit Png_file(std::ostream& out)
-    : m_is_written(true)
-    , m_out(&out)
-  {
-    m_png = png_create_write_struct(PNG_LIBPNG_VER_STRING, nullptr, leave, ignore);
-    m_info = m_png ? png_create_info_struct(m_png) : nullptr;
-  }
+    : m_out(&out)
+    , m_png(png_create_write_struct(PNG_LIBPNG_VER_STRING, nullptr, leave, ignore))
+    , m_info(m_png ? png_create_info_struct(m_png) : nullptr)
+  {}
   explicit Png_file(std::istream& in)
     : m_in(&in)
-  {
-    m_png = png_create_read_struct(PNG_LIBPNG_VER_STRING, nullptr, leave, ignore);
-    m_info = m_png ? png_create_info_struct(m_png) : nullptr;
-  }
+    , m_png(png_create_read_struct(PNG_LIBPNG_VER_STRING, nullptr, leave, ignore))
+    , m_info(m_png ? png_create_info_struct(m_png) : nullptr)
+  {}
 
   // Returns false if the stream does not take the file.
   bool write(const Geometry_image& image)
   {
-    if(!m_info)
-      return false;
-    const Value_range range(image);
-    m_texts = {text_of(range.minimum), text_of(range.maximum)};
-    m_row.resize(2 * image.width * image.number_of_components);
-    return write_header(image) && write_rows(image, range) && m_out->good();
+    const std::size_t n = image.number_of_components;
+    m_ranges[0].assign(image.values.begin(), image.values.begin() + static_cast<std::ptrdiff_t>(n));
+    m_ranges[1] = m_ranges[0];
+    for(std::size_t k = 0; k < image.values.size(); ++k)
+    {
+      m_ranges[0][k % n] = (std::min)(m_ranges[0][k % n], image.values[k]);
+      m_ranges[1][k % n] = (std::max)(m_ranges[1][k % n], image.values[k]);
+    }
+    for(std::size_t i = 0; i < 2; ++i)
+    {
+      std::ostringstream text;
+      text.imbue(std::locale::classic());
+      text.precision(std::numeric_limits<double>::max_digits10);
+      for(std::size_t k = 0; k < n; ++k)
+        text << (k == 0 ? "" : " ") << m_ranges[i][k];
+      m_texts[i] = text.str();
+    }
+    m_row.resize(2 * image.width * n);
+    return m_info && is_done([&] { write_all(image); }) && m_out->good();
   }
 
   // Returns false if the stream holds no such file.
   bool read(Geometry_image& image)
   {
-    if(!m_info || !read_header())
+    if(!m_info || !is_done([&] { read_header(); }))
       return false;
     image.width = png_get_image_width(m_png, m_info);
     image.height = png_get_image_height(m_png, m_info);
-    image.number_of_components = png_get_channels(m_png, m_info);
-    const bool is_of_16_bits =
-        png_get_bit_depth(m_png, m_info) == 16 && png_get_interlace_type(m_png, m_info) == PNG_INTERLACE_NONE;
-    std::vector<double> minimum, maximum;
-    if(!is_of_16_bits || !read_text("Minimum", image.number_of_components, minimum) ||
-       !read_text("Maximum", image.number_of_components, maximum))
+    const std::size_t n = image.number_of_components = png_get_channels(m_png, m_info);
+    if(png_get_bit_depth(m_png, m_info) != 16 || png_get_interlace_type(m_png, m_info) != PNG_INTERLACE_NONE ||
+       !read_range(0, n) || !read_range(1, n))
       return false;
-    m_row.resize(2 * image.width * image.number_of_components);
+    m_row.resize(2 * image.width * n);
     for(std::size_t row = 0; row < image.height; ++row) // so that no more is kept than there is in the stream
     {
-      if(!read_row())
+      if(!is_done([&] { png_read_row(m_png, m_row.data(), nullptr); }))
         return false;
       for(std::size_t k = 0; k < m_row.size(); k += 2)
       {
-        const std::size_t i = k / 2 % minimum.size();
         const double t = (256. * m_row[k] + m_row[k + 1]) / max_code;
-        image.values.push_back((1. - t) * minimum[i] + t * maximum[i]);
+        image.values.push_back((1. - t) * m_ranges[0][k / 2 % n] + t * m_ranges[1][k / 2 % n]);
       }
     }
     return true;
   }
 
 private:
-  static std::string text_of(const std::vector<double>& values)
+  static constexpr double max_code = 65535.; // of 16 bits
+
+  // Calls f(); returns false if libpng has left it.
+  template <class Function>
+  bool is_done(const Function& f)
   {
-    std::ostringstream text;
-    text.imbue(std::locale::classic());
-    text.precision(std::numeric_limits<double>::max_digits10);
-    for(std::size_t i = 0; i < values.size(); ++i)
-      text << (i == 0 ? "" : " ") << values[i];
-    return text.str();
+    if(setjmp(png_jmpbuf(m_png)))
+      return false;
+    f();
+    return true;
   }
 
-  bool read_text(const std::string& key, std::size_t n, std::vector<double>& values)
+  bool read_range(std::size_t i, std::size_t n)
   {
     png_textp texts = nullptr;
     const int n_texts = png_get_text(m_png, m_info, &texts, nullptr);
     for(int k = 0; k < n_texts; ++k)
-      if(texts[k].key == key)
+      if(std::string(m_keys[i]) == texts[k].key)
       {
         std::istringstream text(texts[k].text);
         text.imbue(std::locale::classic());
-        double value = 0.;
-        while(values.size() < n && text >> value)
-          values.push_back(value);
-        return values.size() == n;
+        for(double x = 0.; m_ranges[i].size() < n && text >> x;)
+          m_ranges[i].push_back(x);
+        return m_ranges[i].size() == n;
       }
     return false;
   }
 
-  bool write_header(const Geometry_image& image)
+  void write_all(const Geometry_image& image)
   {
-    if(setjmp(png_jmpbuf(m_png)))
-      return false;
     png_set_write_fn(m_png, this, put, flush);
     png_set_IHDR(m_png, m_info, static_cast<png_uint_32>(image.width), static_cast<png_uint_32>(image.height), 16,
                  image.number_of_components == 3 ? PNG_COLOR_TYPE_RGB : PNG_COLOR_TYPE_GRAY, PNG_INTERLACE_NONE,
                  PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
     png_text texts[2] = {};
-    for(std::size_t k = 0; k < 2; ++k)
+    for(std::size_t i = 0; i < 2; ++i)
     {
-      texts[k].compression = PNG_TEXT_COMPRESSION_NONE;
-      texts[k].key = k == 0 ? m_minimum : m_maximum;
-      texts[k].text = &m_texts[k][0];
-      texts[k].text_length = m_texts[k].size();
+      texts[i].compression = PNG_TEXT_COMPRESSION_NONE;
+      texts[i].key = m_keys[i];
+      texts[i].text = &m_texts[i][0];
+      texts[i].text_length = m_texts[i].size();
     }
     png_set_text(m_png, m_info, texts, 2);
     png_write_info(m_png, m_info);
-    return true;
-  }
-
-  bool write_rows(const Geometry_image& image, const Value_range& range)
-  {
-    if(setjmp(png_jmpbuf(m_png)))
-      return false;
+    const std::size_t n = image.number_of_components, length = m_row.size() / 2;
     for(std::size_t row = 0; row < image.height; ++row)
     {
-      encode(&image.values[row * m_row.size() / 2], range);
+      for(std::size_t k = 0; k < length; ++k)
+      {
+        const double min = m_ranges[0][k % n], max = m_ranges[1][k % n], x = image.values[row * length + k];
+        const double t = max > min ? (0.5 * x - 0.5 * min) / (0.5 * max - 0.5 * min) : 0.; // which cannot overflow
+        const auto code = static_cast<std::uint32_t>(std::lround(max_code * (std::min)((std::max)(t, 0.), 1.)));
+        m_row[2 * k] = static_cast<png_byte>(code >> 8);
+        m_row[2 * k + 1] = static_cast<png_byte>(code & 0xFF);
+      }
       png_write_row(m_png, m_row.data());
     }
     png_write_end(m_png, nullptr);
-    return true;
   }
 
-  void encode(const double* values, const Value_range& range)
+  void read_header()
   {
-    for(std::size_t k = 0; k < m_row.size() / 2; ++k)
-    {
-      const double min = range.minimum[k % range.minimum.size()], max = range.maximum[k % range.maximum.size()];
-      const double t =
-          max > min ? (0.5 * values[k] - 0.5 * min) / (0.5 * max - 0.5 * min) : 0.; // which cannot overflow
-      const auto code = static_cast<std::uint32_t>(std::lround(max_code * (std::min)((std::max)(t, 0.), 1.)));
-      m_row[2 * k] = static_cast<png_byte>(code >> 8);
-      m_row[2 * k + 1] = static_cast<png_byte>(code & 0xFF);
-    }
-  }
-
-  bool read_header()
-  {
-    if(setjmp(png_jmpbuf(m_png)))
-      return false;
     png_set_read_fn(m_png, this, get);
-    constexpr png_uint_32 max_width = 2 * Sphere_domain_3::max_subdivision + 1;
+    constexpr png_uint_32 max_width = 2 * max_subdivision + 1;
     png_set_user_limits(m_png, max_width, 6 * max_width);
     png_set_chunk_malloc_max(m_png, 1000000); // bytes: the texts are short
     png_set_benign_errors(m_png, 0);          // or that limit would be a warning
     png_read_info(m_png, m_info);
-    return true;
-  }
-
-  bool read_row()
-  {
-    if(setjmp(png_jmpbuf(m_png)))
-      return false;
-    png_read_row(m_png, m_row.data(), nullptr);
-    return true;
   }
 
   [[noreturn]] static void leave(png_structp png, png_const_charp) { png_longjmp(png, 1); }
   static void ignore(png_structp, png_const_charp) {}
   // A stream that throws sets its state before.
   static void put(png_structp png, png_bytep data, std::size_t n)
+  try
   {
-    std::ostream& out = *static_cast<Png_file*>(png_get_io_ptr(png))->m_out;
-    try
-    {
-      out.write(reinterpret_cast<const char*>(data), static_cast<std::streamsize>(n));
-    }
-    catch(const std::ios_base::failure&)
-    {}
+    static_cast<Png_file*>(png_get_io_ptr(png))
+        ->m_out->write(reinterpret_cast<const char*>(data), static_cast<std::streamsize>(n));
   }
+  catch(const std::ios_base::failure&)
+  {}
   static void flush(png_structp) {}
   static void get(png_structp png, png_bytep data, std::size_t n)
   {
-    if(!is_read(*static_cast<Png_file*>(png_get_io_ptr(png))->m_in, data, n))
-      png_error(png, "");
-  }
-  static bool is_read(std::istream& in, png_bytep data, std::size_t n)
-  {
+    std::istream& in = *static_cast<Png_file*>(png_get_io_ptr(png))->m_in;
     try
     {
-      return !in.read(reinterpret_cast<char*>(data), static_cast<std::streamsize>(n)).fail();
+      in.read(reinterpret_cast<char*>(data), static_cast<std::streamsize>(n));
     }
     catch(const std::ios_base::failure&)
-    {
-      return false;
-    }
+    {}
+    if(in.fail())
+      png_error(png, "");
   }
 
-  bool m_is_written = false;
   std::ostream* m_out = nullptr;
   std::istream* m_in = nullptr;
-  png_structp m_png = nullptr;
-  png_infop m_info = nullptr;
+  png_structp m_png;
+  png_infop m_info;
   std::vector<png_byte> m_row;
-  std::array<std::string, 2> m_texts;
-  char m_minimum[8] = "Minimum", m_maximum[8] = "Maximum"; // keys of the texts
+  char m_keys[2][8] = {"Minimum", "Maximum"};  // of the texts
+  std::array<std::string, 2> m_texts;          // the range of the values of the image
+  std::array<std::vector<double>, 2> m_ranges; // the same for each component
 };
 
 } // namespace internal
 
+namespace IO {
+
 /// \ingroup PkgSphericalParameterizationSampling
 ///
-/// writes a property of the vertices of a remesh as a <em>geometry image</em> \cgalCite{cgal:ph-spr-03}, a PNG file with
+/// writes a property of the vertices of a remesh as a <em>geometry image</em> \cgalCite{cgal:ggh-gi-02}, a PNG file with
 /// 16 bits per component: points or vectors as red, green and blue, numbers as grey.
 ///
 /// - A mesh over `Sphere_domain_3::octahedron(n)` becomes \f$ 2 n + 1 \f$ times \f$ 2 n + 1 \f$ pixels: the octahedron is
-///   cut open from its lowest vertex, and unfolded to a square. The highest vertex is in the middle, the lowest one in all
-///   four corners, and x and y grow to the right and downwards. The halves of each side are the same edge, so that pixels
-///   that are at the same distance from the middle of a side are equal.
+///   cut open from its lowest vertex, and unfolded to a square \cgalCite{cgal:ph-spr-03}. The highest vertex is in the middle,
+///   the lowest one in all four corners, and x and y grow to the right and downwards. The halves of each side are the same edge,
+///   so that pixels that are at the same distance from the middle of a side are equal.
 /// - A mesh over `Sphere_domain_3::cube(n)` becomes six tiles of \f$ n + 1 \f$ times \f$ n + 1 \f$ pixels, one below the
 ///   other: the faces at the lowest and highest z, y and x.
 ///
@@ -296,7 +252,7 @@ private:
 /// \param remesh a mesh that has been made by `remesh_through_sphere()` with one of these domains
 /// \param map what is to be written: the points, say, or the normals
 ///
-/// \return `OK`; `ERROR_NO_GEOMETRY_IMAGE_MESH` if the mesh has not as many vertices as one of these domains;
+/// \return `OK`; `ERROR_NO_GEOMETRY_IMAGE_MESH` if no such domain has as many vertices as the mesh;
 ///         `ERROR_NON_FINITE_COORDINATE`; or `ERROR_CANNOT_WRITE_FILE`
 template <class TriangleMesh, class VertexMap>
 [[nodiscard]] Error_code write_PNG_geometry_image(std::ostream& out, const TriangleMesh& remesh, VertexMap map)
@@ -329,7 +285,7 @@ template <class TriangleMesh>
                                             : ERROR_INVALID_IMAGE_FILE;
 }
 
-} // namespace Spherical_parameterization
-} // namespace CGAL
+} // namespace IO
+} // namespace CGAL::Spherical_parameterization
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_IO_PNG_GEOMETRY_IMAGE_H

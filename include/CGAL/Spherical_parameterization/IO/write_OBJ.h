@@ -33,8 +33,8 @@
 
 /// \file write_OBJ.h
 
-namespace CGAL {
-namespace Spherical_parameterization {
+namespace CGAL::Spherical_parameterization {
+namespace IO {
 
 /// \ingroup PkgSphericalParameterizationSampling
 ///
@@ -105,7 +105,7 @@ template <class Graph, class HalfedgeTextureMap, typename CGAL_NP_TEMPLATE_PARAM
   return out.flush() ? OK : ERROR_CANNOT_WRITE_FILE;
 }
 
-} // namespace Spherical_parameterization
-} // namespace CGAL
+} // namespace IO
+} // namespace CGAL::Spherical_parameterization
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_IO_WRITE_OBJ_H

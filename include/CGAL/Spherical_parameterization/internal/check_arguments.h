@@ -20,6 +20,7 @@
 
 #include <CGAL/Default.h>
 #include <CGAL/Kernel_traits.h>
+#include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/properties.h>
 #include <CGAL/tags.h>
 
@@ -29,9 +30,7 @@
 #include <type_traits>
 #include <utility>
 
-namespace CGAL {
-namespace Spherical_parameterization {
-namespace internal {
+namespace CGAL::Spherical_parameterization::internal {
 
 // A mistake in a call of a function of the package is a sentence of the compiler. What calls the functions below does not
 // instantiate anything else if they return `false`, so that it is the only one.
@@ -84,33 +83,37 @@ constexpr bool check_mesh()
   return Is_mesh<TriangleMesh>::value;
 }
 
-// for a mesh and a property map that are ones
+// for a mesh that is one, and the map of its vertices to the sphere
 template <class TriangleMesh, class VertexSphereMap>
 constexpr bool check_images()
 {
-  using Traits = boost::property_traits<VertexSphereMap>;
-  constexpr bool has_points = Is_point_3<typename Traits::value_type>::value;
-  constexpr bool has_vertices = std::is_convertible<typename boost::graph_traits<TriangleMesh>::vertex_descriptor,
-                                                    typename Traits::key_type>::value;
-  static_assert(has_points, "The property map for the images has to hold points: Point_3 of a CGAL kernel.");
-  static_assert(has_vertices, "The property map for the images has to be one for the vertices of the mesh.");
-  return has_points && has_vertices;
+  static_assert(
+      Is_property_map<VertexSphereMap>::value,
+      "The argument for the images of the vertices has to be the property map that holds them: of the pair that "
+      "add_property_map() returns, it is .first; of an std::map, boost::make_assoc_property_map() makes one.");
+  if constexpr(Is_property_map<VertexSphereMap>::value)
+  {
+    using Traits = boost::property_traits<VertexSphereMap>;
+    constexpr bool has_points = Is_point_3<typename Traits::value_type>::value;
+    constexpr bool has_vertices = std::is_convertible<typename boost::graph_traits<TriangleMesh>::vertex_descriptor,
+                                                      typename Traits::key_type>::value;
+    static_assert(has_points, "The property map for the images has to hold points: Point_3 of a CGAL kernel.");
+    static_assert(has_vertices, "The property map for the images has to be one for the vertices of the mesh.");
+    return has_points && has_vertices;
+  }
+  return false;
 }
 
-// for a mesh that is one
+// the same for a map that is written
 template <class TriangleMesh, class VertexSphereMap>
 constexpr bool check_map()
 {
-  static_assert(Is_property_map<VertexSphereMap>::value,
-                "The last argument before named parameters has to be the property map for the images of the vertices: "
-                "of the pair that add_property_map() returns, it is .first; of an std::map, "
-                "boost::make_assoc_property_map() makes one.");
-  if constexpr(Is_property_map<VertexSphereMap>::value)
+  if constexpr(check_images<TriangleMesh, VertexSphereMap>())
   {
     constexpr bool is_writable = std::is_convertible<typename boost::property_traits<VertexSphereMap>::category,
                                                      boost::writable_property_map_tag>::value;
     static_assert(is_writable, "The property map for the images has to be writable.");
-    return check_images<TriangleMesh, VertexSphereMap>() && is_writable;
+    return is_writable;
   }
   return false;
 }
@@ -120,14 +123,7 @@ template <class TriangleMesh, class VertexSphereMap>
 constexpr bool check_mesh_and_readable_map()
 {
   if constexpr(check_mesh<TriangleMesh>())
-  {
-    static_assert(Is_property_map<VertexSphereMap>::value,
-                  "The argument after a mesh has to be a property map with the images of its vertices: of the pair "
-                  "that add_property_map() returns, it is .first; of an std::map, boost::make_assoc_property_map() "
-                  "makes one.");
-    if constexpr(Is_property_map<VertexSphereMap>::value)
-      return check_images<TriangleMesh, VertexSphereMap>();
-  }
+    return check_images<TriangleMesh, VertexSphereMap>();
   return false;
 }
 
@@ -198,8 +194,37 @@ constexpr bool check_arguments()
   return false;
 }
 
-} // namespace internal
-} // namespace Spherical_parameterization
-} // namespace CGAL
+// for a mesh that is one; without the parameter, the mesh has to have points of its own
+template <class TriangleMesh, class NamedParameters>
+constexpr bool check_vertex_point_map()
+{
+  if constexpr(!parameters::is_default_parameter<NamedParameters, internal_np::vertex_point_t>::value)
+  {
+    using Map = std::decay_t<decltype(parameters::get_parameter(std::declval<const NamedParameters&>(),
+                                                                internal_np::vertex_point))>;
+    if constexpr(Is_property_map<Map>::value)
+    {
+      using Traits = boost::property_traits<Map>;
+      constexpr bool has_points = Is_point_3<typename Traits::value_type>::value;
+      constexpr bool has_vertices = std::is_convertible<typename boost::graph_traits<TriangleMesh>::vertex_descriptor,
+                                                        typename Traits::key_type>::value;
+      static_assert(has_points && has_vertices,
+                    "The named parameter vertex_point_map has to be a property map for the vertices of the mesh that "
+                    "holds points: Point_3 of a CGAL kernel.");
+      return has_points && has_vertices;
+    }
+    else
+    {
+      static_assert(Is_property_map<Map>::value,
+                    "The named parameter vertex_point_map has to be a property map: of the pair that "
+                    "add_property_map() returns, it is .first; of an std::map, boost::make_assoc_property_map() makes "
+                    "one.");
+      return false;
+    }
+  }
+  return true;
+}
+
+} // namespace CGAL::Spherical_parameterization::internal
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_CHECK_ARGUMENTS_H

@@ -19,17 +19,15 @@
 #include <CGAL/Spherical_parameterization/Face_range_3.h>
 #include <CGAL/Spherical_parameterization/Sharpness.h>
 #include <CGAL/Spherical_parameterization/internal/levels/Descent_loop.h>
-#include <CGAL/Spherical_parameterization/internal/policy_traits.h>
-#include <CGAL/Spherical_parameterization/internal/run_parameterization.h>
+#include <CGAL/Spherical_parameterization/internal/run/policy_traits.h>
+#include <CGAL/Spherical_parameterization/internal/levels/Hierarchical_embedding.h>
 
 #include <CGAL/Default.h>
 
 #include <cstddef>
 #include <type_traits>
 
-namespace CGAL {
-namespace Spherical_parameterization {
-namespace internal {
+namespace CGAL::Spherical_parameterization::internal {
 
 // A model of SphereRadiusPolicy_3 as the loop over sweeps sees it. Each run works on a copy, as a policy may keep a
 // state.
@@ -51,16 +49,25 @@ private:
   Energy m_energy;
 };
 
-// The work of the parameterizers that improve a bijection by sweeps: makes the initial map, and lowers its energy.
-template <class Step, class InitialParameterizer, class Energy, class Radius, class Run>
-Error_code run_descent(InitialParameterizer& initial_parameterizer, const Energy& energy, const Radius& radius,
-                       const Sharpness& sharpness, const Descent_settings& settings, std::size_t max_sweeps, Run& run)
+// Makes the first map by the hierarchy.
+template <class Energy, class Run>
+Error_code embed_surface(const Energy& energy, const Sharpness& sharpness, std::size_t sweeps_per_level,
+                         bool sweeps_finest_level, Run& run)
 {
-  const Error_code error = make_initial_map(initial_parameterizer, run);
-  if(error != OK)
-    return error;
+  return embed_hierarchically(run.surface, energy, sharpness, sweeps_per_level, sweeps_finest_level, run.positions,
+                              run.control, run.execution)
+             ? OK
+             : ERROR_INSUFFICIENT_PRECISION;
+}
+
+// Lowers the energy of a bijection by sweeps.
+template <class Step, class Energy, class Radius, class Run>
+void run_descent(const Energy& energy, const Radius& radius, const Sharpness& sharpness,
+                 const Descent_settings& settings, std::size_t max_sweeps, Run& run)
+{
   const auto descend = [&](Radius_chooser* chooser) {
-    Descent_loop<Energy, Step> loop(run.mesh, energy, Step(), sharpness, chooser, settings, run.control, run.execution);
+    Descent_loop<Energy, Step> loop(run.surface, energy, Step(), sharpness, chooser, settings, run.control,
+                                    run.execution);
     run.radius = loop.run(run.positions, max_sweeps);
   };
   if constexpr(std::is_same<Radius, Default>::value)
@@ -71,11 +78,8 @@ Error_code run_descent(InitialParameterizer& initial_parameterizer, const Energy
     descend(&chooser);
   }
   run.control.on_optimization_end();
-  return OK;
 }
 
-} // namespace internal
-} // namespace Spherical_parameterization
-} // namespace CGAL
+} // namespace CGAL::Spherical_parameterization::internal
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_RUN_DESCENT_H

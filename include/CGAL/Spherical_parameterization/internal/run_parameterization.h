@@ -19,8 +19,8 @@
 #include <CGAL/Spherical_parameterization/Error_code.h>
 #include <CGAL/Spherical_parameterization/Parameterization_report.h>
 #include <CGAL/Spherical_parameterization/internal/certificate/is_safely_positive.h>
-#include <CGAL/Spherical_parameterization/internal/check_arguments.h>
-#include <CGAL/Spherical_parameterization/internal/surface/Indexed_mesh.h>
+#include <CGAL/Spherical_parameterization/internal/check_run.h>
+#include <CGAL/Spherical_parameterization/internal/surface/Surface.h>
 #include <CGAL/Spherical_parameterization/internal/surface/read_mesh.h>
 #include <CGAL/Spherical_parameterization/internal/run/Run_control.h>
 #include <CGAL/Spherical_parameterization/internal/run/parallel.h>
@@ -40,77 +40,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Spherical_parameterization {
-namespace internal {
-
-template <class Visitor, class = void>
-struct Is_visitor : std::false_type
-{};
-
-template <class Visitor>
-struct Is_visitor<Visitor, std::void_t<decltype(std::declval<Visitor&>().on_initialization_begin(std::size_t())),
-                                       decltype(std::declval<Visitor&>().on_level(std::size_t())),
-                                       decltype(std::declval<Visitor&>().on_initialization_end()),
-                                       decltype(std::declval<Visitor&>().after_iteration(std::size_t(), 0., 0.)),
-                                       decltype(std::declval<Visitor&>().on_optimization_end())>>
-  : std::is_convertible<decltype(std::declval<Visitor&>().go_further(std::size_t(), 0.)), bool>
-{};
-
-// for a mesh that is one; without the parameter, the mesh has to have points of its own
-template <class TriangleMesh, class NamedParameters>
-constexpr bool check_vertex_point_map()
-{
-  if constexpr(!parameters::is_default_parameter<NamedParameters, internal_np::vertex_point_t>::value)
-  {
-    using Map = std::decay_t<decltype(parameters::get_parameter(std::declval<const NamedParameters&>(),
-                                                                internal_np::vertex_point))>;
-    if constexpr(Is_property_map<Map>::value)
-    {
-      using Traits = boost::property_traits<Map>;
-      constexpr bool has_points = Is_point_3<typename Traits::value_type>::value;
-      constexpr bool has_vertices = std::is_convertible<typename boost::graph_traits<TriangleMesh>::vertex_descriptor,
-                                                        typename Traits::key_type>::value;
-      static_assert(has_points && has_vertices,
-                    "The named parameter vertex_point_map has to be a property map for the vertices of the mesh that "
-                    "holds points: Point_3 of a CGAL kernel.");
-      return has_points && has_vertices;
-    }
-    else
-    {
-      static_assert(Is_property_map<Map>::value,
-                    "The named parameter vertex_point_map has to be a property map: of the pair that "
-                    "add_property_map() returns, it is .first; of an std::map, boost::make_assoc_property_map() makes "
-                    "one.");
-      return false;
-    }
-  }
-  return true;
-}
-
-// for the parameterizers
-template <class TriangleMesh, class VertexSphereMap, class NamedParameters>
-constexpr bool check_run()
-{
-  if constexpr(check_mesh<TriangleMesh>())
-    if constexpr(check_map<TriangleMesh, VertexSphereMap>())
-    {
-      using Visitor =
-          std::remove_reference_t<typename internal_np::Lookup_named_param_def<internal_np::visitor_t, NamedParameters,
-                                                                               Default_visitor>::reference>;
-      using Time = typename internal_np::Lookup_named_param_def<internal_np::maximum_running_time_t, NamedParameters,
-                                                                double>::type;
-      constexpr bool is_visitor = Is_visitor<Visitor>::value;
-      static_assert(
-          is_visitor,
-          "The named parameter visitor has to be a model of SphericalParameterizationVisitor, such as a class "
-          "derived from Default_visitor, or std::ref() of one.");
-      constexpr bool is_time = std::is_convertible<Time, double>::value;
-      static_assert(is_time, "The named parameter maximum_running_time has to be a number, the seconds.");
-      return is_visitor && is_time && check_vertex_point_map<TriangleMesh, NamedParameters>();
-    }
-  return false;
-}
+namespace CGAL::Spherical_parameterization::internal {
 
 // Sets `number` to the named parameter `number_of_iterations` if it is given; returns false if that is negative.
 template <class NamedParameters>
@@ -127,97 +57,94 @@ bool read_number_of_iterations(const NamedParameters& np, std::size_t& number)
   return true;
 }
 
-// The caller's visitor as the stages of a run see it.
-template <class Visitor>
-class Visitor_control : public Run_control
+// A run from the caller's mesh to the caller's map, as every parameterizer makes it: read(), the work of its method on the
+// members below, and write(). The caller's types end here: methods work on the surface, the control and the execution.
+template <class ConcurrencyTag_, class TriangleMesh, class NamedParameters>
+class Parameterization_run
 {
+  using Visitor =
+      typename internal_np::Lookup_named_param_def<internal_np::visitor_t, NamedParameters, Default_visitor>::reference;
+
 public:
-  Visitor_control(Visitor& visitor, double max_seconds, Parameterization_report& report)
-    : Run_control(max_seconds, report)
-    , m_visitor(visitor)
+  using Concurrency_tag = ConcurrencyTag_;
+
+  Parameterization_run(const TriangleMesh& mesh, const NamedParameters& np, Parameterization_report& report)
+    : tmesh(mesh)
+    , m_np(np)
+    , m_visitor(parameters::choose_parameter(parameters::get_parameter_reference(np, internal_np::visitor),
+                                             m_default_visitor))
+    , control(m_visitor,
+              parameters::choose_parameter(parameters::get_parameter(np, internal_np::maximum_running_time), 0.),
+              report)
   {}
 
-  void on_initialization_begin(std::size_t number_of_vertices) override
+  auto vertex_point_map() const
   {
-    m_visitor.on_initialization_begin(number_of_vertices);
-  }
-  void on_level(std::size_t number_of_vertices) override { m_visitor.on_level(number_of_vertices); }
-  void on_initialization_end() override { m_visitor.on_initialization_end(); }
-  void after_iteration(std::size_t iteration, double energy, double radius) override
-  {
-    m_visitor.after_iteration(iteration, energy, radius);
-  }
-  void on_optimization_end() override { m_visitor.on_optimization_end(); }
-
-private:
-  bool visitor_goes_further(std::size_t iteration, double energy) override
-  {
-    return m_visitor.go_further(iteration, energy);
+    return parameters::choose_parameter(parameters::get_parameter(m_np, internal_np::vertex_point),
+                                        get_const_property_map(vertex_point, tmesh));
   }
 
-  Visitor& m_visitor;
-};
-
-// A run from the caller's mesh to the caller's map: what the work of a method is given and what it fills in.
-template <class ConcurrencyTag_, class TriangleMesh, class VertexPointMap>
-struct Parameterization_run
-{
-  using Concurrency_tag = ConcurrencyTag_;
-  using vertex_descriptor = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
-
-  const TriangleMesh& tmesh;
-  VertexPointMap vertex_point_map;
-  Run_control& control;
-  Execution execution = execution_of<Concurrency_tag>();
-
-  Indexed_mesh mesh = {};
-  std::vector<vertex_descriptor> vertices_of_mesh = {};
-
-  std::vector<Vector_3d> positions = {}; // on the unit sphere
-  double radius = 1.;                    // in the caller's unit of length
-};
-
-// What every parameterizer does around its own work: reads the named parameters, checks and copies the mesh, certifies
-// and writes the map, by what the method guarantees. The work itself is `Error_code compute(Parameterization_run&)`.
-template <class ConcurrencyTag, class TriangleMesh, class VertexSphereMap, class NamedParameters, class Compute>
-Error_code run_parameterization(const TriangleMesh& tmesh, VertexSphereMap vertex_sphere_map, const NamedParameters& np,
-                                Parameterization_report& report, Guarantee guarantee, const Compute& compute)
-{
-  if constexpr(!check_run<TriangleMesh, VertexSphereMap, NamedParameters>())
-    return ERROR_WRONG_PARAMETER;
-  else
+  // Checks and copies the mesh.
+  Error_code read()
   {
-    using parameters::choose_parameter;
-    using parameters::get_parameter;
-    using parameters::get_parameter_reference;
-    using Visitor = typename internal_np::Lookup_named_param_def<internal_np::visitor_t, NamedParameters,
-                                                                 Default_visitor>::reference;
-
-    Default_visitor default_visitor;
-    Visitor visitor = choose_parameter(get_parameter_reference(np, internal_np::visitor), default_visitor);
-    const double max_seconds = choose_parameter(get_parameter(np, internal_np::maximum_running_time), 0.);
-    Visitor_control<std::remove_reference_t<Visitor>> control(visitor, max_seconds, report);
-    const auto vpm =
-        choose_parameter(get_parameter(np, internal_np::vertex_point), get_const_property_map(vertex_point, tmesh));
-    Parameterization_run<ConcurrencyTag, TriangleMesh, std::decay_t<decltype(vpm)>> run{tmesh, vpm, control};
-
     run_both(
-        run.execution, [] {}, [] {}); // the thread pool starts meanwhile
-    Error_code error = read_mesh(tmesh, vpm, run.mesh, run.vertices_of_mesh, report);
+        execution, [] {}, [] {}); // the thread pool starts meanwhile
+    Mesh_arrays<TriangleMesh> arrays;
+    const Error_code error = read_surface(tmesh, vertex_point_map(), arrays, surface);
+    Parameterization_report& report = control.report();
+    report.number_of_isolated_vertices = arrays.number_of_isolated_vertices;
+    report.number_of_vertices = surface.number_of_vertices();
+    report.number_of_faces = arrays.triangles.size();
+    report.number_of_flat_faces = surface.number_of_flat_faces();
     report.seconds_for_reading = control.lap();
-    if(error != OK)
+    m_vertices = std::move(arrays.vertices_of_mesh);
+    m_is_read = error == OK;
+    return error;
+  }
+
+  // Reads a map of the mesh and projects it to the unit sphere. Returns whether it is a bijection there.
+  template <class VertexSphereMap>
+  bool read_map(const VertexSphereMap& map)
+  {
+    std::vector<Vector_3d> images = read_points(m_vertices, map);
+    const bool is_bijective = project_map(surface.callers_triangles(), images, execution);
+    positions = surface.in_own_order(images);
+    return is_bijective;
+  }
+
+  // Certifies and writes the map, by what the method guarantees, if reading and the method have succeeded.
+  template <class VertexSphereMap>
+  Error_code write(Error_code error, VertexSphereMap vertex_sphere_map, Guarantee guarantee = Guarantee::ONE_TO_ONE)
+  {
+    if(!m_is_read)
       return error;
-    error = compute(run);
+    Parameterization_report& report = control.report();
     if(control.is_stopped() && report.stop_reason != NON_FINITE_ENERGY)
       report.stop_reason = control.stop_reason();
     if(error == OK)
-      error = write_map(run.mesh, run.vertices_of_mesh, run.positions, run.radius, guarantee, vertex_sphere_map,
-                        run.execution);
-    report.radius = run.radius;
+      error = write_map(m_vertices, surface.callers_triangles(), surface.in_callers_order(positions), radius, guarantee,
+                        vertex_sphere_map, execution);
+    report.radius = radius;
     report.seconds_for_certificate = control.lap();
     return error;
   }
-}
+
+  const TriangleMesh& tmesh;
+
+private:
+  const NamedParameters& m_np;
+  Default_visitor m_default_visitor;
+  Visitor m_visitor;
+  std::vector<typename boost::graph_traits<TriangleMesh>::vertex_descriptor> m_vertices;
+  bool m_is_read = false;
+
+public:
+  Visitor_control<std::remove_reference_t<Visitor>> control;
+  Execution execution = execution_of<Concurrency_tag>();
+  Surface surface;
+  std::vector<Vector_3d> positions; // on the unit sphere
+  double radius = 1.;               // in the caller's unit of length
+};
 
 // What the initial parameterizer sees of the caller's visitor and of the time: it may be stopped, and its levels show.
 class Initial_map_visitor : public Default_visitor
@@ -234,9 +161,19 @@ private:
   Run_control& m_control;
 };
 
-// Gets the map that a parameterizer makes as positions on the unit sphere. This is the general way, through the public
-// interface of any model of `SphericalParameterizer_3`; a parameterizer of the package that works on an Indexed_mesh
-// overloads the function and spares the mesh a second reading.
+// Whether a parameterizer of the package can map the surface of a run: that spares the mesh a second reading.
+template <class Parameterizer, class Run, class = void>
+struct Embeds_surface : std::false_type
+{};
+
+template <class Parameterizer, class Run>
+struct Embeds_surface<Parameterizer, Run,
+                      std::void_t<decltype(std::declval<const Parameterizer&>().embed(std::declval<Run&>(), false))>>
+  : std::true_type
+{};
+
+// Gets the map that a model of `SphericalParameterizer_3` makes, through its public interface, as positions on the unit
+// sphere.
 template <class Parameterizer, class Run>
 Error_code compute_initial_map(Parameterizer& parameterizer, Run& run)
 {
@@ -244,7 +181,7 @@ Error_code compute_initial_map(Parameterizer& parameterizer, Run& run)
 
   const auto map = get(CGAL::dynamic_vertex_property_t<Point_3>(), run.tmesh);
   Initial_map_visitor visitor(run.control);
-  const auto np = parameters::vertex_point_map(run.vertex_point_map).visitor(std::ref(visitor));
+  const auto np = parameters::vertex_point_map(run.vertex_point_map()).visitor(std::ref(visitor));
   constexpr bool is_parameterizer = Is_parameterizer<Parameterizer, std::decay_t<decltype(run.tmesh)>,
                                                      std::decay_t<decltype(map)>, std::decay_t<decltype(np)>>::value;
   static_assert(is_parameterizer, "The setting initial_parameterizer has to be a model of SphericalParameterizer_3: "
@@ -257,8 +194,7 @@ Error_code compute_initial_map(Parameterizer& parameterizer, Run& run)
     if(error != OK)
       return error;
     // The sweeps compute with rounding, so a face that is positive by less than that would not be safe with them.
-    const bool is_safe = read_map(run.mesh, run.vertices_of_mesh, map, run.positions, run.execution) &&
-                         are_safely_positive(run.mesh.rings(), run.positions);
+    const bool is_safe = run.read_map(map) && are_safely_positive(run.surface.rings(), run.positions);
     run.control.report().seconds_for_embedding = run.control.lap();
     return is_safe ? OK : ERROR_INVALID_INITIAL_PARAMETERIZATION;
   }
@@ -270,15 +206,17 @@ Error_code compute_initial_map(Parameterizer& parameterizer, Run& run)
 template <class Parameterizer, class Run>
 Error_code make_initial_map(Parameterizer& parameterizer, Run& run)
 {
-  run.control.on_initialization_begin(run.mesh.number_of_vertices());
-  const Error_code error = compute_initial_map(parameterizer, run);
+  run.control.on_initialization_begin(run.surface.number_of_vertices());
+  Error_code error = OK;
+  if constexpr(Embeds_surface<Parameterizer, Run>::value)
+    error = parameterizer.embed(run, false);
+  else
+    error = compute_initial_map(parameterizer, run);
   if(error == OK)
     run.control.on_initialization_end();
   return error;
 }
 
-} // namespace internal
-} // namespace Spherical_parameterization
-} // namespace CGAL
+} // namespace CGAL::Spherical_parameterization::internal
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_RUN_PARAMETERIZATION_H

@@ -18,7 +18,6 @@
 #include <CGAL/Spherical_parameterization/Error_code.h>
 #include <CGAL/Spherical_parameterization/internal/certificate/Bijectivity_certificate.h>
 #include <CGAL/Spherical_parameterization/internal/certificate/Orientation_about_origin_3.h>
-#include <CGAL/Spherical_parameterization/internal/surface/Indexed_mesh.h>
 #include <CGAL/Spherical_parameterization/internal/run/parallel.h>
 #include <CGAL/Spherical_parameterization/internal/numbers/Vector_3.h>
 
@@ -29,6 +28,7 @@
 #include <boost/property_map/property_map.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstring>
@@ -36,9 +36,7 @@
 #include <type_traits>
 #include <vector>
 
-namespace CGAL {
-namespace Spherical_parameterization {
-namespace internal {
+namespace CGAL::Spherical_parameterization::internal {
 
 // What a method promises of its maps: that they are one-to-one, or nothing, in which case a map that folds is written
 // and reported.
@@ -48,9 +46,11 @@ enum class Guarantee
   NONE
 };
 
+using Index_triangles = std::vector<std::array<std::uint32_t, 3>>;
+
 // Whether points, images of the vertices of a mesh, make a bijection of it.
 template <class Point_3>
-bool are_bijective(const Indexed_mesh& mesh, const std::vector<Point_3>& images, Execution execution)
+bool are_bijective(const Index_triangles& triangles, const std::vector<Point_3>& images, Execution execution)
 {
   using Selection = Exact_predicates_kernel<typename Kernel_traits<Point_3>::Kernel>;
   using Exact_kernel = typename Selection::type;
@@ -58,28 +58,22 @@ bool are_bijective(const Indexed_mesh& mesh, const std::vector<Point_3>& images,
   exact_images.reserve(images.size());
   for(const Point_3& p : images)
     exact_images.push_back(Selection::convert(p));
-  return certify_bijectivity<Exact_kernel>(exact_images, mesh.triangles(), execution).is_bijective();
+  return certify_bijectivity<Exact_kernel>(exact_images, triangles, execution).is_bijective();
 }
 
-// Reads a map from the vertices of the caller's mesh and projects it to the unit sphere. Returns whether it is a
-// bijection there.
-template <class VertexDescriptor, class VertexSphereMap>
-bool read_map(const Indexed_mesh& mesh, const std::vector<VertexDescriptor>& vertices_of_mesh, VertexSphereMap map,
-              std::vector<Vector_3d>& positions, Execution execution)
+// Projects the images of the vertices to the unit sphere. Returns whether they make a bijection there.
+inline bool project_map(const Index_triangles& triangles, std::vector<Vector_3d>& images, Execution execution)
 {
   using Point_3 = Exact_predicates_inexact_constructions_kernel::Point_3;
-  positions.resize(mesh.number_of_vertices());
   std::vector<Point_3> points;
-  points.reserve(positions.size());
-  for(std::size_t v = 0; v < positions.size(); ++v)
+  points.reserve(images.size());
+  for(Vector_3d& x : images)
   {
-    const auto& p = get(map, vertices_of_mesh[mesh.original(v)]);
-    const Vector_3d x = {CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z())};
     const double size = (std::max)({std::abs(x[0]), std::abs(x[1]), std::abs(x[2])}); // squares could overflow
-    positions[v] = normalized({x[0] / size, x[1] / size, x[2] / size});
-    points.push_back(Point_3(positions[v][0], positions[v][1], positions[v][2]));
+    x = normalized({x[0] / size, x[1] / size, x[2] / size});
+    points.push_back(Point_3(x[0], x[1], x[2]));
   }
-  return are_bijective(mesh, points, execution);
+  return are_bijective(triangles, points, execution);
 }
 
 // Whether two points with floating-point coordinates are the same for any compile flags: with -ffast-math, NaN equals
@@ -96,10 +90,10 @@ bool have_same_bits(const Point_3& p, const Point_3& q)
 // is memory needed. (Lazy numbers that were made from what is not finite must not be compared, so exact numbers are
 // always certified anew.)
 template <class VertexDescriptor, class VertexSphereMap, class Point_3>
-bool is_bijective_as_written(const Indexed_mesh& mesh, const std::vector<VertexDescriptor>& vertices_of_mesh,
+bool is_bijective_as_written(const std::vector<VertexDescriptor>& vertices, const Index_triangles& triangles,
                              VertexSphereMap map, const std::vector<Point_3>& points, Execution execution)
 {
-  const auto written = [&](std::size_t v) -> Point_3 { return get(map, vertices_of_mesh[mesh.original(v)]); };
+  const auto written = [&](std::size_t v) -> Point_3 { return get(map, vertices[v]); };
   if constexpr(std::is_floating_point<typename Kernel_traits<Point_3>::Kernel::FT>::value)
   {
     std::size_t v = 0;
@@ -112,17 +106,17 @@ bool is_bijective_as_written(const Indexed_mesh& mesh, const std::vector<VertexD
   images.reserve(points.size());
   for(std::size_t v = 0; v < points.size(); ++v)
     images.push_back(written(v));
-  return are_bijective(mesh, images, execution);
+  return are_bijective(triangles, images, execution);
 }
 
 // Scales the positions from the unit sphere to the sphere of radius `radius`, certifies the points in the type that the
-// caller will get them in, and only then writes them: the second of the two places that touch the caller's data. A map
+// caller will get them in, and only then writes them: the caller's data is touched by no other place but the readers. A map
 // that is not one-to-one is written only if nothing else was promised.
 //
 // A property map may hold other values than those that it was given, for example numbers of single precision. So what
 // can be read is read again, and certified anew if it differs.
 template <class VertexDescriptor, class VertexSphereMap>
-Error_code write_map(const Indexed_mesh& mesh, const std::vector<VertexDescriptor>& vertices_of_mesh,
+Error_code write_map(const std::vector<VertexDescriptor>& vertices, const Index_triangles& triangles,
                      const std::vector<Vector_3d>& positions, double radius, Guarantee guarantee, VertexSphereMap map,
                      Execution execution)
 {
@@ -144,22 +138,20 @@ Error_code write_map(const Indexed_mesh& mesh, const std::vector<VertexDescripto
     points.push_back(
         Point_3(static_cast<FT>(radius * u[0]), static_cast<FT>(radius * u[1]), static_cast<FT>(radius * u[2])));
   }
-  bool is_bijective = are_bijective(mesh, points, execution);
+  bool is_bijective = are_bijective(triangles, points, execution);
   if(!is_bijective && guarantee == Guarantee::ONE_TO_ONE)
     return ERROR_INSUFFICIENT_PRECISION;
 
   for(std::size_t v = 0; v < points.size(); ++v)
-    put(map, vertices_of_mesh[mesh.original(v)], points[v]);
+    put(map, vertices[v], points[v]);
   if constexpr(std::is_convertible<Category, boost::readable_property_map_tag>::value)
     if(is_bijective)
-      is_bijective = is_bijective_as_written(mesh, vertices_of_mesh, map, points, execution);
+      is_bijective = is_bijective_as_written(vertices, triangles, map, points, execution);
   if(is_bijective)
     return OK;
   return guarantee == Guarantee::ONE_TO_ONE ? ERROR_INSUFFICIENT_PRECISION : ERROR_NO_1_TO_1_MAPPING;
 }
 
-} // namespace internal
-} // namespace Spherical_parameterization
-} // namespace CGAL
+} // namespace CGAL::Spherical_parameterization::internal
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_WRITE_MAP_H

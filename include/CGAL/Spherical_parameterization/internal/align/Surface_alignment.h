@@ -14,201 +14,270 @@
 
 #include <CGAL/license/Spherical_parameterization.h>
 
-#include <CGAL/Spherical_parameterization/internal/align/Sphere_image.h>
+#include <CGAL/Spherical_parameterization/internal/align/Bent_map.h>
 #include <CGAL/Spherical_parameterization/internal/align/Feature_flow.h>
 #include <CGAL/Spherical_parameterization/internal/align/Rotation_search.h>
 #include <CGAL/Spherical_parameterization/internal/align/Sampled_surface.h>
 #include <CGAL/Spherical_parameterization/internal/align/Sphere_grid.h>
-#include <CGAL/Spherical_parameterization/internal/run/parallel.h>
+#include <CGAL/Spherical_parameterization/internal/align/Surface_distances.h>
+#include <CGAL/Spherical_parameterization/internal/locate/Sphere_image.h>
 #include <CGAL/Spherical_parameterization/internal/locate/Sphere_triangulation.h>
-#include <CGAL/Spherical_parameterization/internal/sampling/surface_samples.h>
+#include <CGAL/Spherical_parameterization/internal/numbers/Rotation_matrix.h>
 #include <CGAL/Spherical_parameterization/internal/numbers/Vector_3.h>
+#include <CGAL/Spherical_parameterization/internal/run/Run_control.h>
+#include <CGAL/Spherical_parameterization/internal/run/parallel.h>
 
-#include <CGAL/number_type_config.h>
-#include <CGAL/number_utils.h>
-
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
+#include <initializer_list>
+#include <optional>
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Spherical_parameterization {
-namespace internal {
+namespace CGAL::Spherical_parameterization::internal {
 
-// Two surfaces on the same grid, and how the sphere of the first is to be turned, or bent, onto that of the second.
+// Where the vertices of the first surface start on the sphere of the second one.
+struct Aligned_start
+{
+  std::vector<Vector_3d> directions;
+  double agreement = 0., margin = 0.; // see Surface_map_report
+  bool is_rotation = false;           // The spheres agree as they are.
+  std::vector<Sphere_image> features; // of both surfaces, if they are to agree
+};
+
+template <class K>
+std::vector<Vector_3d> rotated_directions(const Rotation_matrix& rotation, const Sphere_triangulation<K>& sphere)
+{
+  std::vector<Vector_3d> result;
+  result.reserve(sphere.points().size());
+  for(std::size_t v = 0; v < sphere.points().size(); ++v)
+    result.push_back(normalized(rotated(rotation, sphere.direction(v))));
+  return result;
+}
+
+// Two surfaces on the same grid, and how the sphere of the first is to be turned, or bent, onto that of the second. The
+// control is asked between parts of the work; what is there when it says no is valid.
 class Surface_alignment
 {
 public:
-  using Channel = std::vector<double>;
-
-  // What is known of a surface in the directions of the grid: points, and a caller's own features, or none.
-  struct Samples
-  {
-    std::vector<Vector_3d> points;
-    std::vector<Channel> features;
-  };
-
-  static bool are_finite(const std::vector<Channel>& channels)
-  {
-    for(const Channel& channel : channels)
-      for(const double x : channel)
-        if(!is_finite(x))
-          return false;
-    return true;
-  }
-
-  // Samples what the vertices of a mesh have. Its images have a grid to locate directions by.
-  template <class K>
-  static Samples samples_of(const Sphere_grid& grid, const Sphere_triangulation<K>& images,
-                            const std::vector<Vector_3d>& points, const std::vector<Channel>& features,
-                            const Execution& execution)
-  {
-    using FT = typename K::FT;
-    std::vector<typename K::Point_3> directions;
-    directions.reserve(grid.size());
-    for(const Vector_3d& q : grid.directions())
-      directions.emplace_back(FT(q[0]), FT(q[1]), FT(q[2]));
-    const auto places = images.locate(directions, execution);
-    Samples result;
-    for(const auto& place : places)
-      result.points.push_back(interpolated(points, images.triangles(), place));
-    for(const Channel& feature : features)
-    {
-      result.features.emplace_back();
-      for(const auto& place : places)
-      {
-        const Linked_triangle& t = images.triangles()[place.triangle];
-        double sum = 0.;
-        for(std::size_t i = 0; i < 3; ++i)
-          sum += CGAL::to_double(place.coordinates[i]) * feature[t[i]];
-        result.features.back().push_back(sum);
-      }
-    }
-    return result;
-  }
-
-  Surface_alignment(const Sphere_grid& grid, Samples first, Samples second, const Execution& execution)
+  Surface_alignment(const Sphere_grid& grid, Sampled_surface first, Sampled_surface second, Run_control& control,
+                    const Execution& execution)
     : m_grid(grid)
-    , m_raster(grid, execution)
+    , m_surfaces{std::move(first), std::move(second)}
+    , m_control(control)
     , m_execution(execution)
-    , m_surfaces{Sampled_surface(grid, std::move(first.points)), Sampled_surface(grid, std::move(second.points))}
-    , m_features{std::move(first.features), std::move(second.features)}
   {
-    for_each_block(execution, 0, 2, 1, [&](std::size_t k, std::size_t) {
-      if(m_features[k].empty())
-        m_features[k] = m_surfaces[k].features();
-      for(Channel& channel : m_features[k])
-        rank_channel(channel);
-    });
+    if(m_surfaces[0].features().empty())
+      for(const Sampled_surface::Feature feature :
+          {&Sampled_surface::shrinking, &Sampled_surface::average_distance, &Sampled_surface::fine_curvature,
+           &Sampled_surface::coarse_curvature})
+        if(goes_on())
+          in_parallel(2, [&](std::size_t k) { m_surfaces[k].add_feature(feature); });
   }
 
   // The ranks of the features of a surface, 0 or 1.
-  Sphere_image features(std::size_t surface) const { return Sphere_image(m_grid, m_raster, m_features[surface]); }
+  Sphere_image features(std::size_t surface) const { return m_grid.image(m_surfaces[surface].features()); }
 
-  // The best rotations that are at least 20 degrees apart, the best one first.
+  // The best rotations, the best one first; at least one.
   std::vector<Scored_rotation> best_rotations(std::size_t n) const
   {
-    constexpr double min_angle = CGAL_PI / 9.;
-    return Rotation_search(m_grid, m_features[0], features(1), m_execution).best(n, min_angle);
+    return Rotation_search(m_grid, m_surfaces[0].features(), features(1), m_execution).best(n, m_control);
   }
 
-  // Bends the first sphere onto the second one from a rotation: returns where the vertices of the grid lead to, a
-  // bijection. First the features guide it, from coarse to fine. Then the ends of limbs are known, and the distances
-  // from them, which no pose changes, tell everywhere where to go.
-  std::vector<Vector_3d> bent(const Rotation_matrix& rotation) const
+  // The start of a map from the first sphere to the second one; both have grids. Poses of a body have spheres that differ by
+  // more than a rotation: then they are bent onto each other from the two best rotations, and the better one is taken.
+  template <class K>
+  Aligned_start start(const Sphere_triangulation<K>& sphere1, const Sphere_triangulation<K>& sphere2)
   {
-    constexpr int n_steps = 15;
-    Feature_flow flow(m_grid, m_raster, rotation, m_execution);
-    for(const std::array<int, 2> n : {std::array<int, 2>{30, 30}, {15, 20}, {6, 12}})
-      flow.flow(m_features[0], m_features[1], n_steps, n[0], n[1]);
-    std::array<std::vector<Channel>, 2> channels = distances_from_limbs(flow.directions());
-    if(channels[0].empty())
-      return flow.directions();
-    constexpr double weight_of_features = 0.2;
-    for(std::size_t k = 0; k < 2; ++k)
-      for(Channel channel : m_features[k])
-      {
-        for(double& x : channel)
-          x *= weight_of_features;
-        channels[k].push_back(std::move(channel));
-      }
-    for(const std::array<int, 2> n : {std::array<int, 2>{6, 30}, {3, 20}, {1, 12}, {1, 6}})
-      flow.flow(channels[0], channels[1], n_steps, n[0], n[1]);
-    return flow.directions();
-  }
-
-  // how well the features agree where the vertices of the grid lead to: their correlation
-  double agreement(const std::vector<Vector_3d>& directions) const
-  {
-    const Sphere_image image = features(1);
-    std::vector<double> b(m_features[1].size());
-    double ab = 0., aa = 0., bb = 0.;
-    for(std::size_t v = 0; v < m_grid.size(); ++v)
+    constexpr double min_score_of_same_shape = 0.97;
+    Aligned_start result;
+    const std::vector<Scored_rotation> candidates = best_rotations(2);
+    result.is_rotation = candidates[0].score > min_score_of_same_shape;
+    if(result.is_rotation || m_control.is_stopped())
     {
-      image.interpolate(directions[v], b.data());
-      for(std::size_t k = 0; k < b.size(); ++k)
-      {
-        const double a = m_features[0][k][v];
-        ab += a * b[k];
-        aa += a * a;
-        bb += b[k] * b[k];
-      }
+      result.agreement = candidates[0].score;
+      result.margin = margin(candidates);
+      result.directions = rotated_directions(polished(candidates[0].rotation, sphere1, sphere2), sphere1);
+      return result;
     }
-    return aa > 0. && bb > 0. ? ab / std::sqrt(aa * bb) : 0.;
+    const std::vector<Bent_grid> bent = this->bent(candidates);
+    result.agreement = bent[0].score;
+    result.margin = margin(bent);
+    const auto directions = Bent_map<K>(sphere1).directions(m_grid, bent[0].directions, m_control, m_execution);
+    result.directions = directions ? *directions : rotated_directions(bent[0].rotation, sphere1);
+    return result;
+  }
+
+  // Where the vertices of the grid lead to, a bijection, and how well the features agree there.
+  struct Bent_grid
+  {
+    Rotation_matrix rotation; // from which it has been bent
+    std::vector<Vector_3d> directions;
+    double score;
+  };
+
+  // Bends the first sphere onto the second one from each of these rotations; the best result comes first. At first the
+  // features guide it, from coarse to fine. Then the ends of limbs are known, and the distances from them, which no pose
+  // changes, tell everywhere where to go.
+  std::vector<Bent_grid> bent(const std::vector<Scored_rotation>& rotations)
+  {
+    std::vector<Feature_flow> flows;
+    for(const Scored_rotation& candidate : rotations)
+      flows.emplace_back(m_grid, candidate.rotation, m_execution);
+    std::vector<Features> features(flows.size(), {m_surfaces[0].features(), m_surfaces[1].features()});
+    run({{30, 30}, {15, 20}, {6, 12}}, features, flows);
+    if(goes_on())
+    {
+      std::array<std::vector<Surface_distances::Limb>, 2> limbs;
+      in_parallel(2, [&](std::size_t k) { limbs[k] = m_surfaces[k].distances().limbs(); });
+      in_parallel(flows.size(),
+                  [&](std::size_t k) { features[k] = distances_from_limbs(limbs, flows[k].directions()); });
+      run({{6, 30}, {3, 20}, {1, 12}, {1, 6}}, features, flows);
+    }
+    const Sphere_image image = this->features(1);
+    std::vector<Bent_grid> result(flows.size());
+    in_parallel(flows.size(), [&](std::size_t k) {
+      result[k] = {rotations[k].rotation, flows[k].directions(), agreement(flows[k].directions(), image)};
+    });
+    std::stable_sort(result.begin(), result.end(),
+                     [](const Bent_grid& a, const Bent_grid& b) { return a.score > b.score; });
+    return result;
+  }
+
+  // How much better the best candidate is than the next one, or than 0 if there is none.
+  template <class Candidate>
+  static double margin(const std::vector<Candidate>& candidates)
+  {
+    return candidates[0].score - (candidates.size() > 1 ? candidates[1].score : 0.);
   }
 
 private:
-  // The distances from ends of limbs that are found on both surfaces, each the nearest one of the other; none if these
-  // are too few to tell a place.
-  std::array<std::vector<Channel>, 2> distances_from_limbs(const std::vector<Vector_3d>& directions) const
+  using Features = std::array<std::vector<Channel>, 2>; // of both surfaces
+
+  // How often the features, and how often the motion is smoothed.
+  struct Stage
   {
-    constexpr std::size_t max_limbs = 10, min_limbs = 3;
-    constexpr double min_cosine = 0.7;
-    const std::vector<std::uint32_t> a = m_surfaces[0].extremities(max_limbs), b = m_surfaces[1].extremities(max_limbs);
-    const auto cosine = [&](std::uint32_t v, std::uint32_t w) { return dot(directions[v], m_grid.directions()[w]); };
-    std::array<std::vector<Channel>, 2> result;
-    for(const std::uint32_t v : a)
-      for(const std::uint32_t w : b)
+    int n_image, n_motion;
+  };
+
+  bool goes_on() const { return m_control.go_further(0, 0.); }
+
+  template <class Function>
+  void in_parallel(std::size_t n, const Function& f) const
+  {
+    for_each_block(m_execution, 0, n, 1, [&](std::size_t k, std::size_t) { f(k); });
+  }
+
+  // All flows step together, so that the control is asked between short parts.
+  void run(std::initializer_list<Stage> stages, const std::vector<Features>& features, std::vector<Feature_flow>& flows)
+  {
+    constexpr int n_steps = 15;
+    for(const Stage& stage : stages)
+    {
+      in_parallel(flows.size(), [&](std::size_t k) {
+        flows[k].set_features(features[k][0], features[k][1], stage.n_image, stage.n_motion);
+      });
+      for(int step = 0; step < n_steps && goes_on(); ++step)
+        in_parallel(flows.size(), [&](std::size_t k) { flows[k].step(); });
+      if(m_control.is_stopped())
+        return;
+    }
+  }
+
+  // The distances from ends of limbs that are found on both surfaces, each the nearest one of the other, and the features
+  // with a small weight; nothing if these ends are too few to tell a place.
+  Features distances_from_limbs(const std::array<std::vector<Surface_distances::Limb>, 2>& limbs,
+                                const std::vector<Vector_3d>& directions) const
+  {
+    constexpr std::size_t min_limbs = 3;
+    constexpr double min_cosine = 0.7, weight_of_features = 0.2;
+    const auto cosine = [&](const auto& a, const auto& b) {
+      return dot(directions[a.end], m_grid.directions()[b.end]);
+    };
+    Features result;
+    for(const auto& a : limbs[0])
+      for(const auto& b : limbs[1])
       {
-        bool is_nearest = cosine(v, w) > min_cosine;
-        for(const std::uint32_t other : b)
-          is_nearest = is_nearest && (other == w || cosine(v, other) < cosine(v, w));
-        for(const std::uint32_t other : a)
-          is_nearest = is_nearest && (other == v || cosine(other, w) < cosine(v, w));
-        if(is_nearest)
+        const double c = cosine(a, b);
+        const auto is_b_nearest = [&](const auto& other) { return &other == &b || cosine(a, other) < c; };
+        const auto is_a_nearest = [&](const auto& other) { return &other == &a || cosine(other, b) < c; };
+        if(c > min_cosine && std::all_of(limbs[1].begin(), limbs[1].end(), is_b_nearest) &&
+           std::all_of(limbs[0].begin(), limbs[0].end(), is_a_nearest))
         {
-          result[0].push_back(m_surfaces[0].distances_from(v));
-          result[1].push_back(m_surfaces[1].distances_from(w));
+          result[0].push_back(a.distances);
+          result[1].push_back(b.distances);
         }
       }
     if(result[0].size() < min_limbs)
       return {};
-    for(auto& channels : result)
+    for(std::size_t k = 0; k < 2; ++k)
     {
       double sum = 0.;
-      for(const Channel& channel : channels)
+      for(const Channel& channel : result[k])
         for(const double d : channel)
           sum += d;
-      const double scale = sum > 0. ? static_cast<double>(channels.size() * m_grid.size()) / sum : 1.;
-      for(Channel& channel : channels)
+      const double scale = sum > 0. ? static_cast<double>(result[k].size() * m_grid.size()) / sum : 1.;
+      for(Channel& channel : result[k])
         for(double& d : channel)
           d *= scale;
+      for(Channel channel : m_surfaces[k].features())
+      {
+        for(double& x : channel)
+          x *= weight_of_features;
+        result[k].push_back(std::move(channel));
+      }
     }
     return result;
   }
 
+  // The correlation of the features where the vertices of the grid lead to; `image` is that of the second surface.
+  double agreement(const std::vector<Vector_3d>& directions, const Sphere_image& image) const
+  {
+    Correlation result;
+    std::vector<double> b(image.number_of_channels());
+    for(std::size_t v = 0; v < m_grid.size(); ++v)
+    {
+      image.interpolate(directions[v], b.data());
+      for(std::size_t k = 0; k < b.size(); ++k)
+        result.add(m_surfaces[0].features()[k][v], b[k]);
+    }
+    return result();
+  }
+
+  // The rotation that brings each vertex nearest to one of the second sphere, in a few rounds from a rotation that is nearly
+  // so. For copies of a sphere it is exact but for rounding.
+  template <class K>
+  Rotation_matrix polished(Rotation_matrix rotation, const Sphere_triangulation<K>& sphere1,
+                           const Sphere_triangulation<K>& sphere2) const
+  {
+    constexpr int n_rounds = 8;
+    for(int round = 0; round < n_rounds && goes_on(); ++round)
+    {
+      std::vector<typename K::Point_3> queries;
+      for(const Vector_3d& p : rotated_directions(rotation, sphere1))
+        queries.emplace_back(p[0], p[1], p[2]);
+      const auto places = sphere2.locate(queries, m_execution);
+      std::vector<std::pair<Vector_3d, Vector_3d>> pairs;
+      for(std::size_t v = 0; v < queries.size(); ++v)
+      {
+        const auto& w = places[v].coordinates;
+        const std::size_t nearest = static_cast<std::size_t>(std::max_element(w.begin(), w.end()) - w.begin());
+        pairs.emplace_back(sphere1.direction(v), sphere2.direction(sphere2.triangles()[places[v].triangle][nearest]));
+      }
+      if(const std::optional<Rotation_matrix> next = fitting_rotation(pairs))
+        rotation = *next;
+    }
+    return rotation;
+  }
+
   const Sphere_grid& m_grid;
-  Cube_raster m_raster;
-  Execution m_execution;
   std::array<Sampled_surface, 2> m_surfaces;
-  std::array<std::vector<Channel>, 2> m_features; // ranks
+  Run_control& m_control;
+  Execution m_execution;
 };
 
-} // namespace internal
-} // namespace Spherical_parameterization
-} // namespace CGAL
+} // namespace CGAL::Spherical_parameterization::internal
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_ALIGN_SURFACE_ALIGNMENT_H

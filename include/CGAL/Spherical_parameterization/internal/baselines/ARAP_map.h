@@ -15,9 +15,9 @@
 
 #include <CGAL/license/Spherical_parameterization.h>
 
-#include <CGAL/Spherical_parameterization/Parameterization_report.h>
+#include <CGAL/Spherical_parameterization/Error_code.h>
 #include <CGAL/Spherical_parameterization/internal/baselines/Laplacian_system.h>
-#include <CGAL/Spherical_parameterization/internal/surface/Indexed_mesh.h>
+#include <CGAL/Spherical_parameterization/internal/surface/Surface.h>
 #include <CGAL/Spherical_parameterization/internal/surface/Rest_triangle.h>
 #include <CGAL/Spherical_parameterization/internal/surface/Vertex_rings.h>
 #include <CGAL/Spherical_parameterization/internal/surface/mesh_measures.h>
@@ -34,9 +34,7 @@
 #include <limits>
 #include <vector>
 
-namespace CGAL {
-namespace Spherical_parameterization {
-namespace internal {
+namespace CGAL::Spherical_parameterization::internal {
 
 // The as-rigid-as-possible energy of a map u to the sphere of radius r: the sum over the faces of
 // sum cot |r e' - R e|^2 / 4 over the edges e of the face on the surface and e' of its image on the unit sphere, R
@@ -53,19 +51,18 @@ public:
     rings.for_each_face([&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
       m_faces.push_back(Face({a, b, c}, Rest_triangle::from_points(points[a], points[b], points[c])));
     });
-    m_partial.resize((m_faces.size() + block_size - 1) / block_size);
   }
 
   // Fits the rotations, then the radius, which is a linear problem of one variable; returns the energy.
   double fit(const std::vector<Vector_3d>& u)
   {
+    std::vector<Sums> partial((m_faces.size() + block_size - 1) / block_size);
     for_each_block(m_execution, 0, m_faces.size(), block_size, [&](std::size_t begin, std::size_t end) {
-      Sums& sums = m_partial[begin / block_size] = Sums();
       for(std::size_t f = begin; f < end; ++f)
-        m_faces[f].fit_rotation(u, sums);
+        m_faces[f].fit_rotation(u, partial[begin / block_size]);
     });
     Sums sums;
-    for(const Sums& part : m_partial)
+    for(const Sums& part : partial)
     {
       sums.fitted += part.fitted;
       sums.image += part.image;
@@ -162,7 +159,6 @@ private:
 
   Execution m_execution;
   std::vector<Face> m_faces;
-  std::vector<Sums> m_partial;
   double m_radius = 1.;
 };
 
@@ -174,82 +170,75 @@ template <class SolverTraits>
 class ARAP_map
 {
 public:
-  ARAP_map(const Indexed_mesh& mesh, Execution execution)
+  ARAP_map(const Surface& mesh, Execution execution)
     : m_mesh(mesh)
     , m_energy(mesh.rings(), mesh.points(), execution)
+    , m_step(mesh.number_of_vertices())
   {}
 
   // Lowers the energy of `positions` and sets the radius, in the caller's unit of length; returns false if the linear
   // system cannot be solved.
-  bool run(std::vector<Vector_3d>& positions, double& radius, std::size_t max_iterations, Run_control& control)
+  bool run(std::vector<Vector_3d>& positions, double& radius, std::size_t max_rounds, Run_control& control)
   {
-    Parameterization_report& report = control.report();
     const std::vector<double> weights =
         cotangent_weights(m_mesh.rings(), m_mesh.points(), std::numeric_limits<double>::lowest());
-    Laplacian_system<SolverTraits> system;
-    if(!system.factor(m_mesh.rings(), weights, [](std::uint32_t v) { return v == 0; }))
+    return m_system.factor(m_mesh.rings(), weights, [](std::uint32_t v) { return v == 0; }) &&
+           lower_energy(*this, positions, radius, max_rounds, control);
+  }
+
+  // What lower_energy() asks for.
+
+  static constexpr double tolerance = 1e-6; // of the energy
+  static constexpr double max_rise = 0.;
+  static constexpr int max_halvings = 12;
+
+  double energy_of(const std::vector<Vector_3d>& positions) { return m_energy.fit(positions); }
+  double radius() const { return m_energy.radius() * m_mesh.equal_area_radius(); }
+
+  bool find_step(const std::vector<Vector_3d>& positions)
+  {
+    m_energy.forces(positions, m_step);
+    make_tangential(positions);
+    if(!m_system.solve(m_step))
       return false;
-    double energy = m_energy.fit(positions), scaled_radius = m_energy.radius();
-    radius = scaled_radius * m_mesh.equal_area_radius();
-    report.initial_energy = energy;
-    report.stop_reason = ITERATION_LIMIT;
-    std::vector<Vector_3d> step(positions.size()), candidate(positions.size());
-    for(std::size_t i = 0; i < max_iterations; ++i)
-    {
-      m_energy.forces(positions, step);
-      make_tangential(positions, step);
-      if(!system.solve(step))
-        return false;
-      make_tangential(positions, step);
-      double t = 1. / scaled_radius, next_energy = 0.;
-      bool is_found = false;
-      for(int halving = 0; halving < max_halvings && !is_found; ++halving, t *= 0.5)
-      {
-        for(std::size_t v = 0; v < positions.size(); ++v)
-          candidate[v] = normalized(positions[v] + t * step[v]);
-        next_energy = m_energy.fit(candidate);
-        is_found = next_energy < energy;
-      }
-      if(!is_found)
-      {
-        report.stop_reason = next_energy - energy <= tolerance * energy ? CONVERGED : OBSTRUCTED;
-        break;
-      }
-      const bool has_converged = energy - next_energy < tolerance * energy;
-      positions.swap(candidate);
-      energy = next_energy;
-      scaled_radius = m_energy.radius();
-      radius = scaled_radius * m_mesh.equal_area_radius();
-      ++report.number_of_average_iterations;
-      control.after_iteration(i + 1, energy, radius);
-      if(!control.go_further(i + 1, energy))
-        break;
-      if(has_converged)
-      {
-        report.stop_reason = CONVERGED;
-        break;
-      }
-    }
-    report.average_energy = energy;
+    make_tangential(positions);
+    for(Vector_3d& x : m_step)
+      x = (1. / m_energy.radius()) * x;
+    return true;
+  }
+
+  bool move(const std::vector<Vector_3d>& positions, double t, std::vector<Vector_3d>& candidate) const
+  {
+    for(std::size_t v = 0; v < positions.size(); ++v)
+      candidate[v] = normalized(positions[v] + t * m_step[v]);
     return true;
   }
 
 private:
-  static constexpr double tolerance = 1e-6; // of the energy
-  static constexpr int max_halvings = 12;
-
-  static void make_tangential(const std::vector<Vector_3d>& positions, std::vector<Vector_3d>& vectors)
+  void make_tangential(const std::vector<Vector_3d>& positions)
   {
     for(std::size_t v = 0; v < positions.size(); ++v)
-      vectors[v] = vectors[v] - dot(vectors[v], positions[v]) * positions[v];
+      m_step[v] = m_step[v] - dot(m_step[v], positions[v]) * positions[v];
   }
 
-  const Indexed_mesh& m_mesh;
+  const Surface& m_mesh;
   ARAP_energy m_energy;
+  std::vector<Vector_3d> m_step;
+  Laplacian_system<SolverTraits> m_system;
 };
 
-} // namespace internal
-} // namespace Spherical_parameterization
-} // namespace CGAL
+// Makes the map of a run as rigid as possible.
+template <class SolverTraits, class Run>
+Error_code map_as_rigidly_as_possible(std::size_t max_iterations, Run& run)
+{
+  ARAP_map<SolverTraits> map(run.surface, run.execution);
+  if(!map.run(run.positions, run.radius, max_iterations, run.control))
+    return ERROR_CANNOT_SOLVE_LINEAR_SYSTEM;
+  run.control.report().seconds_for_optimization = run.control.lap();
+  run.control.on_optimization_end();
+  return OK;
+}
+
+} // namespace CGAL::Spherical_parameterization::internal
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_BASELINES_ARAP_MAP_H

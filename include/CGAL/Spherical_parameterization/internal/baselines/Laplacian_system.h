@@ -15,8 +15,10 @@
 
 #include <CGAL/license/Spherical_parameterization.h>
 
-#include <CGAL/Spherical_parameterization/internal/surface/Vertex_rings.h>
+#include <CGAL/Spherical_parameterization/Parameterization_report.h>
 #include <CGAL/Spherical_parameterization/internal/numbers/Vector_3.h>
+#include <CGAL/Spherical_parameterization/internal/run/Run_control.h>
+#include <CGAL/Spherical_parameterization/internal/surface/Vertex_rings.h>
 
 #include <CGAL/Default.h>
 
@@ -26,15 +28,16 @@
 #include <Eigen/SparseCholesky>
 #endif
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <type_traits>
 #include <vector>
 
-namespace CGAL {
-namespace Spherical_parameterization {
-namespace internal {
+namespace CGAL::Spherical_parameterization::internal {
 
 // The sparse solver of those parameterizers that need one: the caller's, or by default Eigen's Cholesky factorisation.
 template <class SolverTraits>
@@ -89,7 +92,7 @@ public:
     return m_solver.factor(matrix, denominator);
   }
 
-  // Replaces the right-hand sides, one for each vertex, by the solution. Returns false if the solver fails.
+  // Replaces the right-hand sides, one for each vertex, by the solution; returns false if the solver fails.
   bool solve(std::vector<Vector_3d>& x)
   {
     Vector right(m_vertices.size()), solution(m_vertices.size());
@@ -118,8 +121,58 @@ private:
   std::vector<std::uint32_t> m_vertices; // of the rows
 };
 
-} // namespace internal
-} // namespace Spherical_parameterization
-} // namespace CGAL
+// Lowers the energy of a map by rounds, each of which solves a linear system. `method` has
+//   bool find_step(positions)            whether the system could be solved
+//   bool move(positions, t, candidate)   whether the map that is the part t of the step away is allowed; if not, or if its
+//                                        energy is too high, the step is halved
+//   double energy_of(positions)          and radius(), that which is best for the last one
+// Returns false if a system could not be solved.
+template <class Method>
+bool lower_energy(Method& method, std::vector<Vector_3d>& positions, double& radius, std::size_t max_rounds,
+                  Run_control& control)
+{
+  Parameterization_report& report = control.report();
+  double energy = method.energy_of(positions), lowest_energy = energy;
+  radius = method.radius();
+  report.initial_energy = energy;
+  report.stop_reason = ITERATION_LIMIT;
+  std::vector<Vector_3d> candidate(positions.size());
+  for(std::size_t i = 0; i < max_rounds; ++i)
+  {
+    if(!method.find_step(positions))
+      return false;
+    double t = 1., next_energy = 0.;
+    bool is_found = false;
+    for(int halving = 0; halving < Method::max_halvings && !is_found; ++halving, t *= 0.5)
+    {
+      const bool is_allowed = method.move(positions, t, candidate);
+      next_energy = is_allowed ? method.energy_of(candidate) : std::numeric_limits<double>::infinity();
+      is_found = next_energy < (1. + Method::max_rise) * lowest_energy;
+    }
+    if(!is_found)
+    {
+      report.stop_reason = next_energy - energy <= Method::tolerance * energy ? CONVERGED : OBSTRUCTED;
+      break;
+    }
+    const bool has_settled = std::abs(next_energy - energy) < Method::tolerance * energy;
+    positions.swap(candidate);
+    energy = next_energy;
+    lowest_energy = (std::min)(lowest_energy, energy);
+    radius = method.radius();
+    ++report.number_of_average_iterations;
+    control.after_iteration(i + 1, energy, radius);
+    if(!control.go_further(i + 1, energy))
+      break;
+    if(has_settled)
+    {
+      report.stop_reason = CONVERGED;
+      break;
+    }
+  }
+  report.average_energy = energy;
+  return true;
+}
+
+} // namespace CGAL::Spherical_parameterization::internal
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_BASELINES_LAPLACIAN_SYSTEM_H

@@ -15,12 +15,14 @@
 
 #include <CGAL/license/Spherical_parameterization.h>
 
+#include <CGAL/Spherical_parameterization/Error_code.h>
+#include <CGAL/Spherical_parameterization/Parameterization_report.h>
 #include <CGAL/Spherical_parameterization/internal/baselines/Laplacian_system.h>
 #include <CGAL/Spherical_parameterization/internal/certificate/is_safely_positive.h>
-#include <CGAL/Spherical_parameterization/internal/surface/Indexed_mesh.h>
+#include <CGAL/Spherical_parameterization/internal/numbers/Vector_3.h>
+#include <CGAL/Spherical_parameterization/internal/surface/Surface.h>
 #include <CGAL/Spherical_parameterization/internal/surface/Vertex_rings.h>
 #include <CGAL/Spherical_parameterization/internal/surface/mesh_measures.h>
-#include <CGAL/Spherical_parameterization/internal/numbers/Vector_3.h>
 
 #include <CGAL/number_type_basic.h>
 
@@ -29,12 +31,11 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <numeric>
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Spherical_parameterization {
-namespace internal {
+namespace CGAL::Spherical_parameterization::internal {
 
 // The number of edges from `source` to each vertex of a connected mesh.
 inline std::vector<std::uint32_t> edge_distances(const Vertex_rings& rings, std::uint32_t source)
@@ -72,26 +73,18 @@ inline std::uint32_t central_vertex(const Vertex_rings& rings)
   return static_cast<std::uint32_t>(std::min_element(farthest.begin(), farthest.end()) - farthest.begin());
 }
 
-// A conformal map of the unit sphere to itself that pushes all points towards one, along the circles through it and its
-// opposite. Together with the rotations, these generate all that preserve the orientation.
-class Moebius_transformation
+// A conformal map of the unit sphere to itself that pushes all points towards c / |c|, along the circles through it and its
+// opposite, the more so the closer |c| < 1 is to 1. Together with the rotations, these generate all that preserve the
+// orientation.
+struct Moebius_transformation
 {
-public:
-  // Pushes towards c / |c|, the more so the closer |c| < 1 is to 1.
-  explicit Moebius_transformation(const Vector_3d& c)
-    : m_c(c)
-    , m_numerator(1. - squared_length(c))
-  {}
+  Vector_3d c;
 
   Vector_3d operator()(const Vector_3d& u) const
   {
-    const Vector_3d s = u + m_c;
-    return normalized((m_numerator / squared_length(s)) * s + m_c);
+    const Vector_3d s = u + c;
+    return normalized(((1. - squared_length(c)) / squared_length(s)) * s + c);
   }
-
-private:
-  Vector_3d m_c;
-  double m_numerator;
 };
 
 inline Vector_3d center_of_mass(const std::vector<Vector_3d>& points, const std::vector<double>& masses)
@@ -133,9 +126,7 @@ double center_mass(std::vector<Vector_3d>& points, const std::vector<double>& ma
   constexpr double tolerance = 1e-12, max_push = 0.5;
   constexpr int max_pushes = 100, max_halvings = 8;
 
-  double mass = 0.;
-  for(const double m : masses)
-    mass += m;
+  const double mass = std::accumulate(masses.begin(), masses.end(), 0.);
   std::vector<Vector_3d> moved(points.size());
   Vector_3d center = center_of_mass(points, masses);
   for(int k = 0; k < max_pushes && length(center) > tolerance; ++k)
@@ -150,9 +141,7 @@ double center_mass(std::vector<Vector_3d>& points, const std::vector<double>& ma
     bool is_moved = false;
     for(int halving = 0; halving < max_halvings && !is_moved; ++halving, push = 0.5 * push)
     {
-      const Moebius_transformation transformation(push);
-      for(std::size_t v = 0; v < points.size(); ++v)
-        moved[v] = transformation(points[v]);
+      std::transform(points.begin(), points.end(), moved.begin(), Moebius_transformation{push});
       const Vector_3d next_center = center_of_mass(moved, masses);
       if(length(next_center) < length(center) && is_admissible(moved))
       {
@@ -179,7 +168,7 @@ template <class SolverTraits>
 class Stereographic_embedding
 {
 public:
-  explicit Stereographic_embedding(const Indexed_mesh& mesh)
+  explicit Stereographic_embedding(const Surface& mesh)
     : m_mesh(mesh)
     , m_rings(mesh.rings())
     , m_pole(central_vertex(mesh.rings()))
@@ -196,24 +185,26 @@ public:
     return true;
   }
 
-  // Takes the plane to the sphere, whether or not faces are turned over.
-  void project(std::vector<Vector_3d>& positions) const
-  {
-    project_stereographically(positions);
-    center_mass(positions, m_masses, [](const std::vector<Vector_3d>&) { return true; });
-  }
-
-  // Takes the plane to the sphere; returns false if doubles cannot hold the map.
-  bool project_bijectively(std::vector<Vector_3d>& positions) const
+  // Takes the plane to the sphere; returns whether no face is turned over.
+  bool project(std::vector<Vector_3d>& positions) const
   {
     const auto are_positive = [&](const std::vector<Vector_3d>& p) { return are_safely_positive(m_rings, p); };
-    project_stereographically(positions);
+    const auto stereographic = [](const Vector_3d& p) {
+      return Vector_3d{2. * p[0], 2. * p[1], squared_length(p) - 1.};
+    };
+    const auto central = [](const Vector_3d& p) { return Vector_3d{p[0], p[1], -1.}; };
+    project_by(stereographic, positions);
     if(!are_positive(positions))
-      project_centrally(positions);
-    if(!are_positive(positions))
-      return false;
-    center_mass(positions, m_masses, are_positive);
-    return true;
+      project_by(central, positions);
+    const bool is_bijective = are_positive(positions);
+    if(is_bijective)
+      center_mass(positions, m_masses, are_positive);
+    else
+    {
+      project_by(stereographic, positions);
+      center_mass(positions, m_masses, [](const std::vector<Vector_3d>&) { return true; });
+    }
+    return is_bijective;
   }
 
 private:
@@ -282,51 +273,36 @@ private:
   void scale_plane()
   {
     std::vector<std::pair<double, double>> areas_by_distance;
-    double sum = 0.;
     for(std::size_t v = 0; v < m_plane.size(); ++v)
-    {
       areas_by_distance.emplace_back(length(m_plane[v]), m_masses[v]);
-      sum += m_masses[v];
-    }
     std::sort(areas_by_distance.begin(), areas_by_distance.end());
+    const double half = 0.5 * std::accumulate(m_masses.begin(), m_masses.end(), 0.);
     double inside = 0.;
-    double scale = 1.;
     for(const auto& [distance, area] : areas_by_distance)
     {
       inside += area;
-      if(inside > 0.5 * sum && distance > 0.)
+      if(inside > half && distance > 0.)
       {
-        scale = 1. / distance;
-        break;
+        for(Vector_3d& p : m_plane)
+          p = (1. / distance) * p;
+        return;
       }
     }
-    for(Vector_3d& p : m_plane)
-      p = scale * p;
   }
 
-  void project_stereographically(std::vector<Vector_3d>& positions) const
+  template <class Projection>
+  void project_by(const Projection& projection, std::vector<Vector_3d>& positions) const
   {
     positions.resize(m_plane.size());
     for(std::size_t v = 0; v < m_plane.size(); ++v)
-    {
-      const Vector_3d& p = m_plane[v];
-      positions[v] = normalized({2. * p[0], 2. * p[1], squared_length(p) - 1.});
-    }
-    positions[m_pole] = {0., 0., 1.};
-  }
-
-  void project_centrally(std::vector<Vector_3d>& positions) const
-  {
-    positions.resize(m_plane.size());
-    for(std::size_t v = 0; v < m_plane.size(); ++v)
-      positions[v] = normalized({m_plane[v][0], m_plane[v][1], -1.});
+      positions[v] = normalized(projection(m_plane[v]));
     positions[m_pole] = {0., 0., 1.};
   }
 
   // how much of an angle follows the angle at the pole
   static constexpr double own_blend = 0.6;
 
-  const Indexed_mesh& m_mesh;
+  const Surface& m_mesh;
   const Vertex_rings& m_rings;
   std::uint32_t m_pole;
   std::vector<double> m_masses; // of the vertices
@@ -334,8 +310,24 @@ private:
   std::vector<Vector_3d> m_plane;
 };
 
-} // namespace internal
-} // namespace Spherical_parameterization
-} // namespace CGAL
+// Maps a mesh to the unit sphere through the plane, as what it is or as what other methods start from. If doubles cannot
+// hold a bijection, that is an error if the map `has_to_be_bijective`, or else the map is stereographic and folds.
+template <class SolverTraits, class Run>
+Error_code embed_stereographically(Run& run, bool has_to_be_bijective)
+{
+  run.control.on_initialization_begin(run.surface.number_of_vertices());
+  Stereographic_embedding<SolverTraits> embedding(run.surface);
+  if(!embedding.solve())
+    return ERROR_CANNOT_SOLVE_LINEAR_SYSTEM;
+  const bool is_bijective = embedding.project(run.positions);
+  run.control.report().seconds_for_embedding = run.control.lap();
+  if(has_to_be_bijective && !is_bijective)
+    return ERROR_INSUFFICIENT_PRECISION;
+  run.control.on_initialization_end();
+  run.control.report().stop_reason = CONVERGED;
+  return OK;
+}
+
+} // namespace CGAL::Spherical_parameterization::internal
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_BASELINES_STEREOGRAPHIC_EMBEDDING_H

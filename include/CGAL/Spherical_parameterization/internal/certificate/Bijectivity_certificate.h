@@ -23,9 +23,7 @@
 #include <cstddef>
 #include <type_traits>
 
-namespace CGAL {
-namespace Spherical_parameterization {
-namespace internal {
+namespace CGAL::Spherical_parameterization::internal {
 
 // What exact predicates say about a closed triangle mesh around the origin.
 //
@@ -124,8 +122,6 @@ Bijectivity_certificate certify_bijectivity(const Points& points, const Triangle
   return certificate;
 }
 
-} // namespace internal
-} // namespace Spherical_parameterization
-} // namespace CGAL
+} // namespace CGAL::Spherical_parameterization::internal
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_CERTIFICATE_BIJECTIVITY_CERTIFICATE_H

@@ -44,9 +44,7 @@
 #define CGAL_SPHERICAL_PARAMETERIZATION_NO_IEEE_ARITHMETIC
 #endif
 
-namespace CGAL {
-namespace Spherical_parameterization {
-namespace internal {
+namespace CGAL::Spherical_parameterization::internal {
 
 // An integer of any size; those that a determinant of coordinates of similar size needs are kept without allocation.
 using Determinant_integer = boost::multiprecision::number<boost::multiprecision::cpp_int_backend<512>>;
@@ -235,8 +233,6 @@ template <class PropertyMap>
 using Exact_predicates_kernel_of_map =
     Exact_predicates_kernel<typename Kernel_traits<typename boost::property_traits<PropertyMap>::value_type>::Kernel>;
 
-} // namespace internal
-} // namespace Spherical_parameterization
-} // namespace CGAL
+} // namespace CGAL::Spherical_parameterization::internal
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_CERTIFICATE_ORIENTATION_ABOUT_ORIGIN_3_H

@@ -22,9 +22,7 @@
 #include <limits>
 #include <vector>
 
-namespace CGAL {
-namespace Spherical_parameterization {
-namespace internal {
+namespace CGAL::Spherical_parameterization::internal {
 
 // Whether a face on the unit sphere whose determinant was computed from offsets stays positive when its corners are
 // rounded to doubles, in normalising them there and in scaling them to the final radius later. Both move a corner by
@@ -55,8 +53,6 @@ inline bool are_safely_positive(const Vertex_rings& rings, const std::vector<Vec
   return result;
 }
 
-} // namespace internal
-} // namespace Spherical_parameterization
-} // namespace CGAL
+} // namespace CGAL::Spherical_parameterization::internal
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_CERTIFICATE_IS_SAFELY_POSITIVE_H

@@ -28,9 +28,7 @@
 #include <optional>
 #include <type_traits>
 
-namespace CGAL {
-namespace Spherical_parameterization {
-namespace internal {
+namespace CGAL::Spherical_parameterization::internal {
 
 // Longitude and latitude about a north pole and a zero meridian. The plane of both consists of the zero meridian, the seam
 // on the other side of the sphere, and the poles; on which side of it a point is, and where an edge meets it, are decided
@@ -125,10 +123,13 @@ public:
   // Where the edge from a to b meets the seam or a pole between its ends, if it does.
   std::optional<Crossing> crossing(const Point_3& a, Place at_a, const Point_3& b, Place at_b) const
   {
-    if(at_a == Place::west && at_b == Place::east)
-      return reversed(crossing(b, at_b, a, at_a));
-    if(at_a == Place::zero_meridian && at_b == Place::seam)
-      return reversed(crossing(b, at_b, a, at_a));
+    if((at_a == Place::west && at_b == Place::east) || (at_a == Place::zero_meridian && at_b == Place::seam))
+    {
+      std::optional<Crossing> result = crossing(b, at_b, a, at_a);
+      if(result)
+        result->share = 1. - result->share;
+      return result;
+    }
     if(at_a == Place::east && at_b == Place::west)
     {
       // It meets the plane in the direction |det(n, m, b)| a + |det(n, m, a)| b.
@@ -217,21 +218,12 @@ private:
     return {CGAL::to_double(share), site(place, p + share * (q - p))};
   }
 
-  static std::optional<Crossing> reversed(std::optional<Crossing> crossing)
-  {
-    if(crossing)
-      crossing->share = 1. - crossing->share;
-    return crossing;
-  }
-
   Orientation_about_origin_3<K> m_orientation;
   Point_3 m_north, m_zero, m_east; // det(north, zero, east) > 0
   std::array<Vector_3d, 3> m_axes; // orthonormal: towards the zero meridian, east, north
   bool m_is_valid = false;
 };
 
-} // namespace internal
-} // namespace Spherical_parameterization
-} // namespace CGAL
+} // namespace CGAL::Spherical_parameterization::internal
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_IMAGES_GEOGRAPHIC_FRAME_H

@@ -14,30 +14,23 @@
 
 #include <CGAL/license/Spherical_parameterization.h>
 
-#include <CGAL/Spherical_parameterization/internal/surface/Added_triangles.h>
-#include <CGAL/Spherical_parameterization/internal/images/Geographic_frame.h>
-#include <CGAL/Spherical_parameterization/internal/locate/Sphere_triangulation.h>
+#include <CGAL/Spherical_parameterization/internal/surface/Linked_triangle.h>
 #include <CGAL/Spherical_parameterization/internal/locate/barycentric_coordinates.h>
+#include <CGAL/Spherical_parameterization/internal/images/Geographic_frame.h>
 #include <CGAL/Spherical_parameterization/internal/numbers/Vector_3.h>
 
-#include <CGAL/boost/graph/Euler_operations.h>
-#include <CGAL/boost/graph/iterator.h>
-#include <CGAL/boost/graph/properties.h>
 #include <CGAL/enum.h>
 #include <CGAL/number_utils.h>
-
-#include <boost/graph/graph_traits.hpp>
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Spherical_parameterization {
-namespace internal {
+namespace CGAL::Spherical_parameterization::internal {
 
 // Cuts the triangles of a mesh until no edge crosses the seam, the poles are vertices, and no texture triangle is turned over.
 //
@@ -51,242 +44,249 @@ namespace internal {
 // bent, its texture triangle is turned over. Its longest edge is cut in the middle, which divides that bend by four. So that
 // triangles do not become narrow by that, only edges that are the longest ones of both of their triangles are cut: the
 // longest edge of the neighbour comes first (Rivara's longest-edge propagation).
-template <class TriangleMesh, class K>
+template <class K>
 class Seam_cut
 {
-  using Traits = boost::graph_traits<TriangleMesh>;
-  using vertex_descriptor = typename Traits::vertex_descriptor;
-  using halfedge_descriptor = typename Traits::halfedge_descriptor;
   using FT = typename K::FT;
   using Point_3 = typename K::Point_3;
   using Frame = Geographic_frame<K>;
   using Place = typename Frame::Place;
   using Site = typename Frame::Site;
   using Crossing = typename Frame::Crossing;
+  using Index = std::uint32_t;
 
 public:
   using Coordinates = std::array<double, 2>;
 
-  // `added` are the triangles in the mesh, `points` and `images` those of its vertices.
+  // `points` and `images` are those of the vertices.
   Seam_cut(const Frame& frame, const std::vector<Point_3>& images, const std::vector<Linked_triangle>& triangles,
-           const std::vector<Vector_3d>& points, const Added_triangles<TriangleMesh>& added, TriangleMesh& tmesh)
-    : m_tmesh(tmesh)
-    , m_data(get(CGAL::dynamic_vertex_property_t<Vertex_data>(), tmesh))
-    , m_vertices(added.vertices)
-    , m_n_old_vertices(images.size())
+           std::vector<Vector_3d> points)
+    : m_points(std::move(points))
   {
-    cut_at_seam(frame, images, triangles, points, added);
-    for(std::size_t v = m_n_old_vertices; v < m_vertices.size(); ++v)
-      for(const auto h : halfedges_at(m_vertices[v]))
-        cut_to_triangles(h);
-
+    cut_at_seam(frame, images, triangles);
     // Maps whose faces are needles would take too many; those of usual surfaces take a few.
-    m_max_vertices = m_vertices.size() + m_n_old_vertices + 1000;
-    for(const auto f : added.faces)
-      refine(halfedge(f, m_tmesh));
-    for(std::size_t v = m_n_old_vertices; v < m_vertices.size(); ++v) // further ones are added on the way
-      for(const auto h : halfedges_at(m_vertices[v]))
-        refine(h);
+    m_max_vertices = m_points.size() + images.size() + 1000;
+    std::vector<Index> changed;
+    for(Index t = 0; t < m_triangles.size(); ++t) // further ones are added on the way
+      for(changed = {t}; !changed.empty() && m_is_complete;)
+      {
+        const Index s = changed.back();
+        if(is_to_be_refined(s))
+          refine(s, changed);
+        else
+          changed.pop_back();
+      }
   }
 
-  // Calls write(v, p) for each new vertex and its point.
-  template <class Write>
-  void for_each_new_vertex(const Write& write) const
+  // The points of all vertices: those that the mesh had come first.
+  const std::vector<Vector_3d>& points() const { return m_points; }
+
+  const std::vector<Linked_triangle>& triangles() const { return m_triangles; }
+
+  // The coordinates of the corner i of the triangle t. A pole has any longitude: the one in the middle of the others.
+  Coordinates coordinates(std::size_t t, std::size_t i) const
   {
-    for(std::size_t v = m_n_old_vertices; v < m_vertices.size(); ++v)
-      write(m_vertices[v], get(m_data, m_vertices[v]).point);
+    const std::array<Index, 3>& corners = m_triangles[t].vertices;
+    const bool is_east = is_in_the_east(corners);
+    Coordinates result = at_vertex(corners[i], is_east);
+    if(is_pole(corners[i]))
+      result[0] = 0.5 * (at_vertex(corners[(i + 1) % 3], is_east)[0] + at_vertex(corners[(i + 2) % 3], is_east)[0]);
+    return result;
   }
 
-  // Calls write(h, c) for each corner: that of the target of the halfedge h in its face.
-  template <class Write>
-  void for_each_corner(const Write& write) const
-  {
-    for(const vertex_descriptor v : m_vertices)
-      for(const auto h : halfedges_around_target(v, m_tmesh))
-        write(h, coordinates(h));
-  }
+  // Whether no texture triangle is left that should have been cut.
+  bool is_complete() const { return m_is_complete; }
 
 private:
-  struct Vertex_data
-  {
-    Vector_3d point;
-    Site site;
-  };
+  bool is_pole(Index v) const { return Frame::is_pole(m_sites[v].place); }
 
-  Site site(halfedge_descriptor h) const { return get(m_data, target(h, m_tmesh)).site; }
-
-  // A copy, as cutting changes them.
-  std::vector<halfedge_descriptor> halfedges_at(vertex_descriptor v) const
+  Index add(const Vector_3d& point, const Site& site)
   {
-    const auto range = halfedges_around_target(v, m_tmesh);
-    return {range.begin(), range.end()};
+    m_points.push_back(point);
+    m_sites.push_back(site);
+    return static_cast<Index>(m_points.size() - 1);
+  }
+
+  Index add_on_edge(Index a, Index b, const Crossing& crossing)
+  {
+    return add(m_points[a] + crossing.share * (m_points[b] - m_points[a]), crossing.site);
   }
 
   void cut_at_seam(const Frame& frame, const std::vector<Point_3>& images,
-                   const std::vector<Linked_triangle>& triangles, const std::vector<Vector_3d>& points,
-                   const Added_triangles<TriangleMesh>& added)
+                   const std::vector<Linked_triangle>& triangles)
   {
-    std::vector<Place> places;
-    places.reserve(images.size());
-    bool has_north_pole = false, has_south_pole = false;
-    const auto look_for_poles = [&](Place place) {
-      has_north_pole = has_north_pole || place == Place::north_pole;
-      has_south_pole = has_south_pole || place == Place::south_pole;
-    };
-    for(std::size_t v = 0; v < images.size(); ++v)
-    {
-      const Site site = frame.site(images[v]);
-      put(m_data, m_vertices[v], Vertex_data{points[v], site});
-      places.push_back(site.place);
-      look_for_poles(site.place);
-    }
-
-    // All crossings are found before the first edge is cut.
-    std::vector<std::pair<halfedge_descriptor, Crossing>> crossings;
-    for(std::uint32_t t = 0; t < triangles.size(); ++t)
-    {
-      auto h = halfedge(added.faces[t], m_tmesh);
-      for(std::size_t i = 0; i < 3; ++i, h = next(h, m_tmesh))
+    constexpr Index none = (std::numeric_limits<Index>::max)();
+    m_sites.reserve(images.size());
+    for(const Point_3& p : images)
+      m_sites.push_back(frame.site(p));
+    std::vector<std::array<Index, 3>> cuts(triangles.size(), {none, none, none}); // the new vertices on edges
+    for(Index t = 0; t < triangles.size(); ++t)
+      for(const std::size_t i : {2u, 0u, 1u})
       {
-        const std::uint32_t a = triangles[t][i], b = triangles[t][(i + 1) % 3];
-        if(t > triangles[t].neighbors[(i + 2) % 3])
-          continue; // it has been looked at
-        if(const auto crossing = frame.crossing(images[a], places[a], images[b], places[b]))
-        {
-          crossings.emplace_back(h, *crossing);
-          look_for_poles(crossing->site.place);
-        }
+        const Index s = triangles[t].neighbors[i], a = triangles[t][(i + 1) % 3], b = triangles[t][(i + 2) % 3];
+        if(t < s) // or it has been looked at
+          if(const auto crossing = frame.crossing(images[a], m_sites[a].place, images[b], m_sites[b].place))
+            cuts[t][i] = cuts[s][triangles[s].side_of(t)] = add_on_edge(a, b, *crossing);
       }
-    }
-    for(const auto& [h, crossing] : crossings)
-      cut_edge(h, crossing);
+    std::vector<std::pair<Index, Index>> centers; // of triangles that have a pole inside
+    for(const auto& [place, pole] :
+        {std::pair(Place::north_pole, frame.north_pole()), std::pair(Place::south_pole, frame.south_pole())})
+      if(std::none_of(m_sites.begin(), m_sites.end(), [at = place](const Site& site) { return site.place == at; }))
+      {
+        const Index t = add_pole(frame, pole, images, triangles);
+        centers.emplace_back(t, static_cast<Index>(m_points.size() - 1));
+      }
 
-    const auto cut_face_around = [&](const Point_3& pole) {
-      const auto t = std::find_if(triangles.begin(), triangles.end(), [&](const Linked_triangle& s) {
-        return frame.orientation(images[s[0]], images[s[1]], pole) == POSITIVE &&
-               frame.orientation(images[s[1]], images[s[2]], pole) == POSITIVE &&
-               frame.orientation(images[s[2]], images[s[0]], pole) == POSITIVE;
-      });
-      const auto xyz = [](const Point_3& p) { return Vector_3<FT>{p.x(), p.y(), p.z()}; };
-      const auto w = barycentric_coordinates<FT>({xyz(images[(*t)[0]]), xyz(images[(*t)[1]]), xyz(images[(*t)[2]])},
-                                                 xyz(pole), {true, true, true});
-      Vector_3d point = {0., 0., 0.}, image = {0., 0., 0.};
+    std::vector<std::array<Index, 3>> pieces;
+    std::vector<Index> corners;
+    for(Index t = 0; t < triangles.size(); ++t)
+    {
+      corners.clear();
       for(std::size_t i = 0; i < 3; ++i)
       {
-        const Site corner = get(m_data, m_vertices[(*t)[i]]).site;
-        point = point + CGAL::to_double(w[i]) * points[(*t)[i]];
-        image = image + (CGAL::to_double(w[i]) * corner.distance) * corner.direction;
+        corners.push_back(triangles[t][i]);
+        if(cuts[t][(i + 2) % 3] != none)
+          corners.push_back(cuts[t][(i + 2) % 3]);
       }
-      Site site = frame.site(pole);
-      site.distance = length(image); // and not that of the direction
-      const auto f = added.faces[static_cast<std::size_t>(t - triangles.begin())];
-      add(target(Euler::add_center_vertex(halfedge(f, m_tmesh), m_tmesh), m_tmesh), {point, site});
-    };
-    if(!has_north_pole)
-      cut_face_around(frame.north_pole());
-    if(!has_south_pole)
-      cut_face_around(frame.south_pole());
-  }
-
-  void add(vertex_descriptor v, const Vertex_data& data)
-  {
-    m_vertices.push_back(v);
-    put(m_data, v, data);
-  }
-
-  // Returns the halfedge to the new vertex.
-  halfedge_descriptor cut_edge(halfedge_descriptor h, const Crossing& crossing)
-  {
-    const Vector_3d p = get(m_data, source(h, m_tmesh)).point, q = get(m_data, target(h, m_tmesh)).point;
-    const auto to_new = Euler::split_edge(h, m_tmesh);
-    add(target(to_new, m_tmesh), {p + crossing.share * (q - p), crossing.site});
-    return to_new;
-  }
-
-  void cut_to_triangles(halfedge_descriptor h)
-  {
-    if(next(next(next(h, m_tmesh), m_tmesh), m_tmesh) == h)
-      return;
-    std::vector<halfedge_descriptor> at_seam;
-    for(const auto g : halfedges_around_face(h, m_tmesh))
-    {
-      const Place place = site(g).place;
-      if(Frame::is_pole(place))
-        return cut_from(g);
-      if(place == Place::seam)
-        at_seam.push_back(g);
+      const auto center = std::find_if(centers.begin(), centers.end(), [&](const auto& c) { return c.first == t; });
+      if(center == centers.end())
+        cut_to_triangles(corners, pieces);
+      else
+        for(std::size_t k = 0; k < corners.size(); ++k)
+          pieces.push_back({center->second, corners[k], corners[(k + 1) % corners.size()]});
     }
-    const auto along_seam = Euler::split_face(at_seam[0], at_seam[1], m_tmesh);
-    cut_quadrangle(along_seam);
-    cut_quadrangle(opposite(along_seam, m_tmesh));
+    m_triangles = link_triangles(pieces, m_points.size());
   }
 
-  // Cuts a face to triangles from the target of h.
-  void cut_from(halfedge_descriptor h)
+  // Adds a pole, which is inside a face; returns the face.
+  Index add_pole(const Frame& frame, const Point_3& pole, const std::vector<Point_3>& images,
+                 const std::vector<Linked_triangle>& triangles)
   {
-    for(auto g = next(next(h, m_tmesh), m_tmesh); next(g, m_tmesh) != h;)
+    const auto t = std::find_if(triangles.begin(), triangles.end(), [&](const Linked_triangle& s) {
+      return frame.orientation(images[s[0]], images[s[1]], pole) == POSITIVE &&
+             frame.orientation(images[s[1]], images[s[2]], pole) == POSITIVE &&
+             frame.orientation(images[s[2]], images[s[0]], pole) == POSITIVE;
+    });
+    const auto xyz = [](const Point_3& p) { return Vector_3<FT>{p.x(), p.y(), p.z()}; };
+    const auto w = barycentric_coordinates<FT>({xyz(images[(*t)[0]]), xyz(images[(*t)[1]]), xyz(images[(*t)[2]])},
+                                               xyz(pole), {true, true, true});
+    double size = 0.; // whose square may overflow
+    for(const Index v : t->vertices)
+      size = (std::max)(size, m_sites[v].distance);
+    Vector_3d point = {0., 0., 0.}, image = {0., 0., 0.};
+    for(std::size_t i = 0; i < 3; ++i)
     {
-      const auto next_g = next(g, m_tmesh);
-      Euler::split_face(h, g, m_tmesh);
-      g = next_g;
+      const Site& corner = m_sites[(*t)[i]];
+      point = point + CGAL::to_double(w[i]) * m_points[(*t)[i]];
+      image = image + (CGAL::to_double(w[i]) * (corner.distance / size)) * corner.direction;
     }
+    Site site = frame.site(pole);
+    site.distance = size * length(image); // and not that of the direction
+    add(point, site);
+    return static_cast<Index>(t - triangles.begin());
+  }
+
+  void cut_to_triangles(const std::vector<Index>& corners, std::vector<std::array<Index, 3>>& pieces) const
+  {
+    const std::size_t n = corners.size();
+    std::vector<std::size_t> at_seam;
+    for(std::size_t k = 0; k < n; ++k)
+    {
+      if(n == 3 || is_pole(corners[k]))
+        return cut_from(k, corners, pieces);
+      if(m_sites[corners[k]].place == Place::seam)
+        at_seam.push_back(k);
+    }
+    const auto k = corners.begin() + static_cast<std::ptrdiff_t>(at_seam[0]),
+               l = corners.begin() + static_cast<std::ptrdiff_t>(at_seam[1]);
+    cut_quadrangle(std::vector<Index>(k, l + 1), pieces);
+    std::vector<Index> others(l, corners.end());
+    others.insert(others.end(), corners.begin(), k + 1);
+    cut_quadrangle(others, pieces);
+  }
+
+  static void cut_from(std::size_t k, const std::vector<Index>& corners, std::vector<std::array<Index, 3>>& pieces)
+  {
+    const std::size_t n = corners.size();
+    for(std::size_t i = 1; i + 1 < n; ++i)
+      pieces.push_back({corners[k], corners[(k + i) % n], corners[(k + i + 1) % n]});
   }
 
   // Cuts a face, if it is a quadrangle, by the diagonal that leaves the larger texture triangles.
-  void cut_quadrangle(halfedge_descriptor h)
+  void cut_quadrangle(const std::vector<Index>& corners, std::vector<std::array<Index, 3>>& pieces) const
   {
-    const auto h1 = next(h, m_tmesh), h2 = next(h1, m_tmesh), h3 = next(h2, m_tmesh);
-    if(h3 == h)
-      return;
-    const bool is_east = is_in_the_east(h);
-    const Coordinates a = coordinates(h, is_east), b = coordinates(h1, is_east), c = coordinates(h2, is_east),
-                      d = coordinates(h3, is_east);
-    const double from_a = (std::min)(area(a, b, c), area(a, c, d)), from_b = (std::min)(area(b, c, d), area(b, d, a));
-    cut_from(from_a >= from_b ? h : h1);
+    const bool is_east = is_in_the_east(corners);
+    std::array<Coordinates, 4> c;
+    for(std::size_t k = 0; k < corners.size(); ++k)
+      c[k] = at_vertex(corners[k], is_east);
+    const bool is_second = corners.size() == 4 && (std::min)(area(c[1], c[2], c[3]), area(c[1], c[3], c[0])) >
+                                                      (std::min)(area(c[0], c[1], c[2]), area(c[0], c[2], c[3]));
+    cut_from(is_second ? 1 : 0, corners, pieces);
   }
 
-  // Cuts edges until the texture triangle is not turned over.
-  void refine(halfedge_descriptor h)
+  // Cuts the longest edge of a triangle in the middle, or what comes first, and appends the pieces to `changed`.
+  void refine(Index t, std::vector<Index>& changed)
   {
-    while(m_vertices.size() < m_max_vertices && is_to_be_refined(h))
+    if(m_points.size() >= m_max_vertices)
     {
-      auto e = longest_edge(h);
-      for(auto g = longest_edge(opposite(e, m_tmesh)); squared_length_of(g) > squared_length_of(e);
-          g = longest_edge(opposite(e, m_tmesh)))
-        e = g;
-      const auto to_new = cut_edge(e, Frame::middle(site(opposite(e, m_tmesh)), site(e)));
-      cut_from(to_new);
-      cut_from(opposite(e, m_tmesh));
+      m_is_complete = false;
+      return;
     }
+    std::size_t i = longest_side(t);
+    for(Index s = m_triangles[t].neighbors[i]; squared_length_of(s, longest_side(s)) > squared_length_of(t, i);
+        s = m_triangles[t].neighbors[i])
+    {
+      t = s;
+      i = longest_side(s);
+    }
+    const Index s = m_triangles[t].neighbors[i], a = m_triangles[t][(i + 1) % 3], b = m_triangles[t][(i + 2) % 3];
+    const Index m = add_on_edge(a, b, Frame::middle(m_sites[a], m_sites[b]));
+    // Triangle t keeps a, s keeps b; the new ones have the other end.
+    const Index new_t = static_cast<Index>(m_triangles.size()), new_s = new_t + 1;
+    cut(t, i, m, new_t, s, new_s);
+    cut(s, m_triangles[s].side_of(t), m, new_s, t, new_t);
+    changed.insert(changed.end(), {t, new_t, s, new_s});
   }
 
-  bool is_to_be_refined(halfedge_descriptor h) const
+  // Cuts the triangle t from the vertex m of its side i, which is between a and b, to the other corner. The piece at b is new;
+  // across the side are the pieces `at_b`, an old one, and `at_a`.
+  void cut(Index t, std::size_t i, Index m, Index piece, Index at_b, Index at_a)
   {
-    const auto h1 = next(h, m_tmesh), h2 = next(h1, m_tmesh);
-    const Site s = site(h), s1 = site(h1), s2 = site(h2);
-    if(Frame::is_pole(s.place) || Frame::is_pole(s1.place) || Frame::is_pole(s2.place))
+    const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
+    Linked_triangle& old = m_triangles[t];
+    const Linked_triangle added = {{old[i], m, old[k]}, {at_b, old.neighbors[j], t}};
+    Linked_triangle& neighbor = m_triangles[old.neighbors[j]];
+    neighbor.neighbors[neighbor.side_of(t)] = piece;
+    old = {{old[i], old[j], m}, {at_a, piece, old.neighbors[k]}};
+    m_triangles.push_back(added);
+  }
+
+  bool is_to_be_refined(Index t) const
+  {
+    const auto [a, b, c] = m_triangles[t].vertices;
+    if(is_pole(a) || is_pole(b) || is_pole(c))
       return false;
-    const double signed_area = area(coordinates(h), coordinates(h1), coordinates(h2));
+    const double signed_area = area(coordinates(t, 0), coordinates(t, 1), coordinates(t, 2));
     if(signed_area > 0.)
       return false;
     // What is smaller or narrower may be turned over by rounding. If it would take many pieces, it stays if nobody sees it.
     constexpr double min_length = 1e-9, min_aspect = 1e-6, max_area = 1e-10;
-    const double longest = squared_length_of(longest_edge(h));
+    const double longest = squared_length_of(t, longest_side(t));
+    const Vector_3d &p = m_sites[a].direction, &q = m_sites[b].direction, &r = m_sites[c].direction;
     return longest > min_length * min_length &&
-           (signed_area < -max_area ||
-            dot(s.direction, cross(s1.direction - s.direction, s2.direction - s.direction)) > min_aspect * longest);
+           (signed_area < -max_area || dot(p, cross(q - p, r - p)) > min_aspect * longest);
   }
 
-  double squared_length_of(halfedge_descriptor h) const
+  double squared_length_of(Index t, std::size_t i) const
   {
-    return squared_length(site(h).direction - site(opposite(h, m_tmesh)).direction);
+    const Linked_triangle& s = m_triangles[t];
+    return squared_length(m_sites[s[(i + 1) % 3]].direction - m_sites[s[(i + 2) % 3]].direction);
   }
 
-  halfedge_descriptor longest_edge(halfedge_descriptor h) const
+  std::size_t longest_side(Index t) const
   {
-    const auto h1 = next(h, m_tmesh), h2 = next(h1, m_tmesh);
-    const auto longest = squared_length_of(h1) > squared_length_of(h) ? h1 : h;
-    return squared_length_of(h2) > squared_length_of(longest) ? h2 : longest;
+    const std::size_t i = squared_length_of(t, 1) > squared_length_of(t, 0) ? 1 : 0;
+    return squared_length_of(t, 2) > squared_length_of(t, i) ? 2 : i;
   }
 
   // Twice the area of a texture triangle.
@@ -296,43 +296,25 @@ private:
   }
 
   // Whether the seam is at the east end of the image for a face.
-  bool is_in_the_east(halfedge_descriptor h) const
+  template <class Corners>
+  bool is_in_the_east(const Corners& corners) const
   {
-    for(const auto g : halfedges_around_face(h, m_tmesh))
-      if(site(g).place == Place::east)
-        return true;
-    return false;
+    return std::any_of(corners.begin(), corners.end(), [&](Index v) { return m_sites[v].place == Place::east; });
   }
 
-  Coordinates coordinates(halfedge_descriptor h, bool is_in_the_east) const
+  Coordinates at_vertex(Index v, bool is_in_the_east) const
   {
-    const Site s = site(h);
+    const Site& s = m_sites[v];
     return {s.place != Place::seam ? s.u : is_in_the_east ? 1. : 0., s.v};
   }
 
-  // The coordinates in a triangle. A pole has any longitude: the one in the middle of the others.
-  Coordinates coordinates(halfedge_descriptor h) const
-  {
-    const bool is_east = is_in_the_east(h);
-    Coordinates result = coordinates(h, is_east);
-    if(Frame::is_pole(site(h).place))
-    {
-      const auto g = next(h, m_tmesh);
-      result[0] = 0.5 * (coordinates(g, is_east)[0] + coordinates(next(g, m_tmesh), is_east)[0]);
-    }
-    return result;
-  }
-
-  using Data_map = typename boost::property_map<TriangleMesh, CGAL::dynamic_vertex_property_t<Vertex_data>>::type;
-
-  TriangleMesh& m_tmesh;
-  Data_map m_data;
-  std::vector<vertex_descriptor> m_vertices; // all that have been added
-  std::size_t m_n_old_vertices, m_max_vertices;
+  std::vector<Vector_3d> m_points;
+  std::vector<Site> m_sites; // of the vertices
+  std::vector<Linked_triangle> m_triangles;
+  std::size_t m_max_vertices;
+  bool m_is_complete = true;
 };
 
-} // namespace internal
-} // namespace Spherical_parameterization
-} // namespace CGAL
+} // namespace CGAL::Spherical_parameterization::internal
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_IMAGES_SEAM_CUT_H

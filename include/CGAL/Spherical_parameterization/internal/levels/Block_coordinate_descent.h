@@ -18,7 +18,7 @@
 #include <CGAL/Spherical_parameterization/Face_range_3.h>
 #include <CGAL/Spherical_parameterization/internal/levels/Independent_sets.h>
 #include <CGAL/Spherical_parameterization/internal/levels/Measured_faces.h>
-#include <CGAL/Spherical_parameterization/internal/levels/Star_energy.h>
+#include <CGAL/Spherical_parameterization/internal/levels/Face_objective.h>
 #include <CGAL/Spherical_parameterization/internal/levels/Star_packets.h>
 #include <CGAL/Spherical_parameterization/internal/surface/Rest_triangle.h>
 #include <CGAL/Spherical_parameterization/internal/surface/Vertex_rings.h>
@@ -33,26 +33,28 @@
 #include <cstdint>
 #include <vector>
 
-namespace CGAL {
-namespace Spherical_parameterization {
-namespace internal {
+namespace CGAL::Spherical_parameterization::internal {
 
 // Block coordinate descent on the positions of the vertices of a mesh on the unit sphere: each sweep moves every
 // vertex once, one independent set after the other, the vertices of a set in parallel. Every face that is positively
 // oriented before a sweep is so after it.
 //
-// Vertices are moved several at a time if the step can be made in several lanes, else one by one.
-template <class Energy, class Step>
+// What is lowered is a matter of the space that the vertices move on: the round sphere, see Round_sphere, or that of another
+// surface, see Target_surface. It moves the vertex of a star, or those of several at once in lanes, measures the image of a
+// face, and has the energy of what it has measured.
+template <class Space, class Step>
 class Block_coordinate_descent
 {
 public:
   // for meshes that are yet to be assigned
-  Block_coordinate_descent(const Face_energy<Energy>& energy, const Step& step, Execution execution)
-    : m_energy(energy)
+  Block_coordinate_descent(const Space& space, const Step& step, Execution execution)
+    : m_space(space)
     , m_step(step)
     , m_execution(execution)
-    , m_scratch(execution, Scratch(energy))
+    , m_scratch(execution, space.scratch())
   {}
+
+  Space& space() { return m_space; }
 
   // Changes how the vertices move.
   void set_step(const Step& step) { m_step = step; }
@@ -69,12 +71,16 @@ public:
       Rest_triangle rest = Rest_triangle::from_points(points[a], points[b], points[c], limits);
       if(!densities.empty())
         rest.scale_area((densities[a] + densities[b] + densities[c]) / 3.);
-      if(!slivers.empty() && (slivers[a] || slivers[b] || slivers[c]))
-        rest.inverse_doubled_area = -rest.inverse_doubled_area;
       return rest;
     };
-    m_stars.assign(sets.vertices(), sets.first(), [&](std::uint32_t v) { return rings.degree(v); });
-    fill(m_stars, [&](std::uint32_t v) { return Ring_star<decltype(rest_of_face)>{v, rings.ring(v), rest_of_face}; });
+    const auto is_at_sliver = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+      return !slivers.empty() && (slivers[a] || slivers[b] || slivers[c]);
+    };
+    m_stars.assign(
+        sets.vertices(), sets.first(), [&](std::uint32_t v) { return rings.degree(v); }, !slivers.empty());
+    fill(m_stars, [&](std::uint32_t v) {
+      return Ring_star<decltype(rest_of_face), decltype(is_at_sliver)>{v, rings.ring(v), rest_of_face, is_at_sliver};
+    });
     m_faces.assign(m_stars, rings.number_of_faces(), m_execution);
     m_places.resize(rings.number_of_vertices());
     for(std::size_t place = m_stars.number_of_places(); place-- > 0;) // the first place of each is its own
@@ -94,6 +100,34 @@ public:
   void sweep(std::vector<Vector_3d>& positions, double radius, const Face_objective& objective)
   {
     move_all(m_stars, positions, radius, objective, m_step);
+  }
+
+  // The same, and then, if few faces are much worse than the others, moves those around them some times more. One thread
+  // looks for these faces, while the others have begun with the sweep. `largest_energy` was measured last.
+  void sweep_with_focus(std::vector<Vector_3d>& positions, double radius, const Face_objective& objective,
+                        double largest_energy)
+  {
+    if(m_sweeps_without_focus > 0)
+    {
+      --m_sweeps_without_focus;
+      sweep(positions, radius, objective);
+      return;
+    }
+    const std::size_t max_focus =
+        static_cast<std::size_t>(focus_share * static_cast<double>(m_rings->number_of_corners())) / min_focus_sweeps;
+    std::size_t focus = 0; // the faces of its stars
+    reserve_focus(max_focus);
+    run_both(
+        m_execution, [&] { sweep(positions, radius, objective); },
+        [&] { focus = focus_on_faces_above(focus_energy * largest_energy, max_focus); });
+    if(focus > max_focus)
+      m_sweeps_without_focus = sweeps_without_focus;
+    else if(focus > 0)
+    {
+      const std::size_t n_sweeps = (std::min)(min_focus_sweeps * max_focus / focus, max_focus_sweeps);
+      for(std::size_t k = 0; k < n_sweeps; ++k)
+        sweep_focus(positions, radius, objective);
+    }
   }
 
   // Makes room for a focus on stars with so many faces, so that another thread, whose allocator may have a heap of its
@@ -123,7 +157,7 @@ public:
       }
       return n_faces <= max;
     };
-    m_faces.for_each_above(m_energy, bound, [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+    m_faces.for_each_above(m_space.energy(), bound, [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
       return select_vertex(a) && select_vertex(b) && select_vertex(c);
     });
     const std::size_t n_corners = selected.size();
@@ -144,7 +178,8 @@ public:
           std::lower_bound(selected.begin(), selected.end(), m_stars.first_place_of_set(set)) - selected.begin()));
     for(std::uint32_t& place : selected)
       place = m_stars.vertex(place);
-    m_focus.assign(selected, first_of_set, [&](std::uint32_t v) { return m_rings->degree(v); });
+    m_focus.assign(
+        selected, first_of_set, [&](std::uint32_t v) { return m_rings->degree(v); }, m_stars.has_slivers());
     fill(m_focus, [&](std::uint32_t v) { return m_stars.star(m_places[v]); });
     return n_faces;
   }
@@ -158,19 +193,19 @@ public:
   // Measures all faces on the sphere of radius `radius`; faces() then returns their invariants.
   Mesh_summary measure(const std::vector<Vector_3d>& positions, double radius, const Face_objective& objective)
   {
-    return m_faces.template measure<Step>(m_stars, m_energy, positions, radius, objective, m_execution);
+    return m_faces.measure(m_space, m_stars, positions, radius, objective, m_execution);
   }
 
   // The same for another radius or objective, without a look at the positions.
   Mesh_summary summary(double radius, const Face_objective& objective)
   {
-    return m_faces.template summary<Step>(m_energy, radius, objective, m_execution);
+    return m_faces.summary(m_space, radius, objective, m_execution);
   }
 
   std::array<double, 3> radius_derivatives(double radius, const Face_objective& objective,
                                            double Face_invariants_3::*area_ratio) const
   {
-    return m_faces.template radius_derivatives<Step>(m_energy, radius, objective, area_ratio, m_execution);
+    return m_faces.radius_derivatives(m_space, radius, objective, area_ratio, m_execution);
   }
 
   bool has_slivers() const { return m_faces.has_slivers(); }
@@ -178,22 +213,29 @@ public:
   Face_range_3 faces() const { return {m_faces.begin(), m_faces.end(), m_execution}; }
 
 private:
-  template <class FT>
-  using Star = Star_energy<Energy, Step::template Image_measure, FT>;
+  // The vertices around faces above this share of the largest energy are swept some times more, as they settle slowest,
+  // and the largest distortion is theirs: as often as takes a share of the time of a sweep over all vertices, if that is
+  // not too seldom to be worth it.
+  static constexpr double focus_energy = 0.6, focus_share = 0.4;
+  static constexpr std::size_t min_focus_sweeps = 2, max_focus_sweeps = 500;
+  // If it is, they are too many, and stay so for a while: these sweeps do without.
+  static constexpr std::size_t sweeps_without_focus = 4;
 
   static constexpr std::size_t packets_per_block = 4; // of parallel work: some two microseconds
 
   // A star as the rings give it, for Star_packets.
-  template <class RestOfFace>
+  template <class RestOfFace, class IsAtSliver>
   struct Ring_star
   {
     std::uint32_t vertex;
     Vertex_rings::Ring ring;
     const RestOfFace& rest_of_face;
+    const IsAtSliver& of_sliver;
 
     std::size_t degree() const { return ring.size(); }
     std::uint32_t neighbor(std::size_t j) const { return ring[j]; }
     Rest_triangle rest(std::size_t j) const { return rest_of_face(vertex, ring[j], ring.around(j + 1)); }
+    bool is_at_sliver(std::size_t j) const { return of_sliver(vertex, ring[j], ring.around(j + 1)); }
   };
 
   template <class StarOf>
@@ -206,94 +248,55 @@ private:
                    });
   }
 
-  // What a thread needs to move stars of any number of lanes.
-  struct Scratch
-  {
-    explicit Scratch(const Face_energy<Energy>& energy)
-      : in_one_lane(energy)
-      , in_two_lanes(energy)
-      , in_four_lanes(energy)
-    {}
-
-    template <class FT>
-    Star<FT>& star()
-    {
-      if constexpr(Lanes<FT>::width == 1)
-        return in_one_lane;
-      else if constexpr(Lanes<FT>::width == 2)
-        return in_two_lanes;
-      else
-        return in_four_lanes;
-    }
-
-    Star<double> in_one_lane;
-    Star<Two_lanes> in_two_lanes;
-    Star<Four_lanes> in_four_lanes;
-  };
-
   void move_all(const Star_packets& stars, std::vector<Vector_3d>& positions, double radius,
                 const Face_objective& objective, const Step& step)
   {
     for(std::size_t set = 0; set < stars.number_of_sets(); ++set)
       for_each_block(m_execution, stars.first_packet(set), stars.first_packet(set + 1), packets_per_block,
                      [&](std::size_t begin, std::size_t end) {
-                       Scratch& scratch = m_scratch.local();
+                       auto& scratch = m_scratch.local();
                        const auto move_packets = [&](auto number_type) {
                          using FT = typename decltype(number_type)::FT;
                          for(std::size_t packet = begin; packet < end; ++packet)
                            move_packet<FT>(stars, stars.packet(packet), positions.data(), radius, objective, step,
                                            scratch);
                        };
-                       if constexpr(Step::is_lanewise)
+                       if constexpr(Space::is_lanewise)
                          run_in_lanes(move_packets);
                        else
                          move_packets(Number_type<double>());
                      });
   }
 
-  template <class FT>
+  template <class FT, class Scratch>
   void move_packet(const Star_packets& stars, const Star_packets::Packet& packet, Vector_3d* positions, double radius,
-                   const Face_objective& objective, const Step& vertex_step, Scratch& scratch) const
+                   const Face_objective& objective, const Step& step, Scratch& scratch)
   {
+    const auto move = [&](auto number_type, std::size_t first) {
+      using Number = typename decltype(number_type)::FT;
+      m_space.move(stars.view<Number>(packet, first), stars.vertices(packet) + first, packet.number_of_stars - first,
+                   positions, radius, objective, step, scratch);
+    };
     if(packet.stride == 1)
-      move<double>(stars, packet, 0, positions, radius, objective, vertex_step, scratch);
+      move(Number_type<double>(), 0);
     else
-      for(std::size_t lane = 0; lane < packet.number_of_stars; lane += Lanes<FT>::width)
-        move<FT>(stars, packet, lane, positions, radius, objective, vertex_step, scratch);
+      for(std::size_t k = 0; k < packet.number_of_stars; k += Lanes<FT>::width)
+        move(Number_type<FT>(), k);
   }
 
-  template <class FT>
-  void move(const Star_packets& stars, const Star_packets::Packet& packet, std::size_t first, Vector_3d* positions,
-            double radius, const Face_objective& objective, const Step& vertex_step, Scratch& scratch) const
-  {
-    Star<FT>& star = scratch.template star<FT>();
-    star.set_objective(radius * radius, objective);
-    star.load(stars.view<FT>(packet, first), positions);
-    std::array<FT, 2> step = {FT(0.), FT(0.)};
-    const auto is_moved = vertex_step(star, step);
-    if(!any(is_moved))
-      return;
-    const Vector_3<FT> point = star.point_at(step[0], step[1]);
-    for(std::size_t k = 0; k < Lanes<FT>::width && first + k < packet.number_of_stars; ++k)
-      if(lane(is_moved, k))
-        positions[stars.vertex(packet.first_place + first + k)] = {lane(point[0], k), lane(point[1], k),
-                                                                   lane(point[2], k)};
-  }
-
-  Face_energy<Energy> m_energy;
+  Space m_space;
   Step m_step;
   Execution m_execution;
   const Vertex_rings* m_rings = nullptr;
   Star_packets m_stars, m_focus;
   std::vector<std::uint32_t> m_places; // of the vertices in m_stars
   std::vector<std::uint32_t> m_selected;
+  std::size_t m_sweeps_without_focus = 0;
   std::vector<char> m_is_selected; // 0 outside of focus_on_faces_above()
   Measured_faces m_faces;
-  Per_thread<Scratch> m_scratch;
+  Per_thread<typename Space::Scratch> m_scratch;
 };
 
-} // namespace internal
-} // namespace Spherical_parameterization
-} // namespace CGAL
+} // namespace CGAL::Spherical_parameterization::internal
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_LEVELS_BLOCK_COORDINATE_DESCENT_H

@@ -22,11 +22,11 @@
 #include <CGAL/Spherical_parameterization/internal/levels/Independent_sets.h>
 #include <CGAL/Spherical_parameterization/internal/levels/Measured_faces.h>
 #include <CGAL/Spherical_parameterization/internal/levels/Objective.h>
-#include <CGAL/Spherical_parameterization/internal/surface/Indexed_mesh.h>
+#include <CGAL/Spherical_parameterization/internal/levels/Round_sphere.h>
+#include <CGAL/Spherical_parameterization/internal/surface/Surface.h>
 #include <CGAL/Spherical_parameterization/internal/surface/Rest_triangle.h>
-#include <CGAL/Spherical_parameterization/internal/surface/face_weights.h>
+#include <CGAL/Spherical_parameterization/internal/run/policy_traits.h>
 #include <CGAL/Spherical_parameterization/internal/surface/mesh_measures.h>
-#include <CGAL/Spherical_parameterization/internal/surface/sliver_vertices.h>
 #include <CGAL/Spherical_parameterization/internal/run/Run_control.h>
 #include <CGAL/Spherical_parameterization/internal/run/parallel.h>
 #include <CGAL/Spherical_parameterization/internal/numbers/Vector_3.h>
@@ -37,19 +37,7 @@
 #include <limits>
 #include <vector>
 
-namespace CGAL {
-namespace Spherical_parameterization {
-namespace internal {
-
-// The radius policy of a run, see SphereRadiusPolicy_3, asked once per sweep. Radii are in the caller's unit of length.
-class Radius_chooser
-{
-public:
-  virtual ~Radius_chooser() = default;
-  virtual double initial_radius(double equal_area_radius) const = 0;
-  virtual double next_radius(const Face_range_3& faces, double radius) = 0;
-  virtual bool next_phase() = 0;
-};
+namespace CGAL::Spherical_parameterization::internal {
 
 // When the loop ends, and whether it goes beyond what the paper describes.
 struct Descent_settings
@@ -76,7 +64,7 @@ template <class Energy, class Step>
 class Descent_loop
 {
 public:
-  Descent_loop(const Indexed_mesh& mesh, const Energy& energy, const Step& step, const Sharpness& sharpness,
+  Descent_loop(const Surface& mesh, const Energy& energy, const Step& step, const Sharpness& sharpness,
                Radius_chooser* radius, const Descent_settings& settings, Run_control& control, Execution execution);
   ~Descent_loop();
 
@@ -84,14 +72,6 @@ public:
   double run(std::vector<Vector_3d>& positions, std::size_t max_sweeps);
 
 private:
-  // The vertices around faces above this share of the largest energy are swept some times more, as they settle slowest,
-  // and the largest distortion is theirs: as often as takes a share of the time of a sweep over all vertices, if that is
-  // not too seldom to be worth it.
-  static constexpr double focus_energy = 0.6, focus_share = 0.4;
-  static constexpr std::size_t min_focus_sweeps = 2, max_focus_sweeps = 500;
-  // If it is, they are too many, and stay so for a while: these sweeps do without.
-  static constexpr std::size_t sweeps_without_focus = 4;
-
   // A small mesh has to stand still for so many sweeps, at most.
   static constexpr std::size_t max_window = 100;
 
@@ -257,32 +237,6 @@ private:
     }
   }
 
-  // Moves all vertices, then, if few faces are much worse than the others, those around them some times more. One
-  // thread looks for these faces, while the others have begun with the sweep.
-  void sweep(std::vector<Vector_3d>& positions, std::size_t i)
-  {
-    const Face_objective& objective = m_objective.of_faces();
-    const auto sweep_all = [&] { m_descent.sweep(positions, scaled_radius(), objective); };
-    if(!m_settings.is_accelerated || i < m_next_focus)
-    {
-      sweep_all();
-      return;
-    }
-    std::size_t focus = 0; // the faces of its stars
-    m_descent.reserve_focus(m_max_focus);
-    run_both(m_execution, sweep_all, [&] {
-      focus = m_descent.focus_on_faces_above(focus_energy * m_state.summary.all().maximum_energy(), m_max_focus);
-    });
-    if(focus > m_max_focus)
-      m_next_focus = i + 1 + sweeps_without_focus;
-    else if(focus > 0)
-    {
-      const std::size_t n_sweeps = (std::min)(min_focus_sweeps * m_max_focus / focus, max_focus_sweeps);
-      for(std::size_t k = 0; k < n_sweeps; ++k)
-        m_descent.sweep_focus(positions, scaled_radius(), objective);
-    }
-  }
-
   void measure(const std::vector<Vector_3d>& positions)
   {
     m_state.summary = m_descent.measure(positions, scaled_radius(), m_objective.of_faces());
@@ -306,12 +260,9 @@ private:
       return std::abs(std::expm1(s * (m_state.value - last.value))) <= tolerance;
     if(!m_settings.is_accelerated)
       return is_settled(now.average(), before.average(), tolerance);
-    const auto is_settled_energy = [&](double value, double last_value, double energy_tolerance) {
-      return std::abs(value - last_value) <= energy_tolerance * now.scale_of_changes(last_value);
-    };
-    return is_settled_energy(m_state.value, last.value, tolerance) &&
-           is_settled_energy(now.average(), before.average(), tolerance) &&
-           is_settled_energy(now.maximum_energy(), before.maximum_energy(), 20. * tolerance);
+    return now.has_settled(m_state.value, last.value, tolerance) &&
+           now.has_settled(now.average(), before.average(), tolerance) &&
+           now.has_settled(now.maximum_energy(), before.maximum_energy(), 20. * tolerance);
   }
 
   // The energies of the report are those of the radius that is returned, in the measure of the descent.
@@ -339,16 +290,13 @@ private:
   // the radius in the unit of the mesh, kept where its powers are finite
   double scaled_radius() const { return (std::min)((std::max)(m_mesh.scaled_radius(m_state.radius), 1e-50), 1e50); }
 
-  const Indexed_mesh& m_mesh;
-  Block_coordinate_descent<Energy, Step> m_descent;
+  const Surface& m_mesh;
+  Block_coordinate_descent<Round_sphere<Energy, Step>, Step> m_descent;
   Objective m_objective;
   double m_last_value = 0.; // of the objective, before the last sweep
   Radius_chooser* m_radius_chooser;
   Descent_settings m_settings;
   Run_control& m_control;
-  Execution m_execution;
-  std::size_t m_max_focus;      // faces of its stars
-  std::size_t m_next_focus = 0; // the first sweep that may have one
   State m_state;
 };
 
@@ -356,18 +304,15 @@ private:
 // several files the time to compile it in each.
 
 template <class Energy, class Step>
-Descent_loop<Energy, Step>::Descent_loop(const Indexed_mesh& mesh, const Energy& energy, const Step& step,
+Descent_loop<Energy, Step>::Descent_loop(const Surface& mesh, const Energy& energy, const Step& step,
                                          const Sharpness& sharpness, Radius_chooser* radius,
                                          const Descent_settings& settings, Run_control& control, Execution execution)
   : m_mesh(mesh)
-  , m_descent(Face_energy<Energy>(energy), step, execution)
+  , m_descent(Round_sphere<Energy, Step>(Face_energy<Energy>(energy)), step, execution)
   , m_objective(sharpness, !radius)
   , m_radius_chooser(radius)
   , m_settings(settings)
   , m_control(control)
-  , m_execution(execution)
-  , m_max_focus(static_cast<std::size_t>(focus_share * static_cast<double>(mesh.rings().number_of_corners())) /
-                min_focus_sweeps)
 {
   std::vector<double> densities;
   if constexpr(Follows_curvature<Energy>::value)
@@ -397,7 +342,11 @@ double Descent_loop<Energy, Step>::run(std::vector<Vector_3d>& positions, std::s
 
     choose_objective(i);
     choose_radius(i);
-    sweep(positions, i);
+    if(m_settings.is_accelerated)
+      m_descent.sweep_with_focus(positions, scaled_radius(), m_objective.of_faces(),
+                                 m_state.summary.all().maximum_energy());
+    else
+      m_descent.sweep(positions, scaled_radius(), m_objective.of_faces());
     measure(positions);
 
     m_control.after_iteration(i + 1, m_state.value, m_state.radius);
@@ -422,8 +371,6 @@ double Descent_loop<Energy, Step>::run(std::vector<Vector_3d>& positions, std::s
   return m_state.radius;
 }
 
-} // namespace internal
-} // namespace Spherical_parameterization
-} // namespace CGAL
+} // namespace CGAL::Spherical_parameterization::internal
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_LEVELS_DESCENT_LOOP_H

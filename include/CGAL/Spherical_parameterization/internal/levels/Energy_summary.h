@@ -27,9 +27,7 @@
 #include <numeric>
 #include <type_traits>
 
-namespace CGAL {
-namespace Spherical_parameterization {
-namespace internal {
+namespace CGAL::Spherical_parameterization::internal {
 
 // The energies of many faces in a few figures. Summaries of parts add up to that of the whole. If the sharpness s is
 // positive, they tell of the weights exp(s E) as well. The size is the number of faces or, if these count by their areas,
@@ -142,12 +140,13 @@ public:
   double weighted_mean() const { return m_moments[1] / m_moments[0]; }
   double weighted_mean_square() const { return m_moments[2] / m_moments[0]; }
 
-  // What a change of an energy near `energy` is to be compared with. Where all energies are near their minimum, a
-  // small part of them is much of what could still be gained.
-  double scale_of_changes(double energy) const
+  // Whether the change of an energy from `last_value` is a small part of what could still be gained: of the energy, or
+  // of how far the largest is above the average, where all are near their minimum.
+  bool has_settled(double value, double last_value, double tolerance) const
   {
     const double spread = maximum_energy() - average();
-    return (std::max)((std::min)(energy, 2. * spread), 1e-6 * energy);
+    const double scale = (std::max)((std::min)(last_value, 2. * spread), 1e-6 * last_value);
+    return std::abs(value - last_value) <= tolerance * scale;
   }
 
 private:
@@ -185,8 +184,6 @@ struct Mesh_summary
   Energy_summary ordinary, slivers;
 };
 
-} // namespace internal
-} // namespace Spherical_parameterization
-} // namespace CGAL
+} // namespace CGAL::Spherical_parameterization::internal
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_LEVELS_ENERGY_SUMMARY_H

@@ -17,9 +17,7 @@
 
 #include <CGAL/Spherical_parameterization/internal/numbers/Packed_double.h>
 
-namespace CGAL {
-namespace Spherical_parameterization {
-namespace internal {
+namespace CGAL::Spherical_parameterization::internal {
 
 // What the faces add to the objective, as a function of their energy E:
 //   psi(E) = (1 - a) E + (a / s) exp(s (E - R)),   psi' = (1 - a) + a exp(s (E - R)),
@@ -64,8 +62,6 @@ struct Face_objective
   double area_correction = 0.;
 };
 
-} // namespace internal
-} // namespace Spherical_parameterization
-} // namespace CGAL
+} // namespace CGAL::Spherical_parameterization::internal
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_LEVELS_FACE_OBJECTIVE_H

@@ -27,9 +27,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Spherical_parameterization {
-namespace internal {
+namespace CGAL::Spherical_parameterization::internal {
 
 // What Boost's colouring needs to see of `Vertex_rings`: a model of VertexListGraph and AdjacencyGraph.
 struct Ring_graph
@@ -98,8 +96,6 @@ private:
   std::vector<std::uint32_t> m_vertices;
 };
 
-} // namespace internal
-} // namespace Spherical_parameterization
-} // namespace CGAL
+} // namespace CGAL::Spherical_parameterization::internal
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_LEVELS_INDEPENDENT_SETS_H

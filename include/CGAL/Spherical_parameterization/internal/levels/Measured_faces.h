@@ -15,7 +15,7 @@
 
 #include <CGAL/license/Spherical_parameterization.h>
 
-#include <CGAL/Spherical_parameterization/Face_invariants_3.h>
+#include <CGAL/Spherical_parameterization/Face_range_3.h>
 #include <CGAL/Spherical_parameterization/internal/levels/Energy_summary.h>
 #include <CGAL/Spherical_parameterization/internal/levels/Face_objective.h>
 #include <CGAL/Spherical_parameterization/internal/levels/Star_energy.h>
@@ -37,9 +37,7 @@
 #include <numeric>
 #include <vector>
 
-namespace CGAL {
-namespace Spherical_parameterization {
-namespace internal {
+namespace CGAL::Spherical_parameterization::internal {
 
 // All faces of a mesh, each once, to be measured at any state of the map. They are laid out such that several of them
 // are measured at once: `width` faces make a packet, which ends with its first face again where there are no more.
@@ -90,15 +88,14 @@ public:
     }
   }
 
-  // Measures all faces on the sphere of radius `radius`, several at once or one by one, as `Step` measures them.
-  template <class Step, class Energy>
-  Mesh_summary measure(const Star_packets& stars, const Face_energy<Energy>& energy,
-                       const std::vector<Vector_3d>& positions, double radius, const Face_objective& objective,
-                       Execution execution)
+  // Measures all faces on the sphere of radius `radius`, several at once or one by one, as `Space` does.
+  template <class Space>
+  Mesh_summary measure(const Space& space, const Star_packets& stars, const std::vector<Vector_3d>& positions,
+                       double radius, const Face_objective& objective, Execution execution)
   {
     m_radius = radius;
     m_partial.resize(number_of_blocks());
-    for_each_block_of_faces<Step>(number_of_blocks(), execution, [&](auto number_type, std::size_t block) {
+    for_each_block_of_faces<Space>(number_of_blocks(), execution, [&](auto number_type, std::size_t block) {
       using FT = typename decltype(number_type)::FT;
       const std::size_t begin = block * packets_per_block,
                         end = (std::min)(begin + packets_per_block, m_packets.size());
@@ -107,20 +104,19 @@ public:
         for(const std::uint32_t corner : m_packets[(std::min)(k + packets_ahead, m_packets.size() - 1)].corners)
           stars.prefetch_rest(corner);
         for(std::size_t lane = 0; lane < width; lane += Lanes<FT>::width)
-          measure_lanes<Step, FT>(stars, positions.data(), radius * radius, objective, k, lane);
+          measure_lanes<FT>(space, stars, positions.data(), radius * radius, objective, k, lane);
       }
-      summarize<FT>(energy, radius, objective, block);
+      summarize<FT>(space.energy(), radius, objective, block);
     });
     return total(objective);
   }
 
   // Sums up the energies that the map which was measured last has on the sphere of radius `radius`.
-  template <class Step, class Energy>
-  Mesh_summary summary(const Face_energy<Energy>& energy, double radius, const Face_objective& objective,
-                       Execution execution)
+  template <class Space>
+  Mesh_summary summary(const Space& space, double radius, const Face_objective& objective, Execution execution)
   {
-    for_each_block_of_faces<Step>(number_of_blocks(), execution, [&](auto number_type, std::size_t block) {
-      summarize<typename decltype(number_type)::FT>(energy, radius, objective, block);
+    for_each_block_of_faces<Space>(number_of_blocks(), execution, [&](auto number_type, std::size_t block) {
+      summarize<typename decltype(number_type)::FT>(space.energy(), radius, objective, block);
     });
     return total(objective);
   }
@@ -128,13 +124,12 @@ public:
   // The first two derivatives of the sum of psi(E) over all faces but the slivers in the logarithm of the radius, on the
   // sphere of radius `radius`, where the areas of the images are `area_ratio`, d or flat_d; and what the first one would be
   // if nothing cancelled, to tell rounding by.
-  template <class Step, class Energy>
-  std::array<double, 3> radius_derivatives(const Face_energy<Energy>& energy, double radius,
-                                           const Face_objective& objective, double Face_invariants_3::*area_ratio,
-                                           Execution execution) const
+  template <class Space>
+  std::array<double, 3> radius_derivatives(const Space& space, double radius, const Face_objective& objective,
+                                           double Face_invariants_3::*area_ratio, Execution execution) const
   {
     std::vector<std::array<double, 3>> parts(number_of_blocks());
-    for_each_block_of_faces<Step>(number_of_blocks(), execution, [&](auto number_type, std::size_t block) {
+    for_each_block_of_faces<Space>(number_of_blocks(), execution, [&](auto number_type, std::size_t block) {
       using FT = typename decltype(number_type)::FT;
       std::array<std::array<double, faces_per_block>, 3> terms;
       const std::size_t begin = first_face(block), n = first_face(block + 1) - begin;
@@ -144,7 +139,7 @@ public:
       {
         const FT i = scale * invariant<FT>(begin + k, &Face_invariants_3::i),
                  d = scale * invariant<FT>(begin + k, area_ratio);
-        const Energy_derivatives_3<FT> e = energy.derivatives(i, d);
+        const Energy_derivatives_3<FT> e = space.energy().derivatives(i, d);
         // With t = log(radius), dI/dt = 2 I and dd/dt = 2 d.
         const FT et = 2. * (e.i * i + e.d * d);
         const FT ett = 2. * et + 4. * (e.ii * i * i + 2. * e.id * i * d + e.dd * d * d);
@@ -155,7 +150,7 @@ public:
           first = (1. - objective.share) + weight;
           second = sharpness * weight;
         }
-        if constexpr(Face_energy<Energy>::weighs_faces_by_area)
+        if constexpr(Space::weighs_faces_by_area)
         {
           const FT area = invariant<FT>(begin + k, &Face_invariants_3::area);
           first *= area;
@@ -191,7 +186,7 @@ public:
   // Calls f(a, b, c) for each face whose energy was above `bound` when it was measured last, as long as f returns true;
   // but for blocks of faces that were all below it when they were summed up last, on a sphere that is nearly the same.
   template <class Energy, class Function>
-  void for_each_above(const Face_energy<Energy>& energy, double bound, const Function& f) const
+  void for_each_above(const Energy& energy, double bound, const Function& f) const
   {
     for(std::size_t block = 0; block < m_partial.size(); ++block)
     {
@@ -223,19 +218,19 @@ private:
   std::size_t first_face(std::size_t block) const { return (std::min)(block * faces_per_block, m_number_of_faces); }
 
   // Calls f(Number_type<FT>(), block) for each block of faces.
-  template <class Step, class Function>
+  template <class Space, class Function>
   static void for_each_block_of_faces(std::size_t n_blocks, Execution execution, const Function& f)
   {
     for_each_block(execution, 0, n_blocks, 1, [&](std::size_t block, std::size_t) {
-      if constexpr(Step::is_lanewise)
+      if constexpr(Space::is_lanewise)
         run_in_lanes([&](auto number_type) { f(number_type, block); });
       else
         f(Number_type<double>(), block);
     });
   }
 
-  template <class Step, class FT>
-  void measure_lanes(const Star_packets& stars, const Vector_3d* positions, double squared_radius,
+  template <class FT, class Space>
+  void measure_lanes(const Space& space, const Star_packets& stars, const Vector_3d* positions, double squared_radius,
                      const Face_objective& objective, std::size_t k, std::size_t first)
   {
     const Packet& packet = m_packets[k];
@@ -249,15 +244,10 @@ private:
     const auto rest = [&](std::size_t i) {
       return Lanes<FT>::generate([&](std::size_t lane) { return stars.rest(packet.corners[first + lane], i); });
     };
-    const Vector_3<FT> u = point(0), p = point(1), q = point(2);
-    const Vector_3<FT> to_p = p - u, to_q = q - u;
-    const Vector_3<FT> n = cross(to_p, to_q);
-    using Measure = typename Step::template Image_measure<FT>;
-    const FT scale = squared_radius, inverse_doubled_area = absolute(rest(3)), doubled_area = 1. / inverse_doubled_area;
-    const FT o0 = rest(0), o1 = rest(1), o2 = rest(2), to_flat_d = scale * inverse_doubled_area;
-    const FT i = scale * (o0 * squared_length(q - p) + o1 * squared_length(to_q) + o2 * squared_length(to_p));
-    const FT d = to_flat_d * objective.area_factor(o0, o1, o2, doubled_area) * Measure::value(dot(u, n), n);
-    const FT flat_d = to_flat_d * length(n), area = 0.5 * doubled_area;
+    const FT doubled_area = 1. / rest(3);
+    const auto [i, d, flat_d] = space.template invariants<FT>(
+        {point(0), point(1), point(2)}, {rest(0), rest(1), rest(2)}, rest(3), doubled_area, squared_radius, objective);
+    const FT area = 0.5 * doubled_area;
     for(std::size_t j = 0; j < Lanes<FT>::width; ++j)
       m_invariants[k * width + first + j] = {lane(area, j), lane(i, j), lane(d, j), lane(flat_d, j)};
   }
@@ -270,7 +260,7 @@ private:
   }
 
   template <class FT, class Energy>
-  void summarize(const Face_energy<Energy>& energy, double radius, const Face_objective& objective, std::size_t block)
+  void summarize(const Energy& energy, double radius, const Face_objective& objective, std::size_t block)
   {
     const auto squared = [](double x) { return x * x; };
     std::array<double, faces_per_block> energies;
@@ -284,7 +274,7 @@ private:
     Mesh_summary& part = m_partial[block];
     part = Mesh_summary(objective);
     const auto add_all = [](Energy_summary& group, const double* values, std::size_t size, const auto& read_areas) {
-      if constexpr(Face_energy<Energy>::weighs_faces_by_area)
+      if constexpr(Energy::weighs_faces_by_area)
       {
         std::array<double, faces_per_block> areas;
         read_areas(areas.data());
@@ -366,8 +356,6 @@ private:
   std::vector<Mesh_summary> m_partial; // of the blocks
 };
 
-} // namespace internal
-} // namespace Spherical_parameterization
-} // namespace CGAL
+} // namespace CGAL::Spherical_parameterization::internal
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_LEVELS_MEASURED_FACES_H

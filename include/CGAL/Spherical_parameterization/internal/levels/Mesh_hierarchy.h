@@ -31,9 +31,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Spherical_parameterization {
-namespace internal {
+namespace CGAL::Spherical_parameterization::internal {
 
 // A set of edges, each a pair of different vertices in either order: a hash table with linear probing. Only asked
 // whether it has an edge, so that its order never shows.
@@ -348,8 +346,6 @@ private:
   std::vector<Vertex_rings> m_coarse_rings; // of the levels from 1 on
 };
 
-} // namespace internal
-} // namespace Spherical_parameterization
-} // namespace CGAL
+} // namespace CGAL::Spherical_parameterization::internal
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_LEVELS_MESH_HIERARCHY_H

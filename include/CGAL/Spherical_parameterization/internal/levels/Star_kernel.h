@@ -27,9 +27,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Spherical_parameterization {
-namespace internal {
+namespace CGAL::Spherical_parameterization::internal {
 
 // The vertices around a removed one, from its target on: a hole as Star_kernel wants it.
 struct Ring_hole
@@ -186,8 +184,6 @@ private:
   std::vector<Point> m_polygon, m_clipped;
 };
 
-} // namespace internal
-} // namespace Spherical_parameterization
-} // namespace CGAL
+} // namespace CGAL::Spherical_parameterization::internal
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_LEVELS_STAR_KERNEL_H

@@ -31,9 +31,7 @@
 #include <numeric>
 #include <vector>
 
-namespace CGAL {
-namespace Spherical_parameterization {
-namespace internal {
+namespace CGAL::Spherical_parameterization::internal {
 
 // How many stars or faces are laid out side by side, a multiple of all numbers of lanes.
 constexpr std::size_t packet_width = 8;
@@ -41,23 +39,26 @@ static_assert(packet_width % Lanes<Two_lanes>::width == 0 && packet_width % Lane
               "A packet is worked on lane by lane without a rest.");
 
 // One star, or several of them lane by lane, where they lie in memory: the numbers of the vertices and their
-// neighbours, and the rest shapes of the faces. Corner j of lane k is the one of the face (vertex, neighbor j,
+// neighbours, the rest shapes of the faces, and whether these are at slivers. Corner j of lane k is the one of the face (vertex, neighbor j,
 // neighbor j + 1) and has the index first + j * stride + k in the arrays of the neighbors and, by rest_index(), of the
-// rest shapes. A star that has fewer faces than others of its packet is padded with its first neighbor, and with 0 for
-// the rest shapes.
+// rest shapes. A star that has fewer faces than others of its packet, which its degree tells, is padded with its first
+// neighbor, and with 0 for the rest shapes.
 template <class FT>
 class Star_view
 {
 public:
   Star_view() = default;
-  Star_view(const std::uint32_t* vertices, const std::uint32_t* neighbors, const double* rest, std::size_t first,
-            std::size_t stride, std::size_t size)
+  // `is_at_sliver` is null where there are no slivers.
+  Star_view(const std::uint32_t* vertices, const std::uint32_t* degrees, const std::uint32_t* neighbors,
+            const double* rest, const char* is_at_sliver, std::size_t first, std::size_t stride, std::size_t size)
     : m_vertices(vertices)
     , m_neighbors(neighbors)
     , m_rest(rest)
+    , m_is_at_sliver(is_at_sliver)
     , m_first(first)
     , m_stride(stride)
     , m_size(size)
+    , m_degree(Lanes<FT>::generate([&](std::size_t lane) { return static_cast<double>(degrees[lane]); }))
   {}
 
   std::size_t size() const { return m_size; }
@@ -68,13 +69,24 @@ public:
     return points(m_neighbors + m_first + j * m_stride, positions);
   }
 
+  std::uint32_t neighbor(std::size_t j) const { return m_neighbors[m_first + j * m_stride]; }
+
   // see Rest_triangle
   FT opposite_0(std::size_t j) const { return rest(j, 0); }
   FT opposite_1(std::size_t j) const { return rest(j, 1); }
   FT opposite_2(std::size_t j) const { return rest(j, 2); }
-  FT inverse_doubled_area(std::size_t j) const { return absolute(rest(j, 3)); }
-  // whether the face belongs to the group of the slivers, told by the sign
-  auto is_at_sliver(std::size_t j) const { return rest(j, 3) < 0.; }
+  FT inverse_doubled_area(std::size_t j) const { return rest(j, 3); }
+
+  // whether row j is beyond the end of the star
+  auto is_padding(std::size_t j) const { return !(FT(static_cast<double>(j)) < m_degree); }
+
+  // whether the face belongs to the group of the slivers, if there are any
+  bool has_slivers() const { return m_is_at_sliver != nullptr; }
+  auto is_at_sliver(std::size_t j) const
+  {
+    return Lanes<FT>::generate(
+               [&](std::size_t lane) { return double(m_is_at_sliver[m_first + j * m_stride + lane]); }) > 0.;
+  }
 
   // Where number k of the rest shape of a corner is: those of packet_width corners lie side by side.
   static std::size_t rest_index(std::size_t corner, std::size_t k)
@@ -99,7 +111,9 @@ private:
   const std::uint32_t* m_vertices = nullptr;
   const std::uint32_t* m_neighbors = nullptr;
   const double* m_rest = nullptr;
+  const char* m_is_at_sliver = nullptr;
   std::size_t m_first = 0, m_stride = 0, m_size = 0;
+  FT m_degree = 0.;
 };
 
 // The stars of many vertices, laid out such that several of them can be worked on at once: `width` stars of the same
@@ -139,10 +153,11 @@ public:
   }
 
   // Makes room for the stars of `vertices`, of which vertices[first_of_set[k]], ..., vertices[first_of_set[k + 1] - 1]
-  // are independent. degree_of(v) is the number of neighbors of a vertex.
+  // are independent. degree_of(v) is the number of neighbors of a vertex; `has_slivers` says whether some faces are at
+  // slivers.
   template <class DegreeOf>
   void assign(const std::vector<std::uint32_t>& vertices, const std::vector<std::size_t>& first_of_set,
-              const DegreeOf& degree_of)
+              const DegreeOf& degree_of, bool has_slivers)
   {
     m_vertices.clear();
     m_degrees.clear();
@@ -168,14 +183,10 @@ public:
           std::size_t last = k + 1;
           while(last < order.size() && last < k + stride && degree_of(order[last]) <= max_rows)
             ++last;
-          Packet packet;
-          packet.first_corner = n_corners;
-          packet.first_place = static_cast<std::uint32_t>(m_vertices.size());
-          packet.number_of_stars = static_cast<std::uint32_t>(last - k);
-          packet.number_of_rows = static_cast<std::uint32_t>(degree_of(order[last - 1]));
-          packet.stride = static_cast<std::uint32_t>(stride);
-          m_packets.push_back(packet);
-          n_corners += (stride * packet.number_of_rows + width - 1) / width * width;
+          const auto n_rows = static_cast<std::uint32_t>(degree_of(order[last - 1]));
+          m_packets.push_back({n_corners, static_cast<std::uint32_t>(m_vertices.size()),
+                               static_cast<std::uint32_t>(last - k), n_rows, static_cast<std::uint32_t>(stride)});
+          n_corners += (stride * n_rows + width - 1) / width * width;
           for(std::size_t lane = 0; lane < stride; ++lane)
           {
             const std::uint32_t v = order[k + lane < last ? k + lane : k];
@@ -190,9 +201,11 @@ public:
     CGAL_assertion(n_corners <= (std::numeric_limits<std::uint32_t>::max)());
     resize(m_neighbors, n_corners);
     resize(m_rest, 4 * n_corners);
+    m_is_at_sliver.clear();
+    m_is_at_sliver.resize(has_slivers ? n_corners : 0, 0);
   }
 
-  // Fills a packet: star_of(v) is the star of a vertex, with its degree(), neighbor(j) and rest(j).
+  // Fills a packet: star_of(v) is the star of a vertex, with its degree(), neighbor(j), rest(j) and is_at_sliver(j).
   template <class StarOf>
   void fill(std::size_t packet, const StarOf& star_of)
   {
@@ -210,6 +223,8 @@ public:
         m_rest[rest_index(corner, 1)] = rest.opposite_1;
         m_rest[rest_index(corner, 2)] = rest.opposite_2;
         m_rest[rest_index(corner, 3)] = rest.inverse_doubled_area;
+        if(has_slivers())
+          m_is_at_sliver[corner] = j < degree && star.is_at_sliver(j);
       }
     }
   }
@@ -240,6 +255,7 @@ public:
       const auto number = [&](std::size_t k) { return m_stars.m_rest[rest_index(m_first + j * m_stride, k)]; };
       return {number(0), number(1), number(2), number(3)};
     }
+    bool is_at_sliver(std::size_t j) const { return m_stars.is_at_sliver(m_first + j * m_stride); }
 
   private:
     const Star_packets& m_stars;
@@ -259,6 +275,7 @@ public:
     return m_first_packet[set] < m_packets.size() ? m_packets[m_first_packet[set]].first_place : m_vertices.size();
   }
   std::uint32_t vertex(std::size_t place) const { return m_vertices[place]; }
+  const std::uint32_t* vertices(const Packet& p) const { return m_vertices.data() + p.first_place; }
 
   // The stars of a packet from `lane` on. A single star has no padding.
   template <class FT>
@@ -267,13 +284,15 @@ public:
     std::size_t n_rows = p.number_of_rows;
     if constexpr(Lanes<FT>::width == 1)
       n_rows = m_degrees[p.first_place + lane];
-    return Star_view<FT>(m_vertices.data() + p.first_place + lane, m_neighbors.data(), m_rest.data(),
+    return Star_view<FT>(m_vertices.data() + p.first_place + lane, m_degrees.data() + p.first_place + lane,
+                         m_neighbors.data(), m_rest.data(), has_slivers() ? m_is_at_sliver.data() : nullptr,
                          p.first_corner + lane, p.stride, n_rows);
   }
 
   // Number k of the rest shape of a corner.
   double rest(std::size_t corner, std::size_t k) const { return m_rest[rest_index(corner, k)]; }
-  bool is_at_sliver(std::size_t corner) const { return rest(corner, 3) < 0.; }
+  bool has_slivers() const { return !m_is_at_sliver.empty(); }
+  bool is_at_sliver(std::size_t corner) const { return has_slivers() && m_is_at_sliver[corner]; }
 
   // Announces that the rest shape of a corner is about to be read. Corners of a packet are near each other, but too far
   // for a processor to see what comes next.
@@ -302,11 +321,8 @@ public:
   // The number of these faces.
   std::size_t number_of_faces(std::size_t packet) const
   {
-    const Packet& p = m_packets[packet];
     std::size_t result = 0;
-    for(std::size_t j = 0; j < p.number_of_rows; ++j)
-      for(std::size_t lane = 0; lane < p.number_of_stars; ++lane)
-        result += corner(p, lane, j).is_smallest();
+    for_each_face(packet, [&](std::size_t, std::uint32_t, std::uint32_t, std::uint32_t) { ++result; });
     return result;
   }
 
@@ -314,8 +330,7 @@ private:
   static constexpr std::size_t chunk_size = 1024; // of vertices that are ordered by their numbers of faces
   static constexpr std::size_t max_rows = 32;     // of a packet of several stars
 
-  // Puts the vertices in the order of their numbers of neighbors; those of the same number, or of more than max_rows,
-  // stay as they were.
+  // Orders vertices by their numbers of neighbors; those of the same number, or of more than max_rows, stay as they were.
   template <class DegreeOf>
   static void order_by_degree(const std::uint32_t* begin, const std::uint32_t* end, const DegreeOf& degree_of,
                               std::vector<std::uint32_t>& order)
@@ -377,10 +392,9 @@ private:
   std::vector<std::uint32_t> m_vertices, m_degrees; // of the places
   boost::container::vector<std::uint32_t> m_neighbors;
   boost::container::vector<double> m_rest;
+  std::vector<char> m_is_at_sliver; // the corners, if any is
 };
 
-} // namespace internal
-} // namespace Spherical_parameterization
-} // namespace CGAL
+} // namespace CGAL::Spherical_parameterization::internal
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_LEVELS_STAR_PACKETS_H

@@ -30,9 +30,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Spherical_parameterization {
-namespace internal {
+namespace CGAL::Spherical_parameterization::internal {
 
 // The metric of a surface on its sphere: how long a tangent vector of the sphere is on the surface, |J e|^2 = e^T S e with
 // S = J^T J, J the derivative of the inverse map, and how large areas are.
@@ -258,8 +256,6 @@ private:
   std::vector<Image> m_images;
 };
 
-} // namespace internal
-} // namespace Spherical_parameterization
-} // namespace CGAL
+} // namespace CGAL::Spherical_parameterization::internal
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_LEVELS_TARGET_METRIC_H

@@ -15,10 +15,11 @@
 
 #include <CGAL/license/Spherical_parameterization.h>
 
-#include <CGAL/Spherical_parameterization/internal/align/Sphere_image.h>
+#include <CGAL/Spherical_parameterization/Energy_derivatives_3.h>
+#include <CGAL/Spherical_parameterization/internal/locate/Sphere_image.h>
 #include <CGAL/Spherical_parameterization/internal/certificate/is_safely_positive.h>
+#include <CGAL/Spherical_parameterization/internal/levels/Star_packets.h>
 #include <CGAL/Spherical_parameterization/internal/surface/Rest_triangle.h>
-#include <CGAL/Spherical_parameterization/internal/surface/Vertex_rings.h>
 #include <CGAL/Spherical_parameterization/internal/numbers/Vector_3.h>
 #include <CGAL/Spherical_parameterization/internal/levels/Target_metric.h>
 
@@ -29,19 +30,38 @@
 #include <limits>
 #include <vector>
 
-namespace CGAL {
-namespace Spherical_parameterization {
-namespace internal {
+namespace CGAL::Spherical_parameterization::internal {
+
+// The symmetric Dirichlet energy of the map between two surfaces, integrated over both and halved,
+//
+//   E = (1 + d) / 2 (I + I / d^2) / 2
+//
+// for each unit of area of the first one: 2 where the map is isometric.
+class Two_way_energy
+{
+public:
+  static constexpr bool weighs_faces_by_area = true;
+
+  template <class FT>
+  FT operator()(const FT& i, const FT& d) const
+  {
+    const FT e = 1. / d;
+    return 0.25 * i * (1. + d) * (1. + e * e);
+  }
+
+  Energy_derivatives_3<double> derivatives(double i, double d) const
+  {
+    const double e = 1. / d, factor = 0.25 * (1. + d) * (1. + e * e), slope = 0.25 * (1. - e * e - 2. * e * e * e);
+    return {factor * i, factor, slope * i, 0., slope, 0.25 * i * (2. * e * e * e + 6. * e * e * e * e)};
+  }
+};
 
 // The energy of the faces around one vertex of the first surface, as a function of the two tangential coordinates of its
-// image on the sphere of the second one: what a Newton_step lowers. That of a face is the symmetric Dirichlet energy of
-// its map to the second surface, integrated over both and halved,
+// image on the sphere of the second one: what a Newton_step lowers. That of a face counts as its doubled area does.
 //
-//   E = 2 A (1 + d) / 2 (I + I / d^2) / 2,
-//
-// A being its area, I = s1^2 + s2^2 and d = s1 s2. The metric S of the second surface, at the centre of the image, makes
-// I of the edges e by e^T S e, and its area factor makes d of the determinant of the corners: so E is infinite exactly
-// where a face turns over on the sphere, as all energies of the package are. All faces at their best have E = 4 A.
+// The metric S of the second surface, at the centre of the image, makes I of the edges e by e^T S e, and its area factor
+// makes d of the determinant of the corners: so E is infinite exactly where a face turns over on the sphere, as all
+// energies of the package are.
 //
 // The gradient has the change of the metric along with the centre. Without it each face would be content where it is, and
 // no limb would ever slide to where it belongs. The Hessian leaves it out.
@@ -54,33 +74,38 @@ public:
     : m_metric(metric)
   {}
 
-  // Chooses the level of the metric.
-  void set_level(std::size_t level) { m_level = level; }
-
-  // Takes the star of a vertex, without a goal or features. rest_of_face(j) is the shape of the face to neighbors j and j + 1.
-  template <class RestOfFace>
-  void load(const Vertex_rings& rings, std::uint32_t v, const std::vector<Vector_3d>& positions,
-            const RestOfFace& rest_of_face)
+  // Takes the star of a vertex, without a goal or features, to be seen at a level of the metric.
+  void load(const Star_view<double>& star, const Vector_3d* positions, std::size_t level)
   {
-    const Vertex_rings::Ring ring = rings.ring(v);
-    m_center = positions[v];
+    m_level = level;
+    m_center = star.center(positions);
     m_frame = Tangent_frame(m_center);
-    m_size = ring.size();
-    if(m_faces.size() < m_size)
-      m_faces.resize(2 * m_size);
+    m_size = star.size();
+    m_faces.resize(m_size);
     m_squared_shortest_edge = (std::numeric_limits<double>::max)();
     for(std::size_t j = 0; j < m_size; ++j)
     {
       Face& f = m_faces[j];
-      f.p = positions[ring[j]];
-      f.q = positions[ring.around(j + 1)];
+      f.p = star.neighbor(j, positions);
+      f.q = star.neighbor(j + 1 < m_size ? j + 1 : 0, positions);
       f.normal = cross(f.p, f.q);
-      f.rest = rest_of_face(j);
+      f.rest = {star.opposite_0(j), star.opposite_1(j), star.opposite_2(j), star.inverse_doubled_area(j)};
       m_squared_shortest_edge = (std::min)(m_squared_shortest_edge, squared_length(f.p - m_center));
     }
     m_goal = nullptr;
     m_features = nullptr;
   }
+
+  // the area of the faces
+  double area() const
+  {
+    double result = 0.;
+    for(const Face& f : m_faces)
+      result += 0.5 / f.rest.inverse_doubled_area;
+    return result;
+  }
+
+  double squared_shortest_edge() const { return m_squared_shortest_edge; }
 
   // see Newton_step
   double shortest_edge() const { return std::sqrt(m_squared_shortest_edge); }
@@ -91,9 +116,8 @@ public:
     double value = 0.;
     gradient = {0., 0.};
     hessian = {0., 0., 0.};
-    for(std::size_t k = 0; k < m_size; ++k)
+    for(const Face& f : m_faces)
     {
-      const Face& f = m_faces[k];
       const Vector_3d e0 = f.q - f.p, e1 = m_center - f.q, e2 = f.p - m_center;
       const Vector_3d sum = m_center + f.p + f.q;
       const double size = length(sum);
@@ -116,15 +140,14 @@ public:
       const double dy = to_d * dot(t2, f.normal) + share * inverse_area * volume * change[1].area();
       const double o = 2. * (o1 + o2);
       const double ixx = o * dot(t1, st1), ixy = o * dot(t1, st2), iyy = o * dot(t2, st2);
-      const double e = 1. / d, w = 0.25 / inverse_area;
-      const double fi = w * (1. + d) * (1. + e * e), fd = w * i * (1. - e * e - 2. * e * e * e),
-                   fid = w * (1. - e * e - 2. * e * e * e), fdd = w * i * (2. * e * e * e + 6. * e * e * e * e);
-      value += fi * i;
-      gradient[0] += fi * ix + fd * dx;
-      gradient[1] += fi * iy + fd * dy;
-      hessian[0] += fi * ixx - fd * d + 2. * fid * ix * dx + fdd * dx * dx;
-      hessian[1] += fi * ixy + fid * (ix * dy + iy * dx) + fdd * dx * dy;
-      hessian[2] += fi * iyy - fd * d + 2. * fid * iy * dy + fdd * dy * dy;
+      const Energy_derivatives_3<double> e = m_energy.derivatives(i, d);
+      const double w = 1. / inverse_area;
+      value += w * e.value;
+      gradient[0] += w * (e.i * ix + e.d * dx);
+      gradient[1] += w * (e.i * iy + e.d * dy);
+      hessian[0] += w * (e.i * ixx - e.d * d + 2. * e.id * ix * dx + e.dd * dx * dx);
+      hessian[1] += w * (e.i * ixy + e.id * (ix * dy + iy * dx) + e.dd * dx * dy);
+      hessian[2] += w * (e.i * iyy - e.d * d + 2. * e.id * iy * dy + e.dd * dy * dy);
     }
     if(m_features)
     {
@@ -156,9 +179,8 @@ public:
       return infinite;
     const Vector_3d center = m_frame.point_at(x, y);
     double value = 0.;
-    for(std::size_t k = 0; k < m_size; ++k)
+    for(const Face& f : m_faces)
     {
-      const Face& f = m_faces[k];
       const Vector_3d e1 = center - f.q, e2 = f.p - center;
       const double volume = dot(center, f.normal);
       if(!is_safely_positive(volume, squared_length(e1) + squared_length(e2)))
@@ -167,8 +189,7 @@ public:
       const double inverse_area = f.rest.inverse_doubled_area;
       const double i = f.rest.opposite_0 * s.squared_length(f.q - f.p) + f.rest.opposite_1 * s.squared_length(e1) +
                        f.rest.opposite_2 * s.squared_length(e2);
-      const double e = 1. / (inverse_area * volume * s.area());
-      value += 0.25 / inverse_area * i * (1. + 1. / e) * (1. + e * e);
+      value += m_energy(i, inverse_area * volume * s.area()) / inverse_area;
     }
     if(m_features)
       value += m_feature_weight * m_features->squared_difference(center, m_feature_values);
@@ -213,6 +234,7 @@ private:
   };
 
   const Target_metric& m_metric;
+  Two_way_energy m_energy;
   std::size_t m_level = 0, m_size = 0;
   Vector_3d m_center = {0., 0., 1.};
   Tangent_frame m_frame = Tangent_frame({0., 0., 1.});
@@ -225,8 +247,6 @@ private:
   double m_feature_weight = 0.;
 };
 
-} // namespace internal
-} // namespace Spherical_parameterization
-} // namespace CGAL
+} // namespace CGAL::Spherical_parameterization::internal
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_LEVELS_TARGET_STAR_H

@@ -29,9 +29,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Spherical_parameterization {
-namespace internal {
+namespace CGAL::Spherical_parameterization::internal {
 
 // The best way to remove one vertex from a mesh: by collapsing it into one of its neighbours, its target. The cost adds
 // up how far the target lies from the planes of the faces at the vertex (the quadric error of these faces) and a small
@@ -168,8 +166,6 @@ private:
   std::uint32_t m_rank = 0, m_target = none;
 };
 
-} // namespace internal
-} // namespace Spherical_parameterization
-} // namespace CGAL
+} // namespace CGAL::Spherical_parameterization::internal
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_LEVELS_VERTEX_REMOVAL_H

@@ -22,9 +22,7 @@
 #include <cmath>
 #include <limits>
 
-namespace CGAL {
-namespace Spherical_parameterization {
-namespace internal {
+namespace CGAL::Spherical_parameterization::internal {
 
 // How a vertex moves, and how its energy measures an image: the steps of block coordinate descent. A step sets
 // `step` to the tangential coordinates that the vertex shall move to, where the energy of its star is finite and lower,
@@ -160,8 +158,6 @@ private:
   static constexpr double min_step = 1e-10; // in units of the shortest edge
 };
 
-} // namespace internal
-} // namespace Spherical_parameterization
-} // namespace CGAL
+} // namespace CGAL::Spherical_parameterization::internal
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_LEVELS_VERTEX_STEP_H

@@ -22,9 +22,7 @@
 #include <cmath>
 #include <cstddef>
 
-namespace CGAL {
-namespace Spherical_parameterization {
-namespace internal {
+namespace CGAL::Spherical_parameterization::internal {
 
 // Where a direction is on a cube around the sphere, whose sides have n x n squares: in which of them, and between which
 // nodes. An image with values at the nodes is looked up by it, without a search.
@@ -97,8 +95,6 @@ private:
   std::array<double, 2> m_slope;
 };
 
-} // namespace internal
-} // namespace Spherical_parameterization
-} // namespace CGAL
+} // namespace CGAL::Spherical_parameterization::internal
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_LOCATE_CUBE_PLACE_H

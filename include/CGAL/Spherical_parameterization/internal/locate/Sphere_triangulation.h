@@ -16,9 +16,10 @@
 
 #include <CGAL/Spherical_parameterization/internal/certificate/Orientation_about_origin_3.h>
 #include <CGAL/Spherical_parameterization/internal/run/parallel.h>
-#include <CGAL/Spherical_parameterization/internal/sampling/Octahedral_grid.h>
+#include <CGAL/Spherical_parameterization/internal/locate/Octahedral_grid.h>
 #include <CGAL/Spherical_parameterization/internal/locate/barycentric_coordinates.h>
 #include <CGAL/Spherical_parameterization/internal/numbers/Vector_3.h>
+#include <CGAL/Spherical_parameterization/internal/surface/Linked_triangle.h>
 
 #include <CGAL/enum.h>
 #include <CGAL/number_utils.h>
@@ -34,60 +35,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Spherical_parameterization {
-namespace internal {
-
-// A triangle of a closed mesh: the neighbour i is across the edge that is opposite to vertex i.
-struct Linked_triangle
-{
-  std::array<std::uint32_t, 3> vertices, neighbors;
-
-  std::uint32_t operator[](std::size_t i) const { return vertices[i]; }
-
-  // which corner has this vertex, or is opposite to this neighbour; the last one if none of the others
-  std::size_t corner_of(std::uint32_t vertex) const
-  {
-    return vertices[0] == vertex ? 0 : vertices[1] == vertex ? 1 : 2;
-  }
-  std::size_t side_of(std::uint32_t triangle) const
-  {
-    return neighbors[0] == triangle ? 0 : neighbors[1] == triangle ? 1 : 2;
-  }
-};
-
-// Calls visit(v, w) for each vertex of a closed connected mesh with n vertices, where w is a vertex next to v that has been
-// visited before, and `none` for the first one: so that what is known of w helps with v.
-template <class Visit>
-void visit_from_neighbors(const std::vector<Linked_triangle>& triangles, std::size_t n, std::uint32_t none,
-                          const Visit& visit)
-{
-  std::vector<bool> is_reached(triangles.size(), false), is_visited(n, false);
-  std::vector<std::uint32_t> stack = {0};
-  is_reached[0] = true;
-  std::uint32_t visited = none;
-  while(!stack.empty())
-  {
-    const Linked_triangle& t = triangles[stack.back()];
-    stack.pop_back();
-    for(const std::uint32_t v : t.vertices)
-      if(is_visited[v])
-        visited = v;
-    for(const std::uint32_t v : t.vertices)
-      if(!is_visited[v])
-      {
-        visit(v, visited);
-        is_visited[v] = true;
-        visited = v;
-      }
-    for(const std::uint32_t neighbor : t.neighbors)
-      if(!is_reached[neighbor])
-      {
-        is_reached[neighbor] = true;
-        stack.push_back(neighbor);
-      }
-  }
-}
+namespace CGAL::Spherical_parameterization::internal {
 
 // The images of a mesh on the sphere, a bijection, as flat arrays in which the triangle of a direction is found by a
 // walk, exactly, from a triangle nearby: one that contains the centre of the cell of a grid, or any that the caller
@@ -144,16 +92,8 @@ public:
   const std::vector<Point_3>& points() const { return m_points; }
   const std::vector<Linked_triangle>& triangles() const { return m_triangles; }
 
-  // The image of a vertex at distance 1, rounded. Powers of two keep squares from overflow and underflow, and change no bit
-  // of what needs none.
-  Vector_3d direction(std::size_t v) const
-  {
-    const Point_3& p = m_points[v];
-    const Vector_3d x = {CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z())};
-    int exponent;
-    std::frexp((std::max)({std::abs(x[0]), std::abs(x[1]), std::abs(x[2])}), &exponent);
-    return normalized(Vector_3d{std::ldexp(x[0], -exponent), std::ldexp(x[1], -exponent), std::ldexp(x[2], -exponent)});
-  }
+  // The image of a vertex at distance 1, rounded.
+  Vector_3d direction(std::size_t v) const { return direction_of(m_points[v]); }
 
   // Locates a direction from a triangle that is next to it, or not far from it, without a grid.
   Place locate_from(std::uint32_t start, const Point_3& q) const
@@ -354,8 +294,16 @@ private:
   std::vector<std::uint32_t> m_starts; // for each cell, a triangle that contains its centre
 };
 
-} // namespace internal
-} // namespace Spherical_parameterization
-} // namespace CGAL
+// What the vertices have, interpolated at a place.
+template <class T, class Place>
+T interpolated(const std::vector<T>& values, const std::vector<Linked_triangle>& triangles, const Place& place)
+{
+  const Linked_triangle& t = triangles[place.triangle];
+  const auto& w = place.coordinates;
+  return CGAL::to_double(w[0]) * values[t[0]] + CGAL::to_double(w[1]) * values[t[1]] +
+         CGAL::to_double(w[2]) * values[t[2]];
+}
+
+} // namespace CGAL::Spherical_parameterization::internal
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_LOCATE_SPHERE_TRIANGULATION_H

@@ -24,9 +24,7 @@
 #include <cstddef>
 #include <type_traits>
 
-namespace CGAL {
-namespace Spherical_parameterization {
-namespace internal {
+namespace CGAL::Spherical_parameterization::internal {
 
 // The barycentric coordinates, in a triangle `t`, of the point where the ray from the origin in the direction q meets
 // it: q is a multiple of their combination of the corners, so they are det(q, b, c), det(q, c, a) and det(q, a, b) over
@@ -95,8 +93,6 @@ std::array<FT, 3> barycentric_coordinates(const std::array<Vector_3<FT>, 3>& t, 
     return exact_barycentric_coordinates(t, q, is_positive);
 }
 
-} // namespace internal
-} // namespace Spherical_parameterization
-} // namespace CGAL
+} // namespace CGAL::Spherical_parameterization::internal
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_LOCATE_BARYCENTRIC_COORDINATES_H

@@ -22,9 +22,7 @@
 #include <cstddef>
 #include <limits>
 
-namespace CGAL {
-namespace Spherical_parameterization {
-namespace internal {
+namespace CGAL::Spherical_parameterization::internal {
 
 // The edges of a triangle: number i is opposite to corner i, and all of them run around the triangle in one sense.
 using Triangle_edges = std::array<Vector_3d, 3>;
@@ -151,8 +149,6 @@ private:
   double m_angle = infinity;
 };
 
-} // namespace internal
-} // namespace Spherical_parameterization
-} // namespace CGAL
+} // namespace CGAL::Spherical_parameterization::internal
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_MEASURING_TRIANGLE_STRETCH_H

@@ -15,7 +15,6 @@
 
 #include <CGAL/license/Spherical_parameterization.h>
 
-#include <CGAL/Spherical_parameterization/Distortion_between.h>
 #include <CGAL/Spherical_parameterization/internal/measuring/Triangle_stretch.h>
 #include <CGAL/Spherical_parameterization/internal/numbers/Vector_3.h>
 
@@ -23,11 +22,10 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <vector>
 
-namespace CGAL {
-namespace Spherical_parameterization {
-namespace internal {
+namespace CGAL::Spherical_parameterization::internal {
 
 inline Triangle_edges scaled_edges(const std::array<Vector_3d, 3>& p, double factor)
 {
@@ -39,9 +37,24 @@ inline double triangle_area(const std::array<Vector_3d, 3>& p)
   return 0.5 * length(cross(p[1] - p[0], p[2] - p[0]));
 }
 
-// The distortion of a map that is linear in each of n triangles: corners_of(k, surface) are those of triangle k.
+// Of one measure: the largest value, and the means weighted with areas on the first surface and on the second one.
+struct Weighted_statistics
+{
+  double maximum = 0.;
+  std::array<double, 2> averages = {0., 0.};
+};
+
+struct Measured_map
+{
+  Weighted_statistics isometric, area, angle, energy;
+  std::size_t number_of_slivers = 0;
+};
+
+// The distortion of a map that is linear in each of n triangles: corners_of(k, surface) are those of triangle k. What has a
+// share of at most `smallest_area` of the area of a surface is a sliver and left out. If nothing is left, as where a surface
+// has no area, all measures are infinite.
 template <class Corners>
-Distortion_between distortion_between(std::size_t n, double smallest_area, const Corners& corners_of)
+Measured_map distortion_between(std::size_t n, double smallest_area, const Corners& corners_of)
 {
   // Scaled by powers of two, which is exact, so that no area overflows or underflows.
   std::array<int, 2> exponents = {0, 0};
@@ -61,8 +74,6 @@ Distortion_between distortion_between(std::size_t n, double smallest_area, const
           x = std::ldexp(x, -exponents[surface]);
     return result;
   };
-  Distortion_between result;
-  result.number_of_triangles = n;
   std::array<std::vector<double>, 2> areas;
   std::array<double, 2> sums = {0., 0.};
   for(std::size_t surface = 0; surface < 2; ++surface)
@@ -71,44 +82,40 @@ Distortion_between distortion_between(std::size_t n, double smallest_area, const
       areas[surface].push_back(triangle_area(corners(k, surface)));
       sums[surface] += areas[surface].back();
     }
-  if(!(sums[0] > 0.) || !(sums[1] > 0.))
-    return result;
 
+  constexpr double infinity = std::numeric_limits<double>::infinity();
   const double factor = std::sqrt(sums[0] / sums[1]); // of the lengths on the second surface
+  Measured_map result;
   std::array<double, 2> weights = {0., 0.};
-  const auto add = [](Distortion_between::Statistics& statistics, double value, double weight1, double weight2) {
-    statistics.maximum = (std::max)(statistics.maximum, value);
-    statistics.average_over_first += weight1 * value;
-    statistics.average_over_second += weight2 * value;
-  };
   for(std::size_t k = 0; k < n; ++k)
   {
-    const double w1 = areas[0][k] / sums[0], w2 = areas[1][k] / sums[1];
+    const std::array<double, 2> shares = {areas[0][k] / sums[0], areas[1][k] / sums[1]};
     const Triangle_stretch stretch(scaled_edges(corners(k, 0), 1.), scaled_edges(corners(k, 1), factor));
-    if(!(w1 > smallest_area) || !(w2 > smallest_area) || stretch.is_degenerate())
+    if(!(shares[0] > smallest_area) || !(shares[1] > smallest_area) || stretch.is_degenerate())
     {
       ++result.number_of_slivers;
       continue;
     }
-    weights[0] += w1;
-    weights[1] += w2;
-    add(result.isometric, stretch.isometric(), w1, w2);
-    add(result.area, stretch.area(), w1, w2);
-    add(result.angle, stretch.angle(), w1, w2);
-    add(result.energy, 0.5 * stretch.angle() * stretch.area(), w1, w2); // (I / d) (d + 1 / d) / 2
+    const auto add = [&](Weighted_statistics& statistics, double value) {
+      statistics.maximum = (std::max)(statistics.maximum, value);
+      statistics.averages[0] += shares[0] * value;
+      statistics.averages[1] += shares[1] * value;
+    };
+    add(result.isometric, stretch.isometric());
+    add(result.area, stretch.area());
+    add(result.angle, stretch.angle());
+    add(result.energy, 0.5 * stretch.angle() * stretch.area()); // (I / d) (d + 1 / d) / 2
+    weights[0] += shares[0];
+    weights[1] += shares[1];
   }
-  if(!(weights[0] > 0.))
-    return result;
-  for(auto* statistics : {&result.isometric, &result.area, &result.angle, &result.energy})
-  {
-    statistics->average_over_first /= weights[0];
-    statistics->average_over_second /= weights[1];
-  }
+  for(Weighted_statistics* statistics : {&result.isometric, &result.area, &result.angle, &result.energy})
+    if(weights[0] > 0.)
+      statistics->averages = {statistics->averages[0] / weights[0], statistics->averages[1] / weights[1]};
+    else
+      *statistics = {infinity, {infinity, infinity}};
   return result;
 }
 
-} // namespace internal
-} // namespace Spherical_parameterization
-} // namespace CGAL
+} // namespace CGAL::Spherical_parameterization::internal
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_MEASURING_DISTORTION_BETWEEN_H

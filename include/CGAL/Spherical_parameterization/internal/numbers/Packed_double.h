@@ -25,18 +25,15 @@
 #endif
 
 // What is compiled for a better processor than the rest of the program has to be inlined into the function that is.
-#if defined(__GNUC__)
-#define CGAL_SPHERICAL_PARAMETERIZATION_INLINE inline __attribute__((always_inline))
-#define CGAL_SPHERICAL_PARAMETERIZATION_HAS_VECTORS
+#ifdef __GNUC__
+#define CGAL_SP_INLINE inline __attribute__((always_inline))
 #else
-#define CGAL_SPHERICAL_PARAMETERIZATION_INLINE inline
+#define CGAL_SP_INLINE inline
 #endif
 
-namespace CGAL {
-namespace Spherical_parameterization {
-namespace internal {
+namespace CGAL::Spherical_parameterization::internal {
 
-#ifdef CGAL_SPHERICAL_PARAMETERIZATION_HAS_VECTORS
+#ifdef __GNUC__ // and all compilers that have its vectors
 
 // The vectors of W numbers that compilers offer beyond the standard, and what they lack.
 //
@@ -52,16 +49,16 @@ struct Packed_vectors<2>
   typedef double Doubles __attribute__((vector_size(16)));
   typedef std::int64_t Integers __attribute__((vector_size(16)));
 
-  static CGAL_SPHERICAL_PARAMETERIZATION_INLINE void fill(Doubles& v, double x) { v = Doubles{x, x}; }
+  static CGAL_SP_INLINE void fill(Doubles& v, double x) { v = Doubles{x, x}; }
 
   // v[k] = f(k)
   template <class Function>
-  static CGAL_SPHERICAL_PARAMETERIZATION_INLINE void generate(Doubles& v, const Function& f)
+  static CGAL_SP_INLINE void generate(Doubles& v, const Function& f)
   {
     v = Doubles{f(0), f(1)};
   }
 
-  static CGAL_SPHERICAL_PARAMETERIZATION_INLINE void take_square_roots(Doubles& v)
+  static CGAL_SP_INLINE void take_square_roots(Doubles& v)
   {
 #ifdef __SSE2__
     // The library function would have to set errno, which keeps compilers from using the instruction for two numbers.
@@ -71,13 +68,10 @@ struct Packed_vectors<2>
 #endif
   }
 
-  // whether any number is negative
-  static CGAL_SPHERICAL_PARAMETERIZATION_INLINE bool any_negative(const Integers& v)
+  static CGAL_SP_INLINE bool any_negative(const Integers& v)
   {
 #ifdef __SSE2__
-    Doubles bits;
-    std::memcpy(&bits, &v, sizeof(bits));
-    return _mm_movemask_pd(bits) != 0;
+    return _mm_movemask_pd(Doubles(v)) != 0; // the same bits
 #else
     return (v[0] | v[1]) < 0;
 #endif
@@ -91,15 +85,15 @@ struct Packed_vectors<4>
   typedef double Doubles __attribute__((vector_size(32)));
   typedef std::int64_t Integers __attribute__((vector_size(32)));
 
-  static CGAL_SPHERICAL_PARAMETERIZATION_INLINE void fill(Doubles& v, double x) { v = Doubles{x, x, x, x}; }
+  static CGAL_SP_INLINE void fill(Doubles& v, double x) { v = Doubles{x, x, x, x}; }
 
   template <class Function>
-  static CGAL_SPHERICAL_PARAMETERIZATION_INLINE void generate(Doubles& v, const Function& f)
+  static CGAL_SP_INLINE void generate(Doubles& v, const Function& f)
   {
     v = Doubles{f(0), f(1), f(2), f(3)};
   }
 
-  static CGAL_SPHERICAL_PARAMETERIZATION_INLINE void take_square_roots(Doubles& v)
+  static CGAL_SP_INLINE void take_square_roots(Doubles& v)
   {
     Half::Doubles low = {v[0], v[1]}, high = {v[2], v[3]};
     Half::take_square_roots(low);
@@ -107,57 +101,43 @@ struct Packed_vectors<4>
     v = Doubles{low[0], low[1], high[0], high[1]};
   }
 
-  static CGAL_SPHERICAL_PARAMETERIZATION_INLINE bool any_negative(const Integers& v)
+  static CGAL_SP_INLINE bool any_negative(const Integers& v)
   {
     return Half::any_negative(Half::Integers{v[0], v[1]} | Half::Integers{v[2], v[3]});
   }
 };
 
-// A condition for each lane of a Packed_double.
+// A condition for each lane of a Packed_double: all bits of a lane are set where it holds.
 template <int W>
 class alignas(8 * W) Packed_mask
 {
 public:
   using Integers = typename Packed_vectors<W>::Integers;
 
-  CGAL_SPHERICAL_PARAMETERIZATION_INLINE explicit Packed_mask(const Integers& lanes)
+  CGAL_SP_INLINE explicit Packed_mask(const Integers& lanes)
     : m_lanes(lanes)
   {}
-  CGAL_SPHERICAL_PARAMETERIZATION_INLINE Packed_mask(const Packed_mask& other)
+  CGAL_SP_INLINE Packed_mask(const Packed_mask& other)
     : m_lanes(other.m_lanes)
   {}
-  CGAL_SPHERICAL_PARAMETERIZATION_INLINE Packed_mask& operator=(const Packed_mask& other)
-  {
-    m_lanes = other.m_lanes;
-    return *this;
-  }
+  CGAL_SP_INLINE Packed_mask& operator=(const Packed_mask& other) { return m_lanes = other.m_lanes, *this; }
 
-  friend CGAL_SPHERICAL_PARAMETERIZATION_INLINE bool lane(const Packed_mask& a, std::size_t k)
-  {
-    return a.m_lanes[k] != 0;
-  }
+  friend CGAL_SP_INLINE bool lane(const Packed_mask& a, std::size_t k) { return a.m_lanes[k] != 0; }
 
-  friend CGAL_SPHERICAL_PARAMETERIZATION_INLINE Packed_mask operator&&(const Packed_mask& a, const Packed_mask& b)
+  friend CGAL_SP_INLINE Packed_mask operator&&(const Packed_mask& a, const Packed_mask& b)
   {
     return Packed_mask(a.m_lanes & b.m_lanes);
   }
-  friend CGAL_SPHERICAL_PARAMETERIZATION_INLINE Packed_mask operator||(const Packed_mask& a, const Packed_mask& b)
+  friend CGAL_SP_INLINE Packed_mask operator||(const Packed_mask& a, const Packed_mask& b)
   {
     return Packed_mask(a.m_lanes | b.m_lanes);
   }
-  friend CGAL_SPHERICAL_PARAMETERIZATION_INLINE Packed_mask operator!(const Packed_mask& a)
-  {
-    return Packed_mask(~a.m_lanes);
-  }
+  friend CGAL_SP_INLINE Packed_mask operator!(const Packed_mask& a) { return Packed_mask(~a.m_lanes); }
 
   // whether the condition holds in any lane
-  friend CGAL_SPHERICAL_PARAMETERIZATION_INLINE bool any(const Packed_mask& a)
-  {
-    return Packed_vectors<W>::any_negative(a.m_lanes);
-  }
+  friend CGAL_SP_INLINE bool any(const Packed_mask& a) { return Packed_vectors<W>::any_negative(a.m_lanes); }
 
-  // all bits of a lane are set where the condition holds
-  CGAL_SPHERICAL_PARAMETERIZATION_INLINE const Integers& lanes() const { return m_lanes; }
+  CGAL_SP_INLINE const Integers& lanes() const { return m_lanes; }
 
 private:
   Integers m_lanes;
@@ -179,99 +159,74 @@ public:
   static constexpr std::size_t width = W;
 
   Packed_double() = default;
-  CGAL_SPHERICAL_PARAMETERIZATION_INLINE Packed_double(double value) { Vectors::fill(m_lanes, value); }
-  CGAL_SPHERICAL_PARAMETERIZATION_INLINE Packed_double(const Packed_double& other)
+  CGAL_SP_INLINE Packed_double(double value) { Vectors::fill(m_lanes, value); }
+  CGAL_SP_INLINE Packed_double(const Packed_double& other)
     : m_lanes(other.m_lanes)
   {}
-  CGAL_SPHERICAL_PARAMETERIZATION_INLINE Packed_double& operator=(const Packed_double& other)
-  {
-    m_lanes = other.m_lanes;
-    return *this;
-  }
+  CGAL_SP_INLINE Packed_double& operator=(const Packed_double& other) { return m_lanes = other.m_lanes, *this; }
 
   // the values values[0], ..., values[width - 1]
-  static CGAL_SPHERICAL_PARAMETERIZATION_INLINE Packed_double load(const double* values)
+  static CGAL_SP_INLINE Packed_double load(const double* values)
   {
     Packed_double result;
     std::memcpy(&result.m_lanes, values, sizeof(Doubles));
     return result;
   }
 
-  CGAL_SPHERICAL_PARAMETERIZATION_INLINE void store(double* values) const
-  {
-    std::memcpy(values, &m_lanes, sizeof(Doubles));
-  }
+  CGAL_SP_INLINE void store(double* values) const { std::memcpy(values, &m_lanes, sizeof(Doubles)); }
 
   // the value of lane k is f(k)
   template <class Function>
-  static CGAL_SPHERICAL_PARAMETERIZATION_INLINE Packed_double generate(const Function& f)
+  static CGAL_SP_INLINE Packed_double generate(const Function& f)
   {
     Packed_double result;
     Vectors::generate(result.m_lanes, f);
     return result;
   }
 
-  friend CGAL_SPHERICAL_PARAMETERIZATION_INLINE double lane(const Packed_double& a, std::size_t k)
-  {
-    return a.m_lanes[k];
-  }
+  friend CGAL_SP_INLINE double lane(const Packed_double& a, std::size_t k) { return a.m_lanes[k]; }
 
-  friend CGAL_SPHERICAL_PARAMETERIZATION_INLINE Packed_double operator+(const Packed_double& a, const Packed_double& b)
+  friend CGAL_SP_INLINE Packed_double operator+(const Packed_double& a, const Packed_double& b)
   {
     return Packed_double(a.m_lanes + b.m_lanes);
   }
-  friend CGAL_SPHERICAL_PARAMETERIZATION_INLINE Packed_double operator-(const Packed_double& a, const Packed_double& b)
+  friend CGAL_SP_INLINE Packed_double operator-(const Packed_double& a, const Packed_double& b)
   {
     return Packed_double(a.m_lanes - b.m_lanes);
   }
-  friend CGAL_SPHERICAL_PARAMETERIZATION_INLINE Packed_double operator*(const Packed_double& a, const Packed_double& b)
+  friend CGAL_SP_INLINE Packed_double operator*(const Packed_double& a, const Packed_double& b)
   {
     return Packed_double(a.m_lanes * b.m_lanes);
   }
-  friend CGAL_SPHERICAL_PARAMETERIZATION_INLINE Packed_double operator/(const Packed_double& a, const Packed_double& b)
+  friend CGAL_SP_INLINE Packed_double operator/(const Packed_double& a, const Packed_double& b)
   {
     return Packed_double(a.m_lanes / b.m_lanes);
   }
-  CGAL_SPHERICAL_PARAMETERIZATION_INLINE Packed_double operator-() const { return Packed_double(-m_lanes); }
-  CGAL_SPHERICAL_PARAMETERIZATION_INLINE Packed_double& operator+=(const Packed_double& other)
-  {
-    m_lanes += other.m_lanes;
-    return *this;
-  }
-  CGAL_SPHERICAL_PARAMETERIZATION_INLINE Packed_double& operator*=(const Packed_double& other)
-  {
-    m_lanes *= other.m_lanes;
-    return *this;
-  }
+  CGAL_SP_INLINE Packed_double operator-() const { return Packed_double(-m_lanes); }
+  CGAL_SP_INLINE Packed_double& operator+=(const Packed_double& other) { return m_lanes += other.m_lanes, *this; }
+  CGAL_SP_INLINE Packed_double& operator*=(const Packed_double& other) { return m_lanes *= other.m_lanes, *this; }
 
-  friend CGAL_SPHERICAL_PARAMETERIZATION_INLINE Mask operator<(const Packed_double& a, const Packed_double& b)
+  friend CGAL_SP_INLINE Mask operator<(const Packed_double& a, const Packed_double& b)
   {
     return Mask(Integers(a.m_lanes < b.m_lanes));
   }
-  friend CGAL_SPHERICAL_PARAMETERIZATION_INLINE Mask operator>(const Packed_double& a, const Packed_double& b)
-  {
-    return b < a;
-  }
+  friend CGAL_SP_INLINE Mask operator>(const Packed_double& a, const Packed_double& b) { return b < a; }
 
-  friend CGAL_SPHERICAL_PARAMETERIZATION_INLINE Packed_double select(const Mask& condition, const Packed_double& a,
-                                                                     const Packed_double& b)
+  friend CGAL_SP_INLINE Packed_double select(const Mask& condition, const Packed_double& a, const Packed_double& b)
   {
     return Packed_double(condition.lanes() ? a.m_lanes : b.m_lanes);
   }
-  friend CGAL_SPHERICAL_PARAMETERIZATION_INLINE Packed_double maximum(const Packed_double& a, const Packed_double& b)
+  friend CGAL_SP_INLINE Packed_double maximum(const Packed_double& a, const Packed_double& b)
   {
     return select(a < b, b, a);
   }
-  friend CGAL_SPHERICAL_PARAMETERIZATION_INLINE Packed_double minimum(const Packed_double& a, const Packed_double& b)
+  friend CGAL_SP_INLINE Packed_double minimum(const Packed_double& a, const Packed_double& b)
   {
     return select(b < a, b, a);
   }
-  friend CGAL_SPHERICAL_PARAMETERIZATION_INLINE Packed_double absolute(const Packed_double& a)
-  {
-    return select(a < Packed_double(0.), -a, a);
-  }
+  friend CGAL_SP_INLINE Packed_double absolute(const Packed_double& a) { return select(a < Packed_double(0.), -a, a); }
 
-  friend CGAL_SPHERICAL_PARAMETERIZATION_INLINE Packed_double square_root(const Packed_double& a)
+  friend CGAL_SP_INLINE Packed_double square_root(const Packed_double& a)
   {
     Packed_double result = a;
     Vectors::take_square_roots(result.m_lanes);
@@ -280,7 +235,7 @@ public:
 
   // exp(a) from -708 to 709, with a relative error of some 1e-16 (1e-11 where doubles are not rounded to nearest); what
   // is smaller, or no number, gets the value at the lower end, what is larger that at the upper one.
-  friend CGAL_SPHERICAL_PARAMETERIZATION_INLINE Packed_double exponential(const Packed_double& a)
+  friend CGAL_SP_INLINE Packed_double exponential(const Packed_double& a)
   {
     const Packed_double lowest(-708.), highest(709.);
     const Packed_double x = select(a > lowest, minimum(a, highest), lowest);
@@ -290,13 +245,8 @@ public:
     // (-ffast-math): they would take the shift out again without any rounding.
     const Packed_double shift(6755399441055744.); // 3 * 2^51
     const Packed_double shifted = x * Packed_double(1.4426950408889634074) + shift;
-    Integers bits;
-    std::memcpy(&bits, &shifted.m_lanes, sizeof(bits));
-    const Integers exponent = bits << 52;
-    bits &= 0x7fffffffffffffff;
-    Packed_double k;
-    std::memcpy(&k.m_lanes, &bits, sizeof(bits));
-    k = k - shift;
+    const Integers bits = Integers(shifted.m_lanes), exponent = bits << 52;
+    const Packed_double k = Packed_double(Doubles(bits & 0x7fffffffffffffff)) - shift;
     const Packed_double r =
         (x - k * Packed_double(6.93147180369123816490e-01)) - k * Packed_double(1.90821492927058770002e-10);
 
@@ -311,12 +261,7 @@ public:
     const Packed_double q2 = Packed_double(2.76200884454097462e-07) + r * Packed_double(2.51003854955103203e-08);
     const Packed_double power = Packed_double(1.) + (r + r2 * (q0 + r4 * (q1 + r4 * q2)));
 
-    // times 2^k
-    std::memcpy(&bits, &power.m_lanes, sizeof(bits));
-    bits += exponent;
-    Packed_double result;
-    std::memcpy(&result.m_lanes, &bits, sizeof(bits));
-    return result;
+    return Packed_double(Doubles(Integers(power.m_lanes) + exponent)); // times 2^k
   }
 
 private:
@@ -324,58 +269,50 @@ private:
   using Doubles = typename Vectors::Doubles;
   using Integers = typename Vectors::Integers;
 
-  CGAL_SPHERICAL_PARAMETERIZATION_INLINE explicit Packed_double(const Doubles& lanes)
+  CGAL_SP_INLINE explicit Packed_double(const Doubles& lanes)
     : m_lanes(lanes)
   {}
 
   Doubles m_lanes;
 };
 
-#endif // CGAL_SPHERICAL_PARAMETERIZATION_HAS_VECTORS
+#endif // __GNUC__
 
 // The same for a single number, but for the ends of the exponential.
 
-CGAL_SPHERICAL_PARAMETERIZATION_INLINE bool lane(bool a, std::size_t)
+CGAL_SP_INLINE bool lane(bool a, std::size_t)
 {
   return a;
 }
-
-CGAL_SPHERICAL_PARAMETERIZATION_INLINE bool any(bool condition)
+CGAL_SP_INLINE bool any(bool condition)
 {
   return condition;
 }
-
-CGAL_SPHERICAL_PARAMETERIZATION_INLINE double lane(double a, std::size_t)
+CGAL_SP_INLINE double lane(double a, std::size_t)
 {
   return a;
 }
-
-CGAL_SPHERICAL_PARAMETERIZATION_INLINE double select(bool condition, double a, double b)
+CGAL_SP_INLINE double select(bool condition, double a, double b)
 {
   return condition ? a : b;
 }
-
-CGAL_SPHERICAL_PARAMETERIZATION_INLINE double maximum(double a, double b)
+CGAL_SP_INLINE double maximum(double a, double b)
 {
   return a < b ? b : a;
 }
-
-CGAL_SPHERICAL_PARAMETERIZATION_INLINE double minimum(double a, double b)
+CGAL_SP_INLINE double minimum(double a, double b)
 {
   return b < a ? b : a;
 }
-
-CGAL_SPHERICAL_PARAMETERIZATION_INLINE double absolute(double a)
+CGAL_SP_INLINE double absolute(double a)
 {
   return std::abs(a);
 }
-
-CGAL_SPHERICAL_PARAMETERIZATION_INLINE double square_root(double a)
+CGAL_SP_INLINE double square_root(double a)
 {
   return std::sqrt(a);
 }
-
-CGAL_SPHERICAL_PARAMETERIZATION_INLINE double exponential(double a)
+CGAL_SP_INLINE double exponential(double a)
 {
   return std::exp(a);
 }
@@ -385,10 +322,10 @@ template <class FT>
 struct Lanes
 {
   static constexpr std::size_t width = FT::width;
-  static CGAL_SPHERICAL_PARAMETERIZATION_INLINE FT load(const double* values) { return FT::load(values); }
-  static CGAL_SPHERICAL_PARAMETERIZATION_INLINE void store(const FT& a, double* values) { a.store(values); }
+  static CGAL_SP_INLINE FT load(const double* values) { return FT::load(values); }
+  static CGAL_SP_INLINE void store(const FT& a, double* values) { a.store(values); }
   template <class Function>
-  static CGAL_SPHERICAL_PARAMETERIZATION_INLINE FT generate(const Function& f)
+  static CGAL_SP_INLINE FT generate(const Function& f)
   {
     return FT::generate(f);
   }
@@ -398,10 +335,10 @@ template <>
 struct Lanes<double>
 {
   static constexpr std::size_t width = 1;
-  static CGAL_SPHERICAL_PARAMETERIZATION_INLINE double load(const double* values) { return *values; }
-  static CGAL_SPHERICAL_PARAMETERIZATION_INLINE void store(double a, double* values) { *values = a; }
+  static CGAL_SP_INLINE double load(const double* values) { return *values; }
+  static CGAL_SP_INLINE void store(double a, double* values) { *values = a; }
   template <class Function>
-  static CGAL_SPHERICAL_PARAMETERIZATION_INLINE double generate(const Function& f)
+  static CGAL_SP_INLINE double generate(const Function& f)
   {
     return f(std::size_t(0));
   }
@@ -414,7 +351,7 @@ struct Number_type
   using FT = FT_;
 };
 
-#ifdef CGAL_SPHERICAL_PARAMETERIZATION_HAS_VECTORS
+#ifdef __GNUC__
 using Two_lanes = Packed_double<2>;
 using Four_lanes = Packed_double<4>;
 
@@ -441,22 +378,19 @@ using Four_lanes = double;
 template <class Function>
 void run_in_lanes(const Function& f)
 {
-#ifdef CGAL_SPHERICAL_PARAMETERIZATION_HAS_VECTORS
+#ifndef __GNUC__
+  f(Number_type<double>());
+#else
 #ifdef __x86_64__
   if(__builtin_cpu_supports("avx2"))
-  {
-    run_in_four_lanes(f);
-    return;
-  }
+    return run_in_four_lanes(f);
 #endif
   run_in_two_lanes(f);
-#else
-  f(Number_type<double>());
 #endif
 }
 
-} // namespace internal
-} // namespace Spherical_parameterization
-} // namespace CGAL
+#undef CGAL_SP_INLINE
+
+} // namespace CGAL::Spherical_parameterization::internal
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_NUMBERS_PACKED_DOUBLE_H

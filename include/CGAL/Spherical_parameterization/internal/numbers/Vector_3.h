@@ -17,13 +17,15 @@
 
 #include <CGAL/Spherical_parameterization/internal/numbers/Packed_double.h>
 
+#include <CGAL/number_utils.h>
+
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <cstring>
 
-namespace CGAL {
-namespace Spherical_parameterization {
-namespace internal {
+namespace CGAL::Spherical_parameterization::internal {
 
 // Three numbers without a kernel: everything between reading the mesh and writing the map works on arrays of these.
 template <class FT>
@@ -76,6 +78,17 @@ template <class FT = double>
 Vector_3<FT> normalized(const Vector_3<FT>& a)
 {
   return (1. / length(a)) * a;
+}
+
+// The direction of a point, at distance 1 from the origin, rounded. Powers of two keep squares from overflow and underflow,
+// and change no bit of what needs none.
+template <class Point_3>
+Vector_3d direction_of(const Point_3& p)
+{
+  const Vector_3d x = {CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z())};
+  int exponent;
+  std::frexp((std::max)({std::abs(x[0]), std::abs(x[1]), std::abs(x[2])}), &exponent);
+  return normalized(Vector_3d{std::ldexp(x[0], -exponent), std::ldexp(x[1], -exponent), std::ldexp(x[2], -exponent)});
 }
 
 // Whether x is neither infinite nor NaN. It asks the bits, as a compiler that may assume that all numbers are finite
@@ -151,8 +164,6 @@ private:
 
 using Tangent_frame = Basic_tangent_frame<double>;
 
-} // namespace internal
-} // namespace Spherical_parameterization
-} // namespace CGAL
+} // namespace CGAL::Spherical_parameterization::internal
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_NUMBERS_VECTOR_3_H

@@ -19,7 +19,6 @@
 #include <CGAL/Spherical_parameterization/internal/overlay/crossing_places.h>
 #include <CGAL/Spherical_parameterization/internal/run/parallel.h>
 #include <CGAL/Spherical_parameterization/internal/locate/Sphere_triangulation.h>
-#include <CGAL/Spherical_parameterization/internal/sampling/surface_samples.h>
 #include <CGAL/Spherical_parameterization/internal/numbers/Vector_3.h>
 
 #include <array>
@@ -27,9 +26,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace CGAL {
-namespace Spherical_parameterization {
-namespace internal {
+namespace CGAL::Spherical_parameterization::internal {
 
 // The common refinement of two surfaces, triangulated, with the places of its vertices on both.
 struct Overlay_arrays
@@ -38,14 +35,15 @@ struct Overlay_arrays
   std::vector<std::array<std::uint32_t, 3>> triangles;
   std::vector<std::array<std::uint32_t, 2>> parents; // of the triangles, on each surface
 
-  // Returns false if one of the images is no bijection.
+  // Returns what Sphere_overlay does.
   template <class K>
-  bool assign(const Sphere_triangulation<K>& sphere1, const std::vector<Vector_3d>& points1,
-              const Sphere_triangulation<K>& sphere2, const std::vector<Vector_3d>& points2, const Execution& execution)
+  Error_code assign(const Sphere_triangulation<K>& sphere1, const std::vector<Vector_3d>& points1,
+                    const Sphere_triangulation<K>& sphere2, const std::vector<Vector_3d>& points2,
+                    const Execution& execution)
   {
     Sphere_overlay<K> cells;
-    if(!cells.assign(sphere1, sphere2, execution))
-      return false;
+    if(const Error_code error = cells.assign(sphere1, sphere2, execution))
+      return error;
     const std::size_t n = cells.number_of_vertices(), n1 = points1.size(), n2 = points2.size();
     points[0].resize(n);
     points[1].resize(n);
@@ -89,12 +87,10 @@ struct Overlay_arrays
       }
       begin = cell.end;
     }
-    return true;
+    return OK;
   }
 };
 
-} // namespace internal
-} // namespace Spherical_parameterization
-} // namespace CGAL
+} // namespace CGAL::Spherical_parameterization::internal
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_OVERLAY_OVERLAY_ARRAYS_H

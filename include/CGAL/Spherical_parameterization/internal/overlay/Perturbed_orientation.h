@@ -22,9 +22,7 @@
 #include <array>
 #include <cstddef>
 
-namespace CGAL {
-namespace Spherical_parameterization {
-namespace internal {
+namespace CGAL::Spherical_parameterization::internal {
 
 // The orientation about the origin of points of two meshes of the sphere, of which no mixed triple is degenerate: the
 // points a of the first mesh are replaced by (1 + E) a, where E is a matrix of infinitesimals.
@@ -75,8 +73,6 @@ private:
   Orientation_about_origin_3<K> m_orientation;
 };
 
-} // namespace internal
-} // namespace Spherical_parameterization
-} // namespace CGAL
+} // namespace CGAL::Spherical_parameterization::internal
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_OVERLAY_PERTURBED_ORIENTATION_H

@@ -14,6 +14,7 @@
 
 #include <CGAL/license/Spherical_parameterization.h>
 
+#include <CGAL/Spherical_parameterization/Error_code.h>
 #include <CGAL/Spherical_parameterization/internal/overlay/Perturbed_orientation.h>
 #include <CGAL/Spherical_parameterization/internal/run/parallel.h>
 #include <CGAL/Spherical_parameterization/internal/locate/Sphere_triangulation.h>
@@ -28,9 +29,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Spherical_parameterization {
-namespace internal {
+namespace CGAL::Spherical_parameterization::internal {
 
 // A side of a triangle is numbered 3 t + i if it is opposite to vertex i of triangle t, from vertex i + 1 to vertex
 // i + 2. An edge has the number of its side in the triangle with the smaller number.
@@ -82,9 +81,15 @@ public:
 
   using Crossing = std::array<std::size_t, 2>; // an edge of each triangulation
 
-  // Returns false if the certificate fails: both traces find the same crossings, every cell is one polygon, and V - E + F
-  // = 2. The triangulations have to be bijections, and to live longer.
-  bool assign(const Triangulation& first, const Triangulation& second, const Execution& execution)
+  // Vertices are counted in 32 bits; there may be a lower bound for them.
+  explicit Sphere_overlay(std::size_t max_vertices = (std::numeric_limits<Index>::max)() - 1)
+    : m_max_vertices(max_vertices)
+  {}
+
+  // Returns ERROR_NO_1_TO_1_MAPPING if the certificate fails: both traces find the same crossings, every cell is one polygon,
+  // and V - E + F = 2; ERROR_TOO_LARGE_MESH if there are too many vertices. The triangulations have to be bijections, and to
+  // live longer.
+  Error_code assign(const Triangulation& first, const Triangulation& second, const Execution& execution)
   {
     m_n_first = static_cast<Index>(first.points().size());
     m_n_second = static_cast<Index>(second.points().size());
@@ -99,13 +104,16 @@ public:
     constexpr Index none = Triangulation::none;
     if(std::count(m_places_of_first.begin(), m_places_of_first.end(), none) > 0 ||
        std::count(m_places_of_second.begin(), m_places_of_second.end(), none) > 0)
-      return false;
+      return ERROR_NO_1_TO_1_MAPPING;
     const Traces traces_of_first = trace_edges(first, second, m_places_of_first, of_first, execution),
                  traces_of_second = trace_edges(second, first, m_places_of_second, of_second, execution);
+    if(traces_of_first.crossed.size() + m_n_first + m_n_second > m_max_vertices)
+      return ERROR_TOO_LARGE_MESH;
     std::vector<Index> crossings_of_second; // in the order along the edges of the second triangulation
-    if(!match(traces_of_first, traces_of_second, crossings_of_second))
-      return false;
-    return make_cells(first, second, traces_of_first, traces_of_second, crossings_of_second, execution);
+    const bool is_certified =
+        match(traces_of_first, traces_of_second, crossings_of_second) &&
+        make_cells(first, second, traces_of_first, traces_of_second, crossings_of_second, execution);
+    return is_certified ? OK : ERROR_NO_1_TO_1_MAPPING;
   }
 
   std::size_t number_of_vertices() const { return std::size_t(m_n_first) + m_n_second + m_crossings.size(); }
@@ -218,8 +226,7 @@ private:
   // differ.
   bool match(const Traces& first, const Traces& second, std::vector<Index>& crossings_of_second)
   {
-    if(first.crossed.size() != second.crossed.size() ||
-       first.crossed.size() + m_n_first + m_n_second >= (std::numeric_limits<Index>::max)())
+    if(first.crossed.size() != second.crossed.size())
       return false;
     struct Place
     {
@@ -343,6 +350,7 @@ private:
   }
 
   Perturbed_orientation<K> m_orientation;
+  std::size_t m_max_vertices;
   Index m_n_first = 0, m_n_second = 0;
   std::vector<Index> m_places_of_first, m_places_of_second;
   std::vector<Crossing> m_crossings;
@@ -350,8 +358,6 @@ private:
   std::vector<Index> m_corners;
 };
 
-} // namespace internal
-} // namespace Spherical_parameterization
-} // namespace CGAL
+} // namespace CGAL::Spherical_parameterization::internal
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_OVERLAY_SPHERE_OVERLAY_H

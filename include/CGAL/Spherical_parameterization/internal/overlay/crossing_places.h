@@ -21,9 +21,7 @@
 #include <cmath>
 #include <cstddef>
 
-namespace CGAL {
-namespace Spherical_parameterization {
-namespace internal {
+namespace CGAL::Spherical_parameterization::internal {
 
 template <class Point_3>
 Vector_3d coordinates_of(const Point_3& p)
@@ -72,8 +70,6 @@ inline std::array<double, 2> crossing_places(Vector_3d a1, Vector_3d a2, Vector_
   return {place_on_edge(a1, a2, point_on_edge(b1, b2, t)), t};
 }
 
-} // namespace internal
-} // namespace Spherical_parameterization
-} // namespace CGAL
+} // namespace CGAL::Spherical_parameterization::internal
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_OVERLAY_CROSSING_PLACES_H

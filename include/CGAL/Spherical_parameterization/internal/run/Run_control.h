@@ -20,9 +20,7 @@
 #include <chrono>
 #include <cstddef>
 
-namespace CGAL {
-namespace Spherical_parameterization {
-namespace internal {
+namespace CGAL::Spherical_parameterization::internal {
 
 // What accompanies a run from stage to stage: the caller's visitor, behind an interface, the clock and the report.
 class Run_control
@@ -88,8 +86,37 @@ private:
   Stop_reason m_stop_reason = NOT_RUN;
 };
 
-} // namespace internal
-} // namespace Spherical_parameterization
-} // namespace CGAL
+// The same with the caller's visitor.
+template <class Visitor>
+class Visitor_control : public Run_control
+{
+public:
+  Visitor_control(Visitor& visitor, double max_seconds, Parameterization_report& report)
+    : Run_control(max_seconds, report)
+    , m_visitor(visitor)
+  {}
+
+  void on_initialization_begin(std::size_t number_of_vertices) override
+  {
+    m_visitor.on_initialization_begin(number_of_vertices);
+  }
+  void on_level(std::size_t number_of_vertices) override { m_visitor.on_level(number_of_vertices); }
+  void on_initialization_end() override { m_visitor.on_initialization_end(); }
+  void after_iteration(std::size_t iteration, double energy, double radius) override
+  {
+    m_visitor.after_iteration(iteration, energy, radius);
+  }
+  void on_optimization_end() override { m_visitor.on_optimization_end(); }
+
+private:
+  bool visitor_goes_further(std::size_t iteration, double energy) override
+  {
+    return m_visitor.go_further(iteration, energy);
+  }
+
+  Visitor& m_visitor;
+};
+
+} // namespace CGAL::Spherical_parameterization::internal
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_RUN_RUN_CONTROL_H

@@ -32,9 +32,7 @@
 #include <type_traits>
 #include <vector>
 
-namespace CGAL {
-namespace Spherical_parameterization {
-namespace internal {
+namespace CGAL::Spherical_parameterization::internal {
 
 // How loops are run, in one thread or in several, is a value, so that nothing below the parameterizers is compiled once
 // for each tag. The value holds the functions of the thread pool. So what is compiled without TBB is the same as what
@@ -196,8 +194,6 @@ private:
   std::vector<std::unique_ptr<T>> m_objects;
 };
 
-} // namespace internal
-} // namespace Spherical_parameterization
-} // namespace CGAL
+} // namespace CGAL::Spherical_parameterization::internal
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_RUN_PARALLEL_H

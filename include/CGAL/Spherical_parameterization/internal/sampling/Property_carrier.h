@@ -14,136 +14,228 @@
 
 #include <CGAL/license/Spherical_parameterization.h>
 
-#include <CGAL/Spherical_parameterization/Error_code.h>
 #include <CGAL/Spherical_parameterization/internal/run/parallel.h>
-#include <CGAL/Spherical_parameterization/internal/surface/Mesh_on_sphere.h>
+#include <CGAL/Spherical_parameterization/internal/surface/Surface.h>
 #include <CGAL/Spherical_parameterization/internal/locate/Sphere_triangulation.h>
-#include <CGAL/Spherical_parameterization/internal/sampling/Transfer_mixtures.h>
+#include <CGAL/Spherical_parameterization/internal/sampling/Mixtures.h>
 #include <CGAL/Spherical_parameterization/internal/numbers/Vector_3.h>
 
 #include <CGAL/IO/Color.h>
 #include <CGAL/Kernel_traits.h>
 #include <CGAL/Surface_mesh/Surface_mesh_fwd.h>
+#include <CGAL/number_utils.h>
 
 #include <boost/graph/graph_traits.hpp>
 #include <boost/property_map/property_map.hpp>
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <type_traits>
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Spherical_parameterization {
-namespace internal {
+namespace CGAL::Spherical_parameterization::internal {
 
-// Carries property maps from a mesh to another one, of which the elements are given in the order of the mixtures.
+// How values are carried from the vertices and the faces of one mesh to those of another one by a common sphere; the rules
+// are those that transfer() tells. `K` is a kernel with exact predicates.
+template <class K>
+class Transfer_mixtures
+{
+public:
+  using Point_3 = typename K::Point_3;
+  using Triangulation = Sphere_triangulation<K>;
+  using Place = typename Triangulation::Place;
+
+  // The arguments have to live longer, but for the points. The source has a grid. `source_points` are those of the surface,
+  // for areas; `places` are those of the target's vertices in the source.
+  Transfer_mixtures(const Triangulation& source, std::vector<Vector_3d> source_points, const Triangulation& target,
+                    const std::vector<Place>& places, const Execution& execution)
+    : m_source(source)
+    , m_target(target)
+    , m_places(places)
+    , m_execution(execution)
+    , m_source_places(source.points().size())
+  {
+    normalize(source_points);
+    for(const Linked_triangle& t : source.triangles())
+      m_source_areas.push_back(
+          length(cross(source_points[t[1]] - source_points[t[0]], source_points[t[2]] - source_points[t[0]])));
+    // Each vertex is found by a walk from the place of a neighbour.
+    visit_from_neighbors(source.triangles(), source.points().size(), Triangulation::none,
+                         [&](std::uint32_t v, std::uint32_t w) {
+                           const std::uint32_t start = w == Triangulation::none ? 0 : m_source_places[w].triangle;
+                           m_source_places[v] = target.locate_from(start, source.points()[v]);
+                         });
+  }
+
+  Mixtures vertex_mixtures() const
+  {
+    const std::size_t n = m_target.points().size();
+    std::vector<double> areas(m_source.points().size(), 0.);
+    for(std::size_t t = 0; t < m_source.triangles().size(); ++t)
+      for(const std::uint32_t v : m_source.triangles()[t].vertices)
+        areas[v] += m_source_areas[t];
+    const auto for_each_in_stars = [&](const auto& f) { // calls f(vertex of the target, vertex of the source, weight)
+      for(std::uint32_t s = 0; s < m_source_places.size(); ++s)
+        for(std::size_t i = 0; i < 3; ++i)
+          if(const double weight = areas[s] * CGAL::to_double(m_source_places[s].coordinates[i]); weight > 0.)
+            f(m_target.triangles()[m_source_places[s].triangle][i], s, weight);
+    };
+    std::vector<double> sums(n, 0.); // of the weights for averages; 0 for what is interpolated
+    for_each_in_stars([&](std::uint32_t v, std::uint32_t, double weight) { sums[v] += weight; });
+    constexpr std::size_t block_size = 4096;
+    for_each_block(m_execution, 0, n, block_size, [&](std::size_t begin, std::size_t end) {
+      for(std::size_t v = begin; v < end; ++v)
+        if(sums[v] > 0. && !has_average(v))
+          sums[v] = 0.;
+    });
+    return Mixtures(n, [&](const auto& add) {
+      for(std::size_t v = 0; v < n; ++v)
+        for(std::size_t i = 0; i < 3 && !(sums[v] > 0.); ++i)
+          if(m_places[v].coordinates[i] != 0)
+            add(v, {m_source.triangles()[m_places[v].triangle][i], CGAL::to_double(m_places[v].coordinates[i])});
+      for_each_in_stars([&](std::uint32_t v, std::uint32_t s, double weight) {
+        if(sums[v] > 0.)
+          add(v, {s, weight / sums[v]});
+      });
+    });
+  }
+
+  Mixtures face_mixtures() const
+  {
+    const std::size_t n = m_target.triangles().size();
+    const std::vector<Place> places = m_source.locate(centers_of(m_target), m_execution);
+    const std::vector<Point_3> source_centers = centers_of(m_source);
+    std::vector<std::uint32_t> source_places;
+    std::vector<double> sums(n, 0.); // of the areas for averages; 0 for what gets the value of one face
+    for(std::size_t s = 0; s < source_centers.size(); ++s)
+    {
+      const std::uint32_t start = m_source_places[m_source.triangles()[s][0]].triangle;
+      source_places.push_back(m_target.locate_from(start, source_centers[s]).triangle);
+      sums[source_places[s]] += m_source_areas[s];
+    }
+    for(std::size_t f = 0; f < n; ++f)
+      if(source_places[places[f].triangle] != f)
+        sums[f] = 0.;
+    return Mixtures(n, [&](const auto& add) {
+      for(std::size_t f = 0; f < n; ++f)
+        if(!(sums[f] > 0.))
+          add(f, {places[f].triangle, 1.});
+      for(std::uint32_t s = 0; s < source_places.size(); ++s)
+        if(const std::uint32_t f = source_places[s]; sums[f] > 0. && m_source_areas[s] > 0.)
+          add(f, {s, m_source_areas[s] / sums[f]});
+    });
+  }
+
+  const Execution& execution() const { return m_execution; }
+
+private:
+  // whether all vertices of the source that would be interpolated are inside the star of a vertex of the target
+  bool has_average(std::size_t v) const
+  {
+    for(std::size_t i = 0; i < 3; ++i)
+      if(m_places[v].coordinates[i] != 0)
+      {
+        const Place& place = m_source_places[m_source.triangles()[m_places[v].triangle][i]];
+        const Linked_triangle& t = m_target.triangles()[place.triangle];
+        const std::size_t corner = t.corner_of(static_cast<std::uint32_t>(v));
+        if(t[corner] != v || place.coordinates[corner] == 0)
+          return false;
+      }
+    return true;
+  }
+
+  static std::vector<Point_3> centers_of(const Triangulation& triangulation)
+  {
+    std::vector<Point_3> result;
+    result.reserve(triangulation.triangles().size());
+    for(const Linked_triangle& t : triangulation.triangles())
+    {
+      const Vector_3d center =
+          triangulation.direction(t[0]) + triangulation.direction(t[1]) + triangulation.direction(t[2]);
+      result.emplace_back(center[0], center[1], center[2]);
+    }
+    return result;
+  }
+
+  const Triangulation& m_source;
+  const Triangulation& m_target;
+  const std::vector<Place>& m_places;
+  Execution m_execution;
+  std::vector<Place> m_source_places; // of its vertices, in the target
+  std::vector<double> m_source_areas; // doubled, of the faces
+};
+
+// The elements of a mesh, in the order of its arrays.
+template <class Mesh>
+struct Mesh_elements
+{
+  const std::vector<typename boost::graph_traits<Mesh>::vertex_descriptor>& vertices;
+  const std::vector<typename boost::graph_traits<Mesh>::face_descriptor>& faces;
+};
+
+// Carries property maps from a mesh to another one.
 template <class SourceMesh, class TargetMesh, class K>
 class Property_carrier
 {
 public:
-  template <class Mesh>
-  struct Elements
-  {
-    const std::vector<typename boost::graph_traits<Mesh>::vertex_descriptor>& vertices;
-    const std::vector<typename boost::graph_traits<Mesh>::face_descriptor>& faces;
-  };
-
-  Property_carrier(const Elements<SourceMesh>& source, const Elements<TargetMesh>& target,
-                   const Transfer_mixtures<K>& mixtures, const Execution& execution)
+  Property_carrier(const Mesh_elements<SourceMesh>& source, const Mesh_elements<TargetMesh>& target,
+                   const Transfer_mixtures<K>& mixtures)
     : m_source(source)
     , m_target(target)
     , m_mixtures(mixtures)
-    , m_execution(execution)
   {}
 
   template <class SourceMap, class TargetMap>
   void carry(const SourceMap& source_map, const TargetMap& target_map)
   {
+    using Source = boost::graph_traits<SourceMesh>;
+    using Target = boost::graph_traits<TargetMesh>;
     using Key = typename boost::property_traits<SourceMap>::key_type;
     using Target_key = typename boost::property_traits<TargetMap>::key_type;
-    constexpr bool is_of_faces = std::is_same<Key, typename boost::graph_traits<SourceMesh>::face_descriptor>::value;
-    static_assert(is_of_faces ||
-                      std::is_convertible<typename boost::graph_traits<SourceMesh>::vertex_descriptor, Key>::value,
+    constexpr bool is_of_faces = std::is_same<Key, typename Source::face_descriptor>::value;
+    static_assert(is_of_faces || std::is_convertible<typename Source::vertex_descriptor, Key>::value,
                   "A property map of the source has to be one of its vertices or faces.");
+    using Target_element =
+        std::conditional_t<is_of_faces, typename Target::face_descriptor, typename Target::vertex_descriptor>;
+    static_assert(std::is_convertible<Target_element, Target_key>::value,
+                  "A property of vertices has to be carried to one of the target's vertices, and one of faces to one "
+                  "of its faces.");
     if constexpr(is_of_faces)
     {
-      static_assert(std::is_convertible<typename boost::graph_traits<TargetMesh>::face_descriptor, Target_key>::value,
-                    "A property of faces has to be carried to a property map of the target's faces.");
-      if(!m_face_mixtures)
-        m_face_mixtures = m_mixtures.face_mixtures();
-      carry(*m_face_mixtures, m_source.faces, source_map, m_target.faces, target_map);
+      if(!m_of_faces)
+        m_of_faces = m_mixtures.face_mixtures();
+      mix(*m_of_faces, m_source.faces, source_map, m_target.faces, target_map);
     }
     else
     {
-      static_assert(std::is_convertible<typename boost::graph_traits<TargetMesh>::vertex_descriptor, Target_key>::value,
-                    "A property of vertices has to be carried to a property map of the target's vertices.");
-      if(!m_vertex_mixtures)
-        m_vertex_mixtures = m_mixtures.vertex_mixtures();
-      carry(*m_vertex_mixtures, m_source.vertices, source_map, m_target.vertices, target_map);
+      if(!m_of_vertices)
+        m_of_vertices = m_mixtures.vertex_mixtures();
+      mix(*m_of_vertices, m_source.vertices, source_map, m_target.vertices, target_map);
     }
   }
 
 private:
-  template <class SourceElement, class SourceMap, class TargetElement, class TargetMap>
-  void carry(const Mixtures& mixtures, const std::vector<SourceElement>& source_elements, const SourceMap& source_map,
-             const std::vector<TargetElement>& target_elements, const TargetMap& target_map) const
+  template <class Sources, class SourceMap, class Targets, class TargetMap>
+  void mix(const Mixtures& mixtures, const Sources& sources, const SourceMap& source_map, const Targets& targets,
+           const TargetMap& target_map) const
   {
     using Value = typename boost::property_traits<SourceMap>::value_type;
     using Target_value = typename boost::property_traits<TargetMap>::value_type;
     mixtures.mix<Value>(
-        source_elements.size(), [&](std::size_t i) -> Value { return get(source_map, source_elements[i]); },
-        [&](std::size_t i, const Value& value) {
-          put(target_map, target_elements[i], static_cast<Target_value>(value));
-        },
-        m_execution);
+        sources.size(), [&](std::size_t i) -> Value { return get(source_map, sources[i]); },
+        [&](std::size_t i, const Value& value) { put(target_map, targets[i], static_cast<Target_value>(value)); },
+        m_mixtures.execution());
   }
 
-  Elements<SourceMesh> m_source;
-  Elements<TargetMesh> m_target;
+  Mesh_elements<SourceMesh> m_source;
+  Mesh_elements<TargetMesh> m_target;
   const Transfer_mixtures<K>& m_mixtures;
-  Execution m_execution;
-  std::optional<Mixtures> m_vertex_mixtures, m_face_mixtures; // made when they are needed
+  std::optional<Mixtures> m_of_vertices, m_of_faces; // made when they are needed
 };
-
-// Reads both meshes and calls carry(carrier).
-template <class ConcurrencyTag, class SourceMesh, class SourceSphereMap, class TargetMesh, class TargetSphereMap,
-          class Carry>
-Error_code carry_properties(const SourceMesh& source, const SourceSphereMap& source_sphere, const TargetMesh& target,
-                            const TargetSphereMap& target_sphere, const Carry& carry)
-{
-  using Source = Mesh_on_sphere<SourceMesh, SourceSphereMap>;
-  using Target = Mesh_on_sphere<TargetMesh, TargetSphereMap>;
-  using Exact_kernel = typename Source::Exact_kernel;
-  static_assert(std::is_same<Exact_kernel, typename Target::Exact_kernel>::value,
-                "The coordinates of both maps to the sphere have to be of type double or float, or of the same exact "
-                "number type.");
-
-  const Execution execution = execution_of<ConcurrencyTag>();
-  Source source_arrays;
-  if(const Error_code error = source_arrays.read(source, source_sphere, false, execution))
-    return error;
-  if(const Error_code error = source_arrays.read_points(get(vertex_point, source)))
-    return error;
-  Target target_arrays;
-  if(const Error_code error = target_arrays.read(target, target_sphere, false, execution))
-    return error;
-  Sphere_triangulation<Exact_kernel> source_triangulation, target_triangulation;
-  source_triangulation.assign(std::move(source_arrays.images), std::move(source_arrays.triangles));
-  target_triangulation.assign(std::move(target_arrays.images), std::move(target_arrays.triangles));
-  source_triangulation.make_grid();
-  const auto places = source_triangulation.locate(target_triangulation.points(), execution);
-  const Transfer_mixtures<Exact_kernel> mixtures(source_triangulation, source_arrays.points, target_triangulation,
-                                                 places, execution);
-  Property_carrier<SourceMesh, TargetMesh, Exact_kernel> carrier(
-      {source_arrays.vertices_of_mesh, source_arrays.faces_of_mesh},
-      {target_arrays.vertices_of_mesh, target_arrays.faces_of_mesh}, mixtures, execution);
-  carry(carrier);
-  return OK;
-}
 
 // what Surface_mesh::property_map() returns, which is a pair up to CGAL 5
 template <class Map>
@@ -212,8 +304,6 @@ void carry_all_properties(Carrier& carrier, const Surface_mesh<SourcePoint>& sou
                                                          target_sphere);
 }
 
-} // namespace internal
-} // namespace Spherical_parameterization
-} // namespace CGAL
+} // namespace CGAL::Spherical_parameterization::internal
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_SAMPLING_PROPERTY_CARRIER_H

@@ -26,9 +26,9 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Spherical_parameterization {
-namespace internal {
+namespace CGAL::Spherical_parameterization::internal {
+
+constexpr std::uint32_t max_subdivision = 5000; // of which an icosahedron has 250 million vertices
 
 // A solid whose edges are divided into n, projected to the sphere. A vertex is the sum of the corners of its face, each
 // with a weight for how many of the parts it is away from the others: on an edge from a to b, it is weights[n - i] a +
@@ -60,6 +60,8 @@ public:
 
   std::vector<Vector_3d> directions; // of length 1
   std::vector<Triangle> triangles;   // counterclockwise as seen from outside
+  std::vector<Index> rows; // the vertices of each face, with those on its edges; row j is j parts from the edge
+                           // from its first to its second corner, and each starts at the edge to the last one
 
 private:
   struct Edge
@@ -91,50 +93,33 @@ private:
     return edge->first + (a < b ? i : m_n - i) - 1;
   }
 
-  void subdivide(const std::array<Index, 3>& face)
+  void subdivide(const Face& face)
   {
-    const auto [a, b, c] = face;
+    constexpr bool is_square = k == 4;
+    const Index a = face[0], b = face[1], c = face[2], last_corner = face[k - 1];
+    const auto between = [&](Index begin, Index end, Index i, Index n) { // of n parts
+      return m_weights[n - i] * m_corners[begin] + m_weights[i] * m_corners[end];
+    };
     std::vector<Index> last, row;
     for(Index j = 0; j <= m_n; ++j)
     {
-      const Index length = m_n - j;
+      const Index length = is_square ? m_n : m_n - j;
       row.clear();
       for(Index i = 0; i <= length; ++i)
-        row.push_back(j == 0        ? vertex_on_edge(a, b, i)
-                      : i == 0      ? vertex_on_edge(a, c, j)
-                      : i == length ? vertex_on_edge(b, c, j)
-                                    : add(m_weights[length - i] * m_corners[a] + m_weights[i] * m_corners[b] +
-                                          m_weights[j] * m_corners[c]));
-      for(Index i = 0; j > 0 && i <= length; ++i)
+        row.push_back(j == 0                  ? vertex_on_edge(a, b, i)
+                      : i == 0                ? vertex_on_edge(a, last_corner, j)
+                      : i == length           ? vertex_on_edge(b, c, j)
+                      : is_square && j == m_n ? vertex_on_edge(last_corner, c, i)
+                      : is_square             ? add(m_weights[m_n - j] * between(a, b, i, m_n) +
+                                                    m_weights[j] * between(last_corner, c, i, m_n))
+                                              : add(between(a, b, i, length) + m_weights[j] * m_corners[c]));
+      for(Index i = 0; j > 0 && i < last.size() - 1; ++i)
       {
-        triangles.push_back({last[i], last[i + 1], row[i]});
+        triangles.push_back({last[i], last[i + 1], row[is_square ? i + 1 : i]});
         if(i < length)
-          triangles.push_back({last[i + 1], row[i + 1], row[i]});
+          triangles.push_back({is_square ? last[i] : last[i + 1], row[i + 1], row[i]});
       }
-      last.swap(row);
-    }
-  }
-
-  void subdivide(const std::array<Index, 4>& face)
-  {
-    const auto [a, b, c, d] = face;
-    std::vector<Index> last, row;
-    for(Index j = 0; j <= m_n; ++j)
-    {
-      row.clear();
-      for(Index i = 0; i <= m_n; ++i)
-        row.push_back(j == 0     ? vertex_on_edge(a, b, i)
-                      : j == m_n ? vertex_on_edge(d, c, i)
-                      : i == 0   ? vertex_on_edge(a, d, j)
-                      : i == m_n
-                          ? vertex_on_edge(b, c, j)
-                          : add(m_weights[m_n - j] * (m_weights[m_n - i] * m_corners[a] + m_weights[i] * m_corners[b]) +
-                                m_weights[j] * (m_weights[m_n - i] * m_corners[d] + m_weights[i] * m_corners[c])));
-      for(Index i = 0; j > 0 && i < m_n; ++i)
-      {
-        triangles.push_back({last[i], last[i + 1], row[i + 1]});
-        triangles.push_back({last[i], row[i + 1], row[i]});
-      }
+      rows.insert(rows.end(), row.begin(), row.end());
       last.swap(row);
     }
   }
@@ -154,16 +139,15 @@ inline std::vector<double> weights_of_equal_arcs(double angle_of_edge, std::uint
   return weights;
 }
 
-inline Subdivided_solid<3> subdivided_octahedron(const std::vector<double>& weights)
-{
-  const std::vector<Vector_3d> corners = {{1., 0., 0.},  {0., 1., 0.},  {0., 0., 1.},
-                                          {-1., 0., 0.}, {0., -1., 0.}, {0., 0., -1.}};
-  return {corners, {{0, 1, 2}, {1, 3, 2}, {3, 4, 2}, {4, 0, 2}, {1, 0, 5}, {3, 1, 5}, {4, 3, 5}, {0, 4, 5}}, weights};
-}
+// The corner k is on the axis k % 3, on its negative side from 3 on.
+constexpr std::array<std::array<std::uint32_t, 3>, 8> octahedron_faces = {
+    {{0, 1, 2}, {1, 3, 2}, {3, 4, 2}, {4, 0, 2}, {1, 0, 5}, {3, 1, 5}, {4, 3, 5}, {0, 4, 5}}};
 
 inline Subdivided_solid<3> subdivided_octahedron(std::uint32_t n)
 {
-  return subdivided_octahedron(weights_of_equal_arcs(CGAL_PI / 2., n));
+  const std::vector<Vector_3d> corners = {{1., 0., 0.},  {0., 1., 0.},  {0., 0., 1.},
+                                          {-1., 0., 0.}, {0., -1., 0.}, {0., 0., -1.}};
+  return {corners, {octahedron_faces.begin(), octahedron_faces.end()}, weights_of_equal_arcs(CGAL_PI / 2., n)};
 }
 
 inline Subdivided_solid<3> subdivided_icosahedron(std::uint32_t n)
@@ -192,26 +176,19 @@ inline Subdivided_solid<3> subdivided_icosahedron(std::uint32_t n)
 constexpr std::array<std::array<std::uint32_t, 4>, 6> cube_faces = {
     {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}}};
 
-inline Subdivided_solid<4> subdivided_cube(const std::vector<double>& weights)
+// On the faces of a cube, lines that are equally spaced in the angle about the axes give the most even squares.
+inline Subdivided_solid<4> subdivided_cube(std::uint32_t n)
 {
   std::vector<Vector_3d> corners;
   for(int i = 0; i < 8; ++i)
     corners.push_back({i & 1 ? 1. : -1., i & 2 ? 1. : -1., i & 4 ? 1. : -1.});
-  return {corners, {cube_faces.begin(), cube_faces.end()}, weights};
-}
-
-// On the faces of a cube, lines that are equally spaced in the angle about the axes give the most even squares.
-inline Subdivided_solid<4> subdivided_cube(std::uint32_t n)
-{
   std::vector<double> weights;
   for(std::uint32_t i = 0; i <= n; ++i)
     weights.push_back(1. + std::tan(CGAL_PI / 4. * (2. * i / n - 1.)));
   weights.front() = 0.;
-  return subdivided_cube(weights);
+  return {corners, {cube_faces.begin(), cube_faces.end()}, weights};
 }
 
-} // namespace internal
-} // namespace Spherical_parameterization
-} // namespace CGAL
+} // namespace CGAL::Spherical_parameterization::internal
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_SAMPLING_SUBDIVIDED_SOLID_H

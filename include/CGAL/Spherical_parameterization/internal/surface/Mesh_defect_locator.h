@@ -16,7 +16,6 @@
 #include <CGAL/license/Spherical_parameterization.h>
 
 #include <CGAL/Spherical_parameterization/Error_code.h>
-#include <CGAL/Spherical_parameterization/Mesh_defect.h>
 #include <CGAL/Spherical_parameterization/internal/numbers/Vector_3.h>
 
 #include <CGAL/Dynamic_property_map.h>
@@ -33,13 +32,11 @@
 #include <string>
 #include <vector>
 
-namespace CGAL {
-namespace Spherical_parameterization {
-namespace internal {
+namespace CGAL::Spherical_parameterization::internal {
 
 // Finds where a mesh has the defect that read_mesh() has found, and says so. Nothing here is on the way of a mesh that
-// is in order; read_mesh() alone decides what a defect is.
-template <class TriangleMesh>
+// is in order; read_mesh() alone decides what a defect is. `Defect` is Mesh_defect<TriangleMesh>.
+template <class Defect, class TriangleMesh>
 class Mesh_defect_locator
 {
 public:
@@ -48,9 +45,9 @@ public:
   {}
 
   template <class VertexPointMap>
-  Mesh_defect<TriangleMesh> locate(Error_code error, const VertexPointMap& vpm)
+  Defect locate(Error_code error, const VertexPointMap& vpm)
   {
-    m_defect = Mesh_defect<TriangleMesh>();
+    m_defect = Defect();
     m_defect.error = error;
     switch(error)
     {
@@ -302,9 +299,9 @@ private:
     m_defect.other_vertex = target(halfedge(firsts[1], m_mesh), m_mesh);
     say("the mesh consists of " + std::to_string(sizes.size()) + " parts: " + name(firsts[0]) + " belongs to one of " +
             std::to_string(sizes[0]) + " faces, " + name(firsts[1]) + " to another one of " + std::to_string(sizes[1]),
-        "Map each of them on its own, for example after "
-        "CGAL::Polygon_mesh_processing::split_connected_components(), or keep the largest, with "
-        "keep_largest_connected_components().");
+        "Map each of them on its own, for example after CGAL::Polygon_mesh_processing::split_connected_components(), "
+        "or "
+        "keep the largest, with keep_largest_connected_components().");
   }
 
   void measure_genus()
@@ -320,11 +317,9 @@ private:
   }
 
   const TriangleMesh& m_mesh;
-  Mesh_defect<TriangleMesh> m_defect;
+  Defect m_defect;
 };
 
-} // namespace internal
-} // namespace Spherical_parameterization
-} // namespace CGAL
+} // namespace CGAL::Spherical_parameterization::internal
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_SURFACE_MESH_DEFECT_LOCATOR_H

@@ -20,9 +20,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace CGAL {
-namespace Spherical_parameterization {
-namespace internal {
+namespace CGAL::Spherical_parameterization::internal {
 
 // How flat and how small the shape of a face may be that a Rest_triangle asks for. A flatter one would ask for
 // derivatives beyond all measure and freeze its neighbours; it is given the minimum height instead. One without size
@@ -121,8 +119,6 @@ private:
   }
 };
 
-} // namespace internal
-} // namespace Spherical_parameterization
-} // namespace CGAL
+} // namespace CGAL::Spherical_parameterization::internal
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_SURFACE_REST_TRIANGLE_H

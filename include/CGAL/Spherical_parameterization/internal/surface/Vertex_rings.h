@@ -15,14 +15,15 @@
 
 #include <CGAL/license/Spherical_parameterization.h>
 
+#include <CGAL/Spherical_parameterization/internal/surface/Linked_triangle.h>
+
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Spherical_parameterization {
-namespace internal {
+namespace CGAL::Spherical_parameterization::internal {
 
 // The connectivity of a closed triangle mesh: for each vertex its neighbours in counterclockwise order, as compressed
 // sparse rows. The faces of vertex v are (v, ring[j], ring[j + 1]), the last one closing with ring[0].
@@ -95,8 +96,39 @@ private:
   std::vector<std::uint32_t> m_neighbors;
 };
 
-} // namespace internal
-} // namespace Spherical_parameterization
-} // namespace CGAL
+// Builds the rings of the n vertices. Fails if a vertex has no triangle or meets another one twice, if its triangles
+// form more than one fan, or if they leave a gap.
+inline bool build_rings(const std::vector<Linked_triangle>& linked, std::size_t n, Vertex_rings& rings)
+{
+  constexpr std::uint32_t none = (std::numeric_limits<std::uint32_t>::max)();
+  std::vector<std::uint32_t> first(n, none), degrees(n, 0); // a triangle of each vertex, and how many it has
+  for(std::uint32_t t = 0; t < linked.size(); ++t)
+    for(const std::uint32_t v : linked[t].vertices)
+    {
+      first[v] = degrees[v] == 0 ? t : first[v];
+      ++degrees[v];
+    }
+  rings.reserve(n, 3 * linked.size());
+  for(std::uint32_t v = 0; v < n; ++v)
+  {
+    std::uint32_t t = first[v];
+    if(t == none)
+      return false;
+    for(std::uint32_t k = 0; k < degrees[v]; ++k)
+    {
+      if(k > 0 && t == first[v])
+        return false;
+      const std::size_t i = linked[t].corner_of(v), next = i < 2 ? i + 1 : 0;
+      rings.push_neighbor(linked[t][next]);
+      t = linked[t].neighbors[next];
+    }
+    if(t != first[v])
+      return false;
+    rings.end_ring();
+  }
+  return true;
+}
+
+} // namespace CGAL::Spherical_parameterization::internal
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_SURFACE_VERTEX_RINGS_H

@@ -16,9 +16,10 @@
 #include <CGAL/license/Spherical_parameterization.h>
 
 #include <CGAL/Spherical_parameterization/Error_code.h>
-#include <CGAL/Spherical_parameterization/Parameterization_report.h>
-#include <CGAL/Spherical_parameterization/internal/surface/Indexed_mesh.h>
+#include <CGAL/Spherical_parameterization/internal/numbers/Vector_3.h>
+#include <CGAL/Spherical_parameterization/internal/surface/Surface.h>
 
+#include <CGAL/Dynamic_property_map.h>
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/iterator.h>
 #include <CGAL/boost/graph/properties.h>
@@ -26,71 +27,101 @@
 
 #include <boost/graph/graph_traits.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Spherical_parameterization {
-namespace internal {
+namespace CGAL::Spherical_parameterization::internal {
 
-// Checks the caller's mesh and copies it: the first of the two places that touch it. `vertices_of_mesh` gets the
-// vertices in the order of their original numbers, the report the counts.
-template <class TriangleMesh, class VertexPointMap>
-Error_code read_mesh(const TriangleMesh& tmesh, const VertexPointMap& vpm, Indexed_mesh& mesh,
-                     std::vector<typename boost::graph_traits<TriangleMesh>::vertex_descriptor>& vertices_of_mesh,
-                     Parameterization_report& report)
+// A caller's mesh as flat arrays: its vertices but for those without a face, and its faces as triples of their numbers, both
+// in the order of the mesh. This is the one place that reads a mesh; what its vertices have, the functions below read.
+template <class TriangleMesh>
+struct Mesh_arrays
 {
-  using Index = std::uint32_t;
+  std::vector<typename boost::graph_traits<TriangleMesh>::vertex_descriptor> vertices_of_mesh;
+  std::vector<std::array<std::uint32_t, 3>> triangles;
+  std::size_t number_of_isolated_vertices = 0;
 
-  // Corners are counted in 32 bits, with padding between the stars; see Star_packets.
-  if(num_halfedges(tmesh) >= (std::numeric_limits<Index>::max)() / 2)
-    return ERROR_TOO_LARGE_MESH;
-  for(const auto f : faces(tmesh))
-    if(!is_triangle(halfedge(f, tmesh), tmesh))
-      return ERROR_NON_TRIANGULAR_MESH;
-  if(faces(tmesh).begin() == faces(tmesh).end())
-    return ERROR_EMPTY_MESH;
-  for(const auto h : halfedges(tmesh))
-    if(is_border(h, tmesh))
-      return ERROR_NON_CLOSED_MESH;
-
-  const auto index = get(CGAL::dynamic_vertex_property_t<Index>(), tmesh);
-  std::vector<Vector_3d> points;
-  points.reserve(num_vertices(tmesh));
-  vertices_of_mesh.reserve(num_vertices(tmesh));
-  for(const auto v : vertices(tmesh))
+  // Reads a mesh of triangles, which may have a border if that is said.
+  Error_code read(const TriangleMesh& tmesh, bool may_have_border = false)
   {
-    if(halfedge(v, tmesh) == boost::graph_traits<TriangleMesh>::null_halfedge())
+    // Corners are counted in 32 bits, with padding between the stars; see Star_packets.
+    if(num_halfedges(tmesh) >= (std::numeric_limits<std::uint32_t>::max)() / 2)
+      return ERROR_TOO_LARGE_MESH;
+    for(const auto f : faces(tmesh))
+      if(!is_triangle(halfedge(f, tmesh), tmesh))
+        return ERROR_NON_TRIANGULAR_MESH;
+    if(faces(tmesh).begin() == faces(tmesh).end())
+      return ERROR_EMPTY_MESH;
+    if(!may_have_border)
+      for(const auto h : halfedges(tmesh))
+        if(is_border(h, tmesh))
+          return ERROR_NON_CLOSED_MESH;
+
+    const auto index = get(CGAL::dynamic_vertex_property_t<std::uint32_t>(), tmesh);
+    vertices_of_mesh.reserve(num_vertices(tmesh));
+    for(const auto v : vertices(tmesh))
+      if(halfedge(v, tmesh) == boost::graph_traits<TriangleMesh>::null_halfedge())
+        ++number_of_isolated_vertices;
+      else
+      {
+        put(index, v, static_cast<std::uint32_t>(vertices_of_mesh.size()));
+        vertices_of_mesh.push_back(v);
+      }
+    triangles.reserve(num_faces(tmesh));
+    for(const auto f : faces(tmesh))
     {
-      ++report.number_of_isolated_vertices;
-      continue;
+      const auto h = halfedge(f, tmesh);
+      triangles.push_back(
+          {get(index, source(h, tmesh)), get(index, target(h, tmesh)), get(index, target(next(h, tmesh), tmesh))});
     }
-    put(index, v, static_cast<Index>(points.size()));
-    vertices_of_mesh.push_back(v);
-    const auto& p = get(vpm, v);
-    points.push_back({CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z())});
+    return OK;
   }
-  std::vector<std::array<Index, 3>> triangles;
-  triangles.reserve(num_faces(tmesh));
-  for(const auto f : faces(tmesh))
-  {
-    const auto h = halfedge(f, tmesh);
-    triangles.push_back(
-        {get(index, source(h, tmesh)), get(index, target(h, tmesh)), get(index, target(next(h, tmesh), tmesh))});
-  }
-  const Error_code error = mesh.assign(std::move(points), triangles);
-  report.number_of_vertices = mesh.number_of_vertices();
-  report.number_of_faces = triangles.size();
-  report.number_of_flat_faces = mesh.number_of_flat_faces();
-  return error;
+};
+
+// What vertices have, as f(value) makes it from the values of a property map.
+template <class Vertices, class Map, class Function>
+auto read_values(const Vertices& vertices, const Map& map, const Function& f)
+{
+  std::vector<std::decay_t<decltype(f(get(map, vertices[0])))>> result;
+  result.reserve(vertices.size());
+  for(const auto v : vertices)
+    result.push_back(f(get(map, v)));
+  return result;
 }
 
-} // namespace internal
-} // namespace Spherical_parameterization
-} // namespace CGAL
+// The same of points, rounded.
+template <class Vertices, class VertexPointMap>
+std::vector<Vector_3d> read_points(const Vertices& vertices, const VertexPointMap& vpm)
+{
+  return read_values(vertices, vpm, [](const auto& p) {
+    return Vector_3d{CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z())};
+  });
+}
+
+inline bool are_finite(const std::vector<Vector_3d>& points)
+{
+  return std::all_of(points.begin(), points.end(), [](const Vector_3d& p) { return is_finite(p); });
+}
+
+// Reads a mesh and its points as the surface that a method works on.
+template <class TriangleMesh, class VertexPointMap>
+Error_code read_surface(const TriangleMesh& tmesh, const VertexPointMap& vpm, Mesh_arrays<TriangleMesh>& arrays,
+                        Surface& surface)
+{
+  if(const Error_code error = arrays.read(tmesh))
+    return error;
+  std::vector<Vector_3d> points = read_points(arrays.vertices_of_mesh, vpm);
+  if(!are_finite(points))
+    return ERROR_NON_FINITE_COORDINATE;
+  return surface.assign(std::move(points), arrays.triangles);
+}
+
+} // namespace CGAL::Spherical_parameterization::internal
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_SURFACE_READ_MESH_H

@@ -8,13 +8,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Author(s)     : The Spherical_parameterization authors
+//
 
-#ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_SURFACE_LINK_TRIANGLES_H
-#define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_SURFACE_LINK_TRIANGLES_H
+#ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_SURFACE_LINKED_TRIANGLE_H
+#define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_SURFACE_LINKED_TRIANGLE_H
 
 #include <CGAL/license/Spherical_parameterization.h>
-
-#include <CGAL/Spherical_parameterization/internal/locate/Sphere_triangulation.h>
 
 #include <array>
 #include <cstddef>
@@ -23,13 +22,30 @@
 #include <memory>
 #include <vector>
 
-namespace CGAL {
-namespace Spherical_parameterization {
-namespace internal {
+namespace CGAL::Spherical_parameterization::internal {
+
+// A triangle of a closed mesh: the neighbour i is across the edge that is opposite to vertex i.
+struct Linked_triangle
+{
+  std::array<std::uint32_t, 3> vertices, neighbors;
+
+  std::uint32_t operator[](std::size_t i) const { return vertices[i]; }
+
+  // which corner has this vertex, or is opposite to this neighbour; the last one if none of the others
+  std::size_t corner_of(std::uint32_t vertex) const
+  {
+    return vertices[0] == vertex ? 0 : vertices[1] == vertex ? 1 : 2;
+  }
+  std::size_t side_of(std::uint32_t triangle) const
+  {
+    return neighbors[0] == triangle ? 0 : neighbors[1] == triangle ? 1 : 2;
+  }
+};
 
 // Finds the neighbours of the triangles of a closed mesh with n vertices, in linear time: each edge is looked for at its
 // end with fewer triangles, and there are less than three edges for each vertex of a triangulated sphere, in all of its
-// parts as well. Returns nothing unless each edge has two triangles, in opposite directions.
+// parts as well. Returns nothing unless each edge has two triangles, in opposite directions, and no other edge has both of
+// its ends.
 inline std::vector<Linked_triangle> link_triangles(const std::vector<std::array<std::uint32_t, 3>>& triangles,
                                                    std::size_t n)
 {
@@ -91,8 +107,39 @@ inline std::vector<Linked_triangle> link_triangles(const std::vector<std::array<
   return result;
 }
 
-} // namespace internal
-} // namespace Spherical_parameterization
-} // namespace CGAL
+// Calls visit(v, w) for each vertex of a closed connected mesh with n vertices, where w is a vertex next to v that has been
+// visited before, and `none` for the first one: so that what is known of w helps with v.
+template <class Visit>
+void visit_from_neighbors(const std::vector<Linked_triangle>& triangles, std::size_t n, std::uint32_t none,
+                          const Visit& visit)
+{
+  std::vector<bool> is_reached(triangles.size(), false), is_visited(n, false);
+  std::vector<std::uint32_t> stack = {0};
+  is_reached[0] = true;
+  std::uint32_t visited = none;
+  while(!stack.empty())
+  {
+    const Linked_triangle& t = triangles[stack.back()];
+    stack.pop_back();
+    for(const std::uint32_t v : t.vertices)
+      if(is_visited[v])
+        visited = v;
+    for(const std::uint32_t v : t.vertices)
+      if(!is_visited[v])
+      {
+        visit(v, visited);
+        is_visited[v] = true;
+        visited = v;
+      }
+    for(const std::uint32_t neighbor : t.neighbors)
+      if(!is_reached[neighbor])
+      {
+        is_reached[neighbor] = true;
+        stack.push_back(neighbor);
+      }
+  }
+}
 
-#endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_SURFACE_LINK_TRIANGLES_H
+} // namespace CGAL::Spherical_parameterization::internal
+
+#endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_SURFACE_LINKED_TRIANGLE_H

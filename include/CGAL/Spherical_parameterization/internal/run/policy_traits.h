@@ -10,17 +10,15 @@
 // Author(s)     : The Spherical_parameterization authors
 //
 
-#ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_POLICY_TRAITS_H
-#define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_POLICY_TRAITS_H
+#ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_RUN_POLICY_TRAITS_H
+#define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_RUN_POLICY_TRAITS_H
 
 #include <CGAL/license/Spherical_parameterization.h>
 
 #include <type_traits>
 #include <utility>
 
-namespace CGAL {
-namespace Spherical_parameterization {
-namespace internal {
+namespace CGAL::Spherical_parameterization::internal {
 
 // The members that a model of a concept need not have, and what their absence means.
 
@@ -60,8 +58,26 @@ bool next_phase(Policy& policy)
     return false;
 }
 
-} // namespace internal
-} // namespace Spherical_parameterization
-} // namespace CGAL
+// How much the faces of a surface count in the sums of an energy, as it may say by static members.
 
-#endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_POLICY_TRAITS_H
+template <class Energy, class = void>
+struct Weighs_faces_by_area : std::false_type
+{};
+
+// whether faces count by their areas on the surface; if an energy does not say so, each counts the same
+template <class Energy>
+struct Weighs_faces_by_area<Energy, std::enable_if_t<Energy::weighs_faces_by_area>> : std::true_type
+{};
+
+template <class Energy, class = void>
+struct Follows_curvature : std::false_type
+{};
+
+// whether the faces are given larger areas where the surface is curved; if an energy does not say so, they have their own
+template <class Energy>
+struct Follows_curvature<Energy, std::enable_if_t<Energy::follows_curvature>> : std::true_type
+{};
+
+} // namespace CGAL::Spherical_parameterization::internal
+
+#endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_RUN_POLICY_TRAITS_H

@@ -9,59 +9,50 @@
 //
 // Author(s)     : The Spherical_parameterization authors
 
-#ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_ALIGN_SPHERE_IMAGE_H
-#define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_ALIGN_SPHERE_IMAGE_H
+#ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_LOCATE_SPHERE_IMAGE_H
+#define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_LOCATE_SPHERE_IMAGE_H
 
 #include <CGAL/license/Spherical_parameterization.h>
 
-#include <CGAL/Spherical_parameterization/internal/align/Sphere_grid.h>
 #include <CGAL/Spherical_parameterization/internal/run/parallel.h>
 #include <CGAL/Spherical_parameterization/internal/locate/Cube_place.h>
+#include <CGAL/Spherical_parameterization/internal/locate/Sphere_triangulation.h>
 #include <CGAL/Spherical_parameterization/internal/numbers/Vector_3.h>
 
 #include <array>
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Spherical_parameterization {
-namespace internal {
+namespace CGAL::Spherical_parameterization::internal {
 
-// Values on the sphere, some for each direction, on the faces of a cube: fast to look up.
-class Cube_raster
-{
-public:
-  static constexpr std::size_t size = 48; // of the edges of the cube, in steps
-
-  // The steps on all faces with the places in a grid that they have.
-  Cube_raster(const Sphere_grid& grid, const Execution& execution)
-  {
-    std::vector<Sphere_grid::Kernel::Point_3> nodes;
-    Cube_place::for_each_node(size, [&](std::size_t side, double u, double v) {
-      const Vector_3d p = Cube_place::point(side, u, v);
-      nodes.emplace_back(p[0], p[1], p[2]);
-    });
-    m_places = grid.triangulation().locate(nodes, execution);
-  }
-
-  const std::vector<Sphere_grid::Triangulation::Place>& places() const { return m_places; }
-
-private:
-  std::vector<Sphere_grid::Triangulation::Place> m_places;
-};
-
-// An image with several values for each direction, made of those at the vertices of a grid.
+// An image on the sphere with several values for each direction, on the faces of a cube: fast to look up.
 class Sphere_image
 {
 public:
-  Sphere_image(const Sphere_grid& grid, const Cube_raster& raster, const std::vector<std::vector<double>>& channels)
-    : m_n_channels(channels.size())
-    , m_values(raster.places().size() * channels.size())
+  // Where the nodes of the cube are in a triangulation of the sphere, which has a grid.
+  template <class K>
+  static std::vector<typename Sphere_triangulation<K>::Place> places_of_nodes(const Sphere_triangulation<K>& sphere,
+                                                                              const Execution& execution)
   {
-    for(std::size_t i = 0; i < raster.places().size(); ++i)
+    std::vector<typename K::Point_3> nodes;
+    Cube_place::for_each_node(n_steps, [&](std::size_t side, double u, double v) {
+      const Vector_3d p = Cube_place::point(side, u, v);
+      nodes.emplace_back(p[0], p[1], p[2]);
+    });
+    return sphere.locate(nodes, execution);
+  }
+
+  // Interpolates channels that have a value for each vertex of that triangulation.
+  template <class Place>
+  Sphere_image(const std::vector<Place>& places_of_nodes, const std::vector<Linked_triangle>& triangles,
+               const std::vector<std::vector<double>>& channels)
+    : m_n_channels(channels.size())
+    , m_values(places_of_nodes.size() * channels.size())
+  {
+    for(std::size_t i = 0; i < places_of_nodes.size(); ++i)
     {
-      const auto& place = raster.places()[i];
-      const Linked_triangle& t = grid.triangles()[place.triangle];
+      const Place& place = places_of_nodes[i];
+      const Linked_triangle& t = triangles[place.triangle];
       for(std::size_t k = 0; k < m_n_channels; ++k)
         m_values[i * m_n_channels + k] = place.coordinates[0] * channels[k][t[0]] +
                                          place.coordinates[1] * channels[k][t[1]] +
@@ -72,7 +63,7 @@ public:
   std::size_t number_of_channels() const { return m_n_channels; }
 
   // the values at the node that is nearest to a direction, in the side of the cube that it leads to
-  const double* nearest(const Vector_3d& p) const { return at_node(Cube_place(p, Cube_raster::size).nearest_node()); }
+  const double* nearest(const Vector_3d& p) const { return at_node(Cube_place(p, n_steps).nearest_node()); }
 
   void interpolate(const Vector_3d& p, double* result) const
   {
@@ -121,13 +112,16 @@ public:
   }
 
 private:
+  // along an edge of the cube: 1.9 degrees at most, half as far as the vertices of a Sphere_grid are from each other
+  static constexpr std::size_t n_steps = 48;
+
   const double* at_node(std::size_t node) const { return &m_values[node * m_n_channels]; }
 
   // The values around a direction.
   struct Square
   {
     Square(const Sphere_image& image, const Vector_3d& p)
-      : place(p, Cube_raster::size)
+      : place(p, n_steps)
     {
       const auto nodes = place.nodes();
       for(std::size_t i = 0; i < 4; ++i)
@@ -147,8 +141,6 @@ private:
   std::vector<double> m_values;
 };
 
-} // namespace internal
-} // namespace Spherical_parameterization
-} // namespace CGAL
+} // namespace CGAL::Spherical_parameterization::internal
 
-#endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_ALIGN_SPHERE_IMAGE_H
+#endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_LOCATE_SPHERE_IMAGE_H

@@ -9,8 +9,8 @@
 //
 // Author(s)     : The Spherical_parameterization authors
 
-#ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_SAMPLING_OCTAHEDRAL_GRID_H
-#define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_SAMPLING_OCTAHEDRAL_GRID_H
+#ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_LOCATE_OCTAHEDRAL_GRID_H
+#define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_LOCATE_OCTAHEDRAL_GRID_H
 
 #include <CGAL/license/Spherical_parameterization.h>
 
@@ -22,9 +22,7 @@
 #include <cstddef>
 #include <cstdint>
 
-namespace CGAL {
-namespace Spherical_parameterization {
-namespace internal {
+namespace CGAL::Spherical_parameterization::internal {
 
 // A grid of n x n cells over the directions: the octahedron |x| + |y| + |z| = 1 with its lower half unfolded, which is
 // a square. The areas of cells on the sphere differ by a factor of about 5.
@@ -102,8 +100,6 @@ private:
   std::uint32_t m_n;
 };
 
-} // namespace internal
-} // namespace Spherical_parameterization
-} // namespace CGAL
+} // namespace CGAL::Spherical_parameterization::internal
 
-#endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_SAMPLING_OCTAHEDRAL_GRID_H
+#endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_LOCATE_OCTAHEDRAL_GRID_H

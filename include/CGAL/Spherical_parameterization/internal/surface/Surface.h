@@ -10,12 +10,13 @@
 // Author(s)     : The Spherical_parameterization authors
 //
 
-#ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_SURFACE_INDEXED_MESH_H
-#define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_SURFACE_INDEXED_MESH_H
+#ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_SURFACE_SURFACE_H
+#define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_SURFACE_SURFACE_H
 
 #include <CGAL/license/Spherical_parameterization.h>
 
 #include <CGAL/Spherical_parameterization/Error_code.h>
+#include <CGAL/Spherical_parameterization/internal/surface/Linked_triangle.h>
 #include <CGAL/Spherical_parameterization/internal/surface/Rest_triangle.h>
 #include <CGAL/Spherical_parameterization/internal/surface/Vertex_rings.h>
 #include <CGAL/Spherical_parameterization/internal/numbers/Vector_3.h>
@@ -27,44 +28,60 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <cstdlib>
 #include <limits>
+#include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Spherical_parameterization {
-namespace internal {
+namespace CGAL::Spherical_parameterization::internal {
+
+// Moves points around the origin and scales them to a size of about 1 by a power of two, which is exact; returns its
+// exponent. Products of coordinates neither overflow nor underflow then.
+inline int normalize(std::vector<Vector_3d>& points)
+{
+  Vector_3d low = {0., 0., 0.}, high = {0., 0., 0.};
+  if(!points.empty())
+    low = high = points[0];
+  for(const Vector_3d& p : points)
+    for(std::size_t i = 0; i < 3; ++i)
+    {
+      low[i] = (std::min)(low[i], p[i]);
+      high[i] = (std::max)(high[i], p[i]);
+    }
+  double extent = 0.;
+  for(std::size_t i = 0; i < 3; ++i)
+    extent = (std::max)(extent, 0.5 * high[i] - 0.5 * low[i]); // halves, because the difference may overflow
+  int exponent = 0;
+  if(extent > 0.)
+    std::frexp(extent, &exponent);
+  const Vector_3d center = 0.5 * low + 0.5 * high;
+  const int first = -exponent / 2, second = -exponent - first; // as 2^-exponent may overflow itself
+  const double factor = std::ldexp(1., first), other_factor = std::ldexp(1., second);
+  for(Vector_3d& p : points)
+    p = other_factor * (factor * (p - center));
+  return exponent;
+}
 
 // A closed triangle mesh of genus 0 as flat arrays: the points, scaled such that the area is 4 pi, and the rings of the
 // vertices.
 //
-// The numbering is the package's own: breadth first from the vertex that is farthest from the centre, around each
+// The numbering is its own, and what is computed on it is taken back to that of the caller by in_callers_order(): breadth first from the vertex that is farthest from the centre, around each
 // vertex in counterclockwise order. It follows from the shape of the surface alone, not from the position of the
 // surface in space, and not from the order of the caller's vertices unless several are the farthest; and so does
 // everything that is computed from it. Besides, neighbours get close numbers.
-class Indexed_mesh
+class Surface
 {
 public:
-  // Takes the mesh with these points and triangles, all of them oriented alike. Vertices without a triangle are left
-  // out.
+  // Takes the mesh with these points, which are finite, and triangles, all of them oriented alike.
   Error_code assign(std::vector<Vector_3d> points, const std::vector<std::array<std::uint32_t, 3>>& triangles)
   {
-    for(const Vector_3d& p : points)
-      if(!is_finite(p))
-        return ERROR_NON_FINITE_COORDINATE;
-    normalize(points);
-
+    m_exponent = normalize(points);
+    m_points = std::move(points);
     Vertex_rings rings;
-    std::vector<std::uint32_t> used; // the vertices of the rings, with the numbers of `points`
-    if(!build_rings(points.size(), triangles, rings, used))
+    if(!build_rings(link_triangles(triangles, m_points.size()), m_points.size(), rings))
       return ERROR_NO_SIMPLICIAL_COMPLEX;
-    if(used.size() < 4)
+    if(m_points.size() < 4)
       return ERROR_TOO_FEW_VERTICES;
-    m_points.resize(used.size());
-    for(std::size_t v = 0; v < used.size(); ++v)
-      m_points[v] = points[used[v]];
-
-    if(!renumber(rings, used))
+    if(!renumber(rings))
       return ERROR_SEVERAL_COMPONENTS;
     if(2 * m_points.size() != triangles.size() + 4) // Euler: V - E + F = 2 with 2 E = 3 F
       return ERROR_NO_TOPOLOGICAL_SPHERE;
@@ -76,16 +93,35 @@ public:
   const std::vector<Vector_3d>& points() const { return m_points; }
   const Vertex_rings& rings() const { return m_rings; }
 
-  std::vector<std::array<std::uint32_t, 3>> triangles() const
+  // The triangles, in the caller's numbers.
+  std::vector<std::array<std::uint32_t, 3>> callers_triangles() const
   {
     std::vector<std::array<std::uint32_t, 3>> result;
     result.reserve(m_rings.number_of_faces());
-    m_rings.for_each_face([&](std::uint32_t a, std::uint32_t b, std::uint32_t c) { result.push_back({a, b, c}); });
+    m_rings.for_each_face([&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+      result.push_back({m_originals[a], m_originals[b], m_originals[c]});
+    });
     return result;
   }
 
-  // the number that a vertex has in the arrays that the mesh was taken from
-  std::uint32_t original(std::size_t v) const { return m_originals[v]; }
+  // What the vertices have, from the order of the arrays that the surface was taken from to its own, and back.
+  template <class T>
+  std::vector<T> in_own_order(const std::vector<T>& callers) const
+  {
+    std::vector<T> result;
+    result.reserve(m_originals.size());
+    for(const std::uint32_t v : m_originals)
+      result.push_back(callers[v]);
+    return result;
+  }
+  template <class T>
+  std::vector<T> in_callers_order(const std::vector<T>& own) const
+  {
+    std::vector<T> result(own.size());
+    for(std::size_t v = 0; v < own.size(); ++v)
+      result[m_originals[v]] = own[v];
+    return result;
+  }
 
   std::size_t number_of_flat_faces() const { return m_number_of_flat_faces; }
 
@@ -100,93 +136,8 @@ public:
   double scaled_radius(double radius) const { return std::ldexp(radius, -m_exponent) / m_unit; }
 
 private:
-  // Moves the points around the origin and scales them to a size of about 1 by a power of two, which is exact.
-  void normalize(std::vector<Vector_3d>& points)
-  {
-    Vector_3d low = {0., 0., 0.}, high = {0., 0., 0.};
-    if(!points.empty())
-      low = high = points[0];
-    for(const Vector_3d& p : points)
-      for(std::size_t i = 0; i < 3; ++i)
-      {
-        low[i] = (std::min)(low[i], p[i]);
-        high[i] = (std::max)(high[i], p[i]);
-      }
-    double extent = 0.;
-    for(std::size_t i = 0; i < 3; ++i)
-      extent = (std::max)(extent, 0.5 * high[i] - 0.5 * low[i]); // halves, because the difference may overflow
-    m_exponent = 0;
-    if(extent > 0.)
-      std::frexp(extent, &m_exponent);
-    const Vector_3d center = 0.5 * low + 0.5 * high;
-    if(std::abs(m_exponent) < 1000)
-    {
-      const double factor = std::ldexp(1., -m_exponent);
-      for(Vector_3d& p : points)
-        p = factor * (p - center);
-      return;
-    }
-    // In two steps, because 2^-m_exponent may overflow itself.
-    const int first = -m_exponent / 2, second = -m_exponent - first;
-    for(Vector_3d& p : points)
-      for(std::size_t i = 0; i < 3; ++i)
-        p[i] = std::ldexp(std::ldexp(p[i] - center[i], first), second);
-  }
-
-  // Builds the rings of all vertices that have a triangle, renumbered without the others. Fails if a vertex meets
-  // another one twice, if its triangles form more than one fan, or if they leave a gap.
-  static bool build_rings(std::size_t n, const std::vector<std::array<std::uint32_t, 3>>& triangles,
-                          Vertex_rings& rings, std::vector<std::uint32_t>& used)
-  {
-    std::vector<std::uint32_t> first(n + 1, 0);
-    for(const auto& t : triangles)
-      for(const std::uint32_t v : t)
-        ++first[v + 1];
-    std::vector<std::uint32_t> number(n, none);
-    for(std::size_t v = 0; v < n; ++v)
-    {
-      if(first[v + 1] > 0)
-      {
-        number[v] = static_cast<std::uint32_t>(used.size());
-        used.push_back(static_cast<std::uint32_t>(v));
-      }
-      first[v + 1] += first[v];
-    }
-    std::vector<std::array<std::uint32_t, 2>> sides(3 * triangles.size()); // of the triangles at each vertex
-    std::vector<std::uint32_t> end(first.begin(), first.end() - 1);
-    for(const auto& t : triangles)
-      for(std::size_t i = 0; i < 3; ++i)
-        sides[end[t[i]]++] = {number[t[(i + 1) % 3]], number[t[(i + 2) % 3]]};
-
-    rings.reserve(used.size(), sides.size());
-    std::vector<std::uint32_t> successor(used.size(), none); // around the vertex at hand
-    for(const std::uint32_t v : used)
-    {
-      for(std::uint32_t k = first[v]; k < first[v + 1]; ++k)
-      {
-        if(successor[sides[k][0]] != none)
-          return false;
-        successor[sides[k][0]] = sides[k][1];
-      }
-      std::uint32_t w = sides[first[v]][0];
-      for(std::uint32_t k = first[v]; k < first[v + 1]; ++k)
-      {
-        if(w == none || successor[w] == none)
-          return false;
-        rings.push_neighbor(w);
-        const std::uint32_t next = successor[w];
-        successor[w] = none;
-        w = next;
-      }
-      if(w != sides[first[v]][0])
-        return false;
-      rings.end_ring();
-    }
-    return true;
-  }
-
   // Gives the vertices of `rings` and m_points their final numbers. Fails if some cannot be reached from the others.
-  bool renumber(const Vertex_rings& rings, const std::vector<std::uint32_t>& used)
+  bool renumber(const Vertex_rings& rings)
   {
     const std::size_t n = m_points.size();
     Vector_3d center = {0., 0., 0.};
@@ -224,13 +175,11 @@ private:
       return false;
 
     std::vector<Vector_3d> points(n);
-    m_originals.resize(n);
     m_rings = Vertex_rings();
     m_rings.reserve(n, rings.number_of_corners());
     for(std::size_t k = 0; k < n; ++k)
     {
       points[k] = m_points[order[k]];
-      m_originals[k] = used[order[k]];
       const Vertex_rings::Ring ring = rings.ring(order[k]);
       const std::size_t d = ring.size(), shift = position(ring, entry[order[k]]);
       for(std::size_t j = 0; j < d; ++j)
@@ -238,6 +187,7 @@ private:
       m_rings.end_ring();
     }
     m_points.swap(points);
+    m_originals = std::move(order);
     return true;
   }
 
@@ -274,14 +224,12 @@ private:
 
   std::vector<Vector_3d> m_points;
   Vertex_rings m_rings;
-  std::vector<std::uint32_t> m_originals;
+  std::vector<std::uint32_t> m_originals; // the numbers of the vertices in the arrays of the caller
   std::size_t m_number_of_flat_faces = 0;
   double m_unit = 1.; // the length that is 1 here is m_unit * 2^m_exponent in the caller's unit
   int m_exponent = 0;
 };
 
-} // namespace internal
-} // namespace Spherical_parameterization
-} // namespace CGAL
+} // namespace CGAL::Spherical_parameterization::internal
 
-#endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_SURFACE_INDEXED_MESH_H
+#endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_SURFACE_SURFACE_H

@@ -1,0 +1,116 @@
+// Copyright (c) 2026  The Spherical_parameterization authors.
+// All rights reserved.
+//
+// This file is part of the Spherical_parameterization package for CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Spherical_parameterization authors
+
+#ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_NUMBERS_ROTATION_MATRIX_H
+#define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_NUMBERS_ROTATION_MATRIX_H
+
+#include <CGAL/license/Spherical_parameterization.h>
+
+#include <CGAL/Spherical_parameterization/internal/numbers/Vector_3.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Spherical_parameterization::internal {
+
+// A rotation by its matrix, row by row.
+using Rotation_matrix = std::array<Vector_3d, 3>;
+
+inline Vector_3d rotated(const Rotation_matrix& r, const Vector_3d& p)
+{
+  return {dot(r[0], p), dot(r[1], p), dot(r[2], p)};
+}
+
+inline Rotation_matrix product(const Rotation_matrix& a, const Rotation_matrix& b)
+{
+  Rotation_matrix result;
+  for(std::size_t i = 0; i < 3; ++i)
+    result[i] = a[i][0] * b[0] + a[i][1] * b[1] + a[i][2] * b[2];
+  return result;
+}
+
+using Quaternion = std::array<double, 4>; // the scalar comes first
+
+inline Rotation_matrix rotation_matrix(const Quaternion& q)
+{
+  const double s = 2. / (q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3]);
+  const double w = q[0], x = q[1], y = q[2], z = q[3];
+  return {Vector_3d{1. - s * (y * y + z * z), s * (x * y - w * z), s * (x * z + w * y)},
+          Vector_3d{s * (x * y + w * z), 1. - s * (x * x + z * z), s * (y * z - w * x)},
+          Vector_3d{s * (x * z - w * y), s * (y * z + w * x), 1. - s * (x * x + y * y)}};
+}
+
+// the angle between two rotations, in radians
+inline double angle_between(const Rotation_matrix& a, const Rotation_matrix& b)
+{
+  const double cosine = 0.5 * (dot(a[0], b[0]) + dot(a[1], b[1]) + dot(a[2], b[2]) - 1.);
+  return std::acos((std::min)((std::max)(cosine, -1.), 1.));
+}
+
+// a vector of any length, normalized without overflow; none for zero or what is not finite
+inline std::optional<Vector_3d> direction_of(const Vector_3d& p)
+{
+  const double size = (std::max)({std::abs(p[0]), std::abs(p[1]), std::abs(p[2])});
+  if(!is_finite(p) || !(size > 0.))
+    return std::nullopt;
+  return normalized(Vector_3d{p[0] / size, p[1] / size, p[2] / size});
+}
+
+// The rotation that brings directions nearest to others, by least squares: the eigenvector of Horn's symmetric matrix
+// with the largest eigenvalue, by Jacobi's rotations. None if several rotations are equally good, or nearly so.
+inline std::optional<Rotation_matrix> fitting_rotation(const std::vector<std::pair<Vector_3d, Vector_3d>>& pairs)
+{
+  std::array<Vector_3d, 3> s = {};
+  for(const auto& [p, q] : pairs)
+    for(std::size_t i = 0; i < 3; ++i)
+      s[i] = s[i] + p[i] * q;
+  std::array<Quaternion, 4> a = {
+      Quaternion{s[0][0] + s[1][1] + s[2][2], s[1][2] - s[2][1], s[2][0] - s[0][2], s[0][1] - s[1][0]},
+      Quaternion{s[1][2] - s[2][1], s[0][0] - s[1][1] - s[2][2], s[0][1] + s[1][0], s[2][0] + s[0][2]},
+      Quaternion{s[2][0] - s[0][2], s[0][1] + s[1][0], s[1][1] - s[0][0] - s[2][2], s[1][2] + s[2][1]},
+      Quaternion{s[0][1] - s[1][0], s[2][0] + s[0][2], s[1][2] + s[2][1], s[2][2] - s[0][0] - s[1][1]}};
+  std::array<Quaternion, 4> v = {Quaternion{1., 0., 0., 0.}, Quaternion{0., 1., 0., 0.}, Quaternion{0., 0., 1., 0.},
+                                 Quaternion{0., 0., 0., 1.}}; // columns: the eigenvectors
+  constexpr int n_sweeps = 20;                                // Six or so are enough.
+  for(int sweep = 0; sweep < n_sweeps; ++sweep)
+    for(std::size_t i = 0; i < 3; ++i)
+      for(std::size_t j = i + 1; j < 4; ++j)
+        if(a[i][j] != 0.)
+        {
+          const double theta = (a[j][j] - a[i][i]) / (2. * a[i][j]);
+          const double t = (theta < 0. ? -1. : 1.) / (std::abs(theta) + std::hypot(theta, 1.));
+          const double c = 1. / std::hypot(t, 1.), d = t * c;
+          const auto turn = [&](double& x, double& y) { std::tie(x, y) = std::pair(c * x - d * y, d * x + c * y); };
+          for(std::size_t k = 0; k < 4; ++k)
+            turn(a[k][i], a[k][j]);
+          for(std::size_t k = 0; k < 4; ++k)
+            turn(a[i][k], a[j][k]);
+          for(std::size_t k = 0; k < 4; ++k)
+            turn(v[k][i], v[k][j]);
+        }
+  std::array<std::size_t, 4> order = {0, 1, 2, 3};
+  std::sort(order.begin(), order.end(), [&](std::size_t i, std::size_t j) { return a[i][i] > a[j][j]; });
+  const std::size_t best = order[0];
+  constexpr double min_gap = 1e-6;
+  if(!(a[best][best] - a[order[1]][order[1]] > min_gap * static_cast<double>(pairs.size())))
+    return std::nullopt;
+  return rotation_matrix({v[0][best], v[1][best], v[2][best], v[3][best]});
+}
+
+} // namespace CGAL::Spherical_parameterization::internal
+
+#endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_NUMBERS_ROTATION_MATRIX_H

@@ -1,0 +1,190 @@
+// Copyright (c) 2026  The Spherical_parameterization authors.
+// All rights reserved.
+//
+// This file is part of the Spherical_parameterization package for CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Spherical_parameterization authors
+//
+
+#ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_RUN_SURFACE_MAP_H
+#define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_RUN_SURFACE_MAP_H
+
+#include <CGAL/license/Spherical_parameterization.h>
+
+#include <CGAL/Spherical_parameterization/Default_visitor.h>
+#include <CGAL/Spherical_parameterization/Error_code.h>
+#include <CGAL/Spherical_parameterization/Parameterization_report.h>
+#include <CGAL/Spherical_parameterization/Surface_map_report.h>
+#include <CGAL/Spherical_parameterization/internal/Mesh_on_sphere.h>
+#include <CGAL/Spherical_parameterization/internal/check_run.h>
+#include <CGAL/Spherical_parameterization/internal/find_surface_map.h>
+#include <CGAL/Spherical_parameterization/internal/numbers/Vector_3.h>
+#include <CGAL/Spherical_parameterization/internal/run/Run_control.h>
+#include <CGAL/Spherical_parameterization/internal/run/parallel.h>
+#include <CGAL/Spherical_parameterization/internal/surface/Surface.h>
+#include <CGAL/Spherical_parameterization/internal/write_map.h>
+
+#include <CGAL/Named_function_parameters.h>
+#include <CGAL/boost/graph/named_params_helper.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Spherical_parameterization::internal {
+
+// What the caller knows of two surfaces, in the caller's terms; see Surface_mapper_3.
+template <class Landmark, class Feature>
+struct Surface_map_settings
+{
+  const std::vector<Landmark>& landmarks;
+  std::optional<double> landmark_weight;
+  const std::vector<Feature>& features;
+  double feature_weight;
+
+  bool are_valid() const
+  {
+    return !(landmark_weight && !is_positive_and_finite(*landmark_weight)) && feature_weight >= 0. &&
+           is_finite(feature_weight);
+  }
+};
+
+// The numbers of landmarks among these vertices: none if one is not among them, or there twice.
+template <class Vertex>
+std::vector<std::uint32_t> numbers_of_landmarks(const std::vector<Vertex>& vertices,
+                                                const std::vector<Vertex>& landmarks)
+{
+  using Entry = std::pair<Vertex, std::uint32_t>;
+  std::vector<Entry> entries;
+  for(std::uint32_t v = 0; v < vertices.size(); ++v)
+    entries.emplace_back(vertices[v], v);
+  std::sort(entries.begin(), entries.end());
+  std::vector<std::uint32_t> result;
+  std::vector<char> is_used(vertices.size(), 0);
+  for(const Vertex& landmark : landmarks)
+  {
+    const auto entry = std::lower_bound(entries.begin(), entries.end(), Entry(landmark, 0));
+    if(entry == entries.end() || entry->first != landmark || is_used[entry->second])
+      return {};
+    is_used[entry->second] = 1;
+    result.push_back(entry->second);
+  }
+  return result;
+}
+
+// Reads what is known of the surfaces in terms of their arrays.
+template <class Settings, class Vertices1, class Vertices2>
+Error_code read_hints(const Settings& settings, const Vertices1& vertices1, const Vertices2& vertices2,
+                      Surface_map_hints& hints)
+{
+  hints.landmark_weight = settings.landmark_weight.value_or(0.);
+  hints.feature_weight = settings.feature_weight;
+  if(!settings.landmarks.empty())
+  {
+    Vertices1 landmarks1;
+    Vertices2 landmarks2;
+    for(const auto& [v, w] : settings.landmarks)
+    {
+      landmarks1.push_back(v);
+      landmarks2.push_back(w);
+    }
+    const std::vector<std::uint32_t> first = numbers_of_landmarks(vertices1, landmarks1),
+                                     second = numbers_of_landmarks(vertices2, landmarks2);
+    if(first.empty() || second.empty())
+      return ERROR_INVALID_LANDMARK;
+    for(std::size_t k = 0; k < first.size(); ++k)
+      hints.landmarks.push_back({first[k], second[k]});
+  }
+  if(!read_features<0>(settings.features, vertices1, hints.features[0]) ||
+     !read_features<1>(settings.features, vertices2, hints.features[1]))
+    return ERROR_WRONG_PARAMETER;
+  return OK;
+}
+
+// Takes over the arrays of a surface, and makes the grid of its sphere.
+template <class Arrays, class K>
+void locate_surface(Arrays& arrays, Located_surface<K>& surface)
+{
+  surface.points = std::move(arrays.points);
+  surface.exponent = normalize(surface.points);
+  surface.sphere.assign(std::move(arrays.images), std::move(arrays.triangles));
+  surface.sphere.make_grid();
+}
+
+// A run between surfaces, from the caller's meshes and maps to the caller's map: reads, finds the map, certifies and writes.
+template <class ConcurrencyTag, class TriangleMesh1, class VertexSphereMap1, class TriangleMesh2,
+          class VertexSphereMap2, class Settings, class VertexDirectionMap, class NamedParameters1,
+          class NamedParameters2>
+Error_code run_surface_map(const TriangleMesh1& tmesh1, VertexSphereMap1 vertex_sphere_map1,
+                           const TriangleMesh2& tmesh2, VertexSphereMap2 vertex_sphere_map2, const Settings& settings,
+                           VertexDirectionMap vertex_direction_map, Surface_map_report& report,
+                           const NamedParameters1& np1, const NamedParameters2& np2)
+{
+  if constexpr(check_two_spheres<TriangleMesh1, VertexSphereMap1, TriangleMesh2, VertexSphereMap2>() &&
+               check_run_parameters<TriangleMesh1, NamedParameters1>() &&
+               check_vertex_point_map<TriangleMesh2, NamedParameters2>())
+  {
+    using parameters::choose_parameter;
+    using parameters::get_parameter;
+    using parameters::get_parameter_reference;
+    using Visitor = typename internal_np::Lookup_named_param_def<internal_np::visitor_t, NamedParameters1,
+                                                                 Default_visitor>::reference;
+    using Arrays1 = Mesh_on_sphere<TriangleMesh1, VertexSphereMap1>;
+    using Arrays2 = Mesh_on_sphere<TriangleMesh2, VertexSphereMap2>;
+    using K = typename Arrays1::Exact_kernel;
+
+    Default_visitor default_visitor;
+    Visitor visitor = choose_parameter(get_parameter_reference(np1, internal_np::visitor), default_visitor);
+    Parameterization_report run_report;
+    Visitor_control<std::remove_reference_t<Visitor>> control(
+        visitor, choose_parameter(get_parameter(np1, internal_np::maximum_running_time), 0.), run_report);
+    const Execution execution = execution_of<ConcurrencyTag>();
+    if(!settings.are_valid())
+      return ERROR_WRONG_PARAMETER;
+
+    Arrays1 arrays1;
+    Arrays2 arrays2;
+    if(const Error_code error =
+           read_surfaces(tmesh1, vertex_sphere_map1, arrays1, np1, tmesh2, vertex_sphere_map2, arrays2, np2, execution))
+      return error;
+    Surface_map_hints hints;
+    if(const Error_code error = read_hints(settings, arrays1.vertices_of_mesh, arrays2.vertices_of_mesh, hints))
+      return error;
+    Surface mesh;
+    {
+      std::vector<std::array<std::uint32_t, 3>> triangles;
+      for(const Linked_triangle& t : arrays1.triangles)
+        triangles.push_back(t.vertices);
+      if(const Error_code error = mesh.assign(arrays1.points, triangles))
+        return error;
+    }
+    Located_surface<K> first, second;
+    run_both(
+        execution, [&] { locate_surface(arrays1, first); }, [&] { locate_surface(arrays2, second); });
+    report.seconds_for_reading = control.lap();
+
+    control.on_initialization_begin(mesh.number_of_vertices());
+    std::vector<Vector_3d> directions;
+    if(!find_surface_map(mesh, first, second, hints, report, directions, control, execution))
+      return ERROR_INSUFFICIENT_PRECISION;
+    control.on_optimization_end();
+    return write_map(arrays1.vertices_of_mesh, mesh.callers_triangles(), directions, 1., Guarantee::ONE_TO_ONE,
+                     vertex_direction_map, execution);
+  }
+  else
+    return ERROR_WRONG_PARAMETER;
+}
+
+} // namespace CGAL::Spherical_parameterization::internal
+
+#endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_RUN_SURFACE_MAP_H

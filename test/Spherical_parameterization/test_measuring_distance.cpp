@@ -1,0 +1,169 @@
+// The distance between two surfaces: for those for which it is known, and of places to triangles, however flat, against
+// the exact one.
+
+#include <CGAL/Spherical_parameterization/internal/measuring/Triangle_set.h>
+#include <CGAL/Spherical_parameterization/measure_distance.h>
+
+#include "methods.h"
+#include "random_meshes.h"
+
+#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
+#include <CGAL/boost/graph/generators.h>
+#include <CGAL/squared_distance_3.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <random>
+#include <vector>
+
+using namespace test;
+
+namespace {
+
+using CGAL::parameters::number_of_points_on_faces;
+using Vertex_index = Mesh::Vertex_index;
+
+SP::Surface_distance distance(const Mesh& mesh1, const Mesh& mesh2)
+{
+  SP::Surface_distance result;
+  EXPECT_EQ(SP::measure_distance(mesh1, mesh2, result), SP::OK);
+  return result;
+}
+
+TEST(Distance, between_spheres_is_that_of_their_radii)
+{
+  const SP::Surface_distance d = distance(make(icosphere(5)), make(scaled(icosphere(5), 1.1, 1.1, 1.1)));
+  EXPECT_NEAR(d.from_first.root_mean_square, 0.1, 1e-3);
+  EXPECT_NEAR(d.from_second.maximum, 0.1, 1e-3);
+  EXPECT_NEAR(d.diagonal, std::sqrt(12.), 1e-2);
+  EXPECT_NEAR(d.psnr(), 20. * std::log10(std::sqrt(12.) / 0.1), 0.1);
+}
+
+// Of the larger surface, only a part is near the smaller one: it takes both ways to see that.
+TEST(Distance, is_measured_both_ways)
+{
+  const SP::Surface_distance d =
+      distance(make(icosphere(2)), make(disjoint_union(icosphere(2), scaled(icosphere(2), 3., 3., 3.))));
+  EXPECT_NEAR(d.from_first.maximum, 0., 1e-12);
+  EXPECT_NEAR(d.from_second.maximum, 2., 0.1);
+  EXPECT_NEAR(d.from_second.root_mean_square, 2. * std::sqrt(0.9), 0.1);
+}
+
+// Faces without an area have no places, unless there are no others: here all are on a line.
+TEST(Distance, with_flat_faces)
+{
+  const Mesh sphere = make(icosphere(2)), line = make(scaled(icosphere(2), 2., 0., 0.));
+  EXPECT_NEAR(distance(sphere, make(with_slivers(icosphere(2), 40, 0.))).from_first.maximum, 0., 1e-12);
+  const SP::Surface_distance d = distance(line, sphere);
+  EXPECT_DOUBLE_EQ(d.diagonal, 4.);
+  EXPECT_NEAR(d.from_first.maximum, 1., 0.1);
+  EXPECT_NEAR(d.from_second.maximum, 1., 0.1);
+}
+
+TEST(Distance, refuses_what_is_no_surface_of_triangles)
+{
+  const Mesh sphere = make(icosphere(1));
+  const auto expect = [&](const Mesh& mesh, SP::Error_code error) {
+    SP::Surface_distance d;
+    d.diagonal = 7.;
+    EXPECT_EQ(SP::measure_distance(sphere, mesh, d), error);
+    EXPECT_EQ(SP::measure_distance(mesh, sphere, d), error);
+    EXPECT_EQ(d.diagonal, 7.);
+  };
+  Mesh cube;
+  CGAL::make_hexahedron(Point_3(-1, -1, -1), Point_3(1, -1, -1), Point_3(1, 1, -1), Point_3(-1, 1, -1),
+                        Point_3(-1, 1, 1), Point_3(-1, -1, 1), Point_3(1, -1, 1), Point_3(1, 1, 1), cube);
+  expect(cube, SP::ERROR_NON_TRIANGULAR_MESH);
+  expect(Mesh(), SP::ERROR_EMPTY_MESH);
+  for(const double x : {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()})
+  {
+    Mesh broken = sphere;
+    broken.point(Vertex_index(7)) = Point_3(0., x, 0.);
+    expect(broken, SP::ERROR_NON_FINITE_COORDINATE);
+  }
+  SP::Surface_distance d;
+  EXPECT_EQ(SP::measure_distance(sphere, sphere, d, number_of_points_on_faces(0)), SP::ERROR_WRONG_PARAMETER);
+  EXPECT_EQ(SP::measure_distance(sphere, sphere, d, CGAL::parameters::default_values(), number_of_points_on_faces(-1)),
+            SP::ERROR_WRONG_PARAMETER);
+}
+
+TEST(Distance, does_not_depend_on_the_unit)
+{
+  const auto measure = [](double unit) {
+    SP::Surface_distance d;
+    EXPECT_EQ(SP::measure_distance(make(scaled(icosphere(1), unit, unit, unit)),
+                                   make(scaled(icosphere(1), 1.5 * unit, 1.5 * unit, 1.5 * unit)), d,
+                                   number_of_points_on_faces(100)),
+              SP::OK);
+    return d;
+  };
+  const SP::Surface_distance d = measure(1.);
+  for(const int exponent : {-1060, -500, 500, 1022})
+  {
+    const double unit = std::scalbn(1., exponent), tolerance = exponent == -1060 ? 1e-3 : 1e-12;
+    const SP::Surface_distance other = measure(unit);
+    EXPECT_NEAR(other.from_first.root_mean_square / unit, d.from_first.root_mean_square, tolerance);
+    EXPECT_NEAR(other.from_second.maximum / unit, d.from_second.maximum, tolerance);
+    EXPECT_NEAR(other.psnr(), d.psnr(), 0.1);
+  }
+}
+
+// Triangles of every shape: the third corner is anywhere, near the others, on their edge, or nearly so.
+TEST(Triangles, have_the_exact_distance)
+{
+  using Exact_point_3 = CGAL::Epeck::Point_3;
+  const auto exact = [](const Coordinates& p) { return Exact_point_3(p[0], p[1], p[2]); };
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> uniform(-1., 1.);
+  const auto point = [&] { return Coordinates{uniform(random), uniform(random), uniform(random)}; };
+  const auto between = [](const Coordinates& p, const Coordinates& q, double s) {
+    return Coordinates{p[0] + s * (q[0] - p[0]), p[1] + s * (q[1] - p[1]), p[2] + s * (q[2] - p[2])};
+  };
+  for(std::size_t k = 0; k < 2000; ++k)
+  {
+    const Coordinates a = point(), b = point(),
+                      c = between(between(a, b, uniform(random)), point(),
+                                  std::array<double, 5>{1., 1e-5, 1e-10, 1e-16, 0.}[k % 5]);
+    const Coordinates p = k % 2 == 0 ? point() : between(between(a, b, uniform(random)), c, uniform(random));
+    const CGAL::Epeck::Triangle_3 triangle(exact(a), exact(b), exact(c));
+    const CGAL::Epeck::Segment_3 edges[] = {{exact(a), exact(b)}, {exact(b), exact(c)}, {exact(c), exact(a)}};
+    CGAL::Epeck::FT expected = triangle.is_degenerate() ? CGAL::squared_distance(exact(p), edges[0])
+                                                        : CGAL::squared_distance(exact(p), triangle);
+    for(const CGAL::Epeck::Segment_3& edge : edges)
+      expected = (std::min)(expected, CGAL::squared_distance(exact(p), edge));
+    EXPECT_NEAR(std::sqrt(SP::internal::squared_distance(p, {a, b, c})), std::sqrt(CGAL::to_double(expected)), 1e-14);
+  }
+}
+
+TEST(Triangles, have_a_tree_that_finds_the_nearest_one)
+{
+  for(const std::size_t n : {4u, 5u, 7u, 100u, 3001u})
+  {
+    const Mesh mesh = make(random_stacked_sphere(n, 1));
+    SP::internal::Triangle_set set;
+    ASSERT_EQ(set.read(mesh, mesh.points()), SP::OK);
+    set.build(0);
+    for(std::size_t k = 0; k < 100; ++k)
+    {
+      const Coordinates p = set.place(k, 100), q = {1.1 * p[0], 0.9 * p[1] - 0.1, p[2]};
+      double expected = std::numeric_limits<double>::infinity();
+      for(const auto f : mesh.faces())
+      {
+        std::array<Coordinates, 3> t;
+        std::size_t i = 0;
+        for(const Vertex_index v : mesh.vertices_around_face(mesh.halfedge(f)))
+          t[i++] = {mesh.point(v).x(), mesh.point(v).y(), mesh.point(v).z()};
+        expected = (std::min)(expected, SP::internal::squared_distance(q, t));
+      }
+      EXPECT_NEAR(set.squared_distance_to(q), expected, 1e-15);
+      EXPECT_NEAR(set.squared_distance_to(p), 0., 1e-30);
+    }
+  }
+}
+
+} // namespace
