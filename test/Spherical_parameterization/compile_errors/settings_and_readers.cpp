@@ -1,6 +1,7 @@
 // Named parameters and settings that are mistaken, and calls of what reads a map; check.py finds the sentence of each.
 
 #include <CGAL/Simple_cartesian.h>
+#include <CGAL/Spherical_parameterization/Hierarchical_parameterizer_3.h>
 #include <CGAL/Spherical_parameterization/is_bijective.h>
 #include <CGAL/Spherical_parameterization/measure_distortion.h>
 #include <CGAL/Spherical_parameterization/parameterize.h>
