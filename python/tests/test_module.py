@@ -224,7 +224,7 @@ def test_measures_each_face():
         np.testing.assert_allclose(measure.deviation, values.std(), rtol=1e-6)
     np.testing.assert_allclose(d.radius, np.linalg.norm(sphere, axis=1).mean())
     assert not d.is_inverted.any() and d.number_of_inverted_faces == 0
-    refused(code.EMPTY_MESH, sp.measure_distortion, vertices, faces[:0], sphere)
+    refused(sp.ErrorCode.EMPTY_MESH, sp.measure_distortion, vertices, faces[:0], sphere)
     turned = sphere.copy()
     turned[0] *= -1
     is_inverted = sp.measure_distortion(vertices, faces, turned).is_inverted
