@@ -14,7 +14,7 @@ trap say_verdict EXIT
 "$root/scripts/setup.sh" --tests
 run_stage "configure" cmake -S "$root" -B "$build" -DCMAKE_BUILD_TYPE=Release \
   -DSPHERICAL_PARAMETERIZATION_BUILD_{TESTS,EXAMPLES,BENCHMARKS}=ON -DSPHERICAL_PARAMETERIZATION_WARNINGS_AS_ERRORS=ON \
-  -DSPHERICAL_PARAMETERIZATION_QUICK_EXAMPLES=ON
+  -DSPHERICAL_PARAMETERIZATION_QUICK_BUILD=ON
 
 # in_background NAME COMMAND...: what a single process does, along with what follows; what it prints waits.
 in_background() {

@@ -32,7 +32,7 @@ namespace SP = CGAL::Spherical_parameterization;
 
 using namespace SP::internal;
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double infinite = std::numeric_limits<double>::infinity();
 
 // ---------------------------------------------------------------------------------------------------------------------
 // One star
@@ -144,7 +144,7 @@ struct Loaded_star
       const long double d = squared_radius / doubled_area * (Model::is_flat ? flat : determinant) *
                             objective.area_factor(r.opposite_0, r.opposite_1, r.opposite_2, doubled_area);
       result.push_back(determinant > 0.L ? typename Model::Energy()(static_cast<double>(i), static_cast<double>(d))
-                                         : infinity);
+                                         : infinite);
     }
     return result;
   }
@@ -236,13 +236,13 @@ TYPED_TEST(One_star, is_the_sum_over_the_faces)
           amplification = (std::max)(amplification, objective.ordinary.sharpness * energies[j]);
         }
         // The positions in space are rounded to 1e-16 of the radius, the offsets are not.
-        if(sum < infinity)
+        if(sum < infinite)
         {
           EXPECT_NEAR(star.energy(x, y), sum, amplification * (1e-10 + 1e-13 / size) * sum);
         }
         else
         {
-          EXPECT_EQ(star.energy(x, y), infinity);
+          EXPECT_EQ(star.energy(x, y), infinite);
         }
       }
   }
@@ -291,15 +291,15 @@ TYPED_TEST(One_star, is_infinite_where_a_face_is_not_positive)
     const double size = k % 2 == 0 ? 0.5 : 1e-4;
     auto star = this->random_star(5, size);
     star.load(1., 0.);
-    EXPECT_LT(star.energy(0., 0.), infinity);
-    double shortest = infinity;
+    EXPECT_LT(star.energy(0., 0.), infinite);
+    double shortest = infinite;
     for(std::size_t j = 1; j < star.points().size(); ++j)
       shortest = (std::min)(shortest, distance(star.points()[0], star.points()[j]));
     EXPECT_NEAR(star.energy.shortest_edge(), shortest, 1e-9 * shortest);
     for(int j = 0; j < 12; ++j)
-      EXPECT_EQ(star.energy(1.1 * size * std::cos(j * pi / 6.), 1.1 * size * std::sin(j * pi / 6.)), infinity);
-    EXPECT_EQ(star.energy(2., 0.), infinity); // beyond the sphere
-    EXPECT_EQ(star.energy(std::nan(""), 0.), infinity);
+      EXPECT_EQ(star.energy(1.1 * size * std::cos(j * pi / 6.), 1.1 * size * std::sin(j * pi / 6.)), infinite);
+    EXPECT_EQ(star.energy(2., 0.), infinite); // beyond the sphere
+    EXPECT_EQ(star.energy(std::nan(""), 0.), infinite);
   }
 }
 
@@ -313,7 +313,7 @@ TYPED_TEST(One_star, does_not_overflow)
     std::array<double, 2> g;
     std::array<double, 3> h;
     const double f = TypeParam::derivatives(star.energy, g, h);
-    double least = infinity, all = 0.;
+    double least = infinite, all = 0.;
     for(std::size_t j = 0; j < 6; ++j)
     {
       least = (std::min)(least, star.template count_of<TypeParam>(j));
@@ -455,7 +455,7 @@ TEST(Newton_step, stays_where_there_is_nothing_to_do)
   std::array<double, 2> step;
   EXPECT_FALSE(Newton_step()(Quadratic{{0., 0.}, {1., 0., 1.}}, step));
   EXPECT_FALSE(Newton_step()(Quadratic{{1., 0.}, {0., 0., 0.}}, step));
-  EXPECT_FALSE(Newton_step()(Quadratic{{infinity, 0.}, {infinity, 0., 1.}}, step));
+  EXPECT_FALSE(Newton_step()(Quadratic{{infinite, 0.}, {infinite, 0., 1.}}, step));
   EXPECT_FALSE(Newton_step()(Quadratic{{std::nan(""), 0.}, {1., 0., 1.}}, step));
 }
 
@@ -483,7 +483,7 @@ TEST(Gradient_step, is_as_long_as_the_shortest_edge_at_most)
 {
   for(const double edge : {1., 0.1, 1e-6})
   {
-    const Well well{{3., -4.}, edge, infinity};
+    const Well well{{3., -4.}, edge, infinite};
     std::array<double, 2> step;
     ASSERT_TRUE(Gradient_step()(well, step));
     // downhill; the tangential step of this length, projected to the unit sphere
@@ -523,7 +523,7 @@ TEST(Gradient_step, stays_where_there_is_nothing_to_do)
     EXPECT_FALSE(Gradient_step()(steep, step));
     EXPECT_EQ(steep.trials.size(), 104u); // 0.8^103 > 1e-10 > 0.8^104
   }
-  for(const double g : {0., infinity, std::nan("")})
+  for(const double g : {0., infinite, std::nan("")})
     EXPECT_FALSE(Gradient_step()(Well{{g, 0.}, 0.3, 1.}, step));
   EXPECT_EQ(step, (std::array<double, 2>{-7., -7.}));
 }

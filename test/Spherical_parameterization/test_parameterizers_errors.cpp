@@ -27,7 +27,7 @@ namespace {
 using Vertex_index = Mesh::Vertex_index;
 using Bld = SP::Bijective_low_distortion_parameterizer_3<>;
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double inf = std::numeric_limits<double>::infinity();
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 Vertex_index vertex(std::size_t i)
@@ -166,7 +166,7 @@ TEST(Error_code, no_simplicial_complex_by_two_fans_at_one_vertex)
 
 TEST(Error_code, non_finite_coordinate)
 {
-  for(const double x : {infinity, -infinity, nan})
+  for(const double x : {inf, -inf, nan})
   {
     Triangle_list list = icosphere(1);
     list.points[7][1] = x;
@@ -200,7 +200,7 @@ TEST(Error_code, invalid_initial_parameterization)
   Images points = sphere;
   std::swap(points[3], points[20]);
   expect(points, SP::ERROR_INVALID_INITIAL_PARAMETERIZATION);
-  for(const Coordinates& p : {Coordinates{0., 0., 0.}, {nan, 0., 0.}, {infinity, 0., 0.}})
+  for(const Coordinates& p : {Coordinates{0., 0., 0.}, {nan, 0., 0.}, {inf, 0., 0.}})
   {
     points = sphere;
     points[5] = p;
@@ -253,9 +253,9 @@ TEST(Error_code, wrong_parameter)
     EXPECT_FALSE(parameterizer.is_valid());
     expect_error(mesh, Method("wrong", parameterizer), SP::ERROR_WRONG_PARAMETER);
   };
-  for(const double alpha : {0., -0.5, 2., infinity, nan})
+  for(const double alpha : {0., -0.5, 2., inf, nan})
     expect_wrong(Bld().energy(SP::Isometric_energy_3(alpha)));
-  for(const double r : {0., -1., infinity, nan})
+  for(const double r : {0., -1., inf, nan})
     expect_wrong(Bld().radius(SP::Fixed_radius_3(r)));
   using Radius = SP::Two_phase_radius_3<SP::Fixed_radius_3, SP::Area_balancing_radius_3>;
   expect_wrong(Bld().radius(Radius(SP::Fixed_radius_3(-1.)))); // a part of a policy
@@ -267,7 +267,7 @@ TEST(Error_code, wrong_parameter)
   }
   EXPECT_TRUE(Bld().tolerances(0., 0.).is_valid());
   for(const SP::Sharpness& sharpness :
-      {SP::Sharpness::relative(-1e-9), SP::Sharpness::relative(infinity), SP::Sharpness::relative(nan)})
+      {SP::Sharpness::relative(-1e-9), SP::Sharpness::relative(inf), SP::Sharpness::relative(nan)})
   {
     expect_wrong(Bld().sharpness(sharpness));
     expect_wrong(SP::Hierarchical_parameterizer_3().sharpness(sharpness));

@@ -23,7 +23,7 @@ using namespace test;
 
 namespace {
 
-constexpr std::size_t stride = test_scale::is_slow ? 11 : 1;
+constexpr std::size_t stop_stride = test_scale::is_slow ? 11 : 1;
 
 // These have no sweeps over the finest mesh, or none at all.
 bool has_iterations(const Method& method)
@@ -155,14 +155,14 @@ std::size_t stop_everywhere(const Method& method, const Triangle_list& list, std
 
 TEST(Visitor, may_stop_anywhere)
 {
-  EXPECT_EQ(stop_everywhere(tireless(), bumpy_sphere(1), 100, stride), 100u);
-  stop_everywhere(tireless(), random_stacked_sphere(30, 1), 100, stride);
-  stop_everywhere(bijective_conformal(), with_tentacle(6, 3.), 60, 3 * stride);
-  stop_everywhere(hierarchical(), random_stacked_sphere(100, 1), 0, stride);
-  EXPECT_EQ(stop_everywhere(published(), bumpy_sphere(1), 120, 3 * stride), 120u);
+  EXPECT_EQ(stop_everywhere(tireless(), bumpy_sphere(1), 100, stop_stride), 100u);
+  stop_everywhere(tireless(), random_stacked_sphere(30, 1), 100, stop_stride);
+  stop_everywhere(bijective_conformal(), with_tentacle(6, 3.), 60, 3 * stop_stride);
+  stop_everywhere(hierarchical(), random_stacked_sphere(100, 1), 0, stop_stride);
+  EXPECT_EQ(stop_everywhere(published(), bumpy_sphere(1), 120, 3 * stop_stride), 120u);
   for(const Method& method : {harmonic(), conformal(), arap()})
     for(const Triangle_list& list : {bumpy_sphere(1), random_stacked_sphere(60, 7), with_tentacle(5, 2.)})
-      stop_everywhere(method, list, 100, stride);
+      stop_everywhere(method, list, 100, stop_stride);
 }
 
 // A level needs one sweep, and gets no more if the visitor has stopped the run.

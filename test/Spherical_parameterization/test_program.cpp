@@ -32,7 +32,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-class Program : public Program_fixture
+class Command_line : public Program_fixture
 {
 protected:
   void SetUp() override
@@ -50,7 +50,7 @@ protected:
   }
 };
 
-TEST_F(Program, writes_all_that_is_asked_for)
+TEST_F(Command_line, writes_all_that_is_asked_for)
 {
   const Outcome outcome = run("sphere.off -o result.off --json result.json --colored result");
   EXPECT_EQ(outcome.status, 0) << outcome.err;
@@ -76,7 +76,7 @@ TEST_F(Program, writes_all_that_is_asked_for)
   EXPECT_EQ(faces_of("result.off"), faces_of("sphere.off"));
 }
 
-TEST_F(Program, prints_the_table_only_without_output)
+TEST_F(Command_line, prints_the_table_only_without_output)
 {
   const Outcome outcome = run("sphere.off");
   EXPECT_EQ(outcome.status, 0);
@@ -85,7 +85,7 @@ TEST_F(Program, prints_the_table_only_without_output)
   EXPECT_TRUE(run("sphere.off --quiet").out.empty());
 }
 
-TEST_F(Program, takes_every_setting_and_ignores_none)
+TEST_F(Command_line, takes_every_setting_and_ignores_none)
 {
   write_off("long.off", test_meshes::scaled(test_meshes::icosphere(2), 1., 1.5, 2.5));
   ASSERT_EQ(run("long.off -o start.off --iterations 1 --quiet").status, 0);
@@ -146,7 +146,7 @@ TEST_F(Program, takes_every_setting_and_ignores_none)
   EXPECT_EQ(json().get<double>("radius"), 2.5);
 }
 
-TEST_F(Program, tells_the_history_of_the_sweeps)
+TEST_F(Command_line, tells_the_history_of_the_sweeps)
 {
   write_off("bumpy.off", test_meshes::bumpy_sphere(2));
   for(const char* arguments :
@@ -175,7 +175,7 @@ TEST_F(Program, tells_the_history_of_the_sweeps)
   }
 }
 
-TEST_F(Program, counts_the_sweeps_of_the_schedules)
+TEST_F(Command_line, counts_the_sweeps_of_the_schedules)
 {
   write_off("bumpy.off", test_meshes::bumpy_sphere(2));
   const auto sweeps = [&](const std::string& arguments) {
@@ -190,7 +190,7 @@ TEST_F(Program, counts_the_sweeps_of_the_schedules)
   EXPECT_EQ(json().get<double>("sharpness"), 0.1);
 }
 
-TEST_F(Program, writes_a_map_that_folds_and_says_so)
+TEST_F(Command_line, writes_a_map_that_folds_and_says_so)
 {
   write_off("spiky.off", test_meshes::random_stacked_sphere(300, 7));
   for(const char* method : {"conformal", "arap"})
@@ -218,7 +218,7 @@ TEST_F(Program, writes_a_map_that_folds_and_says_so)
     expect_message(std::string("spiky.off --initial conformal ") + method, "--initial hierarchical");
 }
 
-TEST_F(Program, advises_another_start_where_one_needs_more_precision)
+TEST_F(Command_line, advises_another_start_where_one_needs_more_precision)
 {
   write_off("tentacle.off", test_meshes::with_tentacle(400, 60.));
   for(const char* start : {"stereographic", "harmonic"})
@@ -230,7 +230,7 @@ TEST_F(Program, advises_another_start_where_one_needs_more_precision)
   EXPECT_EQ(run("tentacle.off --initial hierarchical --iterations 1").status, 0);
 }
 
-TEST_F(Program, compares_maps_to_the_unit_sphere_at_their_balanced_radius)
+TEST_F(Command_line, compares_maps_to_the_unit_sphere_at_their_balanced_radius)
 {
   // Where a small sphere is mapped to the unit sphere, only the balanced radius tells that its shape is kept.
   test_meshes::Triangle_list list = test_meshes::scaled(test_meshes::icosphere(2), 1e-200, 1e-200, 1e-200);
@@ -265,7 +265,7 @@ TEST_F(Program, compares_maps_to_the_unit_sphere_at_their_balanced_radius)
   }
 }
 
-TEST_F(Program, starts_from_a_map)
+TEST_F(Command_line, starts_from_a_map)
 {
   ASSERT_EQ(run("sphere.off -o first.off --iterations 1 --quiet").status, 0);
   EXPECT_EQ(run("sphere.off -o second.off --initial first.off --quiet").status, 0);
@@ -283,7 +283,7 @@ TEST_F(Program, starts_from_a_map)
 }
 
 // The program's --remesh and the same in two runs, over a solid and over the sphere that it has written.
-TEST_F(Program, remeshes_through_the_sphere)
+TEST_F(Command_line, remeshes_through_the_sphere)
 {
   Outcome outcome = run("sphere.off --remesh octahedron=4 -o remesh.off --sphere map.off --json result.json");
   ASSERT_EQ(outcome.status, 0) << outcome.err;
@@ -355,7 +355,7 @@ std::string ply_with_values(unsigned int subdivisions, float first_height = 1.f)
 }
 
 // The program's --onto, with landmarks, and all that it writes.
-TEST_F(Program, maps_a_surface_onto_another_one)
+TEST_F(Command_line, maps_a_surface_onto_another_one)
 {
   const std::string map = "sphere.off --onto target.off";
   write_off("target.off", test_meshes::scaled(test_meshes::icosphere(1), 1., 1.2, 0.9));
@@ -418,7 +418,7 @@ TEST_F(Program, maps_a_surface_onto_another_one)
   expect_refused("sphere.off --onto torus.off -o result.off", "genus");
 }
 
-TEST_F(Program, carries_values_over)
+TEST_F(Command_line, carries_values_over)
 {
   write("values.ply", ply_with_values(2));
   write_off("other.off", test_meshes::icosphere(1));
@@ -439,7 +439,7 @@ TEST_F(Program, carries_values_over)
   EXPECT_FALSE(fs::exists(path("result.ply")));
 }
 
-TEST_F(Program, writes_geometry_images)
+TEST_F(Command_line, writes_geometry_images)
 {
   for(const char* format : {"png", "exr"})
   {
@@ -455,7 +455,7 @@ TEST_F(Program, writes_geometry_images)
   }
 }
 
-TEST_F(Program, writes_a_page)
+TEST_F(Command_line, writes_a_page)
 {
   const std::string name = "a<!--b.off";
   write_off(name, test_meshes::icosphere(2));
@@ -490,7 +490,7 @@ TEST_F(Program, writes_a_page)
 }
 
 // What is wrong with the domain or the map is told before anything is written.
-TEST_F(Program, samples_by_spheres_only)
+TEST_F(Command_line, samples_by_spheres_only)
 {
   write_off("torus.off", test_meshes::torus(6, 6));
   write_off("far.off", test_meshes::scaled(test_meshes::icosphere(1), 1., 1., 0.));
@@ -502,7 +502,7 @@ TEST_F(Program, samples_by_spheres_only)
   expect_refused("sphere.off --page page.html --output-folder out", "leave out --output-folder");
 }
 
-TEST_F(Program, refuses_bad_values_with_the_good_ones)
+TEST_F(Command_line, refuses_bad_values_with_the_good_ones)
 {
   const std::vector<std::pair<const char*, const char*>> table = {
       {"--method tutte", "bld, hierarchical, harmonic, conformal, arap or stereographic"},
@@ -549,7 +549,7 @@ TEST_F(Program, refuses_bad_values_with_the_good_ones)
   expect_refused("", "INPUT");
 }
 
-TEST_F(Program, refuses_options_that_would_be_ignored)
+TEST_F(Command_line, refuses_options_that_would_be_ignored)
 {
   const std::vector<std::pair<const char*, const char*>> table = {
       {"--s-first 1 --prefer worst", "--s-first and --prefer"},
@@ -583,7 +583,7 @@ TEST_F(Program, refuses_options_that_would_be_ignored)
     expect_refused(std::string("sphere.off -o result.off --json result.json ") + arguments, valid);
 }
 
-TEST_F(Program, refuses_what_it_cannot_read_or_write)
+TEST_F(Command_line, refuses_what_it_cannot_read_or_write)
 {
   expect_refused("missing.off -o result.off", "missing.off");
   write("mesh.xyz", "0 0 0\n");
@@ -601,7 +601,7 @@ TEST_F(Program, refuses_what_it_cannot_read_or_write)
   expect_refused("'' -o result.off", "has to end with one of .off");
 }
 
-TEST_F(Program, writes_through_a_link_or_a_pipe_that_is_named)
+TEST_F(Command_line, writes_through_a_link_or_a_pipe_that_is_named)
 {
   fs::create_directory(path("elsewhere"));
   write("elsewhere/target.off", "");
@@ -622,7 +622,7 @@ TEST_F(Program, writes_through_a_link_or_a_pipe_that_is_named)
   EXPECT_EQ(content(path("read.off")), expected);
 }
 
-TEST_F(Program, prints_the_report_as_JSON)
+TEST_F(Command_line, prints_the_report_as_JSON)
 {
   const Outcome outcome = run("sphere.off -o result.off --json -");
   EXPECT_EQ(outcome.status, 0) << outcome.err;
@@ -632,7 +632,7 @@ TEST_F(Program, prints_the_report_as_JSON)
   EXPECT_EQ(run("sphere.off -o result.off --json - --quiet").out.substr(0, 1), "{"); // it was asked for
 }
 
-TEST_F(Program, fails_where_its_output_cannot_be_written)
+TEST_F(Command_line, fails_where_its_output_cannot_be_written)
 {
   for(const char* arguments :
       {"sphere.off", "sphere.off --json -", "--help", "--version", "sphere.off --output-folder out"})
@@ -663,7 +663,7 @@ TEST(Program_messages, call_what_is_the_same_by_the_same_words)
   EXPECT_EQ(::Program::message_of(::Program::Program_error("a\nb", "c")), "a\\x0ab: c");
 }
 
-TEST_F(Program, runs_on_one_thread_where_no_other_can_be_had)
+TEST_F(Command_line, runs_on_one_thread_where_no_other_can_be_had)
 {
   // The limit does not hold for root.
   const std::string limited = "$([ \"$(id -u)\" != 0 ] || echo setpriv --reuid=65534 --regid=65534 --clear-groups) "
@@ -678,7 +678,7 @@ TEST_F(Program, runs_on_one_thread_where_no_other_can_be_had)
   }
 }
 
-TEST_F(Program, takes_names_of_any_bytes)
+TEST_F(Command_line, takes_names_of_any_bytes)
 {
   const std::string name = "a\xff\xc3\xa4\n\x1b[31m\xc2\x9b.off", shown = "a\\xff\xc3\xa4\\x0a\\x1b[31m\\xc2\\x9b.off";
   fs::create_directory(path("in"));
@@ -705,7 +705,7 @@ TEST_F(Program, takes_names_of_any_bytes)
   expect_message("in --output-folder out --quiet", "zzz.json: cannot be written: File name too long");
 }
 
-TEST_F(Program, counts_faces_that_are_nearly_flat)
+TEST_F(Command_line, counts_faces_that_are_nearly_flat)
 {
   test_meshes::Triangle_list list = test_meshes::icosphere(1);
   list.points[0] = list.points[list.triangles[0][1]]; // the faces between them are left without area
@@ -715,14 +715,14 @@ TEST_F(Program, counts_faces_that_are_nearly_flat)
   EXPECT_NE(out.find(" faces are nearly flat\n"), std::string::npos) << out;
 }
 
-TEST_F(Program, suggests_what_a_folder_needs)
+TEST_F(Command_line, suggests_what_a_folder_needs)
 {
   fs::create_directory(path("in"));
   expect_message("in", "in is a folder; to map the meshes in it, say with --output-folder where to");
   expect_refused("in -o result.off", "--output-folder");
 }
 
-TEST_F(Program, says_what_is_wrong_with_a_mesh)
+TEST_F(Command_line, says_what_is_wrong_with_a_mesh)
 {
   const auto expect = [&](const std::string& text, const std::string& message) {
     write("bad.off", text);
@@ -815,7 +815,7 @@ const std::string corner_ts =
     "GOCAD TSurf 1\nHEADER {\nname:corner\n}\nTFACE\nVRTX 0 0 0 0\nVRTX 1 1 0 0\nVRTX 2 0 1 0\n"
     "VRTX 3 0 0 1\nTRGL 0 2 1\nTRGL 0 1 3\nTRGL 1 2 3\nTRGL 2 0 3\nEND\n";
 
-TEST_F(Program, reads_every_format_alike)
+TEST_F(Command_line, reads_every_format_alike)
 {
   write("corner.off", corner_off);
   ASSERT_EQ(run("corner.off -o expected.off --quiet").status, 0);
@@ -869,7 +869,7 @@ TEST_F(Program, reads_every_format_alike)
   }
 }
 
-TEST_F(Program, says_where_a_file_is_damaged)
+TEST_F(Command_line, says_where_a_file_is_damaged)
 {
   const std::string little = binary_ply<float, std::uint32_t>(false, "float", "uint");
   const std::string huge = std::to_string(1ull << 60);
@@ -947,7 +947,7 @@ TEST_F(Program, says_where_a_file_is_damaged)
   }
 }
 
-TEST_F(Program, counts_the_faces_of_an_edge_that_has_many)
+TEST_F(Command_line, counts_the_faces_of_an_edge_that_has_many)
 {
   const std::size_t n = 50000;
   std::string points = "0 0 0\n1 0 0\n", faces;
@@ -963,7 +963,7 @@ TEST_F(Program, counts_the_faces_of_an_edge_that_has_many)
   expect_refused("book.off -o result.off", "the edge between the vertices 0 and 1 has 50000 faces");
 }
 
-TEST_F(Program, refuses_every_invalid_mesh_of_the_corpus)
+TEST_F(Command_line, refuses_every_invalid_mesh_of_the_corpus)
 {
   const fs::path folder = fs::path(SPHERICAL_PARAMETERIZATION_SHARED_DATA_DIR) / "nasty";
   if(!fs::exists(folder))

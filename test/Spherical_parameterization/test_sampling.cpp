@@ -115,7 +115,7 @@ Point_3 point(const Coordinates& q)
   return Point_3(q[0], q[1], q[2]);
 }
 
-std::vector<Point_3> points(const Images& directions)
+std::vector<Point_3> points_of(const Images& directions)
 {
   std::vector<Point_3> result;
   for(const Coordinates& q : directions)
@@ -127,7 +127,7 @@ template <class Locator>
 std::vector<typename Locator::Face_location> locate_all(const Locator& locator, const Images& directions)
 {
   std::vector<typename Locator::Face_location> result;
-  EXPECT_EQ(locator.locate(points(directions), std::back_inserter(result)), SP::OK);
+  EXPECT_EQ(locator.locate(points_of(directions), std::back_inserter(result)), SP::OK);
   return result;
 }
 
@@ -384,7 +384,7 @@ TEST(Locations, of_invalid_directions_have_no_face)
   Images directions = {{1., 2., 3.},  {0., 0., 0.},       {0., -0., 0.},        {nan, 1., 1.},
                        {1., nan, 0.}, {0., 0., infinity}, {-infinity, 1., nan}, {-1., 2., -3.}};
   std::vector<decltype(locator)::Face_location> locations;
-  EXPECT_EQ(locator.locate(points(directions), std::back_inserter(locations)), SP::ERROR_INVALID_DIRECTION);
+  EXPECT_EQ(locator.locate(points_of(directions), std::back_inserter(locations)), SP::ERROR_INVALID_DIRECTION);
   ASSERT_EQ(locations.size(), directions.size());
   for(std::size_t k = 1; k + 1 < directions.size(); ++k)
   {

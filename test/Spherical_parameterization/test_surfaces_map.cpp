@@ -74,7 +74,7 @@ struct Asking_visitor : SP::Default_visitor
   bool go_further(std::size_t, double) { return !ask || ask(); }
 };
 
-using Images = Mesh::Property_map<Vertex_index, Point_3>;
+using Image_map = Mesh::Property_map<Vertex_index, Point_3>;
 using Vector_3d = SP::internal::Vector_3d;
 
 // The map of one surface onto another one, and what is told of it.
@@ -88,7 +88,7 @@ struct Match
   static Match make(Mapped_mesh& a, const Mapped_mesh& b, const Settings& settings = {}, ConcurrencyTag = {})
   {
     Match result;
-    const Images images = a.mesh.add_property_map<Vertex_index, Point_3>("v:images").first;
+    const Image_map images = a.mesh.add_property_map<Vertex_index, Point_3>("v:images").first;
     for(const Vertex_index v : a.mesh.vertices())
       images[v] = Point_3(7., 7., 7.);
     auto mapper = settings.mapper();

@@ -128,7 +128,7 @@ TEST(Overlay, covers_each_face_of_both_surfaces)
         areas2[overlay.faces[k].second] += area_of(overlay, k, 1);
       }
       const auto expect_areas = [](const Mesh& mesh, const std::vector<double>& areas) {
-        const Images p = points(mesh);
+        const test::Images p = points(mesh);
         const std::vector<Triangle> t = triangles(mesh);
         for(std::size_t f = 0; f < t.size(); ++f)
           ASSERT_NEAR(areas[f], area(p[t[f][0]], p[t[f][1]], p[t[f][2]]), 1e-7) << f;
