@@ -36,7 +36,9 @@ namespace CGAL::Spherical_parameterization {
 /// \ingroup PkgSphericalParameterizationSurfaces
 ///
 /// The method of `map_surface()`, with what is known of two surfaces before. Settings are chained, each returning a copy;
-/// what is left out, it finds itself.
+/// what is left out, it finds itself. The map is given by images of vertices on a common sphere
+/// \cgalCite{cgal:scbk-ismccm-20}, and its symmetric Dirichlet energy \cgalCite{cgal:ss-bpfb-15} is lowered from coarse to fine
+/// \cgalCite{cgal:saph-ism-04}.
 ///
 /// \tparam TriangleMesh1 the type of the first surface
 /// \tparam TriangleMesh2 the type of the second one

@@ -32,13 +32,15 @@ namespace CGAL::Spherical_parameterization {
 /// face of the first one to the sphere, and from there by the inverse of the second map. What lies in a direction is found
 /// with `Sphere_locator_3`; `remesh_through_sphere()` gives the second surface with the connectivity of the first one,
 /// `transfer()` carries properties over, and `overlay()` is the common refinement.
+/// Schmidt et al. have maps of the same form \cgalCite{cgal:scbk-ismccm-20}.
 ///
 /// The spheres are turned against each other by landmarks, or else by features, see `align_spheres()`, and bent until these
-/// agree, if the surfaces are different poses or bodies. From there, the symmetric Dirichlet energy of the map, integrated
-/// over both surfaces, is lowered by the steps that `Bijective_low_distortion_parameterizer_3` makes, level by level of a
-/// hierarchy, together with terms for soft landmarks and for features. What a face sees of the second surface is the metric
-/// that this gives to its sphere. If the spheres agree as they are, the result is the rotation itself, unless the descent
-/// has lowered the energy of the common refinement.
+/// agree, if the surfaces are different poses or bodies. From there, the symmetric Dirichlet energy of the map
+/// \cgalCite{cgal:ss-bpfb-15}, integrated over both surfaces, is lowered by the steps that
+/// `Bijective_low_distortion_parameterizer_3` makes, level by level of a hierarchy \cgalCite{cgal:saph-ism-04}, together with
+/// terms for soft landmarks and for features. What a face sees of the second surface is the metric that this gives to its
+/// sphere. If the spheres agree as they are, the result is the rotation itself, unless the descent has lowered the energy of
+/// the common refinement.
 ///
 /// A visitor or a time limit may end a run at any time, in the alignment as well: the map that has been reached is certified
 /// and written. Landmarks may be missed then that more sweeps would have met.

@@ -67,11 +67,12 @@ struct Surface_overlay_3
 /// makes the common refinement of two surfaces that have maps to the same sphere. Composed, the maps are one between the
 /// surfaces, and the refinement is where both are linear: its cells are the parts of the sphere that are in the image of one
 /// face of each. The map is projective between the two faces of a cell; on each of the triangles that it is divided into, it
-/// is taken as affine.
+/// is taken as affine. Such refinements were introduced for morphing \cgalCite{cgal:kcp-stpo-92}, \cgalCite{cgal:a-mpssf-00}.
 ///
 /// The connectivity is exact: the places of vertices in the faces of the other mesh, and which edges cross, are decided by
 /// exact predicates on the points as they are in the maps. Ties, such as a vertex on an edge, or equal meshes, are broken as
-/// if the first sphere were moved by an infinitesimal linear map; then triangles have no area, but are where they belong.
+/// if the first sphere were moved by an infinitesimal linear map, a simulation of simplicity \cgalCite{cgal:em-sstcd-90};
+/// then triangles have no area, but are where they belong.
 /// The result is certified: the edges of both meshes, traced through the other one, cross the same edges; the parts of edges
 /// around each cell are one polygon; and Euler's formula holds. Points of crossings are rounded.
 ///
