@@ -16,9 +16,11 @@ what is missing. Prints what is wrong, and fails if anything is.
 - The classified list of the package has every class, concept, function and enumeration, with a link.
 - A name of the package in the text is a link, but in the description of the thing itself. In the user manual, this holds for
   full names.
-- Which room of internal/ includes files of which others is what CONTRIBUTING.md says."""
+- Which room of internal/ includes files of which others is what CONTRIBUTING.md says, and those are drawn on lower floors. No rooms and
+  public headers include each other in a circle."""
 
 import collections
+import graphlib
 import pathlib
 import re
 import sys
@@ -293,18 +295,32 @@ def check_headers(entries, groups):
 
 def check_rooms():
     def room_of(header):
+        """The room of a header, or a public header itself."""
+        if not header.startswith("internal/"):
+            return header
         return header.split("/")[1] + "/" if header.count("/") == 2 else "internal/"
 
-    included = {}
-    for header in sorted(str(file.relative_to(HEADERS)) for file in HEADERS.glob("internal/**/*.h")):
-        others = {room_of(other) for other in re.findall(PACKAGE_INCLUDE, (HEADERS / header).read_text())
-                  if other.startswith("internal/")}
-        included.setdefault(room_of(header), set()).update(others - {room_of(header)})
-    rows = re.findall(r"^\| `(\w+/)`(?: itself)? \| (`.*|no other room) \|$", CONTRIBUTING.read_text(), re.MULTILINE)
+    included = collections.defaultdict(set)
+    for header in sorted(str(file.relative_to(HEADERS)) for file in HEADERS.rglob("*.h")):
+        others = {room_of(other) for other in re.findall(PACKAGE_INCLUDE, (HEADERS / header).read_text())}
+        included[room_of(header)] |= others - {room_of(header)}
+    try:
+        graphlib.TopologicalSorter(included).prepare()
+    except graphlib.CycleError as error:
+        complain("include", "a circle: " + " is included by ".join(error.args[1]))
+
+    text = CONTRIBUTING.read_text()
+    drawing = re.search(r"^Includes go down.*?```(.*?)```", text, re.MULTILINE | re.DOTALL)[1].splitlines()
+    floors = {room: floor for floor, line in enumerate(drawing) for room in re.findall(r"\w+/", line)}
+    rows = re.findall(r"^\| `(\w+/)`(?: itself)? \| (`.*|no other room) \|$", text, re.MULTILINE)
     described = {room: set(re.findall(r"`(\w+/)`", others)) for room, others in rows}
-    for room in sorted(set(included) | set(described)):
-        if included.get(room) != described.get(room):
-            complain(CONTRIBUTING.name, f"{room} includes files of {included.get(room)}, not of {described.get(room)}")
+    for room in sorted({room for room in included if room.endswith("/")} | set(described)):
+        others = {other for other in included[room] if other.endswith("/")}
+        if others != described.get(room):
+            complain(CONTRIBUTING.name, f"{room} includes files of {others}, not of {described.get(room)}")
+        for other in sorted(others):
+            if room not in floors or floors.get(other, 0) <= floors[room]:
+                complain(CONTRIBUTING.name, f"{room} includes files of {other}, which is not drawn below it")
 
 
 def main():
