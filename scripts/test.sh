@@ -3,7 +3,7 @@
 #
 # Installs what is missing, checks the style of the sources, builds everything with warnings as errors and runs all
 # tests, checks that the package fits into CGAL's tree, then runs tests of the library and the program under the
-# sanitizers of Clang, and builds and checks the manual. May be run again. On two cores, it takes at most 14 minutes.
+# sanitizers of Clang, and builds and checks the manual. May be run again. On two cores, it takes at most 10 minutes.
 
 # shellcheck source-path=SCRIPTDIR source=common.sh
 . "$(dirname "${BASH_SOURCE[0]}")/common.sh"
