@@ -27,7 +27,7 @@ namespace {
 namespace SP = CGAL::Spherical_parameterization;
 
 using SP::internal::Four_lanes;
-using SP::internal::Is_lanewise;
+using SP::internal::is_lanewise;
 using SP::internal::Lanes;
 using SP::internal::Tangent_frame;
 using SP::internal::Two_lanes;
@@ -235,17 +235,17 @@ TEST(Image_measure, of_small_faces_is_flat)
 // Energies
 
 // Whether an energy is written for lanes is seen from whether it can be called for them.
-static_assert(Is_lanewise<SP::Symmetric_Dirichlet_energy_3, Four_lanes>::value, "");
-static_assert(Is_lanewise<archetypes::Distortion_energy_in_lanes, Four_lanes>::value, "");
-static_assert(!Is_lanewise<archetypes::Distortion_energy, Four_lanes>::value, "");
-static_assert(!Is_lanewise<Hooked_energy, Four_lanes>::value, "");
+static_assert(is_lanewise<SP::Symmetric_Dirichlet_energy_3, Four_lanes>, "");
+static_assert(is_lanewise<archetypes::Distortion_energy_in_lanes, Four_lanes>, "");
+static_assert(!is_lanewise<archetypes::Distortion_energy, Four_lanes>, "");
+static_assert(!is_lanewise<Hooked_energy, Four_lanes>, "");
 
 // What is derived from an energy for lanes may be for single numbers again.
 struct Derived_energy : SP::Symmetric_Dirichlet_energy_3
 {
   double operator()(double i, double d) const { return SP::Symmetric_Dirichlet_energy_3::operator()(i, d); }
 };
-static_assert(!Is_lanewise<Derived_energy, Four_lanes>::value, "");
+static_assert(!is_lanewise<Derived_energy, Four_lanes>, "");
 
 // The energy of two faces at once is that of each, to the last bit.
 template <class Energy>

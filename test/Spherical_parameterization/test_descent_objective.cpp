@@ -2,9 +2,8 @@
 
 #include <CGAL/Spherical_parameterization/internal/levels/Block_coordinate_descent.h>
 #include <CGAL/Spherical_parameterization/internal/levels/Energy_summary.h>
-#include <CGAL/Spherical_parameterization/internal/levels/Independent_sets.h>
 #include <CGAL/Spherical_parameterization/internal/levels/Objective.h>
-#include <CGAL/Spherical_parameterization/internal/levels/Round_sphere.h>
+#include <CGAL/Spherical_parameterization/internal/levels/Star_energy.h>
 #include <CGAL/Spherical_parameterization/internal/surface/mesh_measures.h>
 
 #include "engine.h"
@@ -72,8 +71,9 @@ TEST(Face_objective, compares_determinants_with_those_of_isometric_images)
 Mesh_summary summary_of(const Objective& objective, const Energies& ordinary, const Energies& slivers)
 {
   Mesh_summary result(objective.of_faces());
-  result.ordinary.add_all<double>(ordinary.data(), ordinary.size());
-  result.slivers.add_all<double>(slivers.data(), slivers.size());
+  const std::vector<double> ones((std::max)(ordinary.size(), slivers.size()), 1.);
+  result.ordinary.add_all<double>(ordinary.data(), ones.data(), ordinary.size());
+  result.slivers.add_all<double>(slivers.data(), ones.data(), slivers.size());
   return result;
 }
 

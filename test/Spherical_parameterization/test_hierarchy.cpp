@@ -88,8 +88,7 @@ TEST(Vertex_removal, prefers_what_is_flat_and_near)
 void expect_hierarchy(const Surface& mesh, bool has_area = true)
 {
   Recording_control control;
-  const Mesh_hierarchy hierarchy =
-      Mesh_hierarchy::build(mesh.rings(), mesh.points(), vertex_areas(mesh.rings(), mesh.points()), Execution());
+  const Mesh_hierarchy hierarchy(mesh.rings(), mesh.points(), vertex_areas(mesh.rings(), mesh.points()), Execution());
   const std::size_t n_levels = hierarchy.number_of_levels();
   ASSERT_GE(n_levels, 1u);
   ASSERT_TRUE(have_same_rings(hierarchy.rings(0), mesh.rings()));

@@ -394,8 +394,7 @@ TEST(Optimal_radius, minimises_the_energy_in_use)
   const auto total = [&](const auto& e, double radius) {
     double sum = 0.;
     for(const SP::Face_invariants_3& face : scaled(map.faces, radius))
-      sum +=
-          (SP::internal::Weighs_faces_by_area<std::decay_t<decltype(e)>>::value ? face.area : 1.) * e(face.i, face.d);
+      sum += (SP::internal::weighs_faces_by_area<std::decay_t<decltype(e)>> ? face.area : 1.) * e(face.i, face.d);
     return sum;
   };
   const auto expect_minimum = [&](const auto& e) {

@@ -16,7 +16,6 @@
 
 #include <CGAL/Spherical_parameterization/internal/certificate/Bijectivity_certificate.h>
 #include <CGAL/Spherical_parameterization/internal/levels/Block_coordinate_descent.h>
-#include <CGAL/Spherical_parameterization/internal/levels/Independent_sets.h>
 #include <CGAL/Spherical_parameterization/internal/levels/Objective.h>
 #include <CGAL/Spherical_parameterization/internal/levels/Vertex_step.h>
 #include <CGAL/Spherical_parameterization/internal/levels/Hierarchical_embedding.h>
@@ -214,7 +213,7 @@ std::size_t read(Situation& s, Execution, benchmark::State&)
 
 std::size_t color(Situation& s, Execution, benchmark::State&)
 {
-  benchmark::DoNotOptimize(internal::Independent_sets(s.mesh.rings()).number_of_sets());
+  benchmark::DoNotOptimize(internal::Independent_sets(s.mesh.rings()).first.size());
   return s.number_of_vertices();
 }
 
@@ -250,7 +249,6 @@ std::size_t find_focus(Situation& s, Execution, benchmark::State&)
   constexpr double share_of_largest = 0.6; // this and the bound on their number as by default
   const std::size_t max = s.number_of_vertices() / 5;
   Descent<internal::Newton_step>& descent = s.descent(Execution());
-  descent.reserve_focus(max);
   benchmark::DoNotOptimize(descent.focus_on_faces_above(share_of_largest * s.max_energy, max));
   return s.number_of_vertices();
 }
@@ -265,8 +263,7 @@ std::size_t cost_removals(Situation& s, Execution, benchmark::State&)
 
 internal::Mesh_hierarchy build_hierarchy(const internal::Surface& mesh, Execution execution)
 {
-  return internal::Mesh_hierarchy::build(mesh.rings(), mesh.points(), vertex_areas(mesh.rings(), mesh.points()),
-                                         execution);
+  return internal::Mesh_hierarchy(mesh.rings(), mesh.points(), vertex_areas(mesh.rings(), mesh.points()), execution);
 }
 
 std::size_t coarsen(Situation& s, Execution execution, benchmark::State&)

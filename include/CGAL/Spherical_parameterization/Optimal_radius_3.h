@@ -79,7 +79,7 @@ private:
       {
         const double i = q2 * face.i, d = q2 * face.d;
         const Energy_derivatives_3<> e = energy.derivatives(i, d);
-        const double weight = internal::Weighs_faces_by_area<Energy>::value ? face.area : 1.;
+        const double weight = internal::weighs_faces_by_area<Energy> ? face.area : 1.;
         const double slope = 2. * (e.i * i + e.d * d); // dI/dt = 2 I and dd/dt = 2 d
         first += weight * slope;
         size += weight * 2. * (std::abs(e.i * i) + std::abs(e.d * d));

@@ -41,7 +41,7 @@ public:
     std::vector<Rest_triangle> rests;
     std::vector<char> are_at_slivers; // the faces; none if it is empty
 
-    std::size_t degree() const { return neighbors.size(); }
+    std::size_t size() const { return neighbors.size(); }
     std::uint32_t neighbor(std::size_t j) const { return neighbors[j]; }
     Rest_triangle rest(std::size_t j) const { return rests[j]; }
     bool is_at_sliver(std::size_t j) const { return !are_at_slivers.empty() && are_at_slivers[j]; }
@@ -86,7 +86,7 @@ public:
   {
     Star_packets result;
     result.assign(
-        vertices, first_of_set, [&](std::uint32_t v) { return star_of(v).degree(); }, !stars[0].are_at_slivers.empty());
+        vertices, first_of_set, [&](std::uint32_t v) { return star_of(v).size(); }, !stars[0].are_at_slivers.empty());
     for(std::size_t k = 0; k < result.number_of_packets(); ++k)
       result.fill(k, [&](std::uint32_t v) { return star_of(v); });
     return result;

@@ -15,9 +15,8 @@
 #include <CGAL/license/Spherical_parameterization.h>
 
 #include <CGAL/Spherical_parameterization/Face_range_3.h>
-#include <CGAL/Spherical_parameterization/internal/levels/Independent_sets.h>
 #include <CGAL/Spherical_parameterization/internal/levels/Measured_faces.h>
-#include <CGAL/Spherical_parameterization/internal/levels/Face_objective.h>
+#include <CGAL/Spherical_parameterization/internal/levels/Face_energy.h>
 #include <CGAL/Spherical_parameterization/internal/levels/Star_packets.h>
 #include <CGAL/Spherical_parameterization/internal/surface/Rest_triangle.h>
 #include <CGAL/Spherical_parameterization/internal/surface/Vertex_rings.h>
@@ -30,9 +29,45 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <numeric>
 #include <vector>
 
 namespace CGAL::Spherical_parameterization::internal {
+
+// The vertices of a mesh grouped by the colours of a greedy colouring: no two vertices of a set are neighbours, so all
+// of a set may move at once. Within a set the vertices are in increasing order.
+struct Independent_sets
+{
+  Independent_sets() = default;
+  explicit Independent_sets(const Vertex_rings& rings)
+    : vertices(rings.number_of_vertices())
+  {
+    const std::size_t n = vertices.size();
+    std::vector<std::size_t> colors(n), last_neighbor; // of the colours: the last vertex that had to avoid each
+    for(std::size_t v = 0; v < n; ++v)
+    {
+      for(const std::uint32_t w : rings.ring(v))
+        if(w < v)
+          last_neighbor[colors[w]] = v;
+      colors[v] = static_cast<std::size_t>(
+          std::find_if(last_neighbor.begin(), last_neighbor.end(), [&](std::size_t u) { return u != v; }) -
+          last_neighbor.begin());
+      if(colors[v] == last_neighbor.size())
+        last_neighbor.push_back(v);
+    }
+    first.resize(last_neighbor.size() + 1);
+    for(const std::size_t color : colors)
+      ++first[color + 1];
+    std::partial_sum(first.begin(), first.end(), first.begin());
+    std::vector<std::size_t> next = first;
+    for(std::size_t v = 0; v < n; ++v)
+      vertices[next[colors[v]]++] = static_cast<std::uint32_t>(v);
+  }
+
+  // set k is vertices[first[k]], ..., vertices[first[k + 1] - 1]
+  std::vector<std::uint32_t> vertices;
+  std::vector<std::size_t> first;
+};
 
 // Block coordinate descent on the positions of the vertices of a mesh on the unit sphere: each sweep moves every
 // vertex once, one independent set after the other, the vertices of a set in parallel. Every face that is positively
@@ -66,20 +101,9 @@ public:
               const std::vector<double>& densities, const Rest_limits& limits, const std::vector<char>& slivers = {})
   {
     m_rings = &rings;
-    const auto rest_of_face = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
-      Rest_triangle rest = Rest_triangle::from_points(points[a], points[b], points[c], limits);
-      if(!densities.empty())
-        rest.scale_area((densities[a] + densities[b] + densities[c]) / 3.);
-      return rest;
-    };
-    const auto is_at_sliver = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
-      return !slivers.empty() && (slivers[a] || slivers[b] || slivers[c]);
-    };
     m_stars.assign(
-        sets.vertices(), sets.first(), [&](std::uint32_t v) { return rings.degree(v); }, !slivers.empty());
-    fill(m_stars, [&](std::uint32_t v) {
-      return Ring_star<decltype(rest_of_face), decltype(is_at_sliver)>{v, rings.ring(v), rest_of_face, is_at_sliver};
-    });
+        sets.vertices, sets.first, [&](std::uint32_t v) { return rings.degree(v); }, !slivers.empty());
+    fill(m_stars, [&](std::uint32_t v) { return Ring_star{v, rings.ring(v), points, densities, slivers, limits}; });
     m_faces.assign(m_stars, rings.number_of_faces(), m_execution);
     m_places.resize(rings.number_of_vertices());
     for(std::size_t place = m_stars.number_of_places(); place-- > 0;) // the first place of each is its own
@@ -115,7 +139,10 @@ public:
     const std::size_t max_focus =
         static_cast<std::size_t>(focus_share * static_cast<double>(m_rings->number_of_corners())) / min_focus_sweeps;
     std::size_t focus = 0; // the faces of its stars
-    reserve_focus(max_focus);
+    // Another thread, whose allocator may have a heap of its own, is to allocate hardly anything for them.
+    m_focus.reserve(max_focus / 6);
+    m_selected.reserve(max_focus / 6);
+    m_is_selected.reserve(m_rings->number_of_vertices());
     run_both(
         m_execution, [&] { sweep(positions, radius, objective); },
         [&] { focus = focus_on_faces_above(focus_energy * largest_energy, max_focus); });
@@ -127,15 +154,6 @@ public:
       for(std::size_t k = 0; k < n_sweeps; ++k)
         sweep_focus(positions, radius, objective);
     }
-  }
-
-  // Makes room for a focus on stars with so many faces, so that another thread, whose allocator may have a heap of its
-  // own, hardly allocates when it looks for it.
-  void reserve_focus(std::size_t n_faces)
-  {
-    m_focus.reserve(n_faces / 6);
-    m_selected.reserve(n_faces / 6);
-    m_is_selected.reserve(m_rings->number_of_vertices());
   }
 
   // Selects the vertices of the faces whose energy was above `bound` when they were last measured, and their neighbours,
@@ -223,18 +241,29 @@ private:
   static constexpr std::size_t packets_per_block = 4; // of parallel work: some two microseconds
 
   // A star as the rings give it, for Star_packets.
-  template <class RestOfFace, class IsAtSliver>
   struct Ring_star
   {
     std::uint32_t vertex;
     Vertex_rings::Ring ring;
-    const RestOfFace& rest_of_face;
-    const IsAtSliver& of_sliver;
+    const std::vector<Vector_3d>& points;
+    const std::vector<double>& densities;
+    const std::vector<char>& slivers;
+    const Rest_limits& limits;
 
-    std::size_t degree() const { return ring.size(); }
+    std::size_t size() const { return ring.size(); }
     std::uint32_t neighbor(std::size_t j) const { return ring[j]; }
-    Rest_triangle rest(std::size_t j) const { return rest_of_face(vertex, ring[j], ring.around(j + 1)); }
-    bool is_at_sliver(std::size_t j) const { return of_sliver(vertex, ring[j], ring.around(j + 1)); }
+    Rest_triangle rest(std::size_t j) const
+    {
+      const std::uint32_t p = ring[j], q = ring.around(j + 1);
+      Rest_triangle result = Rest_triangle::from_points(points[vertex], points[p], points[q], limits);
+      if(!densities.empty())
+        result.scale_area((densities[vertex] + densities[p] + densities[q]) / 3.);
+      return result;
+    }
+    bool is_at_sliver(std::size_t j) const
+    {
+      return slivers[vertex] || slivers[ring[j]] || slivers[ring.around(j + 1)];
+    }
   };
 
   template <class StarOf>

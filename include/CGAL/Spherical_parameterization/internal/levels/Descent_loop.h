@@ -18,10 +18,9 @@
 #include <CGAL/Spherical_parameterization/Parameterization_report.h>
 #include <CGAL/Spherical_parameterization/Sharpness.h>
 #include <CGAL/Spherical_parameterization/internal/levels/Block_coordinate_descent.h>
-#include <CGAL/Spherical_parameterization/internal/levels/Independent_sets.h>
-#include <CGAL/Spherical_parameterization/internal/levels/Measured_faces.h>
+#include <CGAL/Spherical_parameterization/internal/levels/Energy_summary.h>
 #include <CGAL/Spherical_parameterization/internal/levels/Objective.h>
-#include <CGAL/Spherical_parameterization/internal/levels/Round_sphere.h>
+#include <CGAL/Spherical_parameterization/internal/levels/Star_energy.h>
 #include <CGAL/Spherical_parameterization/internal/surface/Surface.h>
 #include <CGAL/Spherical_parameterization/internal/surface/Rest_triangle.h>
 #include <CGAL/Spherical_parameterization/internal/run/policy_traits.h>
@@ -314,7 +313,7 @@ Descent_loop<Energy, Step>::Descent_loop(const Surface& mesh, const Energy& ener
   , m_control(control)
 {
   std::vector<double> densities;
-  if constexpr(Follows_curvature<Energy>::value)
+  if constexpr(follows_curvature<Energy>)
     densities = vertex_densities(mesh.rings(), mesh.points(), curvature_masses(mesh.rings(), mesh.points()));
   m_descent.assign(mesh.rings(), Independent_sets(mesh.rings()), mesh.points(), densities, Rest_limits(),
                    sliver_vertices(mesh.rings(), mesh.points()));

@@ -14,7 +14,7 @@
 
 #include <CGAL/license/Spherical_parameterization.h>
 
-#include <CGAL/Spherical_parameterization/internal/levels/Face_objective.h>
+#include <CGAL/Spherical_parameterization/internal/levels/Face_energy.h>
 #include <CGAL/Spherical_parameterization/internal/levels/Star_packets.h>
 #include <CGAL/Spherical_parameterization/internal/numbers/Packed_double.h>
 
@@ -24,7 +24,6 @@
 #include <cstddef>
 #include <limits>
 #include <numeric>
-#include <type_traits>
 
 namespace CGAL::Spherical_parameterization::internal {
 
@@ -39,38 +38,26 @@ public:
   {}
 
   // Adds the energies of many faces, in several columns, which do not wait for each other. Which energies a column gets
-  // does not depend on the number of lanes. Faces count as much as `counts` says, or each the same.
-  template <class FT, class Counts = std::nullptr_t>
-  void add_all(const double* energies, std::size_t n, Counts counts = nullptr)
+  // does not depend on the number of lanes. Faces count as much as `counts` says.
+  template <class FT>
+  void add_all(const double* energies, const double* counts, std::size_t n)
   {
-    constexpr bool all_count_same = std::is_same<Counts, std::nullptr_t>::value;
     if(n == 0)
       return;
     // Calls f(energies, count) for the lanes from `column` on, row by row; the last row may have lanes that do not count.
     const auto for_each_row = [&](std::size_t column, const auto& f) {
       std::size_t k = column;
       for(; k + Lanes<FT>::width <= n; k += n_columns)
-        if constexpr(all_count_same)
-          f(Lanes<FT>::load(energies + k), FT(1.));
-        else
-          f(Lanes<FT>::load(energies + k), Lanes<FT>::load(counts + k));
+        f(Lanes<FT>::load(energies + k), Lanes<FT>::load(counts + k));
       if(k < n)
         f(Lanes<FT>::generate([&](std::size_t lane) { return energies[(std::min)(k + lane, n - 1)]; }),
-          Lanes<FT>::generate([&](std::size_t lane) {
-            if constexpr(all_count_same)
-              return k + lane < n ? 1. : 0.;
-            else
-              return k + lane < n ? counts[k + lane] : 0.;
-          }));
+          Lanes<FT>::generate([&](std::size_t lane) { return k + lane < n ? counts[k + lane] : 0.; }));
     };
     using Columns = std::array<double, n_columns>;
     const auto total = [](const Columns& columns) { return std::accumulate(columns.begin(), columns.end(), 0.); };
 
     Energy_summary part(m_sharpness);
-    if constexpr(all_count_same)
-      part.m_size = static_cast<double>(n);
-    else
-      part.m_size = std::accumulate(counts, counts + n, 0.);
+    part.m_size = std::accumulate(counts, counts + n, 0.);
     Columns sums, largest;
     for(std::size_t column = 0; column < n_columns; column += Lanes<FT>::width)
     {

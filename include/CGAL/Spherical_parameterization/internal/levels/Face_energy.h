@@ -20,7 +20,6 @@
 #include <CGAL/Spherical_parameterization/internal/run/policy_traits.h>
 
 #include <cstddef>
-#include <limits>
 #include <type_traits>
 #include <utility>
 
@@ -29,16 +28,13 @@ namespace CGAL::Spherical_parameterization::internal {
 // Whether both functions of an energy can be called for lanes of numbers. One that is written for `double` only is
 // called for one lane after the other.
 template <class Energy, class FT, class = void>
-struct Is_lanewise : std::false_type
-{};
-
+constexpr bool is_lanewise = false;
 template <class Energy, class FT>
-struct Is_lanewise<
+constexpr bool is_lanewise<
     Energy, FT,
     std::void_t<decltype(std::declval<const Energy&>()(std::declval<const FT&>(), std::declval<const FT&>())),
                 decltype(std::declval<const Energy&>().derivatives(std::declval<const FT&>(),
-                                                                   std::declval<const FT&>()))>> : std::true_type
-{};
+                                                                   std::declval<const FT&>()))>> = true;
 
 // The energy of a face as the descent evaluates it: in one lane or several, and, if the weight of the guard is
 // positive, with that share of the area distortion d + 1 / d added, which keeps faces from shrinking without end where
@@ -47,7 +43,7 @@ template <class Energy>
 class Face_energy
 {
 public:
-  static constexpr bool weighs_faces_by_area = Weighs_faces_by_area<Energy>::value;
+  static constexpr bool weighs_faces_by_area = internal::weighs_faces_by_area<Energy>;
 
   explicit Face_energy(const Energy& energy, double guard = 0.)
     : m_energy(energy)
@@ -84,7 +80,7 @@ private:
   template <class FT>
   FT in_lanes(const FT& i, const FT& d) const
   {
-    if constexpr(Is_lanewise<Energy, FT>::value)
+    if constexpr(is_lanewise<Energy, FT>)
       return m_energy(i, d);
     else
       return FT::generate([&](std::size_t k) { return m_energy(lane(i, k), lane(d, k)); });
@@ -93,7 +89,7 @@ private:
   template <class FT>
   Energy_derivatives_3<FT> derivatives_in_lanes(const FT& i, const FT& d) const
   {
-    if constexpr(Is_lanewise<Energy, FT>::value)
+    if constexpr(is_lanewise<Energy, FT>)
       return m_energy.derivatives(i, d);
     else
     {
@@ -172,6 +168,49 @@ public:
 
 private:
   FT m_value, m_dx, m_dy;
+};
+
+// What the faces add to the objective, as a function of their energy E:
+//   psi(E) = (1 - a) E + (a / s) exp(s (E - R)),   psi' = (1 - a) + a exp(s (E - R)),
+// or E for s = 0. Eq. 6 of the paper is s = 0, and eq. 7 is a = 1, where R is but a factor.
+//
+// The group of the slivers, see sliver_vertices(), may have its own s and R, and its own sphere, which stays where it is
+// when the radius changes.
+struct Face_objective
+{
+  struct Exponential
+  {
+    double sharpness = 0.; // s
+    double level = 0.;     // R
+  };
+
+  Face_objective() = default;
+  // eq. 6 or 7: a sharpness is an objective
+  Face_objective(double sharpness)
+    : ordinary{sharpness, 0.}
+    , of_slivers{sharpness, 0.}
+  {}
+
+  bool is_average() const { return !(ordinary.sharpness > 0.); }
+  bool has_levels() const { return share < 1.; }
+
+  // What the d of a face is multiplied by. Its image is measured by the determinant of the corners, which is less than the
+  // doubled area by the distance of its plane from the centre: 1 - c^2 / 2 + ... for an isometric image on the unit
+  // sphere, whose area is that of the surface, with the circumradius c; and c^2 is a ninth of the sum of the squared
+  // edges of an equilateral face. So isometric images have d = 1 up to higher order on coarse meshes as well.
+  // It is bounded, since no image of a face is as long as the faces of coarse and long surfaces are.
+  template <class FT>
+  FT area_factor(const FT& opposite_0, const FT& opposite_1, const FT& opposite_2, const FT& doubled_area) const
+  {
+    constexpr double max_correction = 4.;
+    const FT correction = area_correction * (opposite_0 + opposite_1 + opposite_2) * doubled_area * doubled_area;
+    return 1. + minimum(correction, FT(max_correction));
+  }
+
+  double share = 1.; // a
+  Exponential ordinary, of_slivers;
+  double sliver_radius = 0.; // or 0: that of all faces
+  double area_correction = 0.;
 };
 
 } // namespace CGAL::Spherical_parameterization::internal

@@ -21,7 +21,7 @@
 #include <CGAL/Spherical_parameterization/internal/levels/Vertex_step.h>
 #include <CGAL/Spherical_parameterization/internal/levels/Level_descent.h>
 #include <CGAL/Spherical_parameterization/internal/levels/Mesh_hierarchy.h>
-#include <CGAL/Spherical_parameterization/internal/levels/Round_sphere.h>
+#include <CGAL/Spherical_parameterization/internal/levels/Star_energy.h>
 #include <CGAL/Spherical_parameterization/internal/levels/Star_kernel.h>
 #include <CGAL/Spherical_parameterization/internal/surface/Surface.h>
 #include <CGAL/Spherical_parameterization/internal/run/policy_traits.h>
@@ -175,11 +175,10 @@ bool embed_hierarchically(const Surface& mesh, const Energy& energy, const Sharp
   const auto embed = [&](double guard, const Sharpness& level_sharpness, const Rest_limits& limits,
                          std::size_t sweeps_factor) {
     // An attempt uses the hierarchy up, and a second one is rare.
-    Mesh_hierarchy hierarchy =
-        Mesh_hierarchy::build(mesh.rings(), mesh.points(),
-                              Follows_curvature<Energy>::value ? curvature_masses(mesh.rings(), mesh.points())
-                                                               : vertex_areas(mesh.rings(), mesh.points()),
-                              execution);
+    Mesh_hierarchy hierarchy(mesh.rings(), mesh.points(),
+                             follows_curvature<Energy> ? curvature_masses(mesh.rings(), mesh.points())
+                                                       : vertex_areas(mesh.rings(), mesh.points()),
+                             execution);
     control.check_clock();
     if(++report.number_of_attempts == 1)
     {

@@ -16,7 +16,6 @@
 
 #include <CGAL/Spherical_parameterization/internal/levels/Block_coordinate_descent.h>
 #include <CGAL/Spherical_parameterization/internal/levels/Energy_summary.h>
-#include <CGAL/Spherical_parameterization/internal/levels/Independent_sets.h>
 #include <CGAL/Spherical_parameterization/internal/levels/Mesh_hierarchy.h>
 #include <CGAL/Spherical_parameterization/internal/levels/Star_kernel.h>
 #include <CGAL/Spherical_parameterization/internal/levels/Vertex_step.h>
@@ -29,7 +28,6 @@
 
 #include <atomic>
 #include <cstddef>
-#include <memory>
 #include <vector>
 
 namespace CGAL::Spherical_parameterization::internal {
@@ -119,17 +117,16 @@ private:
     constexpr std::size_t sweeps_per_measurement = 5; // to measure takes a fifth of the time of a sweep
     const std::vector<Vector_3d> points = level.gathered(m_points);
     std::vector<double> densities;
-    std::unique_ptr<const Independent_sets> sets; // g++ takes an optional for uninitialized, where there is one thread
+    Independent_sets sets;
     const auto find_densities = [&] {
       if(!m_limits.is_uniform)
         densities = vertex_densities(rings, points, level.areas);
     };
     run_both(
-        m_execution, [&] { sets = std::make_unique<const Independent_sets>(rings); },
-        find_densities); // each is sequential
+        m_execution, [&] { sets = Independent_sets(rings); }, find_densities); // each is sequential
     m_descent.set_step(sweeps.step);
-    m_descent.assign(rings, *sets, points, densities, m_limits);
-    sets.reset();
+    m_descent.assign(rings, sets, points, densities, m_limits);
+    sets = Independent_sets();
     Face_objective objective;
     double last_average = 0.;
     for(std::size_t i = 0; i < sweeps.maximum && (i == 0 || !m_control.is_stopped()); ++i)

@@ -14,10 +14,10 @@
 
 #include <CGAL/license/Spherical_parameterization.h>
 
+#include <CGAL/Spherical_parameterization/Energy_derivatives_3.h>
 #include <CGAL/Spherical_parameterization/Face_range_3.h>
 #include <CGAL/Spherical_parameterization/internal/levels/Energy_summary.h>
-#include <CGAL/Spherical_parameterization/internal/levels/Face_objective.h>
-#include <CGAL/Spherical_parameterization/internal/levels/Star_energy.h>
+#include <CGAL/Spherical_parameterization/internal/levels/Face_energy.h>
 #include <CGAL/Spherical_parameterization/internal/levels/Star_packets.h>
 #include <CGAL/Spherical_parameterization/internal/run/parallel.h>
 #include <CGAL/Spherical_parameterization/internal/numbers/Packed_double.h>
@@ -29,10 +29,8 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <numeric>
 #include <vector>
 
@@ -262,7 +260,8 @@ private:
   void summarize(const Energy& energy, double radius, const Face_objective& objective, std::size_t block)
   {
     const auto squared = [](double x) { return x * x; };
-    std::array<double, faces_per_block> energies;
+    const auto count_of = [&](std::size_t face) { return Energy::weighs_faces_by_area ? m_invariants[face].area : 1.; };
+    std::array<double, faces_per_block> energies, counts;
     const std::size_t begin = first_face(block), n = first_face(block + 1) - begin;
     for(std::size_t k = 0; k < n; k += Lanes<FT>::width)
     {
@@ -270,43 +269,23 @@ private:
                d = scale * invariant<FT>(begin + k, &Face_invariants_3::d);
       Lanes<FT>::store(energy(i, d), energies.data() + k);
     }
+    for(std::size_t k = 0; k < n; ++k)
+      counts[k] = count_of(begin + k);
     Mesh_summary& part = m_partial[block];
     part = Mesh_summary(objective);
-    const auto add_all = [](Energy_summary& group, const double* values, std::size_t size, const auto& read_areas) {
-      if constexpr(Energy::weighs_faces_by_area)
-      {
-        std::array<double, faces_per_block> areas;
-        read_areas(areas.data());
-        group.template add_all<FT>(values, size, areas.data());
-      }
-      else
-        group.template add_all<FT>(values, size);
-    };
     const std::size_t n_slivers = number_of_slivers(block);
-    if(n_slivers > 0)
+    remove_slivers(block, energies.data());
+    remove_slivers(block, counts.data());
+    part.ordinary.add_all<FT>(energies.data(), counts.data(), n - n_slivers);
+
+    const double scale = squared((objective.sliver_radius > 0. ? objective.sliver_radius : radius) / m_radius);
+    for(std::size_t k = 0; k < n_slivers; ++k)
     {
-      const double sliver_radius = objective.sliver_radius > 0. ? objective.sliver_radius : radius;
-      remove_slivers(block, energies.data());
-      std::array<double, faces_per_block> of_slivers;
-      const auto sliver = [&](std::size_t k) -> const auto&
-      {
-        return m_invariants[m_slivers[m_first_sliver[block] + k]];
-      };
-      for(std::size_t k = 0; k < n_slivers; ++k)
-      {
-        const double scale = squared(sliver_radius / m_radius);
-        of_slivers[k] = energy(scale * sliver(k).i, scale * sliver(k).d);
-      }
-      add_all(part.slivers, of_slivers.data(), n_slivers, [&](double* areas) {
-        for(std::size_t k = 0; k < n_slivers; ++k)
-          areas[k] = sliver(k).area;
-      });
+      const std::size_t face = m_slivers[m_first_sliver[block] + k];
+      energies[k] = energy(scale * m_invariants[face].i, scale * m_invariants[face].d);
+      counts[k] = count_of(face);
     }
-    add_all(part.ordinary, energies.data(), n - n_slivers, [&](double* areas) {
-      for(std::size_t k = 0; k < n; ++k)
-        areas[k] = m_invariants[begin + k].area;
-      remove_slivers(block, areas);
-    });
+    part.slivers.add_all<FT>(energies.data(), counts.data(), n_slivers);
   }
 
   Mesh_summary total(const Face_objective& objective) const

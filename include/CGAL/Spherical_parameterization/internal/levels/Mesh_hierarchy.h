@@ -16,7 +16,6 @@
 
 #include <CGAL/Spherical_parameterization/internal/levels/Vertex_removal.h>
 #include <CGAL/Spherical_parameterization/internal/surface/Vertex_rings.h>
-#include <CGAL/Spherical_parameterization/internal/surface/mesh_measures.h>
 #include <CGAL/Spherical_parameterization/internal/run/parallel.h>
 #include <CGAL/Spherical_parameterization/internal/numbers/Vector_3.h>
 
@@ -128,28 +127,22 @@ public:
     }
   };
 
-  // `areas` are those that the vertices of the mesh stand for.
-  static Mesh_hierarchy build(const Vertex_rings& rings, const std::vector<Vector_3d>& points,
-                              std::vector<double> areas, Execution execution)
+  // `areas` are those that the vertices of the mesh stand for. If these have images on the sphere, whose faces are
+  // positive, the faces stay so. No vertex that is marked as fixed is removed. The coarsest level has about `min_size`
+  // vertices, or is where no more can be removed.
+  Mesh_hierarchy(const Vertex_rings& rings, const std::vector<Vector_3d>& points, std::vector<double> areas,
+                 Execution execution, const std::vector<Vector_3d>& images = {}, const std::vector<char>& is_fixed = {},
+                 std::size_t min_size = 4)
+    : m_finest_rings(rings)
+    , m_execution(execution)
+    , m_levels(1)
   {
-    Mesh_hierarchy hierarchy(rings, execution);
-    hierarchy.start(std::move(areas));
-    while(hierarchy.m_levels.back().vertices.size() > 4)
-      hierarchy.coarsen(points, {}, {});
-    return hierarchy;
-  }
-
-  // The same of a mesh with images on the sphere, whose faces are and stay positive, without the removal of vertices that
-  // are marked as fixed; down to about `min_size` vertices, or where this is possible no more.
-  static Mesh_hierarchy build_on_sphere(const Vertex_rings& rings, const std::vector<Vector_3d>& points,
-                                        std::vector<double> areas, const std::vector<Vector_3d>& images,
-                                        const std::vector<char>& is_fixed, std::size_t min_size, Execution execution)
-  {
-    Mesh_hierarchy hierarchy(rings, execution);
-    hierarchy.start(std::move(areas));
-    while(hierarchy.m_levels.back().vertices.size() > min_size && hierarchy.coarsen(points, images, is_fixed))
+    Level& finest = m_levels.back();
+    finest.vertices.resize(rings.number_of_vertices());
+    std::iota(finest.vertices.begin(), finest.vertices.end(), 0u);
+    finest.areas = std::move(areas);
+    while(m_levels.back().vertices.size() > min_size && coarsen(points, images, is_fixed))
       ;
-    return hierarchy;
   }
 
   std::size_t number_of_levels() const { return m_levels.size(); }
@@ -168,20 +161,6 @@ private:
   // the share of the vertices that one level removes at most
   static constexpr double max_share = 0.25;
   static constexpr std::size_t block_size = 64;
-
-  Mesh_hierarchy(const Vertex_rings& rings, Execution execution)
-    : m_finest_rings(rings)
-    , m_execution(execution)
-  {}
-
-  void start(std::vector<double> areas)
-  {
-    m_levels.emplace_back();
-    Level& finest = m_levels.back();
-    finest.vertices.resize(m_finest_rings.number_of_vertices());
-    std::iota(finest.vertices.begin(), finest.vertices.end(), 0u);
-    finest.areas = std::move(areas);
-  }
 
   // Adds a level, if any vertex can be removed.
   bool coarsen(const std::vector<Vector_3d>& points, const std::vector<Vector_3d>& images,

@@ -17,7 +17,7 @@
 #include <CGAL/Spherical_parameterization/Face_range_3.h>
 #include <CGAL/Spherical_parameterization/Sharpness.h>
 #include <CGAL/Spherical_parameterization/internal/levels/Energy_summary.h>
-#include <CGAL/Spherical_parameterization/internal/levels/Face_objective.h>
+#include <CGAL/Spherical_parameterization/internal/levels/Face_energy.h>
 #include <CGAL/Spherical_parameterization/internal/numbers/Vector_3.h>
 
 #include <algorithm>

@@ -75,6 +75,7 @@ public:
   FT opposite_1(std::size_t j) const { return rest(j, 1); }
   FT opposite_2(std::size_t j) const { return rest(j, 2); }
   FT inverse_doubled_area(std::size_t j) const { return rest(j, 3); }
+  Rest_triangle rest(std::size_t j) const { return {rest(j, 0), rest(j, 1), rest(j, 2), rest(j, 3)}; } // of one star
 
   // whether row j is beyond the end of the star
   auto is_padding(std::size_t j) const { return !(FT(static_cast<double>(j)) < m_degree); }
@@ -163,7 +164,6 @@ public:
     m_vertices.reserve(vertices.size() + vertices.size() / 16 + width);
     m_degrees.reserve(m_vertices.capacity());
     m_packets.clear();
-    m_number_of_singles = 0;
     m_packets.reserve(m_vertices.capacity() / width);
     m_first_packet.assign(1, 0);
     std::size_t n_corners = 0;
@@ -178,7 +178,6 @@ public:
         {
           const bool is_large = degree_of(order[k]) > max_rows;
           const std::size_t stride = is_large ? 1 : width;
-          m_number_of_singles += is_large;
           std::size_t last = k + 1;
           while(last < order.size() && last < k + stride && degree_of(order[last]) <= max_rows)
             ++last;
@@ -204,7 +203,8 @@ public:
     m_is_at_sliver.resize(has_slivers ? n_corners : 0, 0);
   }
 
-  // Fills a packet: star_of(v) is the star of a vertex, with its degree(), neighbor(j), rest(j) and is_at_sliver(j).
+  // Fills a packet: star_of(v) is the star of a vertex, with its size(), neighbor(j), rest(j) and,
+  // if any face is at a sliver, is_at_sliver(j).
   template <class StarOf>
   void fill(std::size_t packet, const StarOf& star_of)
   {
@@ -212,56 +212,30 @@ public:
     for(std::size_t lane = 0; lane < p.stride; ++lane)
     {
       const auto star = star_of(m_vertices[p.first_place + lane]);
-      const std::size_t degree = star.degree();
       for(std::size_t j = 0; j < p.number_of_rows; ++j)
       {
         const std::size_t corner = p.first_corner + j * p.stride + lane;
-        const Rest_triangle rest = j < degree ? star.rest(j) : Rest_triangle{0., 0., 0., 0.};
-        m_neighbors[corner] = star.neighbor(j < degree ? j : 0);
+        const bool is_face = j < star.size();
+        const Rest_triangle rest = is_face ? star.rest(j) : Rest_triangle{0., 0., 0., 0.};
+        m_neighbors[corner] = star.neighbor(is_face ? j : 0);
         m_rest[rest_index(corner, 0)] = rest.opposite_0;
         m_rest[rest_index(corner, 1)] = rest.opposite_1;
         m_rest[rest_index(corner, 2)] = rest.opposite_2;
         m_rest[rest_index(corner, 3)] = rest.inverse_doubled_area;
         if(has_slivers())
-          m_is_at_sliver[corner] = j < degree && star.is_at_sliver(j);
+          m_is_at_sliver[corner] = is_face && star.is_at_sliver(j);
       }
     }
   }
 
-  // One star of a packet, to copy it.
-  class Star
+  // One star, to copy it.
+  Star_view<double> star(std::size_t place) const
   {
-  public:
-    Star(const Star_packets& stars, std::size_t place)
-      : m_stars(stars)
-    {
-      // All packets have `width` places but for those of a single star.
-      const std::size_t first = place / width, n = stars.m_packets.size();
-      const Packet* const packets = stars.m_packets.data();
-      const Packet& packet = *(std::upper_bound(packets + (std::min)(first, n),
-                                                packets + (std::min)(first + stars.m_number_of_singles + 1, n), place,
-                                                [](std::size_t p, const Packet& q) { return p < q.first_place; }) -
-                               1);
-      m_first = packet.first_corner + place - packet.first_place;
-      m_stride = packet.stride;
-      m_degree = stars.m_degrees[place];
-    }
-
-    std::size_t degree() const { return m_degree; }
-    std::uint32_t neighbor(std::size_t j) const { return m_stars.m_neighbors[m_first + j * m_stride]; }
-    Rest_triangle rest(std::size_t j) const
-    {
-      const auto number = [&](std::size_t k) { return m_stars.m_rest[rest_index(m_first + j * m_stride, k)]; };
-      return {number(0), number(1), number(2), number(3)};
-    }
-    bool is_at_sliver(std::size_t j) const { return m_stars.is_at_sliver(m_first + j * m_stride); }
-
-  private:
-    const Star_packets& m_stars;
-    std::size_t m_first, m_stride, m_degree;
-  };
-
-  Star star(std::size_t place) const { return Star(*this, place); }
+    const auto next = std::upper_bound(m_packets.begin(), m_packets.end(), place,
+                                       [](std::size_t p, const Packet& packet) { return p < packet.first_place; });
+    const Packet& packet = *(next - 1);
+    return view<double>(packet, place - packet.first_place);
+  }
 
   std::size_t number_of_sets() const { return m_first_packet.size() - 1; }
   std::size_t first_packet(std::size_t set) const { return m_first_packet[set]; }
@@ -386,7 +360,6 @@ private:
   }
 
   std::vector<Packet> m_packets;
-  std::size_t m_number_of_singles = 0; // packets of a single star
   std::vector<std::size_t> m_first_packet;
   std::vector<std::uint32_t> m_vertices, m_degrees; // of the places
   boost::container::vector<std::uint32_t> m_neighbors;

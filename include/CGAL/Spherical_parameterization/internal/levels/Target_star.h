@@ -22,10 +22,10 @@
 #include <CGAL/Spherical_parameterization/internal/numbers/Vector_3.h>
 #include <CGAL/Spherical_parameterization/internal/levels/Target_metric.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
 #include <limits>
 #include <vector>
 
@@ -79,16 +79,15 @@ public:
     m_level = level;
     m_center = star.center(positions);
     m_frame = Tangent_frame(m_center);
-    m_size = star.size();
-    m_faces.resize(m_size);
+    m_faces.resize(star.size());
     m_squared_shortest_edge = (std::numeric_limits<double>::max)();
-    for(std::size_t j = 0; j < m_size; ++j)
+    for(std::size_t j = 0; j < star.size(); ++j)
     {
       Face& f = m_faces[j];
       f.p = star.neighbor(j, positions);
-      f.q = star.neighbor(j + 1 < m_size ? j + 1 : 0, positions);
+      f.q = star.neighbor(j + 1 < star.size() ? j + 1 : 0, positions);
       f.normal = cross(f.p, f.q);
-      f.rest = {star.opposite_0(j), star.opposite_1(j), star.opposite_2(j), star.inverse_doubled_area(j)};
+      f.rest = star.rest(j);
       m_squared_shortest_edge = (std::min)(m_squared_shortest_edge, squared_length(f.p - m_center));
     }
     m_goal = nullptr;
@@ -234,7 +233,7 @@ private:
 
   const Target_metric& m_metric;
   Two_way_energy m_energy;
-  std::size_t m_level = 0, m_size = 0;
+  std::size_t m_level = 0;
   Vector_3d m_center = {0., 0., 1.};
   Tangent_frame m_frame = Tangent_frame({0., 0., 1.});
   double m_squared_shortest_edge = 0.;

@@ -18,7 +18,7 @@
 #include <CGAL/Spherical_parameterization/internal/locate/Sphere_image.h>
 #include <CGAL/Spherical_parameterization/internal/certificate/is_safely_positive.h>
 #include <CGAL/Spherical_parameterization/internal/levels/Energy_summary.h>
-#include <CGAL/Spherical_parameterization/internal/levels/Face_objective.h>
+#include <CGAL/Spherical_parameterization/internal/levels/Face_energy.h>
 #include <CGAL/Spherical_parameterization/internal/levels/Level_descent.h>
 #include <CGAL/Spherical_parameterization/internal/levels/Mesh_hierarchy.h>
 #include <CGAL/Spherical_parameterization/internal/levels/Star_kernel.h>
@@ -32,8 +32,6 @@
 #include <CGAL/Spherical_parameterization/internal/surface/Rest_triangle.h>
 #include <CGAL/Spherical_parameterization/internal/surface/Surface.h>
 #include <CGAL/Spherical_parameterization/internal/surface/mesh_measures.h>
-
-#include <CGAL/number_type_config.h>
 
 #include <algorithm>
 #include <array>
@@ -263,8 +261,8 @@ inline bool lower_on_target(const Surface& mesh, const Target_metric& metric, co
   std::vector<char> is_fixed;
   for(const std::optional<Vector_3d>& goal : goals.directions)
     is_fixed.push_back(goal.has_value());
-  Mesh_hierarchy hierarchy = Mesh_hierarchy::build_on_sphere(
-      mesh.rings(), mesh.points(), vertex_areas(mesh.rings(), mesh.points()), positions, is_fixed, min_size, execution);
+  Mesh_hierarchy hierarchy(mesh.rings(), mesh.points(), vertex_areas(mesh.rings(), mesh.points()), execution, positions,
+                           is_fixed, min_size);
   Target_levels plan(Target_surface(metric, goals, features), positions);
   std::vector<Vector_3d> result = positions;
   if(!Level_descent<Target_levels>(hierarchy, mesh.points(), Rest_limits(), plan, control, execution).run(result))

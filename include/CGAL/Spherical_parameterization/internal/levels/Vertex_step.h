@@ -14,7 +14,7 @@
 
 #include <CGAL/license/Spherical_parameterization.h>
 
-#include <CGAL/Spherical_parameterization/internal/levels/Star_energy.h>
+#include <CGAL/Spherical_parameterization/internal/levels/Face_energy.h>
 #include <CGAL/Spherical_parameterization/internal/numbers/Packed_double.h>
 
 #include <array>

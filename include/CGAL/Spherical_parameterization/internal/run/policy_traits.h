@@ -22,60 +22,46 @@ namespace CGAL::Spherical_parameterization::internal {
 // The members that a model of a concept need not have, and what their absence means.
 
 template <class Policy, class = void>
-struct Has_is_valid : std::false_type
-{};
-
+constexpr bool has_is_valid = false;
 template <class Policy>
-struct Has_is_valid<Policy, std::void_t<decltype(std::declval<const Policy&>().is_valid())>> : std::true_type
-{};
+constexpr bool has_is_valid<Policy, std::void_t<decltype(std::declval<const Policy&>().is_valid())>> = true;
 
 // returns whether the parameters of a policy are in their ranges; a policy without parameters is valid
 template <class Policy>
 bool is_valid_policy(const Policy& policy)
 {
-  if constexpr(Has_is_valid<Policy>::value)
+  if constexpr(has_is_valid<Policy>)
     return policy.is_valid();
   else
     return true;
 }
 
 template <class Policy, class = void>
-struct Has_next_phase : std::false_type
-{};
-
+constexpr bool has_next_phase = false;
 template <class Policy>
-struct Has_next_phase<Policy, std::void_t<decltype(std::declval<Policy&>().next_phase())>> : std::true_type
-{};
+constexpr bool has_next_phase<Policy, std::void_t<decltype(std::declval<Policy&>().next_phase())>> = true;
 
 // starts the next phase of a policy and returns whether there is one; most policies have a single phase
 template <class Policy>
 bool next_phase(Policy& policy)
 {
-  if constexpr(Has_next_phase<Policy>::value)
+  if constexpr(has_next_phase<Policy>)
     return policy.next_phase();
   else
     return false;
 }
 
-// How much the faces of a surface count in the sums of an energy, as it may say by static members.
-
-template <class Energy, class = void>
-struct Weighs_faces_by_area : std::false_type
-{};
-
 // whether faces count by their areas on the surface; if an energy does not say so, each counts the same
-template <class Energy>
-struct Weighs_faces_by_area<Energy, std::enable_if_t<Energy::weighs_faces_by_area>> : std::true_type
-{};
-
 template <class Energy, class = void>
-struct Follows_curvature : std::false_type
-{};
+constexpr bool weighs_faces_by_area = false;
+template <class Energy>
+constexpr bool weighs_faces_by_area<Energy, std::enable_if_t<Energy::weighs_faces_by_area>> = true;
 
 // whether the faces are given larger areas where the surface is curved; if an energy does not say so, they have their own
+template <class Energy, class = void>
+constexpr bool follows_curvature = false;
 template <class Energy>
-struct Follows_curvature<Energy, std::enable_if_t<Energy::follows_curvature>> : std::true_type
-{};
+constexpr bool follows_curvature<Energy, std::enable_if_t<Energy::follows_curvature>> = true;
 
 } // namespace CGAL::Spherical_parameterization::internal
 
