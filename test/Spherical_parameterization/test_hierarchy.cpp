@@ -68,7 +68,7 @@ std::pair<Vertex_removal, bool> removal_in_a_face(double height)
   const std::vector<std::uint32_t> numbers = callers_numbers(mesh);
   const auto v = static_cast<std::uint32_t>(std::find(numbers.begin(), numbers.end(), 4u) - numbers.begin());
   const Vertex_removal removal = Vertex_removal::best(mesh.rings(), mesh.points(), v, true);
-  return {removal, numbers[mesh.rings().ring(v)[removal.target()]] == 0};
+  return {removal, numbers[mesh.rings().ring(v)[removal.target]] == 0};
 }
 
 TEST(Vertex_removal, prefers_what_is_flat_and_near)
@@ -76,12 +76,12 @@ TEST(Vertex_removal, prefers_what_is_flat_and_near)
   const auto [flat, is_near] = removal_in_a_face(0.);
   ASSERT_TRUE(flat.is_possible());
   EXPECT_TRUE(is_near);
-  std::uint32_t last_rank = flat.rank();
+  std::uint32_t last_rank = flat.rank;
   for(const double height : {0.5, 1., 2.})
   {
     const Vertex_removal removal = removal_in_a_face(height).first;
-    EXPECT_GT(removal.rank(), last_rank) << height;
-    last_rank = removal.rank();
+    EXPECT_GT(removal.rank, last_rank) << height;
+    last_rank = removal.rank;
   }
 }
 

@@ -801,7 +801,7 @@ public:
       const std::array<double, 4> numbers = {rest.opposite_0, rest.opposite_1, rest.opposite_2,
                                              rest.inverse_doubled_area};
       for(std::size_t k = 0; k < 4; ++k)
-        m_rest[View::rest_index(j, k)] = numbers[k];
+        m_rest[SP::internal::rest_index(j, k)] = numbers[k];
     }
   }
 

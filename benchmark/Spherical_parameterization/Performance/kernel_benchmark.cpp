@@ -257,7 +257,7 @@ std::size_t cost_removals(Situation& s, Execution, benchmark::State&)
 {
   for(std::size_t v = 0; v < s.number_of_vertices(); ++v)
     benchmark::DoNotOptimize(
-        internal::Vertex_removal::best(s.mesh.rings(), s.mesh.points(), static_cast<std::uint32_t>(v), false).rank());
+        internal::Vertex_removal::best(s.mesh.rings(), s.mesh.points(), static_cast<std::uint32_t>(v), false).rank);
   return s.number_of_vertices();
 }
 

@@ -80,7 +80,6 @@ template <class Space, class Step>
 class Block_coordinate_descent
 {
 public:
-  // for meshes that are yet to be assigned
   Block_coordinate_descent(const Space& space, const Step& step, Execution execution)
     : m_space(space)
     , m_step(step)
@@ -89,8 +88,6 @@ public:
   {}
 
   Space& space() { return m_space; }
-
-  // Changes how the vertices move.
   void set_step(const Step& step) { m_step = step; }
 
   // Takes over a mesh, whose rings have to last until the next one; measurements and the focus are void then. `points`
@@ -269,47 +266,41 @@ private:
   template <class StarOf>
   void fill(Star_packets& stars, const StarOf& star_of) const
   {
-    for_each_block(m_execution, 0, stars.number_of_packets(), packets_per_block,
-                   [&](std::size_t begin, std::size_t end) {
-                     for(std::size_t packet = begin; packet < end; ++packet)
-                       stars.fill(packet, star_of);
-                   });
+    const auto fill_block = [&](std::size_t begin, std::size_t end) {
+      for(std::size_t packet = begin; packet < end; ++packet)
+        stars.fill(packet, star_of);
+    };
+    for_each_block(m_execution, 0, stars.number_of_packets(), packets_per_block, fill_block);
   }
 
   void move_all(const Star_packets& stars, std::vector<Vector_3d>& positions, double radius,
                 const Face_objective& objective, const Step& step)
   {
-    for(std::size_t set = 0; set < stars.number_of_sets(); ++set)
-      for_each_block(m_execution, stars.first_packet(set), stars.first_packet(set + 1), packets_per_block,
-                     [&](std::size_t begin, std::size_t end) {
-                       auto& scratch = m_scratch.local();
-                       const auto move_packets = [&](auto number_type) {
-                         using FT = typename decltype(number_type)::FT;
-                         for(std::size_t packet = begin; packet < end; ++packet)
-                           move_packet<FT>(stars, stars.packet(packet), positions.data(), radius, objective, step,
-                                           scratch);
-                       };
-                       if constexpr(Space::is_lanewise)
-                         run_in_lanes(move_packets);
-                       else
-                         move_packets(Number_type<double>());
-                     });
-  }
-
-  template <class FT, class Scratch>
-  void move_packet(const Star_packets& stars, const Star_packets::Packet& packet, Vector_3d* positions, double radius,
-                   const Face_objective& objective, const Step& step, Scratch& scratch)
-  {
-    const auto move = [&](auto number_type, std::size_t first) {
-      using Number = typename decltype(number_type)::FT;
-      m_space.move(stars.view<Number>(packet, first), stars.vertices(packet) + first, packet.number_of_stars - first,
-                   positions, radius, objective, step, scratch);
+    const auto move_block = [&](std::size_t begin, std::size_t end) {
+      auto& scratch = m_scratch.local();
+      const auto move_stars = [&](auto number_type, const Star_packets::Packet& packet, std::size_t first) {
+        m_space.move(stars.view<typename decltype(number_type)::FT>(packet, first), stars.vertices(packet) + first,
+                     packet.number_of_stars - first, positions.data(), radius, objective, step, scratch);
+      };
+      const auto move_packets = [&](auto number_type) {
+        constexpr std::size_t width = Lanes<typename decltype(number_type)::FT>::width;
+        for(std::size_t k = begin; k < end; ++k)
+        {
+          const Star_packets::Packet& packet = stars.packet(k);
+          if(packet.stride == 1)
+            move_stars(Number_type<double>(), packet, 0);
+          else
+            for(std::size_t first = 0; first < packet.number_of_stars; first += width)
+              move_stars(number_type, packet, first);
+        }
+      };
+      if constexpr(Space::is_lanewise)
+        run_in_lanes(move_packets);
+      else
+        move_packets(Number_type<double>());
     };
-    if(packet.stride == 1)
-      move(Number_type<double>(), 0);
-    else
-      for(std::size_t k = 0; k < packet.number_of_stars; k += Lanes<FT>::width)
-        move(Number_type<FT>(), k);
+    for(std::size_t set = 0; set < stars.number_of_sets(); ++set)
+      for_each_block(m_execution, stars.first_packet(set), stars.first_packet(set + 1), packets_per_block, move_block);
   }
 
   Space m_space;

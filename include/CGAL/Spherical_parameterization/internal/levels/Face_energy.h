@@ -56,7 +56,11 @@ public:
   template <class FT>
   FT operator()(const FT& i, const FT& d) const
   {
-    FT value = in_lanes(i, d);
+    FT value;
+    if constexpr(is_lanewise<Energy, FT>)
+      value = m_energy(i, d);
+    else
+      value = FT::generate([&](std::size_t k) { return m_energy(lane(i, k), lane(d, k)); });
     if(is_guarded())
       value += m_guard * (d + 1. / d);
     return value;
@@ -77,15 +81,6 @@ public:
   }
 
 private:
-  template <class FT>
-  FT in_lanes(const FT& i, const FT& d) const
-  {
-    if constexpr(is_lanewise<Energy, FT>)
-      return m_energy(i, d);
-    else
-      return FT::generate([&](std::size_t k) { return m_energy(lane(i, k), lane(d, k)); });
-  }
-
   template <class FT>
   Energy_derivatives_3<FT> derivatives_in_lanes(const FT& i, const FT& d) const
   {

@@ -35,6 +35,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 namespace CGAL::Spherical_parameterization::internal {
@@ -189,8 +190,7 @@ bool embed_hierarchically(const Surface& mesh, const Energy& energy, const Sharp
                                         sweeps_factor * sweeps_per_level, sweeps_finest_level, limits.is_uniform);
     positions.resize(mesh.number_of_vertices());
     place_tetrahedron(hierarchy, positions);
-    return Level_descent<Hierarchical_embedding<Energy>>(hierarchy, mesh.points(), limits, plan, control, execution)
-        .run(positions);
+    return Level_descent(hierarchy, mesh.points(), limits, plan, control, execution).run(positions);
   };
 
   bool is_embedded = embed(0., sharpness, Rest_limits(), 1);

@@ -92,7 +92,7 @@ public:
   {
     m_radius = radius;
     m_partial.resize(number_of_blocks());
-    for_each_block_of_faces<Space>(number_of_blocks(), execution, [&](auto number_type, std::size_t block) {
+    for_each_block_of_faces<Space>(execution, [&](auto number_type, std::size_t block) {
       using FT = typename decltype(number_type)::FT;
       const std::size_t begin = block * packets_per_block,
                         end = (std::min)(begin + packets_per_block, m_packets.size());
@@ -112,7 +112,7 @@ public:
   template <class Space>
   Mesh_summary summary(const Space& space, double radius, const Face_objective& objective, Execution execution)
   {
-    for_each_block_of_faces<Space>(number_of_blocks(), execution, [&](auto number_type, std::size_t block) {
+    for_each_block_of_faces<Space>(execution, [&](auto number_type, std::size_t block) {
       summarize<typename decltype(number_type)::FT>(space.energy(), radius, objective, block);
     });
     return total(objective);
@@ -126,7 +126,7 @@ public:
                                            double Face_invariants_3::*area_ratio, Execution execution) const
   {
     std::vector<std::array<double, 3>> parts(number_of_blocks());
-    for_each_block_of_faces<Space>(number_of_blocks(), execution, [&](auto number_type, std::size_t block) {
+    for_each_block_of_faces<Space>(execution, [&](auto number_type, std::size_t block) {
       using FT = typename decltype(number_type)::FT;
       std::array<std::array<double, faces_per_block>, 3> terms;
       const std::size_t begin = first_face(block), n = first_face(block + 1) - begin;
@@ -147,7 +147,7 @@ public:
           first = (1. - objective.share) + weight;
           second = sharpness * weight;
         }
-        if constexpr(Space::weighs_faces_by_area)
+        if constexpr(Space::Energy::weighs_faces_by_area)
         {
           const FT area = invariant<FT>(begin + k, &Face_invariants_3::area);
           first *= area;
@@ -216,9 +216,9 @@ private:
 
   // Calls f(Number_type<FT>(), block) for each block of faces.
   template <class Space, class Function>
-  static void for_each_block_of_faces(std::size_t n_blocks, Execution execution, const Function& f)
+  void for_each_block_of_faces(Execution execution, const Function& f) const
   {
-    for_each_block(execution, 0, n_blocks, 1, [&](std::size_t block, std::size_t) {
+    for_each_block(execution, 0, number_of_blocks(), 1, [&](std::size_t block, std::size_t) {
       if constexpr(Space::is_lanewise)
         run_in_lanes([&](auto number_type) { f(number_type, block); });
       else
@@ -232,11 +232,7 @@ private:
   {
     const Packet& packet = m_packets[k];
     const auto point = [&](std::size_t corner) {
-      const auto coordinate = [&](std::size_t i) {
-        return Lanes<FT>::generate(
-            [&](std::size_t lane) { return positions[packet.vertices[corner][first + lane]][i]; });
-      };
-      return Vector_3<FT>{coordinate(0), coordinate(1), coordinate(2)};
+      return points_in_lanes<FT>(packet.vertices[corner].data() + first, positions);
     };
     const auto rest = [&](std::size_t i) {
       return Lanes<FT>::generate([&](std::size_t lane) { return stars.rest(packet.corners[first + lane], i); });

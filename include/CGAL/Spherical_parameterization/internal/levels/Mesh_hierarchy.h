@@ -205,7 +205,7 @@ private:
     candidates.reserve(n);
     for(std::size_t v = 0; v < n; ++v)
       if(removals[v].is_possible())
-        candidates.push_back(static_cast<std::uint64_t>(removals[v].rank()) << 32 | v);
+        candidates.push_back(static_cast<std::uint64_t>(removals[v].rank) << 32 | v);
     boost::sort::spreadsort::integer_sort(candidates.begin(), candidates.end());
 
     const std::size_t max_removed =
@@ -222,7 +222,7 @@ private:
       if(is_locked[v])
         continue;
       const Vertex_rings::Ring ring = rings.ring(v);
-      const std::uint32_t d = static_cast<std::uint32_t>(ring.size()), t = removals[v].target();
+      const std::uint32_t d = static_cast<std::uint32_t>(ring.size()), t = removals[v].target;
       bool has_new_edge = false;
       for(std::uint32_t k = 2; k + 1 < d; ++k)
         has_new_edge = has_new_edge || new_edges.contains(ring[t], ring.around(t + k));

@@ -194,10 +194,7 @@ private:
   }
   FT unless_padding(std::size_t j, const FT& value, const FT& otherwise) const
   {
-    if constexpr(std::is_same<FT, double>::value)
-      return value;
-    else
-      return select(is_padding(j), otherwise, value);
+    return select(is_padding(j), otherwise, value);
   }
 
   // that of the face on the surface, or 1 for a padding row
@@ -298,7 +295,6 @@ public:
   using Star = Star_energy<Energy_, Step::template Image_measure, FT>;
 
   static constexpr bool is_lanewise = Step::is_lanewise;
-  static constexpr bool weighs_faces_by_area = Energy::weighs_faces_by_area;
 
   explicit Round_sphere(const Energy& energy)
     : m_energy(energy)
@@ -307,22 +303,15 @@ public:
   const Energy& energy() const { return m_energy; }
 
   // what a thread needs to move stars of any number of lanes
-  using Scratch = std::conditional_t<is_lanewise, std::tuple<Star<double>, Star<Two_lanes>, Star<Four_lanes>>,
-                                     std::tuple<Star<double>>>;
-  Scratch scratch() const
-  {
-    if constexpr(is_lanewise)
-      return {Star<double>(m_energy), Star<Two_lanes>(m_energy), Star<Four_lanes>(m_energy)};
-    else
-      return {Star<double>(m_energy)};
-  }
+  using Scratch = std::tuple<Star<double>, Star<Two_lanes>, Star<Four_lanes>>;
+  Scratch scratch() const { return Scratch(m_energy, m_energy, m_energy); }
 
   // Moves the vertices of the star in each lane, but no more than `n_vertices`.
   template <class FT>
   void move(const Star_view<FT>& view, const std::uint32_t* vertices, std::size_t n_vertices, Vector_3d* positions,
             double radius, const Face_objective& objective, const Step& vertex_step, Scratch& scratch) const
   {
-    Star<FT>& star = std::get<Star<FT>>(scratch);
+    Star<FT>& star = std::get<Lanes<FT>::width / 2>(scratch);
     star.set_objective(radius * radius, objective);
     star.load(view, positions);
     std::array<FT, 2> step = {FT(0.), FT(0.)};

@@ -87,14 +87,22 @@ public:
     // The centroid, or else the way from it to the base: nearer to the base, the far edges are seen better.
     Point candidate = centroid(), best = candidate;
     double min_roughness = largest;
+    const auto consider = [&](const Point& c) {
+      const double value = roughness(c);
+      if(value < min_roughness)
+      {
+        min_roughness = value;
+        best = c;
+      }
+    };
     for(int k = 0; k < max_halvings && !(min_roughness < largest); ++k)
     {
-      consider(candidate, best, min_roughness);
+      consider(candidate);
       candidate = {0.5 * candidate[0], 0.5 * candidate[1]};
     }
     // The hole of a vertex between two hubs is a lune, which the projection makes endless: its centroid is off the
     // middle, which is between the two vertices that are close to each other.
-    consider({middle[0] / (1. + middle[2]), middle[1] / (1. + middle[2])}, best, min_roughness);
+    consider({middle[0] / (1. + middle[2]), middle[1] / (1. + middle[2])});
     if(!(min_roughness < largest))
       return false;
     // back from the tangent plane to tangential coordinates
@@ -144,17 +152,6 @@ private:
     if(!(doubled_area > 0.))
       return o;
     return {o[0] + x / (3. * doubled_area), o[1] + y / (3. * doubled_area)};
-  }
-
-  // takes the gnomonic point `c` if it is better than the best one so far
-  void consider(const Point& c, Point& best, double& min_roughness) const
-  {
-    const double value = roughness(c);
-    if(value < min_roughness)
-    {
-      min_roughness = value;
-      best = c;
-    }
   }
 
   // How far the faces from the gnomonic point to the edges of the hole are from equilateral, in sum; infinite if

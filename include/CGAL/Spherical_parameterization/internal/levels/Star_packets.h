@@ -37,11 +37,27 @@ constexpr std::size_t packet_width = 8;
 static_assert(packet_width % Lanes<Two_lanes>::width == 0 && packet_width % Lanes<Four_lanes>::width == 0,
               "A packet is worked on lane by lane without a rest.");
 
+// Where number k of the rest shape of a corner is: those of packet_width corners lie side by side.
+inline std::size_t rest_index(std::size_t corner, std::size_t k)
+{
+  return 4 * (corner - corner % packet_width) + packet_width * k + corner % packet_width;
+}
+
+// The positions of consecutive vertices of an array.
+template <class FT>
+Vector_3<FT> points_in_lanes(const std::uint32_t* vertices, const Vector_3d* positions)
+{
+  const auto coordinate = [&](std::size_t i) {
+    return Lanes<FT>::generate([&](std::size_t lane) { return positions[vertices[lane]][i]; });
+  };
+  return {coordinate(0), coordinate(1), coordinate(2)};
+}
+
 // One star, or several of them lane by lane, where they lie in memory: the numbers of the vertices and their
-// neighbours, the rest shapes of the faces, and whether these are at slivers. Corner j of lane k is the one of the face (vertex, neighbor j,
-// neighbor j + 1) and has the index first + j * stride + k in the arrays of the neighbors and, by rest_index(), of the
-// rest shapes. A star that has fewer faces than others of its packet, which its degree tells, is padded with its first
-// neighbor, and with 0 for the rest shapes.
+// neighbours, the rest shapes of the faces, and whether these are at slivers. Corner j of lane k is the one of the face
+// (vertex, neighbor j, neighbor j + 1) and has the index first + j * stride + k in the arrays of the neighbors and, by
+// rest_index(), of the rest shapes. A star that has fewer faces than others of its packet, which its degree tells, is
+// padded with its first neighbor, and with 0 for the rest shapes.
 template <class FT>
 class Star_view
 {
@@ -62,10 +78,10 @@ public:
 
   std::size_t size() const { return m_size; }
 
-  Vector_3<FT> center(const Vector_3d* positions) const { return points(m_vertices, positions); }
+  Vector_3<FT> center(const Vector_3d* positions) const { return points_in_lanes<FT>(m_vertices, positions); }
   Vector_3<FT> neighbor(std::size_t j, const Vector_3d* positions) const
   {
-    return points(m_neighbors + m_first + j * m_stride, positions);
+    return points_in_lanes<FT>(m_neighbors + m_first + j * m_stride, positions);
   }
 
   std::uint32_t neighbor(std::size_t j) const { return m_neighbors[m_first + j * m_stride]; }
@@ -88,24 +104,10 @@ public:
                [&](std::size_t lane) { return double(m_is_at_sliver[m_first + j * m_stride + lane]); }) > 0.;
   }
 
-  // Where number k of the rest shape of a corner is: those of packet_width corners lie side by side.
-  static std::size_t rest_index(std::size_t corner, std::size_t k)
-  {
-    return 4 * (corner - corner % packet_width) + packet_width * k + corner % packet_width;
-  }
-
 private:
   FT rest(std::size_t j, std::size_t k) const
   {
     return Lanes<FT>::load(m_rest + rest_index(m_first + j * m_stride, k));
-  }
-
-  static Vector_3<FT> points(const std::uint32_t* vertices, const Vector_3d* positions)
-  {
-    const auto coordinate = [&](std::size_t i) {
-      return Lanes<FT>::generate([&](std::size_t lane) { return positions[vertices[lane]][i]; });
-    };
-    return {coordinate(0), coordinate(1), coordinate(2)};
   }
 
   const std::uint32_t* m_vertices = nullptr;
@@ -124,11 +126,10 @@ private:
 // is not full has its first star in the remaining places.
 //
 // Corners and places are counted in 32 bits. There are at most 6 n corners of n vertices, and padding adds less than 2
-// n:
-// within a chunk of 1024 vertices of a set, which are ordered by degree, a packet wastes at most 8 times the difference
-// of its largest and smallest degree, which telescopes to less than 8 * 32, and the last packet as much again; so does
-// the last chunk of each set; a star by itself, of which there are less than n / 5, wastes at most 7. read_mesh()
-// refuses meshes with 2^31 halfedges, that is, n > 2^31 / 6, so that 8 n is below 2^32.
+// n: within a chunk of 1024 vertices of a set, which are ordered by degree, a packet wastes at most 8 times the
+// difference of its largest and smallest degree, which telescopes to less than 8 * 32, and the last packet as much
+// again; so does the last chunk of each set; a star by itself, of which there are less than n / 5, wastes at most 7.
+// read_mesh() refuses meshes with 2^31 halfedges, that is, n > 2^31 / 6, so that 8 n is below 2^32.
 class Star_packets
 {
 public:
@@ -277,7 +278,7 @@ public:
 #endif
   }
 
-  // Calls f(corner, v, p, q) for the faces of the mesh that have their smallest vertex v in a packet, in a fixed order.
+  // Calls f(corner, v, a, b) for the faces (v, a, b) of the mesh that have their smallest vertex v in a packet, in a fixed order.
   template <class Function>
   void for_each_face(std::size_t packet, const Function& f) const
   {
@@ -285,9 +286,12 @@ public:
     for(std::size_t lane = 0; lane < p.number_of_stars; ++lane)
       for(std::size_t j = 0; j < p.number_of_rows; ++j)
       {
-        const Corner c = corner(p, lane, j);
-        if(c.is_smallest())
-          f(c.index, c.vertex, c.p, c.q);
+        const std::size_t first = p.first_corner + lane, corner = first + j * p.stride;
+        const std::uint32_t v = m_vertices[p.first_place + lane], a = m_neighbors[corner],
+                            b = m_neighbors[j + 1 < p.number_of_rows ? corner + p.stride : first];
+        // A padding row has the first neighbor on both sides. Branches would be mispredicted.
+        if(static_cast<int>(v < a) & static_cast<int>(v < b) & static_cast<int>(a != b))
+          f(corner, v, a, b);
       }
   }
 
@@ -332,31 +336,6 @@ private:
       numbers.reserve(is_first ? n : n + n / 16);
     }
     numbers.resize(n, boost::container::default_init);
-  }
-
-  // A corner as the one of a face at its vertex; p and q are the two others.
-  struct Corner
-  {
-    std::size_t index;
-    std::uint32_t vertex, p, q;
-
-    // A padding row has the first neighbor on both sides.
-    bool is_smallest() const
-    {
-      return static_cast<int>(vertex < p) & static_cast<int>(vertex < q) & static_cast<int>(p != q);
-    }
-  };
-
-  Corner corner(const Packet& p, std::size_t lane, std::size_t j) const
-  {
-    const std::size_t first = p.first_corner + lane, index = first + j * p.stride;
-    const std::size_t next = j + 1 < p.number_of_rows ? index + p.stride : first;
-    return {index, m_vertices[p.first_place + lane], m_neighbors[index], m_neighbors[next]};
-  }
-
-  static std::size_t rest_index(std::size_t corner, std::size_t k)
-  {
-    return Star_view<double>::rest_index(corner, k);
   }
 
   std::vector<Packet> m_packets;

@@ -32,10 +32,9 @@ namespace CGAL::Spherical_parameterization::internal {
 
 // The metric of a surface on its sphere: how long a tangent vector of the sphere is on the surface, |J e|^2 = e^T S e with
 // S = J^T J, J the derivative of the inverse map, and how large areas are.
-template <class FT>
 struct Metric_sample
 {
-  std::array<FT, 8> numbers; // xx, xy, xz, yy, yz, zz of S, the area, and 0
+  std::array<double, 8> numbers; // xx, xy, xz, yy, yz, zz of S, the area, and 0
 
   Vector_3d operator()(const Vector_3d& e) const
   {
@@ -94,50 +93,43 @@ public:
     return level;
   }
 
-  using Sample = Metric_sample<double>;
-
-  Sample at(const Vector_3d& p, std::size_t level) const { return m_images[level].at(p); }
+  Metric_sample at(const Vector_3d& p, std::size_t level) const { return m_images[level].at(p); }
 
   // The same with the derivatives in two tangential directions.
-  Sample at(const Vector_3d& p, std::size_t level, const Vector_3d& t1, const Vector_3d& t2,
-            std::array<Sample, 2>& derivatives) const
+  Metric_sample at(const Vector_3d& p, std::size_t level, const Vector_3d& t1, const Vector_3d& t2,
+                   std::array<Metric_sample, 2>& derivatives) const
   {
-    return m_images[level].at(p, t1, t2, derivatives);
+    const Image& image = m_images[level];
+    const Cube_place place(p, image.n);
+    const auto nodes = place.nodes();
+    derivatives = {image.mixed(nodes, place.change_of_weights(t1)), image.mixed(nodes, place.change_of_weights(t2))};
+    return image.mixed(nodes, place.weights());
   }
 
 private:
   static constexpr std::size_t nodes_per_vertex = 12, min_size = 4, max_size = 1024;
 
-  using Texel = Metric_sample<float>;
+  using Texel = std::array<float, 8>; // the numbers of a Metric_sample
 
   struct Image
   {
     std::size_t n; // steps along an edge of the cube
     std::vector<Texel> samples;
 
-    Sample mixed(const std::array<std::size_t, 4>& nodes, const std::array<double, 4>& w) const
+    Metric_sample mixed(const std::array<std::size_t, 4>& nodes, const std::array<double, 4>& w) const
     {
-      const auto &s0 = samples[nodes[0]].numbers, &s1 = samples[nodes[1]].numbers, &s2 = samples[nodes[2]].numbers,
-                 &s3 = samples[nodes[3]].numbers;
-      Sample result;
+      const Texel &s0 = samples[nodes[0]], &s1 = samples[nodes[1]], &s2 = samples[nodes[2]], &s3 = samples[nodes[3]];
+      Metric_sample result;
       for(std::size_t k = 0; k < 8; ++k)
         result.numbers[k] = w[0] * static_cast<double>(s0[k]) + w[1] * static_cast<double>(s1[k]) +
                             w[2] * static_cast<double>(s2[k]) + w[3] * static_cast<double>(s3[k]);
       return result;
     }
 
-    Sample at(const Vector_3d& p) const
+    Metric_sample at(const Vector_3d& p) const
     {
       const Cube_place place(p, n);
       return mixed(place.nodes(), place.weights());
-    }
-
-    Sample at(const Vector_3d& p, const Vector_3d& t1, const Vector_3d& t2, std::array<Sample, 2>& derivatives) const
-    {
-      const Cube_place place(p, n);
-      const auto nodes = place.nodes();
-      derivatives = {mixed(nodes, place.change_of_weights(t1)), mixed(nodes, place.change_of_weights(t2))};
-      return mixed(nodes, place.weights());
     }
   };
 
@@ -161,11 +153,11 @@ private:
     return result;
   }
 
-  static Texel texel(const Sample& s)
+  static Texel texel(const Metric_sample& s)
   {
     Texel result;
     for(std::size_t k = 0; k < 8; ++k)
-      result.numbers[k] = static_cast<float>(s.numbers[k]);
+      result[k] = static_cast<float>(s.numbers[k]);
     return result;
   }
 
@@ -175,12 +167,12 @@ private:
     Image result{n, {}};
     const double h = 2. / static_cast<double>(fine.n);
     Cube_place::for_each_node(n, [&](std::size_t side, double u, double v) {
-      Sample sum{};
+      Metric_sample sum{};
       for(int k = -1; k <= 1; ++k)
         for(int l = -1; l <= 1; ++l)
         {
           const double w = (k == 0 ? 0.5 : 0.25) * (l == 0 ? 0.5 : 0.25);
-          const Sample s = fine.at(Cube_place::point(side, u + h * k, v + h * l));
+          const Metric_sample s = fine.at(Cube_place::point(side, u + h * k, v + h * l));
           for(std::size_t m = 0; m < 8; ++m)
             sum.numbers[m] += w * s.numbers[m];
         }
@@ -210,10 +202,10 @@ private:
     std::sort(nodes.begin(), nodes.end());
     for(std::size_t begin = 0, end; begin < nodes.size(); begin = end)
     {
-      Sample sum{};
+      Metric_sample sum{};
       for(end = begin; end < nodes.size() && nodes[end].first == nodes[begin].first; ++end)
         for(std::size_t m = 0; m < 8; ++m)
-          sum.numbers[m] += static_cast<double>(image.samples[nodes[end].second].numbers[m]);
+          sum.numbers[m] += static_cast<double>(image.samples[nodes[end].second][m]);
       for(double& x : sum.numbers)
         x /= static_cast<double>(end - begin);
       for(std::size_t k = begin; k < end; ++k)
@@ -222,7 +214,8 @@ private:
   }
 
   // at the direction q, for the triangle x of the surface and its image p
-  static Sample sample_of(const std::array<Vector_3d, 3>& p, const std::array<Vector_3d, 3>& x, const Vector_3d& q)
+  static Metric_sample sample_of(const std::array<Vector_3d, 3>& p, const std::array<Vector_3d, 3>& x,
+                                 const Vector_3d& q)
   {
     std::array<Vector_3d, 3> l = {cross(p[1], p[2]), cross(p[2], p[0]), cross(p[0], p[1])};
     const double determinant = dot(p[0], l[0]);
@@ -240,7 +233,7 @@ private:
     for(std::size_t i = 0; i < 3; ++i)
       for(std::size_t r = 0; r < 3; ++r)
         rows[r] = rows[r] + ((x[i][r] - place[r]) / sum) * l[i];
-    Sample result{};
+    Metric_sample result{};
     for(const Vector_3d& r : rows)
       for(std::size_t i = 0, k = 0; i < 3; ++i)
         for(std::size_t j = i; j < 3; ++j, ++k)

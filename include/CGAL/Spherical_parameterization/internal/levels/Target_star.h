@@ -120,11 +120,11 @@ public:
       const Vector_3d sum = m_center + f.p + f.q;
       const double size = length(sum);
       const Vector_3d c = (1. / size) * sum;
-      std::array<Target_metric::Sample, 2> change;
-      const Target_metric::Sample s = m_metric.at(c, m_level, t1, t2, change);
+      std::array<Metric_sample, 2> change;
+      const Metric_sample s = m_metric.at(c, m_level, t1, t2, change);
       const double o0 = f.rest.opposite_0, o1 = f.rest.opposite_1, o2 = f.rest.opposite_2;
       const double inverse_area = f.rest.inverse_doubled_area;
-      const auto dirichlet = [&](const Target_metric::Sample& g) {
+      const auto dirichlet = [&](const Metric_sample& g) {
         return o0 * g.squared_length(e0) + o1 * g.squared_length(e1) + o2 * g.squared_length(e2);
       };
       const double i = dirichlet(s), volume = dot(m_center, f.normal), to_d = inverse_area * s.area(),
@@ -183,7 +183,7 @@ public:
       const double volume = dot(center, f.normal);
       if(!is_safely_positive(volume, squared_length(e1) + squared_length(e2)))
         return infinite;
-      const Target_metric::Sample s = m_metric.at(center + f.p + f.q, m_level);
+      const Metric_sample s = m_metric.at(center + f.p + f.q, m_level);
       const double inverse_area = f.rest.inverse_doubled_area;
       const double i = f.rest.opposite_0 * s.squared_length(f.q - f.p) + f.rest.opposite_1 * s.squared_length(e1) +
                        f.rest.opposite_2 * s.squared_length(e2);

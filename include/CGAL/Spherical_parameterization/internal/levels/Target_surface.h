@@ -69,7 +69,6 @@ public:
   using Scratch = Target_star;
 
   static constexpr bool is_lanewise = false; // to look up a metric for each face leaves nothing to gain
-  static constexpr bool weighs_faces_by_area = Energy::weighs_faces_by_area;
 
   // All have to last as long as this.
   Target_surface(const Target_metric& metric, const Landmark_goals& goals, const Feature_goals& features)
@@ -118,10 +117,17 @@ public:
     if(is_settled)
       return;
     star.load(view, positions, m_metric_level);
+    const std::uint32_t number = (*m_vertices)[v];
     if(m_features->image)
-      set_features(star, (*m_vertices)[v]);
+    {
+      // A vertex stands for a third of the area of its faces, as all have it on this level.
+      const std::size_t n = m_features->image->number_of_channels();
+      const double weight =
+          2. * m_features->weight * star.area() / 3. / static_cast<double>(n); // 8 pi over the area of 4 pi
+      star.set_features(&*m_features->image, &m_features->values[number * n], weight);
+    }
     const Vector_3d old = positions[v];
-    const bool may_settle = move(star, (*m_vertices)[v], vertex_step, positions[v]);
+    const bool may_settle = move(star, number, vertex_step, positions[v]);
     m_is_settled[v] =
         may_settle && squared_length(positions[v] - old) <= settled_part * settled_part * star.squared_shortest_edge();
   }
@@ -131,7 +137,7 @@ public:
   std::array<double, 3> invariants(const std::array<Vector_3d, 3>& p, const std::array<double, 3>& opposite,
                                    double inverse_doubled_area, double, double, const Face_objective&) const
   {
-    const Target_metric::Sample s = m_metric->at(p[0] + p[1] + p[2], m_metric_level);
+    const Metric_sample s = m_metric->at(p[0] + p[1] + p[2], m_metric_level);
     const double d = inverse_doubled_area * dot(p[0], cross(p[1], p[2])) * s.area();
     return {opposite[0] * s.squared_length(p[2] - p[1]) + opposite[1] * s.squared_length(p[0] - p[2]) +
                 opposite[2] * s.squared_length(p[1] - p[0]),
@@ -139,15 +145,6 @@ public:
   }
 
 private:
-  // A vertex stands for a third of the area of its faces, as all have it on this level.
-  void set_features(Target_star& star, std::uint32_t v) const
-  {
-    const std::size_t n = m_features->image->number_of_channels();
-    const double weight =
-        2. * m_features->weight * star.area() / 3. / static_cast<double>(n); // 8 pi over the area of 4 pi
-    star.set_features(&*m_features->image, &m_features->values[v * n], weight);
-  }
-
   // A hard landmark is drawn to its goal ever harder, until it can go there at little cost: the faces around it make
   // way meanwhile. In the last sweep any cost will do. Returns false for one that is on its way.
   bool move(Target_star& star, std::uint32_t v, const Newton_step& vertex_step, Vector_3d& position)
@@ -265,7 +262,7 @@ inline bool lower_on_target(const Surface& mesh, const Target_metric& metric, co
                            is_fixed, min_size);
   Target_levels plan(Target_surface(metric, goals, features), positions);
   std::vector<Vector_3d> result = positions;
-  if(!Level_descent<Target_levels>(hierarchy, mesh.points(), Rest_limits(), plan, control, execution).run(result))
+  if(!Level_descent(hierarchy, mesh.points(), Rest_limits(), plan, control, execution).run(result))
     return false;
   positions.swap(result);
   return true;

@@ -34,11 +34,8 @@ namespace CGAL::Spherical_parameterization::internal {
 // up how far the target lies from the planes of the faces at the vertex (the quadric error of these faces) and a small
 // share of the length of the edge, so that flat parts are thinned out evenly; thin new faces and targets of high degree
 // raise it.
-class Vertex_removal
+struct Vertex_removal
 {
-public:
-  Vertex_removal() = default;
-
   // Finds the best target of vertex v. Only targets that keep the mesh a simplicial complex are considered (the link
   // condition). Whether two vertices of high degree are neighbours is looked up only if `is_exact`; otherwise they are
   // taken for neighbours, so that the time for a vertex is bounded.
@@ -80,32 +77,31 @@ public:
       const std::size_t degree = rings.degree(ring[j]) + d - 4;
       if(degree > good_degree)
         cost *= 1. + static_cast<double>((degree - good_degree) * (degree - good_degree));
-      if(result.is_possible() && rank_of(cost) >= result.m_rank)
+      if(result.is_possible() && rank_of(cost) >= result.rank)
         continue;
       double squared_quality = 1.;
       for(std::uint32_t k = j + 1; k + 1 < j + d; ++k)
         squared_quality = (std::min)(squared_quality, squared_quality_of(e[k] - e[j], e[k + 1] - e[j]));
-      const std::uint32_t rank = rank_of(cost / std::sqrt(std::sqrt((std::max)(squared_quality, min_squared_quality))));
-      if((!result.is_possible() || rank < result.m_rank) && (images.empty() || is_fan_positive(ring, j, images)) &&
+      const std::uint32_t new_rank =
+          rank_of(cost / std::sqrt(std::sqrt((std::max)(squared_quality, min_squared_quality))));
+      if((!result.is_possible() || new_rank < result.rank) && (images.empty() || is_fan_positive(ring, j, images)) &&
          !has_chord(rings, ring, j, is_exact))
       {
-        result.m_rank = rank;
-        result.m_target = j;
+        result.rank = new_rank;
+        result.target = j;
       }
     }
     return result;
   }
 
-  bool is_possible() const { return m_target != none; }
+  bool is_possible() const { return target != none; }
 
-  // the target as an index into the ring of the vertex
-  std::uint32_t target() const { return m_target; }
+  static constexpr std::uint32_t none = (std::numeric_limits<std::uint32_t>::max)();
 
-  // The cost as a key for sorting.
-  std::uint32_t rank() const { return m_rank; }
+  std::uint32_t rank = 0;      // the cost as a key for sorting
+  std::uint32_t target = none; // as an index into the ring of the vertex
 
 private:
-  static constexpr std::uint32_t none = (std::numeric_limits<std::uint32_t>::max)();
   static constexpr std::uint32_t max_degree = 16; // of a vertex to be removed; every mesh has vertices below 6
   static constexpr std::size_t good_degree = 9;
   static constexpr std::size_t high_degree = 64;
@@ -161,8 +157,6 @@ private:
     const Vertex_rings::Ring ring = rings.ring(a);
     return std::find(ring.begin(), ring.end(), b) != ring.end();
   }
-
-  std::uint32_t m_rank = 0, m_target = none;
 };
 
 } // namespace CGAL::Spherical_parameterization::internal

@@ -46,20 +46,10 @@ public:
   // The step for the levels of a hierarchy that are coarser than the mesh. Where a vertex has many thousands of
   // neighbours, longer steps throw these into a disorder that no later sweep undoes; and to carry changes far is what
   // the levels themselves are for.
-  static Newton_step on_coarse_levels()
-  {
-    Newton_step result;
-    result.m_over_relaxation = 1.7;
-    return result;
-  }
+  static Newton_step on_coarse_levels() { return Newton_step(1.7); }
 
   // The step for few vertices around bad faces, which are swept many times: nothing has to be carried far.
-  static Newton_step on_few_vertices()
-  {
-    Newton_step result;
-    result.m_over_relaxation = 1.4;
-    return result;
-  }
+  static Newton_step on_few_vertices() { return Newton_step(1.4); }
 
   template <class StarEnergy, class FT>
   auto operator()(const StarEnergy& energy, std::array<FT, 2>& step) const
@@ -106,6 +96,10 @@ public:
   }
 
 private:
+  explicit Newton_step(double over_relaxation)
+    : m_over_relaxation(over_relaxation)
+  {}
+
   static constexpr double min_ratio = 1e-3; // of the eigenvalues that a step is computed from
   static constexpr double min_radius = (std::numeric_limits<double>::min)(); // whose reciprocal is finite
   static constexpr double min_step = 1e-10; // in units of the shortest edge; shorter ones are not worth an evaluation

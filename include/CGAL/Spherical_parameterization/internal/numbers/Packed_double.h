@@ -48,8 +48,6 @@ struct Packed_vectors<2>
   typedef double Doubles __attribute__((vector_size(16)));
   typedef std::int64_t Integers __attribute__((vector_size(16)));
 
-  static CGAL_SP_INLINE void fill(Doubles& v, double x) { v = Doubles{x, x}; }
-
   // v[k] = f(k)
   template <class Function>
   static CGAL_SP_INLINE void generate(Doubles& v, const Function& f)
@@ -83,8 +81,6 @@ struct Packed_vectors<4>
   using Half = Packed_vectors<2>;
   typedef double Doubles __attribute__((vector_size(32)));
   typedef std::int64_t Integers __attribute__((vector_size(32)));
-
-  static CGAL_SP_INLINE void fill(Doubles& v, double x) { v = Doubles{x, x, x, x}; }
 
   template <class Function>
   static CGAL_SP_INLINE void generate(Doubles& v, const Function& f)
@@ -158,7 +154,10 @@ public:
   static constexpr std::size_t width = W;
 
   Packed_double() = default;
-  CGAL_SP_INLINE Packed_double(double value) { Vectors::fill(m_lanes, value); }
+  CGAL_SP_INLINE Packed_double(double value)
+  {
+    Vectors::generate(m_lanes, [&](std::size_t) { return value; });
+  }
   CGAL_SP_INLINE Packed_double(const Packed_double& other)
     : m_lanes(other.m_lanes)
   {}

@@ -142,10 +142,7 @@ public:
   // the point of the sphere whose offset has the tangential coordinates `x` and `y`, x^2 + y^2 < 1
   Vector_3<FT> point_at(const FT& x, const FT& y) const
   {
-    const FT z = height_at(x, y);
-    const Vector_3<FT> p = {m_n[0] + (x * m_t1[0] + y * m_t2[0] + z * m_n[0]),
-                            m_n[1] + (x * m_t1[1] + y * m_t2[1] + z * m_n[1]),
-                            m_n[2] + (x * m_t1[2] + y * m_t2[2] + z * m_n[2])};
+    const Vector_3<FT> p = m_n + (x * m_t1 + y * m_t2 + height_at(x, y) * m_n);
     // The length is that of n, 1 up to some roundings, so that one step of Newton's method normalizes it.
     return (1.5 - 0.5 * squared_length(p)) * p;
   }

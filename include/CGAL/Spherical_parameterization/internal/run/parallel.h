@@ -64,21 +64,17 @@ public:
   virtual void*& local() = 0;
 };
 
-// Calls f(k, k + 1) for all k < n in this thread, or makes no pointers as there is one thread only.
+// Calls f(k, k + 1) for all k < n in this thread.
 inline void run_in_one_thread(std::size_t n, const Block_function& f)
 {
   for(std::size_t k = 0; k < n; ++k)
     f(k, k + 1);
 }
-inline std::unique_ptr<Thread_pointers> make_no_pointers()
-{
-  return nullptr;
-}
 
 struct Execution // sequential by default
 {
   void (*run)(std::size_t n, const Block_function& f) = &run_in_one_thread;
-  std::unique_ptr<Thread_pointers> (*make_thread_pointers)() = &make_no_pointers;
+  std::unique_ptr<Thread_pointers> (*make_thread_pointers)() = nullptr; // null: there is one thread only
 };
 
 #ifdef CGAL_LINKED_WITH_TBB
@@ -110,10 +106,6 @@ public:
 private:
   tbb::enumerable_thread_specific<void*> m_pointers{nullptr};
 };
-inline std::unique_ptr<Thread_pointers> make_thread_pool_pointers()
-{
-  return std::make_unique<Thread_pool_pointers>();
-}
 
 #endif
 
@@ -123,7 +115,7 @@ Execution execution_of()
   if constexpr(std::is_convertible<ConcurrencyTag, Parallel_tag>::value)
   {
 #ifdef CGAL_LINKED_WITH_TBB
-    return {&run_in_thread_pool, &make_thread_pool_pointers};
+    return {&run_in_thread_pool, [] { return std::unique_ptr<Thread_pointers>(new Thread_pool_pointers); }};
 #else
     static_assert(!std::is_convertible<ConcurrencyTag, Parallel_tag>::value,
                   "Parallel_tag is enabled but TBB is unavailable.");
@@ -169,7 +161,7 @@ class Per_thread
 public:
   Per_thread(const Execution& execution, const T& exemplar)
     : m_exemplar(exemplar)
-    , m_pointers(execution.make_thread_pointers())
+    , m_pointers(execution.make_thread_pointers ? execution.make_thread_pointers() : nullptr)
   {}
 
   T& local()
