@@ -8,7 +8,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Author(s)     : The Spherical_parameterization authors
-//
 
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_CHECK_RUN_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_CHECK_RUN_H
@@ -28,18 +27,15 @@ namespace CGAL::Spherical_parameterization::internal {
 
 // Mistakes in a call of what may be stopped, see check_arguments.h.
 
-template <class Visitor, class = void>
-struct Is_visitor : std::false_type
-{};
-
 template <class Visitor>
-struct Is_visitor<Visitor, std::void_t<decltype(std::declval<Visitor&>().on_initialization_begin(std::size_t())),
-                                       decltype(std::declval<Visitor&>().on_level(std::size_t())),
-                                       decltype(std::declval<Visitor&>().on_initialization_end()),
-                                       decltype(std::declval<Visitor&>().after_iteration(std::size_t(), 0., 0.)),
-                                       decltype(std::declval<Visitor&>().on_optimization_end())>>
-  : std::is_convertible<decltype(std::declval<Visitor&>().go_further(std::size_t(), 0.)), bool>
-{};
+using Visitor_results =
+    std::void_t<decltype(std::declval<Visitor&>().on_initialization_begin(std::size_t())),
+                decltype(std::declval<Visitor&>().on_level(std::size_t())),
+                decltype(std::declval<Visitor&>().on_initialization_end()),
+                decltype(std::declval<Visitor&>().after_iteration(std::size_t(), 0., 0.)),
+                decltype(std::declval<Visitor&>().on_optimization_end()),
+                std::enable_if_t<std::is_convertible<decltype(std::declval<Visitor&>().go_further(std::size_t(), 0.)),
+                                                     bool>::value>>;
 
 // for a mesh that is one: the named parameters of what may be stopped
 template <class TriangleMesh, class NamedParameters>
@@ -50,7 +46,7 @@ constexpr bool check_run_parameters()
                                                                            Default_visitor>::reference>;
   using Time =
       typename internal_np::Lookup_named_param_def<internal_np::maximum_running_time_t, NamedParameters, double>::type;
-  constexpr bool is_visitor = Is_visitor<Visitor>::value;
+  constexpr bool is_visitor = is_detected<Visitor_results, Visitor>;
   static_assert(is_visitor,
                 "The named parameter visitor has to be a model of SphericalParameterizationVisitor, such as a class "
                 "derived from Default_visitor, or std::ref() of one.");

@@ -8,7 +8,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Author(s)     : The Spherical_parameterization authors
-//
 
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_RUN_PARAMETERIZATION_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_RUN_PARAMETERIZATION_H
@@ -161,16 +160,9 @@ private:
   Run_control& m_control;
 };
 
-// Whether a parameterizer of the package can map the surface of a run: that spares the mesh a second reading.
-template <class Parameterizer, class Run, class = void>
-struct Embeds_surface : std::false_type
-{};
-
+// What a parameterizer of the package has that can map the surface of a run: that spares the mesh a second reading.
 template <class Parameterizer, class Run>
-struct Embeds_surface<Parameterizer, Run,
-                      std::void_t<decltype(std::declval<const Parameterizer&>().embed(std::declval<Run&>(), false))>>
-  : std::true_type
-{};
+using Embed_result = decltype(std::declval<const Parameterizer&>().embed(std::declval<Run&>(), false));
 
 // Gets the map that a model of `SphericalParameterizer_3` makes, through its public interface, as positions on the unit
 // sphere.
@@ -182,8 +174,8 @@ Error_code compute_initial_map(Parameterizer& parameterizer, Run& run)
   const auto map = get(CGAL::dynamic_vertex_property_t<Point_3>(), run.tmesh);
   Initial_map_visitor visitor(run.control);
   const auto np = parameters::vertex_point_map(run.vertex_point_map()).visitor(std::ref(visitor));
-  constexpr bool is_parameterizer = Is_parameterizer<Parameterizer, std::decay_t<decltype(run.tmesh)>,
-                                                     std::decay_t<decltype(map)>, std::decay_t<decltype(np)>>::value;
+  constexpr bool is_parameterizer = is_detected<Parameterize_result, Parameterizer, std::decay_t<decltype(run.tmesh)>,
+                                                std::decay_t<decltype(map)>, std::decay_t<decltype(np)>>;
   static_assert(is_parameterizer, "The setting initial_parameterizer has to be a model of SphericalParameterizer_3: "
                                   "Precomputed_parameterizer_3(map) for a map.");
   if constexpr(is_parameterizer)
@@ -208,7 +200,7 @@ Error_code make_initial_map(Parameterizer& parameterizer, Run& run)
 {
   run.control.on_initialization_begin(run.surface.number_of_vertices());
   Error_code error = OK;
-  if constexpr(Embeds_surface<Parameterizer, Run>::value)
+  if constexpr(is_detected<Embed_result, Parameterizer, Run>)
     error = parameterizer.embed(run, false);
   else
     error = compute_initial_map(parameterizer, run);
