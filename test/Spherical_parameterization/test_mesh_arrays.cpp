@@ -38,7 +38,7 @@ constexpr double any_weight = std::numeric_limits<double>::lowest();
 
 SP::Error_code assign(Surface& mesh, const Triangle_list& list)
 {
-  return mesh.assign(list.points, index_triangles(list));
+  return mesh.assign(list.points, SP::internal::link_triangles(index_triangles(list), list.points.size()));
 }
 
 TEST(Surface, keeps_the_triangles_and_their_orientation)
@@ -164,8 +164,8 @@ TEST(Surface, refuses_what_is_no_sphere)
   touching.points.erase(touching.points.begin() + static_cast<std::ptrdiff_t>(sphere.points.size()));
   EXPECT_EQ(assign(mesh, touching), SP::ERROR_NO_SIMPLICIAL_COMPLEX);
 
-  EXPECT_EQ(mesh.assign({{0., 0., 0.}, {1., 0., 0.}, {0., 1., 0.}}, {{0, 1, 2}, {0, 2, 1}}),
-            SP::ERROR_TOO_FEW_VERTICES);
+  const auto two_triangles = SP::internal::link_triangles({{0, 1, 2}, {0, 2, 1}}, 3);
+  EXPECT_EQ(mesh.assign({{0., 0., 0.}, {1., 0., 0.}, {0., 1., 0.}}, two_triangles), SP::ERROR_TOO_FEW_VERTICES);
 }
 
 // ---------------------------------------------------------------------------------------------------------------------

@@ -724,11 +724,8 @@ SP::internal::Sphere_triangulation<Kernel> located(const Mapped_mesh& m, std::ve
 SP::internal::Surface indexed(const SP::internal::Sphere_triangulation<Kernel>& images,
                               const std::vector<Vector_3d>& points)
 {
-  std::vector<std::array<std::uint32_t, 3>> triangles;
-  for(const auto& t : images.triangles())
-    triangles.push_back(t.vertices);
   SP::internal::Surface mesh;
-  EXPECT_EQ(mesh.assign(points, triangles), SP::OK);
+  EXPECT_EQ(mesh.assign(points, images.triangles()), SP::OK);
   return mesh;
 }
 

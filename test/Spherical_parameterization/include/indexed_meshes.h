@@ -47,8 +47,9 @@ inline std::vector<Index_triangle> index_triangles(const Triangle_list& list)
 
 inline Surface surface_of(const Triangle_list& list)
 {
+  namespace SP = CGAL::Spherical_parameterization;
   Surface mesh;
-  EXPECT_EQ(mesh.assign(list.points, index_triangles(list)), CGAL::Spherical_parameterization::OK);
+  EXPECT_EQ(mesh.assign(list.points, SP::internal::link_triangles(index_triangles(list), list.points.size())), SP::OK);
   return mesh;
 }
 

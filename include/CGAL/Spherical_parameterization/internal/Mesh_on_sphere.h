@@ -114,17 +114,14 @@ Error_code read_surfaces(const TriangleMesh1& tmesh1, const VertexSphereMap1& ve
                          Mesh_on_sphere<TriangleMesh2, VertexSphereMap2>& arrays2, const NamedParameters2& np2,
                          const Execution& execution)
 {
-  using parameters::choose_parameter;
-  using parameters::get_parameter;
-  if(const Error_code error = arrays1.read(tmesh1, vertex_sphere_map1, false, execution))
-    return error;
-  if(const Error_code error = arrays2.read(tmesh2, vertex_sphere_map2, false, execution))
-    return error;
-  if(const Error_code error = arrays1.read_points(
-         choose_parameter(get_parameter(np1, internal_np::vertex_point), get_const_property_map(vertex_point, tmesh1))))
-    return error;
-  return arrays2.read_points(
-      choose_parameter(get_parameter(np2, internal_np::vertex_point), get_const_property_map(vertex_point, tmesh2)));
+  const auto read = [&](const auto& tmesh, const auto& vertex_sphere_map, auto& arrays, const auto& np) {
+    if(const Error_code error = arrays.read(tmesh, vertex_sphere_map, false, execution))
+      return error;
+    return arrays.read_points(parameters::choose_parameter(parameters::get_parameter(np, internal_np::vertex_point),
+                                                           get_const_property_map(vertex_point, tmesh)));
+  };
+  const Error_code error = read(tmesh1, vertex_sphere_map1, arrays1, np1);
+  return error == OK ? read(tmesh2, vertex_sphere_map2, arrays2, np2) : error;
 }
 
 // Reads features, each a pair of functions of a vertex, for the first surface (0) or the second one (1). Returns false if a

@@ -8,7 +8,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Author(s)     : The Spherical_parameterization authors
-//
 
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_FIND_SURFACE_MAP_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_FIND_SURFACE_MAP_H
@@ -151,7 +150,7 @@ Feature_goals feature_goals(const Surface& mesh, const Located_surface<K>& first
     return result;
   result.image = start.features[1];
   // Those of the package count the less, the less they agree: on bodies without limbs they are noise.
-  const double trust = (std::min)((std::max)(start.agreement, 0.), 1.);
+  const double trust = std::clamp(start.agreement, 0., 1.);
   result.weight = hints.feature_weight * (hints.features[0].empty() ? trust * trust * trust * trust : 1.);
   std::vector<Vector_3d> directions(mesh.number_of_vertices());
   for(std::size_t v = 0; v < directions.size(); ++v)

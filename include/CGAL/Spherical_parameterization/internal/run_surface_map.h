@@ -8,7 +8,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Author(s)     : The Spherical_parameterization authors
-//
 
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_RUN_SURFACE_MAP_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_RUN_SURFACE_MAP_H
@@ -31,11 +30,11 @@
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/named_params_helper.h>
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <type_traits>
 #include <utility>
@@ -64,21 +63,19 @@ template <class Vertex>
 std::vector<std::uint32_t> numbers_of_landmarks(const std::vector<Vertex>& vertices,
                                                 const std::vector<Vertex>& landmarks)
 {
-  using Entry = std::pair<Vertex, std::uint32_t>;
-  std::vector<Entry> entries;
+  std::map<Vertex, std::size_t> places; // of the landmarks
+  for(std::size_t k = 0; k < landmarks.size(); ++k)
+    places.emplace(landmarks[k], k);
+  std::vector<std::uint32_t> result(landmarks.size());
+  std::size_t n_found = 0;
   for(std::uint32_t v = 0; v < vertices.size(); ++v)
-    entries.emplace_back(vertices[v], v);
-  std::sort(entries.begin(), entries.end());
-  std::vector<std::uint32_t> result;
-  std::vector<char> is_used(vertices.size(), 0);
-  for(const Vertex& landmark : landmarks)
-  {
-    const auto entry = std::lower_bound(entries.begin(), entries.end(), Entry(landmark, 0));
-    if(entry == entries.end() || entry->first != landmark || is_used[entry->second])
-      return {};
-    is_used[entry->second] = 1;
-    result.push_back(entry->second);
-  }
+    if(const auto place = places.find(vertices[v]); place != places.end())
+    {
+      result[place->second] = v;
+      ++n_found;
+    }
+  if(n_found < landmarks.size())
+    result.clear();
   return result;
 }
 
@@ -161,13 +158,8 @@ Error_code run_surface_map(const TriangleMesh1& tmesh1, VertexSphereMap1 vertex_
     if(const Error_code error = read_hints(settings, arrays1.vertices_of_mesh, arrays2.vertices_of_mesh, hints))
       return error;
     Surface mesh;
-    {
-      std::vector<std::array<std::uint32_t, 3>> triangles;
-      for(const Linked_triangle& t : arrays1.triangles)
-        triangles.push_back(t.vertices);
-      if(const Error_code error = mesh.assign(arrays1.points, triangles))
-        return error;
-    }
+    if(const Error_code error = mesh.assign(arrays1.points, arrays1.triangles))
+      return error;
     Located_surface<K> first, second;
     run_both(
         execution, [&] { locate_surface(arrays1, first); }, [&] { locate_surface(arrays2, second); });

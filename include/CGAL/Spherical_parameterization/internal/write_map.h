@@ -8,7 +8,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Author(s)     : The Spherical_parameterization authors
-//
 
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_WRITE_MAP_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_WRITE_MAP_H
@@ -20,6 +19,8 @@
 #include <CGAL/Spherical_parameterization/internal/certificate/Orientation_about_origin_3.h>
 #include <CGAL/Spherical_parameterization/internal/run/parallel.h>
 #include <CGAL/Spherical_parameterization/internal/numbers/Vector_3.h>
+#include <CGAL/Spherical_parameterization/internal/surface/Linked_triangle.h>
+#include <CGAL/Spherical_parameterization/internal/surface/read_mesh.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Kernel_traits.h>
@@ -46,8 +47,6 @@ enum class Guarantee
   NONE
 };
 
-using Index_triangles = std::vector<std::array<std::uint32_t, 3>>;
-
 // Whether points, images of the vertices of a mesh, make a bijection of it.
 template <class Point_3>
 bool are_bijective(const Index_triangles& triangles, const std::vector<Point_3>& images, Execution execution)
@@ -71,7 +70,7 @@ inline bool project_map(const Index_triangles& triangles, std::vector<Vector_3d>
   {
     const double size = (std::max)({std::abs(x[0]), std::abs(x[1]), std::abs(x[2])}); // squares could overflow
     x = normalized({x[0] / size, x[1] / size, x[2] / size});
-    points.push_back(Point_3(x[0], x[1], x[2]));
+    points.emplace_back(x[0], x[1], x[2]);
   }
   return are_bijective(triangles, points, execution);
 }
@@ -93,19 +92,13 @@ template <class VertexDescriptor, class VertexSphereMap, class Point_3>
 bool is_bijective_as_written(const std::vector<VertexDescriptor>& vertices, const Index_triangles& triangles,
                              VertexSphereMap map, const std::vector<Point_3>& points, Execution execution)
 {
-  const auto written = [&](std::size_t v) -> Point_3 { return get(map, vertices[v]); };
   if constexpr(std::is_floating_point<typename Kernel_traits<Point_3>::Kernel::FT>::value)
   {
-    std::size_t v = 0;
-    while(v < points.size() && have_same_bits(written(v), points[v]))
-      ++v;
-    if(v == points.size())
+    const auto is_unchanged = [&](const Point_3& p, const auto v) { return have_same_bits<Point_3>(get(map, v), p); };
+    if(std::equal(points.begin(), points.end(), vertices.begin(), is_unchanged))
       return true;
   }
-  std::vector<Point_3> images;
-  images.reserve(points.size());
-  for(std::size_t v = 0; v < points.size(); ++v)
-    images.push_back(written(v));
+  const auto images = read_values(vertices, map, [](const Point_3& p) { return p; });
   return are_bijective(triangles, images, execution);
 }
 
@@ -135,8 +128,7 @@ Error_code write_map(const std::vector<VertexDescriptor>& vertices, const Index_
   {
     if(!is_finite(u))
       return ERROR_INSUFFICIENT_PRECISION;
-    points.push_back(
-        Point_3(static_cast<FT>(radius * u[0]), static_cast<FT>(radius * u[1]), static_cast<FT>(radius * u[2])));
+    points.emplace_back(static_cast<FT>(radius * u[0]), static_cast<FT>(radius * u[1]), static_cast<FT>(radius * u[2]));
   }
   bool is_bijective = are_bijective(triangles, points, execution);
   if(!is_bijective && guarantee == Guarantee::ONE_TO_ONE)

@@ -8,7 +8,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Author(s)     : The Spherical_parameterization authors
-//
 
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_SURFACE_LINKED_TRIANGLE_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_SURFACE_LINKED_TRIANGLE_H
@@ -23,6 +22,9 @@
 #include <vector>
 
 namespace CGAL::Spherical_parameterization::internal {
+
+// Triangles by the numbers of their vertices.
+using Index_triangles = std::vector<std::array<std::uint32_t, 3>>;
 
 // A triangle of a closed mesh: the neighbour i is across the edge that is opposite to vertex i.
 struct Linked_triangle
@@ -46,8 +48,7 @@ struct Linked_triangle
 // end with fewer triangles, and there are less than three edges for each vertex of a triangulated sphere, in all of its
 // parts as well. Returns nothing unless each edge has two triangles, in opposite directions, and no other edge has both of
 // its ends.
-inline std::vector<Linked_triangle> link_triangles(const std::vector<std::array<std::uint32_t, 3>>& triangles,
-                                                   std::size_t n)
+inline std::vector<Linked_triangle> link_triangles(const Index_triangles& triangles, std::size_t n)
 {
   std::vector<std::uint32_t> degrees(n, 0);
   for(const auto& t : triangles)

@@ -8,7 +8,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Author(s)     : The Spherical_parameterization authors
-//
 
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_SURFACE_MESH_DEFECT_LOCATOR_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_SURFACE_MESH_DEFECT_LOCATOR_H
@@ -26,9 +25,9 @@
 
 #include <boost/graph/graph_traits.hpp>
 
+#include <algorithm>
 #include <cstddef>
 #include <iterator>
-#include <limits>
 #include <string>
 #include <vector>
 
@@ -97,14 +96,7 @@ private:
   template <class Range, class Element>
   static std::string number_of(const Range& range, const Element& element)
   {
-    std::size_t number = 0;
-    for(const auto& other : range)
-    {
-      if(other == element)
-        break;
-      ++number;
-    }
-    return std::to_string(number);
+    return std::to_string(std::distance(range.begin(), std::find(range.begin(), range.end(), element)));
   }
 
   std::string name(vertex_descriptor v) const { return "vertex " + number_of(vertices(m_mesh), v); }
@@ -125,18 +117,15 @@ private:
 
   std::size_t number_of_used_vertices() const
   {
-    std::size_t result = 0;
-    for(const vertex_descriptor v : vertices(m_mesh))
-      if(is_used(v))
-        ++result;
-    return result;
+    const auto range = vertices(m_mesh);
+    return static_cast<std::size_t>(
+        std::count_if(range.begin(), range.end(), [&](vertex_descriptor v) { return is_used(v); }));
   }
 
   std::size_t number_of_faces() const
   {
     const auto range = faces(m_mesh); // num_faces() may count removed ones
-    const auto result = static_cast<std::size_t>(std::distance(range.begin(), range.end()));
-    return result;
+    return static_cast<std::size_t>(std::distance(range.begin(), range.end()));
   }
 
   void locate_polygon()
@@ -193,41 +182,37 @@ private:
   void locate_singularity()
   {
     const auto index = get(CGAL::dynamic_vertex_property_t<std::size_t>(), m_mesh);
-    const auto last_seen_at = get(CGAL::dynamic_vertex_property_t<std::size_t>(), m_mesh);
-    const auto last_counted_at = get(CGAL::dynamic_vertex_property_t<std::size_t>(), m_mesh);
-    std::size_t i = 0;
+    std::size_t n = 0;
     for(const vertex_descriptor v : vertices(m_mesh))
-    {
-      put(index, v, i++);
-      put(last_seen_at, v, (std::numeric_limits<std::size_t>::max)());
-      put(last_counted_at, v, (std::numeric_limits<std::size_t>::max)());
-    }
+      put(index, v, n++);
+    std::vector<std::size_t> last_seen_at(n, n), last_counted_at(n, n);
     // the fan at a vertex may not reach all of them
-    std::vector<std::vector<halfedge_descriptor>> halfedges_at(i);
+    std::vector<std::vector<halfedge_descriptor>> halfedges_at(n);
     for(const halfedge_descriptor h : halfedges(m_mesh))
       halfedges_at[get(index, target(h, m_mesh))].push_back(h);
 
-    std::size_t n_pinches = 0, fan_size = 0;
+    std::size_t n_pinches = 0, fan_size = 0, i = 0;
     vertex_descriptor first_pinch = Traits::null_vertex();
-    i = 0;
     for(const vertex_descriptor v : vertices(m_mesh))
     {
       for(const halfedge_descriptor h : halfedges_at[i])
       {
         const vertex_descriptor w = source(h, m_mesh);
-        const bool is_repeated = get(last_seen_at, w) == i || w == v;
-        put(last_seen_at, w, i);
-        if(!is_repeated || get(last_counted_at, w) == i ||
-           get(index, w) < i) // counted already, here or at its other end
+        const std::size_t j = get(index, w);
+        const bool is_repeated = last_seen_at[j] == i || w == v;
+        last_seen_at[j] = i;
+        if(!is_repeated || last_counted_at[j] == i || j < i) // counted already, here or at its other end
           continue;
-        put(last_counted_at, w, i);
+        last_counted_at[j] = i;
         if(m_defect.count++ == 0)
         {
           m_defect.vertex = v;
           m_defect.other_vertex = w;
         }
       }
-      const std::size_t size = halfedges_at[i].empty() ? 0 : size_of_fan(halfedges_at[i].front());
+      std::size_t size = 0;
+      if(!halfedges_at[i].empty())
+        size = halfedges_around_target(halfedges_at[i].front(), m_mesh).size();
       if(size < halfedges_at[i].size() && n_pinches++ == 0)
       {
         first_pinch = v;
@@ -250,18 +235,6 @@ private:
         "if the mesh falls into several parts, map each of them on its own.");
   }
 
-  std::size_t size_of_fan(halfedge_descriptor first) const
-  {
-    std::size_t size = 0;
-    halfedge_descriptor h = first;
-    do
-    {
-      ++size;
-      h = opposite(next(h, m_mesh), m_mesh);
-    } while(h != first);
-    return size;
-  }
-
   void locate_components()
   {
     const auto is_seen = get(CGAL::dynamic_face_property_t<bool>(), m_mesh);
@@ -275,22 +248,20 @@ private:
         continue;
       firsts.push_back(first);
       sizes.push_back(0);
-      put(is_seen, first, true);
-      stack.push_back(first);
+      const auto visit = [&](face_descriptor f) {
+        if(get(is_seen, f))
+          return;
+        put(is_seen, f, true);
+        stack.push_back(f);
+        ++sizes.back();
+      };
+      visit(first);
       while(!stack.empty())
       {
-        const face_descriptor f = stack.back();
+        const halfedge_descriptor border = halfedge(stack.back(), m_mesh);
         stack.pop_back();
-        ++sizes.back();
-        for(const halfedge_descriptor h : halfedges_around_face(halfedge(f, m_mesh), m_mesh))
-        {
-          const face_descriptor g = face(opposite(h, m_mesh), m_mesh);
-          if(!get(is_seen, g))
-          {
-            put(is_seen, g, true);
-            stack.push_back(g);
-          }
-        }
+        for(const halfedge_descriptor h : halfedges_around_face(border, m_mesh))
+          visit(face(opposite(h, m_mesh), m_mesh));
       }
     }
     CGAL_assertion(sizes.size() > 1);
@@ -300,8 +271,7 @@ private:
     say("the mesh consists of " + std::to_string(sizes.size()) + " parts: " + name(firsts[0]) + " belongs to one of " +
             std::to_string(sizes[0]) + " faces, " + name(firsts[1]) + " to another one of " + std::to_string(sizes[1]),
         "Map each of them on its own, for example after CGAL::Polygon_mesh_processing::split_connected_components(), "
-        "or "
-        "keep the largest, with keep_largest_connected_components().");
+        "or keep the largest, with keep_largest_connected_components().");
   }
 
   void measure_genus()

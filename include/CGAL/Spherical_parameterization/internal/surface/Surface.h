@@ -8,7 +8,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Author(s)     : The Spherical_parameterization authors
-//
 
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_SURFACE_SURFACE_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_SURFACE_SURFACE_H
@@ -38,9 +37,9 @@ namespace CGAL::Spherical_parameterization::internal {
 // exponent. Products of coordinates neither overflow nor underflow then.
 inline int normalize(std::vector<Vector_3d>& points)
 {
-  Vector_3d low = {0., 0., 0.}, high = {0., 0., 0.};
-  if(!points.empty())
-    low = high = points[0];
+  if(points.empty())
+    return 0;
+  Vector_3d low = points[0], high = low;
   for(const Vector_3d& p : points)
     for(std::size_t i = 0; i < 3; ++i)
     {
@@ -64,20 +63,20 @@ inline int normalize(std::vector<Vector_3d>& points)
 // A closed triangle mesh of genus 0 as flat arrays: the points, scaled such that the area is 4 pi, and the rings of the
 // vertices.
 //
-// The numbering is its own, and what is computed on it is taken back to that of the caller by in_callers_order(): breadth first from the vertex that is farthest from the centre, around each
-// vertex in counterclockwise order. It follows from the shape of the surface alone, not from the position of the
-// surface in space, and not from the order of the caller's vertices unless several are the farthest; and so does
-// everything that is computed from it. Besides, neighbours get close numbers.
+// The numbering is its own: breadth first from the vertex that is farthest from the centre, around each vertex in
+// counterclockwise order. It follows from the shape of the surface alone, not from its position in space, and not from
+// the order of the caller's vertices unless several are the farthest; and so does everything that is computed from it.
+// Besides, neighbours get close numbers.
 class Surface
 {
 public:
-  // Takes the mesh with these points, which are finite, and triangles, all of them oriented alike.
-  Error_code assign(std::vector<Vector_3d> points, const std::vector<std::array<std::uint32_t, 3>>& triangles)
+  // Takes the mesh with these points, which are finite, and these triangles, none if link_triangles() has failed.
+  Error_code assign(std::vector<Vector_3d> points, const std::vector<Linked_triangle>& triangles)
   {
     m_exponent = normalize(points);
     m_points = std::move(points);
     Vertex_rings rings;
-    if(!build_rings(link_triangles(triangles, m_points.size()), m_points.size(), rings))
+    if(!build_rings(triangles, m_points.size(), rings))
       return ERROR_NO_SIMPLICIAL_COMPLEX;
     if(m_points.size() < 4)
       return ERROR_TOO_FEW_VERTICES;
@@ -94,9 +93,9 @@ public:
   const Vertex_rings& rings() const { return m_rings; }
 
   // The triangles, in the caller's numbers.
-  std::vector<std::array<std::uint32_t, 3>> callers_triangles() const
+  Index_triangles callers_triangles() const
   {
-    std::vector<std::array<std::uint32_t, 3>> result;
+    Index_triangles result;
     result.reserve(m_rings.number_of_faces());
     m_rings.for_each_face([&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
       result.push_back({m_originals[a], m_originals[b], m_originals[c]});
@@ -160,34 +159,26 @@ private:
       if(is_farther(m_points[w], m_points[farthest], m_points[start]))
         farthest = w;
     visit(start, farthest);
+    m_rings = Vertex_rings();
+    m_rings.reserve(n, rings.number_of_corners());
     for(std::size_t k = 0; k < order.size(); ++k)
     {
       const Vertex_rings::Ring ring = rings.ring(order[k]);
-      const std::size_t d = ring.size(), shift = position(ring, entry[order[k]]);
-      for(std::size_t j = 0; j < d; ++j)
+      const std::size_t shift = ring.position_of(entry[order[k]]);
+      for(std::size_t j = 0; j < ring.size(); ++j)
       {
         const std::uint32_t w = ring.around(shift + j);
         if(number[w] == none)
           visit(w, order[k]);
+        m_rings.push_neighbor(number[w]);
       }
+      m_rings.end_ring();
     }
     if(order.size() < n)
       return false;
 
-    std::vector<Vector_3d> points(n);
-    m_rings = Vertex_rings();
-    m_rings.reserve(n, rings.number_of_corners());
-    for(std::size_t k = 0; k < n; ++k)
-    {
-      points[k] = m_points[order[k]];
-      const Vertex_rings::Ring ring = rings.ring(order[k]);
-      const std::size_t d = ring.size(), shift = position(ring, entry[order[k]]);
-      for(std::size_t j = 0; j < d; ++j)
-        m_rings.push_neighbor(number[ring.around(shift + j)]);
-      m_rings.end_ring();
-    }
-    m_points.swap(points);
     m_originals = std::move(order);
+    m_points = in_own_order(m_points);
     return true;
   }
 
@@ -196,11 +187,6 @@ private:
   static bool is_farther(const Vector_3d& p, const Vector_3d& q, const Vector_3d& o)
   {
     return squared_length(p - o) > (1. + 1e-7) * squared_length(q - o);
-  }
-
-  static std::size_t position(const Vertex_rings::Ring& ring, std::uint32_t v)
-  {
-    return static_cast<std::size_t>(std::find(ring.begin(), ring.end(), v) - ring.begin());
   }
 
   void scale_to_unit_area()
@@ -215,8 +201,7 @@ private:
     for(Vector_3d& p : m_points)
       p = (1. / m_unit) * p;
     m_rings.for_each_face([&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
-      if(Rest_triangle::is_too_flat(m_points[a], m_points[b], m_points[c]))
-        ++m_number_of_flat_faces;
+      m_number_of_flat_faces += Rest_triangle::is_too_flat(m_points[a], m_points[b], m_points[c]);
     });
   }
 

@@ -8,7 +8,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Author(s)     : The Spherical_parameterization authors
-//
 
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_SURFACE_VERTEX_RINGS_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_SURFACE_VERTEX_RINGS_H
@@ -17,6 +16,7 @@
 
 #include <CGAL/Spherical_parameterization/internal/surface/Linked_triangle.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -42,6 +42,11 @@ public:
 
     // the same around the closed ring, for j below twice its size
     std::uint32_t around(std::size_t j) const { return first[j < size() ? j : j - size()]; }
+
+    std::size_t position_of(std::uint32_t v) const
+    {
+      return static_cast<std::size_t>(std::find(first, last, v) - first);
+    }
   };
 
   std::size_t number_of_vertices() const { return m_offsets.size() - 1; }

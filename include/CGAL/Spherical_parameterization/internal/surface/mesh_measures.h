@@ -8,7 +8,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Author(s)     : The Spherical_parameterization authors
-//
 
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_SURFACE_MESH_MEASURES_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_SURFACE_MESH_MEASURES_H
@@ -130,9 +129,8 @@ inline std::vector<double> cotangent_weights(const Vertex_rings& rings, const st
         continue;
       const std::uint32_t left = ring.around(j + 1), right = ring.around(j + ring.size() - 1);
       const double weight = 0.5 * (opposite_cotangent(v, w, left) + opposite_cotangent(w, v, right));
-      const Vertex_rings::Ring other = rings.ring(w);
-      const auto back = static_cast<std::size_t>(std::find(other.begin(), other.end(), v) - other.begin());
-      weights[rings.offset(v) + j] = weights[rings.offset(w) + back] = (std::max)(weight, min_weight);
+      weights[rings.offset(v) + j] = weights[rings.offset(w) + rings.ring(w).position_of(v)] =
+          (std::max)(weight, min_weight);
     }
   }
   return weights;

@@ -8,7 +8,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Author(s)     : The Spherical_parameterization authors
-//
 
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_SURFACE_READ_MESH_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_SURFACE_READ_MESH_H
@@ -44,7 +43,7 @@ template <class TriangleMesh>
 struct Mesh_arrays
 {
   std::vector<typename boost::graph_traits<TriangleMesh>::vertex_descriptor> vertices_of_mesh;
-  std::vector<std::array<std::uint32_t, 3>> triangles;
+  Index_triangles triangles;
   std::size_t number_of_isolated_vertices = 0;
 
   // Reads a mesh of triangles, which may have a border if that is said.
@@ -119,7 +118,7 @@ Error_code read_surface(const TriangleMesh& tmesh, const VertexPointMap& vpm, Me
   std::vector<Vector_3d> points = read_points(arrays.vertices_of_mesh, vpm);
   if(!are_finite(points))
     return ERROR_NON_FINITE_COORDINATE;
-  return surface.assign(std::move(points), arrays.triangles);
+  return surface.assign(std::move(points), link_triangles(arrays.triangles, arrays.vertices_of_mesh.size()));
 }
 
 } // namespace CGAL::Spherical_parameterization::internal
