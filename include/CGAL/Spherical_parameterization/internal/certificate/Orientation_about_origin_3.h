@@ -8,7 +8,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Author(s)     : The Spherical_parameterization authors
-//
 
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_CERTIFICATE_ORIENTATION_ABOUT_ORIGIN_3_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_CERTIFICATE_ORIENTATION_ABOUT_ORIGIN_3_H
@@ -198,33 +197,22 @@ private:
 // The kernel in which Orientation_about_origin_3 decides exactly about points of `Kernel`, and the conversion of a
 // point to it, which never rounds. Coordinates of type double or float become those of one kernel with double, whatever
 // their own kernel is; exact number types stay where they are.
-template <class Kernel, class FT = typename Kernel::FT>
+template <class Kernel>
 struct Exact_predicates_kernel
 {
-  static_assert(!std::is_arithmetic<FT>::value && Algebraic_structure_traits<FT>::Is_exact::value,
+  using FT = typename Kernel::FT;
+  static constexpr bool has_doubles = std::is_same<FT, double>::value || std::is_same<FT, float>::value;
+  static_assert(has_doubles || (!std::is_arithmetic<FT>::value && Algebraic_structure_traits<FT>::Is_exact::value),
                 "Coordinates must be of type double or float, or of an exact number type.");
 
-  using type = Kernel;
+  using type = std::conditional_t<has_doubles, Exact_predicates_inexact_constructions_kernel, Kernel>;
 
-  static const typename Kernel::Point_3& convert(const typename Kernel::Point_3& p) { return p; }
-};
-
-template <class Kernel>
-struct Exact_predicates_kernel<Kernel, double>
-{
-  using type = Exact_predicates_inexact_constructions_kernel;
-
-  static type::Point_3 convert(const typename Kernel::Point_3& p) { return {p.x(), p.y(), p.z()}; }
-};
-
-template <class Kernel>
-struct Exact_predicates_kernel<Kernel, float>
-{
-  using type = Exact_predicates_inexact_constructions_kernel;
-
-  static type::Point_3 convert(const typename Kernel::Point_3& p)
+  static typename type::Point_3 convert(const typename Kernel::Point_3& p)
   {
-    return {static_cast<double>(p.x()), static_cast<double>(p.y()), static_cast<double>(p.z())};
+    if constexpr(has_doubles)
+      return {static_cast<double>(p.x()), static_cast<double>(p.y()), static_cast<double>(p.z())};
+    else
+      return p;
   }
 };
 

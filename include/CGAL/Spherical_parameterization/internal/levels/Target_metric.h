@@ -15,7 +15,7 @@
 #include <CGAL/license/Spherical_parameterization.h>
 
 #include <CGAL/Spherical_parameterization/internal/run/parallel.h>
-#include <CGAL/Spherical_parameterization/internal/locate/Cube_place.h>
+#include <CGAL/Spherical_parameterization/internal/locate/Sphere_image.h>
 #include <CGAL/Spherical_parameterization/internal/locate/Sphere_triangulation.h>
 #include <CGAL/Spherical_parameterization/internal/numbers/Vector_3.h>
 

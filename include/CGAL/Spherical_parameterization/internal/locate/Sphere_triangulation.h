@@ -128,22 +128,18 @@ public:
     constexpr std::size_t block_size = 1024;
     constexpr std::size_t min_triangles_to_sort = 100000; // Less than 5 MB are in the caches anyway.
     const Execution safe_execution = std::is_same<FT, double>::value ? execution : Execution();
+    std::vector<Query> queries;
+    if(m_triangles.size() >= min_triangles_to_sort)
+      queries = sorted_along_curve(directions, safe_execution);
     std::vector<Place> result(directions.size());
-    if(m_triangles.size() < min_triangles_to_sort)
-      for_each_block(safe_execution, 0, directions.size(), block_size, [&](std::size_t begin, std::size_t end) {
-        Hint hint;
-        for(std::size_t k = begin; k < end; ++k)
+    for_each_block(safe_execution, 0, result.size(), block_size, [&](std::size_t begin, std::size_t end) {
+      Hint hint;
+      for(std::size_t k = begin; k < end; ++k)
+        if(queries.empty())
           result[k] = locate(directions[k], hint);
-      });
-    else
-    {
-      const std::vector<Query> queries = sorted_along_curve(directions, safe_execution);
-      for_each_block(safe_execution, 0, queries.size(), block_size, [&](std::size_t begin, std::size_t end) {
-        Hint hint;
-        for(std::size_t k = begin; k < end; ++k)
+        else
           result[queries[k].number] = locate(queries[k].direction, hint);
-      });
-    }
+    });
     return result;
   }
 

@@ -26,32 +26,15 @@
 
 namespace CGAL::Spherical_parameterization::internal {
 
-// The barycentric coordinates, in a triangle `t`, of the point where the ray from the origin in the direction q meets
-// it: q is a multiple of their combination of the corners, so they are det(q, b, c), det(q, c, a) and det(q, a, b) over
-// their sum. Which of them are positive and which are 0 is known; they get no other sign, and 0 exactly.
-//
-// det(q, b, c) = det(q, b, c - b), whose rounding errors shrink with the triangle: what they change is as much as a
-// change of q by some units in the last place.
-template <class FT>
-std::array<FT, 3> exact_barycentric_coordinates(const std::array<Vector_3<FT>, 3>& t, const Vector_3<FT>& q,
-                                                const std::array<bool, 3>& is_positive)
-{
-  std::array<FT, 3> w = {FT(0), FT(0), FT(0)};
-  for(std::size_t i = 0; i < 3; ++i)
-    if(is_positive[i])
-      w[i] = dot(q, cross(t[(i + 1) % 3], t[(i + 2) % 3]));
-  const FT sum = w[0] + w[1] + w[2];
-  return {w[0] / sum, w[1] / sum, w[2] / sum};
-}
-
 inline Vector_3d absolute(const Vector_3d& a)
 {
   return {std::abs(a[0]), std::abs(a[1]), std::abs(a[2])};
 }
 
-// det(q, b, c) up to a relative error of 2^-22, or something that is not positive. The computed determinant has an
-// error below 2^-49 times the sum of the absolute values of its six products, for the reason that is given at
-// Orientation_about_origin_3; the bounds leave room for underflow.
+// det(q, b, c) = det(q, b, c - b) up to a relative error of 2^-22, or something that is not positive. The rounding errors
+// shrink with the triangle: what they change is as much as a change of q by some units in the last place. The computed
+// determinant has an error below 2^-49 times the sum of the absolute values of its six products, for the reason that is
+// given at Orientation_about_origin_3; the bounds leave room for underflow.
 inline double accurate_determinant(const Vector_3d& q, const Vector_3d& b, const Vector_3d& c)
 {
   const Vector_3d d = c - b;
@@ -63,34 +46,35 @@ inline double accurate_determinant(const Vector_3d& q, const Vector_3d& b, const
   return size < 1e60 && permanent > 1e-200 && determinant > 0x1p-26 * permanent ? determinant : -1.;
 }
 
+// The barycentric coordinates, in a triangle `t`, of the point where the ray from the origin in the direction q meets
+// it: q is a multiple of their combination of the corners, so they are det(q, b, c), det(q, c, a) and det(q, a, b) over
+// their sum. Which of them are positive and which are 0 is known; they get no other sign, and 0 exactly.
 template <class FT>
 std::array<FT, 3> barycentric_coordinates(const std::array<Vector_3<FT>, 3>& t, const Vector_3<FT>& q,
                                           const std::array<bool, 3>& is_positive)
 {
-  if constexpr(std::is_same<FT, double>::value)
-  {
-    std::array<double, 3> w = {0., 0., 0.};
-    bool is_accurate = true;
-    for(std::size_t i = 0; i < 3; ++i)
-      if(is_positive[i])
-      {
-        w[i] = accurate_determinant(q, t[(i + 1) % 3], t[(i + 2) % 3]);
-        is_accurate = is_accurate && w[i] > 0.;
-      }
-    if(is_accurate)
+  std::array<FT, 3> w = {FT(0), FT(0), FT(0)};
+  for(std::size_t i = 0; i < 3; ++i)
+    if(is_positive[i])
     {
-      const double sum = w[0] + w[1] + w[2];
-      return {w[0] / sum, w[1] / sum, w[2] / sum};
+      const Vector_3<FT>&b = t[(i + 1) % 3], &c = t[(i + 2) % 3];
+      if constexpr(std::is_same<FT, double>::value)
+      {
+        w[i] = accurate_determinant(q, b, c);
+        if(w[i] > 0.)
+          continue;
+        const auto exact = [](const Vector_3d& p) {
+          return Vector_3<Exact_rational>{Exact_rational(p[0]), Exact_rational(p[1]), Exact_rational(p[2])};
+        };
+        const auto result =
+            barycentric_coordinates<Exact_rational>({exact(t[0]), exact(t[1]), exact(t[2])}, exact(q), is_positive);
+        return {CGAL::to_double(result[0]), CGAL::to_double(result[1]), CGAL::to_double(result[2])};
+      }
+      else
+        w[i] = dot(q, cross(b, c));
     }
-    const auto exact = [](const Vector_3d& p) {
-      return Vector_3<Exact_rational>{Exact_rational(p[0]), Exact_rational(p[1]), Exact_rational(p[2])};
-    };
-    const std::array<Exact_rational, 3> result =
-        exact_barycentric_coordinates<Exact_rational>({exact(t[0]), exact(t[1]), exact(t[2])}, exact(q), is_positive);
-    return {CGAL::to_double(result[0]), CGAL::to_double(result[1]), CGAL::to_double(result[2])};
-  }
-  else
-    return exact_barycentric_coordinates(t, q, is_positive);
+  const FT sum = w[0] + w[1] + w[2];
+  return {w[0] / sum, w[1] / sum, w[2] / sum};
 }
 
 } // namespace CGAL::Spherical_parameterization::internal

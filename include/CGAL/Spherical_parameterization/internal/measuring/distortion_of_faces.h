@@ -8,7 +8,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Author(s)     : The Spherical_parameterization authors
-//
 
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_MEASURING_DISTORTION_OF_FACES_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_MEASURING_DISTORTION_OF_FACES_H

@@ -8,7 +8,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Author(s)     : The Spherical_parameterization authors
-//
 
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_OVERLAY_OVERLAY_ARRAYS_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_OVERLAY_OVERLAY_ARRAYS_H
@@ -16,17 +15,59 @@
 #include <CGAL/license/Spherical_parameterization.h>
 
 #include <CGAL/Spherical_parameterization/internal/overlay/Sphere_overlay.h>
-#include <CGAL/Spherical_parameterization/internal/overlay/crossing_places.h>
 #include <CGAL/Spherical_parameterization/internal/run/parallel.h>
 #include <CGAL/Spherical_parameterization/internal/locate/Sphere_triangulation.h>
 #include <CGAL/Spherical_parameterization/internal/numbers/Vector_3.h>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
 
 namespace CGAL::Spherical_parameterization::internal {
+
+inline Vector_3d point_on_edge(const Vector_3d& p, const Vector_3d& q, double place)
+{
+  return (1. - place) * p + place * q;
+}
+
+// Where on the edge from p to q the ray of r is, from 0 to 1, if it is in its plane, or next to it.
+inline double place_on_edge(const Vector_3d& p, const Vector_3d& q, const Vector_3d& r)
+{
+  const Vector_3d n = cross(p, q);
+  const double to_p = dot(cross(p, r), n), to_q = dot(cross(r, q), n); // (1 - t) p + t q crosses with t n and (1 - t) n
+  const double place = to_p / (to_p + to_q);
+  return place > 0. ? (std::min)(place, 1.) : 0.;
+}
+
+// Scales an edge by a power of two, which is exact, so that products of its coordinates neither overflow nor underflow.
+inline void scale_to_unit(Vector_3d& p, Vector_3d& q)
+{
+  double max = 0.;
+  for(std::size_t k = 0; k < 3; ++k)
+    max = (std::max)({max, std::abs(p[k]), std::abs(q[k])});
+  const int exponent = std::ilogb(max);
+  for(std::size_t k = 0; k < 3; ++k)
+  {
+    p[k] = std::scalbn(p[k], -exponent);
+    q[k] = std::scalbn(q[k], -exponent);
+  }
+}
+
+// Where two edges cross, from 0 to 1 on each: the numbers s and t for which (1 - s) a1 + s a2 and (1 - t) b1 + t b2 have one
+// direction. Edges that are next to each other over a length have no one place, but one that they share.
+inline std::array<double, 2> crossing_places(Vector_3d a1, Vector_3d a2, Vector_3d b1, Vector_3d b2)
+{
+  scale_to_unit(a1, a2);
+  scale_to_unit(b1, b2);
+  const Vector_3d n = cross(b1, b2);
+  const double d1 = std::abs(dot(n, a1)), d2 = std::abs(dot(n, a2)); // on two sides, but for ties and rounding
+  const double s = d1 + d2 > 0. ? d1 / (d1 + d2) : 0.5;
+  const double t = place_on_edge(b1, b2, point_on_edge(a1, a2, s));
+  return {place_on_edge(a1, a2, point_on_edge(b1, b2, t)), t};
+}
 
 // The common refinement of two surfaces, triangulated, with the places of its vertices on both.
 struct Overlay_arrays
@@ -45,36 +86,31 @@ struct Overlay_arrays
     if(const Error_code error = cells.assign(sphere1, sphere2, execution))
       return error;
     const std::size_t n = cells.number_of_vertices(), n1 = points1.size(), n2 = points2.size();
+    points[0] = points1;
     points[0].resize(n);
+    points[1].resize(n1);
+    points[1].insert(points[1].end(), points2.begin(), points2.end());
     points[1].resize(n);
-    const auto set = [&](std::size_t v, const Vector_3d& p, const Vector_3d& q) {
-      points[0][v] = p;
-      points[1][v] = q;
-    };
     constexpr std::size_t block_size = 1024;
-    for_each_block(execution, 0, n1, block_size, [&](std::size_t begin, std::size_t end) {
-      for(std::size_t v = begin; v < end; ++v)
-        set(v, points1[v],
-            interpolated(points2, sphere2.triangles(),
-                         sphere2.locate_from(cells.places_of_first()[v], sphere1.points()[v])));
-    });
-    for_each_block(execution, 0, n2, block_size, [&](std::size_t begin, std::size_t end) {
-      for(std::size_t v = begin; v < end; ++v)
-        set(n1 + v,
-            interpolated(points1, sphere1.triangles(),
-                         sphere1.locate_from(cells.places_of_second()[v], sphere2.points()[v])),
-            points2[v]);
-    });
+    const auto locate = [&](const auto& of, const auto& places, const auto& in, const auto& values, Vector_3d* out) {
+      for_each_block(execution, 0, places.size(), block_size, [&](std::size_t begin, std::size_t end) {
+        for(std::size_t v = begin; v < end; ++v)
+          out[v] = interpolated(values, in.triangles(), in.locate_from(places[v], of.points()[v]));
+      });
+    };
+    locate(sphere1, cells.places_of_first(), sphere2, points2, points[1].data());
+    locate(sphere2, cells.places_of_second(), sphere1, points1, points[0].data() + n1);
     const Triangle_sides sides1(sphere1.triangles()), sides2(sphere2.triangles());
+    const auto xyz = [](const typename K::Point_3& p) { return Vector_3d{p.x(), p.y(), p.z()}; };
     for_each_block(execution, 0, cells.crossings().size(), block_size, [&](std::size_t begin, std::size_t end) {
       for(std::size_t k = begin; k < end; ++k)
       {
-        const std::size_t e = cells.crossings()[k][0], f = cells.crossings()[k][1];
-        const auto [s, t] = crossing_places(
-            coordinates_of(sphere1.points()[sides1.source(e)]), coordinates_of(sphere1.points()[sides1.target(e)]),
-            coordinates_of(sphere2.points()[sides2.source(f)]), coordinates_of(sphere2.points()[sides2.target(f)]));
-        set(n1 + n2 + k, point_on_edge(points1[sides1.source(e)], points1[sides1.target(e)], s),
-            point_on_edge(points2[sides2.source(f)], points2[sides2.target(f)], t));
+        const auto [e, f] = cells.crossings()[k];
+        const std::size_t v1 = sides1.source(e), w1 = sides1.target(e), v2 = sides2.source(f), w2 = sides2.target(f);
+        const auto [s, t] = crossing_places(xyz(sphere1.points()[v1]), xyz(sphere1.points()[w1]),
+                                            xyz(sphere2.points()[v2]), xyz(sphere2.points()[w2]));
+        points[0][n1 + n2 + k] = point_on_edge(points1[v1], points1[w1], s);
+        points[1][n1 + n2 + k] = point_on_edge(points2[v2], points2[w2], t);
       }
     });
     std::size_t begin = 0;
@@ -83,7 +119,7 @@ struct Overlay_arrays
       for(std::size_t k = begin + 2; k < cell.end; ++k)
       {
         triangles.push_back({cells.corners()[begin], cells.corners()[k - 1], cells.corners()[k]});
-        parents.push_back({cell.parents[0], cell.parents[1]});
+        parents.push_back(cell.parents);
       }
       begin = cell.end;
     }

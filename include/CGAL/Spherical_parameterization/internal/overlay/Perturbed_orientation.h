@@ -43,18 +43,15 @@ class Perturbed_orientation
 public:
   using Point_3 = typename K::Point_3;
 
-  // of an edge of the first mesh and a vertex of the second one
-  Sign of_first_edge(const Point_3& a1, const Point_3& a2, const Point_3& b) const
-  {
-    const Sign sign = m_orientation(a1, a2, b);
-    return sign == ZERO ? -sign_of_product(a1, a2, b) : sign;
-  }
+  // of the ends of an edge of the first mesh and a vertex of the second one, or the other way round
+  explicit Perturbed_orientation(bool is_edge_of_first)
+    : m_sign_of_tie(is_edge_of_first ? NEGATIVE : POSITIVE)
+  {}
 
-  // of an edge of the second mesh and a vertex of the first one
-  Sign of_second_edge(const Point_3& b1, const Point_3& b2, const Point_3& a) const
+  Sign operator()(const Point_3& p, const Point_3& q, const Point_3& r) const
   {
-    const Sign sign = m_orientation(b1, b2, a);
-    return sign == ZERO ? sign_of_product(b1, b2, a) : sign;
+    const Sign sign = m_orientation(p, q, r);
+    return sign == ZERO ? m_sign_of_tie * sign_of_product(p, q, r) : sign;
   }
 
 private:
@@ -70,6 +67,7 @@ private:
     return normal * coordinate;
   }
 
+  Sign m_sign_of_tie; // times that of the product
   Orientation_about_origin_3<K> m_orientation;
 };
 

@@ -39,26 +39,26 @@ public:
   using Index = std::uint32_t;
 
   explicit Triangle_sides(const std::vector<Linked_triangle>& triangles)
-    : m_triangles(&triangles)
+    : m_triangles(triangles)
   {}
 
-  std::size_t size() const { return 3 * m_triangles->size(); }
-  Index source(std::size_t side) const { return (*m_triangles)[side / 3][(side % 3 + 1) % 3]; }
-  Index target(std::size_t side) const { return (*m_triangles)[side / 3][(side % 3 + 2) % 3]; }
+  std::size_t size() const { return 3 * m_triangles.size(); }
+  Index source(std::size_t side) const { return m_triangles[side / 3][(side % 3 + 1) % 3]; }
+  Index target(std::size_t side) const { return m_triangles[side / 3][(side % 3 + 2) % 3]; }
   Index triangle(std::size_t side) const { return static_cast<Index>(side / 3); }
-  Index opposite_triangle(std::size_t side) const { return (*m_triangles)[side / 3].neighbors[side % 3]; }
+  Index opposite_triangle(std::size_t side) const { return m_triangles[side / 3].neighbors[side % 3]; }
 
   std::size_t opposite(std::size_t side) const
   {
     const Index t = opposite_triangle(side);
-    return 3 * std::size_t(t) + (*m_triangles)[t].side_of(triangle(side));
+    return 3 * std::size_t(t) + m_triangles[t].side_of(triangle(side));
   }
 
   bool is_edge(std::size_t side) const { return triangle(side) < opposite_triangle(side); }
   std::size_t edge(std::size_t side) const { return is_edge(side) ? side : opposite(side); }
 
 private:
-  const std::vector<Linked_triangle>* m_triangles;
+  const std::vector<Linked_triangle>& m_triangles;
 };
 
 // The common refinement of two triangulations of the sphere, exact but for ties, which are broken as if the points of the
@@ -93,12 +93,7 @@ public:
   {
     m_n_first = static_cast<Index>(first.points().size());
     m_n_second = static_cast<Index>(second.points().size());
-    const auto of_first = [this](const Point_3& p, const Point_3& q, const Point_3& r) {
-      return m_orientation.of_first_edge(p, q, r);
-    };
-    const auto of_second = [this](const Point_3& p, const Point_3& q, const Point_3& r) {
-      return m_orientation.of_second_edge(p, q, r);
-    };
+    const Perturbed_orientation<K> of_first(true), of_second(false); // the edges
     m_places_of_first = locate_vertices(first, second, of_second);
     m_places_of_second = locate_vertices(second, first, of_first);
     constexpr Index none = Triangulation::none;
@@ -192,10 +187,8 @@ private:
         {
           const Linked_triangle& t = in.triangles()[current];
           const std::array<bool, 3> left = {is_left(t[0]), is_left(t[1]), is_left(t[2])};
-          while(exit < 3 && !(left[(exit + 2) % 3] && !left[(exit + 1) % 3]))
+          while(exit < 2 && !(left[(exit + 2) % 3] && !left[(exit + 1) % 3]))
             ++exit;
-          if(exit == 3)
-            exit = 0; // never
         }
         while(current != last && block.crossed.size() - old_size < sides.size())
         {
@@ -228,38 +221,33 @@ private:
   {
     if(first.crossed.size() != second.crossed.size())
       return false;
-    struct Place
-    {
-      std::size_t first_edge, second_edge;
-      Index number;
-    };
-    const auto places = [](const Traces& traces, bool is_first) {
+    using Place = std::array<std::size_t, 3>; // the edges that cross, and the number of the crossing
+    const auto places = [](const Traces& traces, std::size_t which) {
       std::vector<Place> result;
       result.reserve(traces.crossed.size());
-      Index number = 0;
       for(std::size_t k = 0; k < traces.edges.size(); ++k)
-        for(; number < traces.ends[k]; ++number)
+        while(result.size() < traces.ends[k])
         {
-          const std::size_t e = traces.edges[k], f = traces.crossed[number];
-          result.push_back({is_first ? e : f, is_first ? f : e, number});
+          const std::size_t number = result.size();
+          Place& place = result.emplace_back();
+          place[which] = traces.edges[k];
+          place[1 - which] = traces.crossed[number];
+          place[2] = number;
         }
       return result;
     };
-    const auto by_edges = [](const Place& a, const Place& b) {
-      return a.first_edge != b.first_edge ? a.first_edge < b.first_edge : a.second_edge < b.second_edge;
-    };
-    std::vector<Place> of_first = places(first, true), of_second = places(second, false);
+    std::vector<Place> of_first = places(first, 0), of_second = places(second, 1);
     m_crossings.clear();
     for(const Place& place : of_first)
-      m_crossings.push_back({place.first_edge, place.second_edge});
-    std::sort(of_first.begin(), of_first.end(), by_edges);
-    std::sort(of_second.begin(), of_second.end(), by_edges);
+      m_crossings.push_back({place[0], place[1]});
+    std::sort(of_first.begin(), of_first.end());
+    std::sort(of_second.begin(), of_second.end());
     crossings_of_second.resize(of_second.size());
     for(std::size_t k = 0; k < of_first.size(); ++k)
     {
-      if(by_edges(of_first[k], of_second[k]) || by_edges(of_second[k], of_first[k]))
+      if(of_first[k][0] != of_second[k][0] || of_first[k][1] != of_second[k][1])
         return false;
-      crossings_of_second[of_second[k].number] = of_first[k].number;
+      crossings_of_second[of_second[k][2]] = static_cast<Index>(of_first[k][2]);
     }
     return true;
   }
@@ -283,15 +271,12 @@ private:
         {
           is_last = k == traces.ends[j];
           const Index target = is_last ? first_vertex + edges.target(e) : m_n_first + m_n_second + crossing(k);
-          Part part;
-          part.parents[1 - which] = traces.triangles[k + j];
-          part.parents[which] = edges.triangle(e);
-          part.source = source;
-          part.target = target;
-          parts.push_back(part);
-          part.parents[which] = edges.opposite_triangle(e);
-          std::swap(part.source, part.target);
-          parts.push_back(part);
+          std::array<Index, 2> parents;
+          parents[1 - which] = traces.triangles[k + j];
+          parents[which] = edges.triangle(e);
+          parts.push_back({parents, source, target});
+          parents[which] = edges.opposite_triangle(e);
+          parts.push_back({parents, target, source});
           source = target;
           k += !is_last;
         }
@@ -305,8 +290,7 @@ private:
     std::vector<std::size_t> begins(n + 1, 0);
     for(const Part& part : parts)
       ++begins[part.parents[0] + 1];
-    for(std::size_t t = 0; t < n; ++t)
-      begins[t + 1] += begins[t];
+    std::partial_sum(begins.begin(), begins.end(), begins.begin());
     std::vector<std::size_t> ends = begins;
     std::vector<Part> sorted(parts.size());
     for(const Part& part : parts)
@@ -349,7 +333,6 @@ private:
     return n >= 3 && corner == parts[0].source;
   }
 
-  Perturbed_orientation<K> m_orientation;
   std::size_t m_max_vertices;
   Index m_n_first = 0, m_n_second = 0;
   std::vector<Index> m_places_of_first, m_places_of_second;
