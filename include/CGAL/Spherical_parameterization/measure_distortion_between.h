@@ -16,7 +16,7 @@
 
 #include <CGAL/Spherical_parameterization/Error_code.h>
 #include <CGAL/Spherical_parameterization/overlay.h>
-#include <CGAL/Spherical_parameterization/internal/measuring/distortion_between.h>
+#include <CGAL/Spherical_parameterization/internal/measuring/distortion.h>
 #include <CGAL/Spherical_parameterization/internal/numbers/Vector_3.h>
 
 #include <array>

@@ -37,16 +37,17 @@ using Visitor_results =
                 std::enable_if_t<std::is_convertible<decltype(std::declval<Visitor&>().go_further(std::size_t(), 0.)),
                                                      bool>::value>>;
 
+template <class NamedParameters>
+using Visitor_of_call =
+    typename internal_np::Lookup_named_param_def<internal_np::visitor_t, NamedParameters, Default_visitor>::reference;
+
 // for a mesh that is one: the named parameters of what may be stopped
 template <class TriangleMesh, class NamedParameters>
 constexpr bool check_run_parameters()
 {
-  using Visitor =
-      std::remove_reference_t<typename internal_np::Lookup_named_param_def<internal_np::visitor_t, NamedParameters,
-                                                                           Default_visitor>::reference>;
   using Time =
       typename internal_np::Lookup_named_param_def<internal_np::maximum_running_time_t, NamedParameters, double>::type;
-  constexpr bool is_visitor = is_detected<Visitor_results, Visitor>;
+  constexpr bool is_visitor = is_detected<Visitor_results, std::remove_reference_t<Visitor_of_call<NamedParameters>>>;
   static_assert(is_visitor,
                 "The named parameter visitor has to be a model of SphericalParameterizationVisitor, such as a class "
                 "derived from Default_visitor, or std::ref() of one.");

@@ -22,7 +22,7 @@
 #include <CGAL/Spherical_parameterization/internal/certificate/is_safely_positive.h>
 #include <CGAL/Spherical_parameterization/internal/surface/Surface.h>
 #include <CGAL/Spherical_parameterization/internal/overlay/Overlay_arrays.h>
-#include <CGAL/Spherical_parameterization/internal/measuring/distortion_between.h>
+#include <CGAL/Spherical_parameterization/internal/measuring/distortion.h>
 #include <CGAL/Spherical_parameterization/internal/run/Run_control.h>
 #include <CGAL/Spherical_parameterization/internal/run/parallel.h>
 #include <CGAL/Spherical_parameterization/internal/locate/Sphere_triangulation.h>

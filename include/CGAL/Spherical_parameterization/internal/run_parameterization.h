@@ -61,8 +61,7 @@ bool read_number_of_iterations(const NamedParameters& np, std::size_t& number)
 template <class ConcurrencyTag_, class TriangleMesh, class NamedParameters>
 class Parameterization_run
 {
-  using Visitor =
-      typename internal_np::Lookup_named_param_def<internal_np::visitor_t, NamedParameters, Default_visitor>::reference;
+  using Visitor = Visitor_of_call<NamedParameters>;
 
 public:
   using Concurrency_tag = ConcurrencyTag_;

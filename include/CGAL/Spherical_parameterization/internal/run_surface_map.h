@@ -28,10 +28,7 @@
 #include <CGAL/Spherical_parameterization/internal/write_map.h>
 
 #include <CGAL/Named_function_parameters.h>
-#include <CGAL/boost/graph/named_params_helper.h>
 
-#include <array>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <map>
@@ -58,14 +55,14 @@ struct Surface_map_settings
   }
 };
 
-// The numbers of landmarks among these vertices: none if one is not among them, or there twice.
-template <class Vertex>
-std::vector<std::uint32_t> numbers_of_landmarks(const std::vector<Vertex>& vertices,
-                                                const std::vector<Vertex>& landmarks)
+// The numbers of the landmarks on one of the surfaces among its vertices: none if one is not among them, or there twice.
+template <std::size_t surface, class Landmark, class Vertex>
+std::vector<std::uint32_t> numbers_of_landmarks(const std::vector<Landmark>& landmarks,
+                                                const std::vector<Vertex>& vertices)
 {
   std::map<Vertex, std::size_t> places; // of the landmarks
   for(std::size_t k = 0; k < landmarks.size(); ++k)
-    places.emplace(landmarks[k], k);
+    places.emplace(std::get<surface>(landmarks[k]), k);
   std::vector<std::uint32_t> result(landmarks.size());
   std::size_t n_found = 0;
   for(std::uint32_t v = 0; v < vertices.size(); ++v)
@@ -86,22 +83,12 @@ Error_code read_hints(const Settings& settings, const Vertices1& vertices1, cons
 {
   hints.landmark_weight = settings.landmark_weight.value_or(0.);
   hints.feature_weight = settings.feature_weight;
-  if(!settings.landmarks.empty())
-  {
-    Vertices1 landmarks1;
-    Vertices2 landmarks2;
-    for(const auto& [v, w] : settings.landmarks)
-    {
-      landmarks1.push_back(v);
-      landmarks2.push_back(w);
-    }
-    const std::vector<std::uint32_t> first = numbers_of_landmarks(vertices1, landmarks1),
-                                     second = numbers_of_landmarks(vertices2, landmarks2);
-    if(first.empty() || second.empty())
-      return ERROR_INVALID_LANDMARK;
-    for(std::size_t k = 0; k < first.size(); ++k)
-      hints.landmarks.push_back({first[k], second[k]});
-  }
+  const std::vector<std::uint32_t> first = numbers_of_landmarks<0>(settings.landmarks, vertices1),
+                                   second = numbers_of_landmarks<1>(settings.landmarks, vertices2);
+  if(first.size() < settings.landmarks.size() || second.size() < settings.landmarks.size())
+    return ERROR_INVALID_LANDMARK;
+  for(std::size_t k = 0; k < first.size(); ++k)
+    hints.landmarks.push_back({first[k], second[k]});
   if(!read_features<0>(settings.features, vertices1, hints.features[0]) ||
      !read_features<1>(settings.features, vertices2, hints.features[1]))
     return ERROR_WRONG_PARAMETER;
@@ -134,8 +121,7 @@ Error_code run_surface_map(const TriangleMesh1& tmesh1, VertexSphereMap1 vertex_
     using parameters::choose_parameter;
     using parameters::get_parameter;
     using parameters::get_parameter_reference;
-    using Visitor = typename internal_np::Lookup_named_param_def<internal_np::visitor_t, NamedParameters1,
-                                                                 Default_visitor>::reference;
+    using Visitor = Visitor_of_call<NamedParameters1>;
     using Arrays1 = Mesh_on_sphere<TriangleMesh1, VertexSphereMap1>;
     using Arrays2 = Mesh_on_sphere<TriangleMesh2, VertexSphereMap2>;
     using K = typename Arrays1::Exact_kernel;

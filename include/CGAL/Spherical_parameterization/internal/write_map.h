@@ -24,12 +24,10 @@
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Kernel_traits.h>
-#include <CGAL/number_utils.h>
 
 #include <boost/property_map/property_map.hpp>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstring>
@@ -85,9 +83,9 @@ bool have_same_bits(const Point_3& p, const Point_3& q)
   return std::memcmp(a, b, sizeof(a)) == 0;
 }
 
-// Whether the map holds the points that it was given, or others that are a bijection as well. Only in the latter case
-// is memory needed. (Lazy numbers that were made from what is not finite must not be compared, so exact numbers are
-// always certified anew.)
+// Whether the map holds the points that it was given, or others that are a bijection as well, such as numbers of single
+// precision. (Lazy numbers that were made from what is not finite must not be compared, so exact numbers are always
+// certified anew.)
 template <class VertexDescriptor, class VertexSphereMap, class Point_3>
 bool is_bijective_as_written(const std::vector<VertexDescriptor>& vertices, const Index_triangles& triangles,
                              VertexSphereMap map, const std::vector<Point_3>& points, Execution execution)
@@ -104,10 +102,7 @@ bool is_bijective_as_written(const std::vector<VertexDescriptor>& vertices, cons
 
 // Scales the positions from the unit sphere to the sphere of radius `radius`, certifies the points in the type that the
 // caller will get them in, and only then writes them: the caller's data is touched by no other place but the readers. A map
-// that is not one-to-one is written only if nothing else was promised.
-//
-// A property map may hold other values than those that it was given, for example numbers of single precision. So what
-// can be read is read again, and certified anew if it differs.
+// that is not one-to-one is written only if nothing else was promised. What can be read is read again.
 template <class VertexDescriptor, class VertexSphereMap>
 Error_code write_map(const std::vector<VertexDescriptor>& vertices, const Index_triangles& triangles,
                      const std::vector<Vector_3d>& positions, double radius, Guarantee guarantee, VertexSphereMap map,

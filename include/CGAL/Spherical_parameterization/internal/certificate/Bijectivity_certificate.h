@@ -63,31 +63,6 @@ std::size_t count_triangles(Execution execution, const Triangles& triangles, con
   return result;
 }
 
-// counts the triangles whose open cone contains `q`; returns false if `q` lies on the boundary of a cone.
-// Precondition: all triangles are positive.
-template <class K, class Points, class Triangles>
-bool count_triangles_around(Execution execution, const typename K::Point_3& q, const Points& points,
-                            const Triangles& triangles, const Orientation_about_origin_3<K>& orientation,
-                            std::size_t& number_of_triangles)
-{
-  std::atomic<bool> is_inside(true); // of all cones that contain it
-  number_of_triangles = count_triangles(execution, triangles, [&](const auto& t) {
-    const Sign ab = orientation(points[t[0]], points[t[1]], q);
-    if(ab == NEGATIVE)
-      return false;
-    const Sign bc = orientation(points[t[1]], points[t[2]], q);
-    if(bc == NEGATIVE)
-      return false;
-    const Sign ca = orientation(points[t[2]], points[t[0]], q);
-    if(ca == NEGATIVE)
-      return false;
-    if(ab == ZERO || bc == ZERO || ca == ZERO)
-      is_inside = false;
-    return true;
-  });
-  return is_inside;
-}
-
 // computes the certificate in linear time and, sequentially, without allocating memory; in parallel only if the
 // coordinates are doubles: copies of an exact number may share mutable state.
 //
@@ -115,7 +90,21 @@ Bijectivity_certificate certify_bijectivity(const Points& points, const Triangle
   {
     const double x = k * 0x1p-20;
     const typename K::Point_3 q(FT(1.), FT(x), FT(x * x));
-    if(count_triangles_around<K>(execution, q, points, triangles, orientation, certificate.degree))
+    std::atomic<bool> is_generic(true); // on the boundary of no cone that contains it
+    certificate.degree = count_triangles(execution, triangles, [&](const auto& t) {
+      bool is_on_boundary = false;
+      for(std::size_t i = 0; i < 3; ++i)
+      {
+        const Sign side = orientation(points[t[i]], points[t[(i + 1) % 3]], q);
+        if(side == NEGATIVE)
+          return false;
+        is_on_boundary = is_on_boundary || side == ZERO;
+      }
+      if(is_on_boundary)
+        is_generic = false;
+      return true;
+    });
+    if(is_generic)
       return certificate;
   }
   certificate.degree = 0;

@@ -45,15 +45,13 @@ inline double place_on_edge(const Vector_3d& p, const Vector_3d& q, const Vector
 // Scales an edge by a power of two, which is exact, so that products of its coordinates neither overflow nor underflow.
 inline void scale_to_unit(Vector_3d& p, Vector_3d& q)
 {
-  double max = 0.;
+  double size = 0.;
   for(std::size_t k = 0; k < 3; ++k)
-    max = (std::max)({max, std::abs(p[k]), std::abs(q[k])});
-  const int exponent = std::ilogb(max);
-  for(std::size_t k = 0; k < 3; ++k)
-  {
-    p[k] = std::scalbn(p[k], -exponent);
-    q[k] = std::scalbn(q[k], -exponent);
-  }
+    size = (std::max)({size, std::abs(p[k]), std::abs(q[k])});
+  const int exponent = std::ilogb(size);
+  for(Vector_3d* end : {&p, &q})
+    for(double& x : *end)
+      x = std::scalbn(x, -exponent);
 }
 
 // Where two edges cross, from 0 to 1 on each: the numbers s and t for which (1 - s) a1 + s a2 and (1 - t) b1 + t b2 have one

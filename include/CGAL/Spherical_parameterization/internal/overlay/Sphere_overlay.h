@@ -26,7 +26,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
-#include <utility>
+#include <numeric>
 #include <vector>
 
 namespace CGAL::Spherical_parameterization::internal {
@@ -259,9 +259,9 @@ private:
     std::vector<Part> parts;
     const std::size_t n_edges = traces_of_first.edges.size() + traces_of_second.edges.size();
     parts.reserve(2 * (n_edges + 2 * m_crossings.size()));
-    const auto add_parts = [&](const Triangulation& of, const Traces& traces, std::size_t which, Index first_vertex,
-                               const auto& crossing) {
+    const auto add_parts = [&](const Triangulation& of, const Traces& traces, std::size_t which) {
       const Triangle_sides edges(of.triangles());
+      const Index first_vertex = which == 0 ? 0 : m_n_first, first_crossing = m_n_first + m_n_second;
       std::size_t k = 0; // of the crossings
       for(std::size_t j = 0; j < traces.edges.size(); ++j)
       {
@@ -270,7 +270,9 @@ private:
         for(bool is_last = false; !is_last;)
         {
           is_last = k == traces.ends[j];
-          const Index target = is_last ? first_vertex + edges.target(e) : m_n_first + m_n_second + crossing(k);
+          Index target = first_vertex + edges.target(e);
+          if(!is_last)
+            target = first_crossing + (which == 0 ? static_cast<Index>(k) : crossings_of_second[k]);
           std::array<Index, 2> parents;
           parents[1 - which] = traces.triangles[k + j];
           parents[which] = edges.triangle(e);
@@ -282,8 +284,8 @@ private:
         }
       }
     };
-    add_parts(first, traces_of_first, 0, 0, [](std::size_t k) { return static_cast<Index>(k); });
-    add_parts(second, traces_of_second, 1, m_n_first, [&](std::size_t k) { return crossings_of_second[k]; });
+    add_parts(first, traces_of_first, 0);
+    add_parts(second, traces_of_second, 1);
 
     // Buckets for the triangles of the first triangulation, sorted by those of the second
     const std::size_t n = first.triangles().size();
@@ -313,8 +315,7 @@ private:
       if(!add_cell(&sorted[begin], end - begin))
         return false;
     }
-    const std::size_t n_parts = parts.size() / 2;
-    return number_of_vertices() + m_cells.size() == n_parts + 2;
+    return number_of_vertices() + m_cells.size() == parts.size() / 2 + 2;
   }
 
   // Chains the parts around a cell.

@@ -34,13 +34,12 @@ struct Linked_triangle
   std::uint32_t operator[](std::size_t i) const { return vertices[i]; }
 
   // which corner has this vertex, or is opposite to this neighbour; the last one if none of the others
-  std::size_t corner_of(std::uint32_t vertex) const
+  std::size_t corner_of(std::uint32_t vertex) const { return place_of(vertex, vertices); }
+  std::size_t side_of(std::uint32_t triangle) const { return place_of(triangle, neighbors); }
+
+  static std::size_t place_of(std::uint32_t number, const std::array<std::uint32_t, 3>& numbers)
   {
-    return vertices[0] == vertex ? 0 : vertices[1] == vertex ? 1 : 2;
-  }
-  std::size_t side_of(std::uint32_t triangle) const
-  {
-    return neighbors[0] == triangle ? 0 : neighbors[1] == triangle ? 1 : 2;
+    return numbers[0] == number ? 0 : numbers[1] == number ? 1 : 2;
   }
 };
 

@@ -46,7 +46,6 @@ public:
   template <class VertexPointMap>
   Defect locate(Error_code error, const VertexPointMap& vpm)
   {
-    m_defect = Defect();
     m_defect.error = error;
     switch(error)
     {
@@ -120,12 +119,6 @@ private:
     const auto range = vertices(m_mesh);
     return static_cast<std::size_t>(
         std::count_if(range.begin(), range.end(), [&](vertex_descriptor v) { return is_used(v); }));
-  }
-
-  std::size_t number_of_faces() const
-  {
-    const auto range = faces(m_mesh); // num_faces() may count removed ones
-    return static_cast<std::size_t>(std::distance(range.begin(), range.end()));
   }
 
   void locate_polygon()
@@ -277,7 +270,9 @@ private:
   void measure_genus()
   {
     // Euler: V - E + F = 2 - 2 g, with E = 3 F / 2
-    const std::size_t v = number_of_used_vertices(), f = number_of_faces(), e = f / 2 * 3, g = (2 + e - v - f) / 2;
+    const auto range = faces(m_mesh); // num_faces() may count removed ones
+    const auto f = static_cast<std::size_t>(std::distance(range.begin(), range.end()));
+    const std::size_t v = number_of_used_vertices(), e = f / 2 * 3, g = (2 + e - v - f) / 2;
     m_defect.count = g;
     say("the surface has the genus " + std::to_string(g) + ", that is, " + std::to_string(g) +
             (g == 1 ? " handle" : " handles") + ", as on a torus (Euler characteristic " +

@@ -17,7 +17,9 @@
 #include <CGAL/Spherical_parameterization/internal/numbers/Vector_3.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
 
 namespace CGAL::Spherical_parameterization::internal {
 
@@ -98,19 +100,16 @@ private:
   {
     if((std::max)({l0, l1, l2}) < limits.min_edge * limits.min_edge)
       return equilateral(limits.min_edge);
-    double squared[3] = {l0, l1, l2};
-    int base = 0;
-    for(int i = 1; i < 3; ++i)
-      if(squared[i] > squared[base])
-        base = i;
+    const std::array<double, 3> squared = {l0, l1, l2};
+    const auto base = static_cast<std::size_t>(std::max_element(squared.begin(), squared.end()) - squared.begin());
     // The base runs from corner 1 to corner 2 of the rotated triangle, its apex is corner 0.
     const double b2 = squared[base];
     const double to_1 = squared[(base + 2) % 3], to_2 = squared[(base + 1) % 3];
-    const double t = (std::min)((std::max)(0.5 * (b2 + to_1 - to_2) / b2, 0.), 1.); // the foot, in units of the base
+    const double t = std::clamp(0.5 * (b2 + to_1 - to_2) / b2, 0., 1.); // the foot, in units of the base
     // cot(1) = t / h, cot(2) = (1 - t) / h and cot(0) = (h^2 - t (1 - t)) / h for a base of length 1, h = 2 A.
     const double h = limits.min_height;
     const double inverse = 1. / (b2 * h);
-    double cotangents[3];
+    std::array<double, 3> cotangents;
     cotangents[base] = (h - t * (1. - t) / h);
     cotangents[(base + 1) % 3] = t / h;
     cotangents[(base + 2) % 3] = (1. - t) / h;

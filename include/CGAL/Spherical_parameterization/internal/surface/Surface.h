@@ -23,7 +23,6 @@
 #include <CGAL/number_type_basic.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>

@@ -63,18 +63,14 @@ public:
   void for_each_face(Function f) const
   {
     for(std::uint32_t v = 0; v < number_of_vertices(); ++v)
-      for_each_face_of_smallest(v, ring(v), [&](std::size_t, std::uint32_t p, std::uint32_t q) { f(v, p, q); });
-  }
-
-  // Calls f(j, p, q) for every face (v, p, q) of which v is the smallest vertex; p is ring[j].
-  template <class Function>
-  static void for_each_face_of_smallest(std::uint32_t v, const Ring& ring, Function f)
-  {
-    for(std::size_t j = 0; j < ring.size(); ++j)
     {
-      const std::uint32_t p = ring[j], q = ring.around(j + 1);
-      if(v < p && v < q)
-        f(j, p, q);
+      const Ring neighbors = ring(v);
+      for(std::size_t j = 0; j < neighbors.size(); ++j)
+      {
+        const std::uint32_t p = neighbors[j], q = neighbors.around(j + 1);
+        if(v < p && v < q)
+          f(v, p, q);
+      }
     }
   }
 

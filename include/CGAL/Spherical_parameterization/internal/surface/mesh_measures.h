@@ -108,9 +108,8 @@ inline std::vector<double> vertex_densities(const Vertex_rings& rings, const std
 constexpr double min_positive_weight = 0.01;
 
 // The cotangent weight of every edge, half the sum of the cotangents of the two angles opposite to it, in the order of
-// the corners of `rings`: that of the edge (v, ring[j]) at rings.offset(v) + j. No weight is below `min_weight`.
-//
-// The two copies of a weight are equal bit by bit.
+// the corners of `rings`: that of the edge (v, ring[j]) at rings.offset(v) + j. No weight is below `min_weight`. The two
+// copies of a weight are equal bit by bit.
 inline std::vector<double> cotangent_weights(const Vertex_rings& rings, const std::vector<Vector_3d>& points,
                                              double min_weight)
 {

@@ -1,0 +1,330 @@
+// Copyright (c) 2026  The Spherical_parameterization authors.
+// All rights reserved.
+//
+// This file is part of the Spherical_parameterization package for CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Spherical_parameterization authors
+
+#ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_MEASURING_DISTORTION_H
+#define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_MEASURING_DISTORTION_H
+
+#include <CGAL/license/Spherical_parameterization.h>
+
+#include <CGAL/Spherical_parameterization/internal/certificate/Orientation_about_origin_3.h>
+#include <CGAL/Spherical_parameterization/internal/numbers/Vector_3.h>
+#include <CGAL/Spherical_parameterization/internal/run/parallel.h>
+#include <CGAL/Spherical_parameterization/internal/surface/Linked_triangle.h>
+
+#include <CGAL/enum.h>
+#include <CGAL/number_utils.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Spherical_parameterization::internal {
+
+// The edges of a triangle: number i is opposite to corner i, and all of them run around the triangle in one sense.
+using Triangle_edges = std::array<Vector_3d, 3>;
+
+// The singular values s1 <= s2 of the linear map from one triangle to another, and the distortions that follow from
+// them.
+//
+// Both triangles are laid into the plane with the longest edge of the source, and its image, on the x-axis. The map is
+// then a matrix (a b; 0 c) with a, c >= 0, and
+//   s2 + s1 = |(a + c, b)|    and    s2 - s1 = |(a - c, b)|,
+// so that no digit is lost where s1 and s2 are close to each other, unlike in the roots of I + 2 d and I - 2 d with
+// I = s1^2 + s2^2 and d = s1 s2. Where they are far apart it is s1 = d / s2 that loses none. What remains is the
+// rounding of the edges, which costs a relative error of about 1e-15 longest edge / height of the source. The foot of
+// the height is measured from the corner next to it, so that a source that is thin because one of its edges is short
+// costs less.
+//
+// Each triangle is first scaled by a power of two, which is exact, so that coordinates up to about 1e300 and down to
+// 1e-300 cause no overflow or underflow before the final values do.
+struct Triangle_stretch
+{
+  // whether the source has no shape that could be distorted: twice its area is at most 1e-12 times its longest edge
+  // squared, or a coordinate is not finite. All distortions are infinite then.
+  bool is_degenerate = true;
+
+  // The three measures of Face_distortion. They are infinite if the image has no area, or is not finite.
+  double isometric = infinity, area = infinity, angle = infinity;
+
+  Triangle_stretch() = default;
+
+  Triangle_stretch(const Triangle_edges& source, const Triangle_edges& image)
+  {
+    int source_exponent, image_exponent;
+    const Triangle_edges from = scaled(source, source_exponent);
+    const Triangle_edges to = scaled(image, image_exponent);
+
+    const std::array<double, 3> squared = {squared_length(from[0]), squared_length(from[1]), squared_length(from[2])};
+    std::size_t longest = 0, shortest = 0;
+    for(std::size_t i = 1; i < 3; ++i)
+    {
+      longest = squared[i] > squared[longest] ? i : longest;
+      shortest = squared[i] <= squared[shortest] ? i : shortest;
+    }
+    const Planar_triangle p(from[longest], from[shortest]);
+    const Planar_triangle q(to[longest], to[shortest]);
+
+    is_degenerate = !(p.height > min_height * p.base);
+    if(is_degenerate || !(q.height > 0.))
+      return;
+
+    const double a = q.base / p.base;
+    const double c = q.height / p.height;
+    const double b = (q.foot - p.foot * a) / p.height;
+    const double s2 = 0.5 * (std::hypot(a + c, b) + std::hypot(a - c, b));
+    const double s1 = a * (c / s2);
+    const int exponent = image_exponent - source_exponent;
+    const double determinant = std::ldexp(a * c, 2 * exponent);
+    isometric = (std::max)(std::ldexp(s2, exponent), std::ldexp(1. / s1, -exponent));
+    area = determinant > 0. ? determinant + 1. / determinant : infinity;
+    angle = s2 / s1 + s1 / s2;
+  }
+
+private:
+  static constexpr double infinity = std::numeric_limits<double>::infinity();
+  static constexpr double min_height = 1e-12; // in units of the longest edge
+
+  // A triangle in the plane whose first edge is (base, 0) and whose apex is (foot, height), seen from the corner
+  // between `first`, the edge on the axis, and `second`.
+  struct Planar_triangle
+  {
+    // As the edges run around the triangle, one of the two starts where the other one ends; which of them does not
+    // matter, as the triangle may be turned by half a turn.
+    Planar_triangle(const Vector_3d& first, const Vector_3d& second)
+      : base(length(first))
+      , foot(-dot(first, second) / base)
+      , height(length(accurate_cross(first, second)) / base)
+    {}
+
+    double base, foot, height;
+  };
+
+  // a b - c d to the last digits: the rounding error of c d is known exactly, and is taken out again (W. Kahan)
+  static double difference_of_products(double a, double b, double c, double d)
+  {
+    const double product = c * d;
+    const double error = std::fma(-c, d, product);
+    return std::fma(a, b, -product) + error;
+  }
+
+  static Vector_3d accurate_cross(const Vector_3d& a, const Vector_3d& b)
+  {
+    return {difference_of_products(a[1], b[2], a[2], b[1]), difference_of_products(a[2], b[0], a[0], b[2]),
+            difference_of_products(a[0], b[1], a[1], b[0])};
+  }
+
+  // the edges divided by 2^exponent, so that the largest coordinate is in [1/2, 1); NaN if one of them is not finite
+  static Triangle_edges scaled(const Triangle_edges& edges, int& exponent)
+  {
+    double largest = 0.;
+    bool are_finite = true;
+    for(const Vector_3d& edge : edges)
+    {
+      are_finite = are_finite && is_finite(edge);
+      for(const double x : edge)
+        largest = (std::max)(largest, std::abs(x));
+    }
+    exponent = 0;
+    double factor = std::numeric_limits<double>::quiet_NaN();
+    if(are_finite)
+    {
+      std::frexp(largest, &exponent);
+      // The largest power of two is 2^1023: subnormal coordinates stay smaller than 1/2.
+      exponent = (std::max)(exponent, -1023);
+      factor = std::ldexp(1., -exponent);
+    }
+    return {factor * edges[0], factor * edges[1], factor * edges[2]};
+  }
+};
+
+// Maximum, average and standard deviation of a sequence of numbers >= 0, in one pass; all are infinite if a number is, or if
+// there is none. The sums are those of Welford, because a difference of the sums of squares has no correct digit left where
+// the numbers hardly differ.
+class Statistics_accumulator
+{
+public:
+  void add(double x)
+  {
+    m_maximum = (std::max)(m_maximum, x);
+    ++m_size;
+    const double difference = x - m_average;
+    m_average += difference / static_cast<double>(m_size);
+    m_squares += difference * (x - m_average);
+  }
+
+  double maximum() const { return m_size > 0 ? m_maximum : std::numeric_limits<double>::infinity(); }
+  double average() const { return is_finite(maximum()) ? m_average : maximum(); }
+  double deviation() const
+  {
+    return is_finite(maximum()) ? std::sqrt(m_squares / static_cast<double>(m_size)) : maximum();
+  }
+
+private:
+  std::size_t m_size = 0;
+  double m_maximum = 0.;
+  double m_average = 0.;
+  double m_squares = 0.; // sum of the squared differences from the average
+};
+
+// p - q, computed in the number type of the coordinates if that is exact
+template <class Point_3>
+Vector_3d difference(const Point_3& p, const Point_3& q)
+{
+  using FT = std::decay_t<decltype(p.x())>;
+  // Differences of float are exact, or more so, in double precision.
+  using Number = std::conditional_t<std::is_arithmetic<FT>::value, double, FT>;
+  const auto difference_of = [](const FT& x, const FT& y) { return CGAL::to_double(Number(x) - Number(y)); };
+  return {difference_of(p.x(), q.x()), difference_of(p.y(), q.y()), difference_of(p.z(), q.z())};
+}
+
+template <class Point_3>
+Triangle_edges triangle_edges(const Point_3& p0, const Point_3& p1, const Point_3& p2)
+{
+  return {difference(p2, p1), difference(p0, p2), difference(p1, p0)};
+}
+
+template <class Point_3>
+constexpr bool has_floating_point_coordinates =
+    std::is_floating_point<std::decay_t<decltype(std::declval<const Point_3&>().x())>>::value;
+
+// What a map does to a face, see Triangle_stretch.
+struct Measured_face : Triangle_stretch
+{
+  bool is_inverted;
+};
+
+// Measures all faces, in parallel unless numbers are exact: copies of those may share mutable state. `Selection` is
+// Exact_predicates_kernel_of_map of the property map of the images.
+template <class Selection, class Surface_point_3, class Image_point_3>
+std::vector<Measured_face> distortion_of_faces(const std::vector<Surface_point_3>& points,
+                                               const std::vector<Image_point_3>& images,
+                                               const Index_triangles& triangles, Execution execution)
+{
+  constexpr std::size_t block_size = 256;
+  constexpr bool may_be_parallel =
+      has_floating_point_coordinates<Surface_point_3> && has_floating_point_coordinates<Image_point_3>;
+  const Orientation_about_origin_3<typename Selection::type> orientation;
+  std::vector<Measured_face> result(triangles.size());
+  for_each_block(
+      may_be_parallel ? execution : Execution(), 0, result.size(), block_size, [&](std::size_t begin, std::size_t end) {
+        for(std::size_t k = begin; k < end; ++k)
+        {
+          const auto [a, b, c] = triangles[k];
+          const Image_point_3 &u = images[a], &v = images[b], &w = images[c];
+          const Triangle_stretch stretch(triangle_edges(points[a], points[b], points[c]), triangle_edges(u, v, w));
+          const Sign sign = orientation(Selection::convert(u), Selection::convert(v), Selection::convert(w));
+          result[k] = {stretch, sign != POSITIVE};
+        }
+      });
+  return result;
+}
+
+// where measure_distortion() without a property map for faces leaves their values
+struct No_face_map
+{
+  template <class Face, class Distortion>
+  friend void put(const No_face_map&, const Face&, const Distortion&)
+  {}
+};
+
+inline Triangle_edges scaled_edges(const std::array<Vector_3d, 3>& p, double factor)
+{
+  return {factor * (p[2] - p[1]), factor * (p[0] - p[2]), factor * (p[1] - p[0])};
+}
+
+// Of one measure: the largest value, and the means weighted with areas on the first surface and on the second one.
+struct Weighted_statistics
+{
+  double maximum = 0.;
+  std::array<double, 2> averages = {0., 0.};
+};
+
+struct Measured_map
+{
+  Weighted_statistics isometric, area, angle, energy;
+  std::size_t number_of_slivers = 0;
+};
+
+// The distortion of a map that is linear in each of n triangles: corners_of(k, surface) are those of triangle k. What has a
+// share of at most `smallest_area` of the area of a surface is a sliver and left out. If nothing is left, as where a surface
+// has no area, all measures are infinite.
+template <class Corners>
+Measured_map distortion_between(std::size_t n, double smallest_area, const Corners& corners_of)
+{
+  // Scaled by powers of two, which is exact, so that no area overflows or underflows.
+  std::array<int, 2> exponents = {0, 0};
+  for(std::size_t surface = 0; surface < 2; ++surface)
+  {
+    double size = 0.;
+    for(std::size_t k = 0; k < n; ++k)
+      for(const Vector_3d& p : corners_of(k, surface))
+        size = (std::max)({size, std::abs(p[0]), std::abs(p[1]), std::abs(p[2])});
+    std::frexp(size, &exponents[surface]);
+  }
+  const auto corners = [&](std::size_t k, std::size_t surface) {
+    std::array<Vector_3d, 3> result = corners_of(k, surface);
+    if(exponents[surface] != 0)
+      for(Vector_3d& p : result)
+        for(double& x : p)
+          x = std::ldexp(x, -exponents[surface]);
+    return result;
+  };
+  std::array<std::vector<double>, 2> areas;
+  std::array<double, 2> sums = {0., 0.};
+  for(std::size_t surface = 0; surface < 2; ++surface)
+    for(std::size_t k = 0; k < n; ++k)
+    {
+      const std::array<Vector_3d, 3> p = corners(k, surface);
+      areas[surface].push_back(0.5 * length(cross(p[1] - p[0], p[2] - p[0])));
+      sums[surface] += areas[surface].back();
+    }
+
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  const double factor = std::sqrt(sums[0] / sums[1]); // of the lengths on the second surface
+  Measured_map result;
+  std::array<double, 2> weights = {0., 0.};
+  for(std::size_t k = 0; k < n; ++k)
+  {
+    const std::array<double, 2> shares = {areas[0][k] / sums[0], areas[1][k] / sums[1]};
+    const Triangle_stretch stretch(scaled_edges(corners(k, 0), 1.), scaled_edges(corners(k, 1), factor));
+    if(!(shares[0] > smallest_area) || !(shares[1] > smallest_area) || stretch.is_degenerate)
+    {
+      ++result.number_of_slivers;
+      continue;
+    }
+    const auto add = [&](Weighted_statistics& statistics, double value) {
+      statistics.maximum = (std::max)(statistics.maximum, value);
+      statistics.averages[0] += shares[0] * value;
+      statistics.averages[1] += shares[1] * value;
+    };
+    add(result.isometric, stretch.isometric);
+    add(result.area, stretch.area);
+    add(result.angle, stretch.angle);
+    add(result.energy, 0.5 * stretch.angle * stretch.area); // (I / d) (d + 1 / d) / 2
+    weights[0] += shares[0];
+    weights[1] += shares[1];
+  }
+  for(Weighted_statistics* statistics : {&result.isometric, &result.area, &result.angle, &result.energy})
+    if(weights[0] > 0.)
+      statistics->averages = {statistics->averages[0] / weights[0], statistics->averages[1] / weights[1]};
+    else
+      *statistics = {infinity, {infinity, infinity}};
+  return result;
+}
+
+} // namespace CGAL::Spherical_parameterization::internal
+
+#endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_MEASURING_DISTORTION_H
