@@ -8,7 +8,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Author(s)     : The Spherical_parameterization authors
-//
 
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_AREA_BALANCING_RADIUS_3_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_AREA_BALANCING_RADIUS_3_H
@@ -19,8 +18,6 @@
 
 #include <array>
 #include <cmath>
-
-/// \file Area_balancing_radius_3.h
 
 namespace CGAL::Spherical_parameterization {
 

@@ -8,7 +8,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Author(s)     : The Spherical_parameterization authors
-//
 
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_BIJECTIVE_LOW_DISTORTION_PARAMETERIZER_3_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_BIJECTIVE_LOW_DISTORTION_PARAMETERIZER_3_H
@@ -32,8 +31,6 @@
 #include <cstddef>
 #include <limits>
 #include <type_traits>
-
-/// \file Bijective_low_distortion_parameterizer_3.h
 
 namespace CGAL::Spherical_parameterization {
 

@@ -8,7 +8,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Author(s)     : The Spherical_parameterization authors
-//
 
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_CONFORMAL_ENERGY_3_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_CONFORMAL_ENERGY_3_H
@@ -16,8 +15,6 @@
 #include <CGAL/license/Spherical_parameterization.h>
 
 #include <CGAL/Spherical_parameterization/Isometric_energy_3.h>
-
-/// \file Conformal_energy_3.h
 
 namespace CGAL::Spherical_parameterization {
 

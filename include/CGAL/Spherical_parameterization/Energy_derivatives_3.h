@@ -8,14 +8,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Author(s)     : The Spherical_parameterization authors
-//
 
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_ENERGY_DERIVATIVES_3_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_ENERGY_DERIVATIVES_3_H
 
 #include <CGAL/license/Spherical_parameterization.h>
-
-/// \file Energy_derivatives_3.h
 
 namespace CGAL::Spherical_parameterization {
 

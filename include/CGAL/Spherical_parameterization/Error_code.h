@@ -8,14 +8,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Author(s)     : The Spherical_parameterization authors
-//
 
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_ERROR_CODE_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_ERROR_CODE_H
 
 #include <CGAL/license/Spherical_parameterization.h>
-
-/// \file Error_code.h
 
 namespace CGAL::Spherical_parameterization {
 

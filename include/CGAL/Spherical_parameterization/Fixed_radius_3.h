@@ -8,7 +8,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Author(s)     : The Spherical_parameterization authors
-//
 
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_FIXED_RADIUS_3_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_FIXED_RADIUS_3_H
@@ -17,8 +16,6 @@
 
 #include <CGAL/Spherical_parameterization/Face_range_3.h>
 #include <CGAL/Spherical_parameterization/internal/numbers/Vector_3.h>
-
-/// \file Fixed_radius_3.h
 
 namespace CGAL::Spherical_parameterization {
 

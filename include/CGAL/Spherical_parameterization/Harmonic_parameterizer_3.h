@@ -8,7 +8,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Author(s)     : The Spherical_parameterization authors
-//
 
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_HARMONIC_PARAMETERIZER_3_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_HARMONIC_PARAMETERIZER_3_H
@@ -25,8 +24,6 @@
 #include <CGAL/tags.h>
 
 #include <cstddef>
-
-/// \file Harmonic_parameterizer_3.h
 
 namespace CGAL::Spherical_parameterization {
 

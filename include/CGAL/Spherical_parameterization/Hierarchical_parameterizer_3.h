@@ -8,7 +8,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Author(s)     : The Spherical_parameterization authors
-//
 
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_HIERARCHICAL_PARAMETERIZER_3_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_HIERARCHICAL_PARAMETERIZER_3_H
@@ -28,8 +27,6 @@
 #include <CGAL/tags.h>
 
 #include <cstddef>
-
-/// \file Hierarchical_parameterizer_3.h
 
 namespace CGAL::Spherical_parameterization {
 

@@ -8,7 +8,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Author(s)     : The Spherical_parameterization authors
-//
 
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_OPTIMAL_RADIUS_3_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_OPTIMAL_RADIUS_3_H
@@ -23,8 +22,6 @@
 #include <cmath>
 #include <type_traits>
 #include <utility>
-
-/// \file Optimal_radius_3.h
 
 namespace CGAL::Spherical_parameterization {
 

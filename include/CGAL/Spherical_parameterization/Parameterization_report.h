@@ -8,7 +8,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Author(s)     : The Spherical_parameterization authors
-//
 
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_PARAMETERIZATION_REPORT_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_PARAMETERIZATION_REPORT_H
@@ -16,8 +15,6 @@
 #include <CGAL/license/Spherical_parameterization.h>
 
 #include <cstddef>
-
-/// \file Parameterization_report.h
 
 namespace CGAL::Spherical_parameterization {
 

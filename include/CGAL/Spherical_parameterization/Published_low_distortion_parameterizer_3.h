@@ -8,7 +8,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Author(s)     : The Spherical_parameterization authors
-//
 
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_PUBLISHED_LOW_DISTORTION_PARAMETERIZER_3_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_PUBLISHED_LOW_DISTORTION_PARAMETERIZER_3_H
@@ -34,8 +33,6 @@
 
 #include <cstddef>
 #include <type_traits>
-
-/// \file Published_low_distortion_parameterizer_3.h
 
 namespace CGAL::Spherical_parameterization {
 

@@ -28,8 +28,6 @@
 #include <utility>
 #include <vector>
 
-/// \file Sphere_domain_3.h
-
 namespace CGAL::Spherical_parameterization {
 
 class Sphere_domain_3;

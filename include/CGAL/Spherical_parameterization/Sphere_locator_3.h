@@ -34,8 +34,6 @@
 #include <utility>
 #include <vector>
 
-/// \file Sphere_locator_3.h
-
 namespace CGAL::Spherical_parameterization {
 
 /// \ingroup PkgSphericalParameterizationSampling

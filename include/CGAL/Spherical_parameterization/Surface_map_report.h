@@ -19,8 +19,6 @@
 #include <cstddef>
 #include <vector>
 
-/// \file Surface_map_report.h
-
 namespace CGAL::Spherical_parameterization {
 
 /// \ingroup PkgSphericalParameterizationSurfaces

@@ -8,7 +8,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Author(s)     : The Spherical_parameterization authors
-//
 
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_SURFACE_MAPPER_3_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_SURFACE_MAPPER_3_H
@@ -28,8 +27,6 @@
 #include <optional>
 #include <utility>
 #include <vector>
-
-/// \file Surface_mapper_3.h
 
 namespace CGAL::Spherical_parameterization {
 

@@ -8,7 +8,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Author(s)     : The Spherical_parameterization authors
-//
 
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_SYMMETRIC_DIRICHLET_ENERGY_3_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_SYMMETRIC_DIRICHLET_ENERGY_3_H
@@ -20,8 +19,6 @@
 
 #include <array>
 #include <cmath>
-
-/// \file Symmetric_Dirichlet_energy_3.h
 
 namespace CGAL::Spherical_parameterization {
 

@@ -8,7 +8,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Author(s)     : The Spherical_parameterization authors
-//
 
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_TWO_PHASE_RADIUS_3_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_TWO_PHASE_RADIUS_3_H
@@ -21,8 +20,6 @@
 #include <CGAL/Spherical_parameterization/internal/run/policy_traits.h>
 
 #include <cmath>
-
-/// \file Two_phase_radius_3.h
 
 namespace CGAL::Spherical_parameterization {
 

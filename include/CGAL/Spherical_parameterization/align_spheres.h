@@ -47,8 +47,6 @@
 #include <utility>
 #include <vector>
 
-/// \file align_spheres.h
-
 namespace CGAL::Spherical_parameterization {
 
 /// \ingroup PkgSphericalParameterizationSurfaces

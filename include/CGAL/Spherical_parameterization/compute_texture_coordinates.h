@@ -35,8 +35,6 @@
 #include <utility>
 #include <vector>
 
-/// \file compute_texture_coordinates.h
-
 namespace CGAL::Spherical_parameterization {
 
 /// \ingroup PkgSphericalParameterizationSampling

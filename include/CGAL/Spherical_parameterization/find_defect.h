@@ -8,7 +8,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Author(s)     : The Spherical_parameterization authors
-//
 
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_FIND_DEFECT_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_FIND_DEFECT_H
@@ -28,8 +27,6 @@
 
 #include <cstddef>
 #include <string>
-
-/// \file find_defect.h
 
 namespace CGAL::Spherical_parameterization {
 

@@ -22,8 +22,6 @@
 
 #include <CGAL/tags.h>
 
-/// \file is_bijective.h
-
 namespace CGAL::Spherical_parameterization {
 
 /// \ingroup PkgSphericalParameterizationMeasuring

@@ -29,8 +29,6 @@
 #include <numeric>
 #include <vector>
 
-/// \file measure_distance.h
-
 namespace CGAL::Spherical_parameterization {
 
 /// \ingroup PkgSphericalParameterizationMeasuring

@@ -8,7 +8,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Author(s)     : The Spherical_parameterization authors
-//
 
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_MEASURE_DISTORTION_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_MEASURE_DISTORTION_H
@@ -30,8 +29,6 @@
 
 #include <cmath>
 #include <cstddef>
-
-/// \file measure_distortion.h
 
 namespace CGAL::Spherical_parameterization {
 

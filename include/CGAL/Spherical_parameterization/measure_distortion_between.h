@@ -22,8 +22,6 @@
 #include <array>
 #include <cstddef>
 
-/// \file measure_distortion_between.h
-
 namespace CGAL::Spherical_parameterization {
 
 /// \ingroup PkgSphericalParameterizationSurfaces

@@ -32,8 +32,6 @@
 #include <utility>
 #include <vector>
 
-/// \file overlay.h
-
 namespace CGAL::Spherical_parameterization {
 
 /// \ingroup PkgSphericalParameterizationSurfaces

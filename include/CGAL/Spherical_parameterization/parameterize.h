@@ -8,7 +8,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Author(s)     : The Spherical_parameterization authors
-//
 
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_PARAMETERIZE_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_PARAMETERIZE_H
@@ -27,8 +26,6 @@
 #include <CGAL/tags.h>
 
 #include <type_traits>
-
-/// \file parameterize.h
 
 namespace CGAL::Spherical_parameterization {
 

@@ -35,8 +35,6 @@
 #include <utility>
 #include <vector>
 
-/// \file remesh_through_sphere.h
-
 namespace CGAL::Spherical_parameterization {
 namespace internal {
 

@@ -8,7 +8,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Author(s)     : The Spherical_parameterization authors
-//
 
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_SPLIT_BLOCKING_EDGES_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_SPLIT_BLOCKING_EDGES_H
@@ -33,8 +32,6 @@
 #include <type_traits>
 #include <utility>
 #include <vector>
-
-/// \file split_blocking_edges.h
 
 namespace CGAL::Spherical_parameterization {
 

@@ -30,8 +30,6 @@
 #include <type_traits>
 #include <utility>
 
-/// \file transfer.h
-
 namespace CGAL::Spherical_parameterization {
 namespace internal {
 
