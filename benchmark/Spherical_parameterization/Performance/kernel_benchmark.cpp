@@ -98,8 +98,8 @@ void check(SP::Error_code error)
 struct Unlimited_run
 {
   SP::Parameterization_report report;
-  SP::Default_visitor visitor;
-  internal::Visitor_control<SP::Default_visitor> control = {visitor, 0., report};
+  internal::Visitor_control<std::decay_t<decltype(CGAL::parameters::default_values())>> control = {
+      CGAL::parameters::default_values(), report};
 };
 
 template <class Step>

@@ -29,7 +29,6 @@
 #include <CGAL/tags.h>
 
 #include <cstddef>
-#include <limits>
 #include <type_traits>
 
 namespace CGAL::Spherical_parameterization {
@@ -179,31 +178,18 @@ public:
   Error_code parameterize(const TriangleMesh& tmesh, VertexSphereMap vertex_sphere_map,
                           const CGAL_NP_CLASS& np = parameters::default_values())
   {
-    if constexpr(internal::check_settings<Energy, Radius>())
+    if constexpr(internal::check_settings<Energy, Radius>() &&
+                 internal::check_run<TriangleMesh, VertexSphereMap, CGAL_NP_CLASS>())
     {
-      m_report = Parameterization_report();
-      constexpr std::size_t by_size = (std::numeric_limits<std::size_t>::max)();
-      std::size_t max_sweeps = by_size;
-      if(!is_valid() || !internal::read_number_of_iterations(np, max_sweeps))
-        return ERROR_WRONG_PARAMETER;
-      if constexpr(internal::check_run<TriangleMesh, VertexSphereMap, CGAL_NP_CLASS>())
-      {
-        internal::Parameterization_run<ConcurrencyTag, TriangleMesh, CGAL_NP_CLASS> run(tmesh, np, m_report);
-        Error_code error = run.read();
-        if(error == OK)
-        {
-          error = make_initial_map(run);
-          if(error == OK)
-          {
-            if(max_sweeps == by_size)
-              max_sweeps = internal::default_number_of_sweeps(run.surface.number_of_vertices());
-            internal::run_descent<internal::Newton_step>(m_energy, m_radius, m_sharpness, m_settings, max_sweeps, run);
-          }
-        }
-        return run.write(error, vertex_sphere_map);
-      }
-      else
-        return ERROR_WRONG_PARAMETER;
+      internal::Parameterization_run<ConcurrencyTag, TriangleMesh, CGAL_NP_CLASS> run(tmesh, np, m_report);
+      if(is_valid() && run.read_number_of_iterations() && run.read())
+        run.error = make_initial_map(run);
+      if(run.error == OK)
+        internal::run_descent<internal::Newton_step>(
+            m_energy, m_radius, m_sharpness, m_settings,
+            run.number_of_iterations.value_or(internal::default_number_of_sweeps(run.surface.number_of_vertices())),
+            run);
+      return run.write(vertex_sphere_map);
     }
     else
       return ERROR_WRONG_PARAMETER;
@@ -236,11 +222,7 @@ private:
       // Where the radius is free, the areas are right from the beginning. Else they may have far to go, which they do on
       // coarse levels.
       constexpr std::size_t sweeps_per_level = std::is_same<Radius, Default>::value ? 14 : 20;
-      run.control.on_initialization_begin(run.surface.number_of_vertices());
-      const Error_code error = internal::embed_surface(m_energy, m_sharpness, sweeps_per_level, false, run);
-      if(error == OK)
-        run.control.on_initialization_end();
-      return error;
+      return internal::embed_surface(m_energy, m_sharpness, sweeps_per_level, false, run);
     }
     else
       return internal::make_initial_map(m_initial_parameterizer, run);

@@ -23,8 +23,6 @@
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/tags.h>
 
-#include <cstddef>
-
 namespace CGAL::Spherical_parameterization {
 
 /// \ingroup PkgSphericalParameterizationMethods
@@ -66,17 +64,12 @@ public:
   Error_code parameterize(const TriangleMesh& tmesh, VertexSphereMap vertex_sphere_map,
                           const CGAL_NP_CLASS& np = parameters::default_values())
   {
-    m_report = Parameterization_report();
-    std::size_t max_iterations = 100;
-    if(!internal::read_number_of_iterations(np, max_iterations))
-      return ERROR_WRONG_PARAMETER;
     if constexpr(internal::check_run<TriangleMesh, VertexSphereMap, CGAL_NP_CLASS>())
     {
       internal::Parameterization_run<ConcurrencyTag, TriangleMesh, CGAL_NP_CLASS> run(tmesh, np, m_report);
-      Error_code error = run.read();
-      if(error == OK)
-        error = internal::map_harmonically<SolverTraits>(run, false, max_iterations);
-      return run.write(error, vertex_sphere_map, internal::Guarantee::NONE);
+      if(run.read_number_of_iterations() && run.read())
+        run.error = internal::map_harmonically<SolverTraits>(run, false, run.number_of_iterations.value_or(100));
+      return run.write(vertex_sphere_map, internal::Guarantee::NONE);
     }
     else
       return ERROR_WRONG_PARAMETER;

@@ -114,26 +114,13 @@ public:
   Error_code parameterize(const TriangleMesh& tmesh, VertexSphereMap vertex_sphere_map,
                           const CGAL_NP_CLASS& np = parameters::default_values())
   {
-    if constexpr(internal::check_energy<Energy>())
+    if constexpr(internal::check_energy<Energy>() &&
+                 internal::check_run<TriangleMesh, VertexSphereMap, CGAL_NP_CLASS>())
     {
-      m_report = Parameterization_report();
-      if(!is_valid())
-        return ERROR_WRONG_PARAMETER;
-      if constexpr(internal::check_run<TriangleMesh, VertexSphereMap, CGAL_NP_CLASS>())
-      {
-        internal::Parameterization_run<ConcurrencyTag, TriangleMesh, CGAL_NP_CLASS> run(tmesh, np, m_report);
-        Error_code error = run.read();
-        if(error == OK)
-        {
-          run.control.on_initialization_begin(run.surface.number_of_vertices());
-          error = embed(run, true);
-          if(error == OK)
-            run.control.on_initialization_end();
-        }
-        return run.write(error, vertex_sphere_map);
-      }
-      else
-        return ERROR_WRONG_PARAMETER;
+      internal::Parameterization_run<ConcurrencyTag, TriangleMesh, CGAL_NP_CLASS> run(tmesh, np, m_report);
+      if(is_valid() && run.read())
+        run.error = embed(run, true);
+      return run.write(vertex_sphere_map);
     }
     else
       return ERROR_WRONG_PARAMETER;
@@ -146,7 +133,7 @@ public:
   /// @}
 
 #ifndef DOXYGEN_RUNNING
-  // maps the surface of a run; see internal::Embeds_surface
+  // maps the surface of a run; see internal::make_initial_map()
   template <class Run>
   Error_code embed(Run& run, bool sweeps_finest_level) const
   {

@@ -62,19 +62,17 @@ public:
   Error_code parameterize(const TriangleMesh& tmesh, VertexSphereMap vertex_sphere_map,
                           const CGAL_NP_CLASS& np = parameters::default_values())
   {
-    m_report = Parameterization_report();
     if constexpr(internal::check_run<TriangleMesh, VertexSphereMap, CGAL_NP_CLASS>())
     {
       internal::Parameterization_run<ConcurrencyTag, TriangleMesh, CGAL_NP_CLASS> run(tmesh, np, m_report);
-      Error_code error = run.read();
-      if(error == OK)
+      if(run.read())
       {
-        error = run.read_map(m_map) ? OK : ERROR_INVALID_INITIAL_PARAMETERIZATION;
+        run.error = run.read_map(m_map) ? OK : ERROR_INVALID_INITIAL_PARAMETERIZATION;
         m_report.seconds_for_embedding = run.control.lap();
-        if(error == OK)
+        if(run.error == OK)
           m_report.stop_reason = CONVERGED; // as there is nothing to improve
       }
-      return run.write(error, vertex_sphere_map);
+      return run.write(vertex_sphere_map);
     }
     else
       return ERROR_WRONG_PARAMETER;

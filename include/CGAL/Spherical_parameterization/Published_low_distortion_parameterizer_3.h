@@ -31,7 +31,6 @@
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/tags.h>
 
-#include <cstddef>
 #include <type_traits>
 
 namespace CGAL::Spherical_parameterization {
@@ -119,27 +118,16 @@ public:
   Error_code parameterize(const TriangleMesh& tmesh, VertexSphereMap vertex_sphere_map,
                           const CGAL_NP_CLASS& np = parameters::default_values())
   {
-    if constexpr(internal::check_settings<Isometric_energy_3, Radius>())
+    if constexpr(internal::check_settings<Isometric_energy_3, Radius>() &&
+                 internal::check_run<TriangleMesh, VertexSphereMap, CGAL_NP_CLASS>())
     {
-      m_report = Parameterization_report();
-      std::size_t max_sweeps = 2000;
-      if(!is_valid() || !internal::read_number_of_iterations(np, max_sweeps))
-        return ERROR_WRONG_PARAMETER;
-      if constexpr(internal::check_run<TriangleMesh, VertexSphereMap, CGAL_NP_CLASS>())
-      {
-        internal::Parameterization_run<ConcurrencyTag, TriangleMesh, CGAL_NP_CLASS> run(tmesh, np, m_report);
-        Error_code error = run.read();
-        if(error == OK)
-        {
-          error = internal::make_initial_map(m_initial_parameterizer, run);
-          if(error == OK)
-            internal::run_descent<internal::Gradient_step>(Isometric_energy_3(), m_radius, m_sharpness,
-                                                           {1e-5, 1e-3, false}, max_sweeps, run);
-        }
-        return run.write(error, vertex_sphere_map);
-      }
-      else
-        return ERROR_WRONG_PARAMETER;
+      internal::Parameterization_run<ConcurrencyTag, TriangleMesh, CGAL_NP_CLASS> run(tmesh, np, m_report);
+      if(is_valid() && run.read_number_of_iterations() && run.read())
+        run.error = internal::make_initial_map(m_initial_parameterizer, run);
+      if(run.error == OK)
+        internal::run_descent<internal::Gradient_step>(Isometric_energy_3(), m_radius, m_sharpness, {1e-5, 1e-3, false},
+                                                       run.number_of_iterations.value_or(2000), run);
+      return run.write(vertex_sphere_map);
     }
     else
       return ERROR_WRONG_PARAMETER;

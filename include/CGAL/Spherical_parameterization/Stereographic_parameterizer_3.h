@@ -68,14 +68,12 @@ public:
   Error_code parameterize(const TriangleMesh& tmesh, VertexSphereMap vertex_sphere_map,
                           const CGAL_NP_CLASS& np = parameters::default_values())
   {
-    m_report = Parameterization_report();
     if constexpr(internal::check_run<TriangleMesh, VertexSphereMap, CGAL_NP_CLASS>())
     {
       internal::Parameterization_run<ConcurrencyTag, TriangleMesh, CGAL_NP_CLASS> run(tmesh, np, m_report);
-      Error_code error = run.read();
-      if(error == OK)
-        error = internal::embed_stereographically<SolverTraits>(run, true);
-      return run.write(error, vertex_sphere_map);
+      if(run.read())
+        run.error = internal::embed_stereographically<SolverTraits>(run, true);
+      return run.write(vertex_sphere_map);
     }
     else
       return ERROR_WRONG_PARAMETER;

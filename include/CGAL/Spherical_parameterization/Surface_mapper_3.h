@@ -37,8 +37,7 @@ namespace CGAL::Spherical_parameterization {
 /// \cgalCite{cgal:scbk-ismccm-20}, and its symmetric Dirichlet energy \cgalCite{cgal:ss-bpfb-15} is lowered from coarse to fine
 /// \cgalCite{cgal:saph-ism-04}.
 ///
-/// \tparam TriangleMesh1 the type of the first surface
-/// \tparam TriangleMesh2 the type of the second one
+/// \tparam TriangleMesh1,TriangleMesh2 the types of the surfaces
 template <class TriangleMesh1, class TriangleMesh2 = TriangleMesh1>
 class Surface_mapper_3
 {

@@ -14,7 +14,6 @@
 
 #include <CGAL/license/Spherical_parameterization.h>
 
-#include <CGAL/Spherical_parameterization/Default_visitor.h>
 #include <CGAL/Spherical_parameterization/Error_code.h>
 #include <CGAL/Spherical_parameterization/Parameterization_report.h>
 #include <CGAL/Spherical_parameterization/internal/Mesh_on_sphere.h>
@@ -32,12 +31,10 @@
 #include <CGAL/Aff_transformation_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Named_function_parameters.h>
-#include <CGAL/boost/graph/named_params_helper.h>
 #include <CGAL/number_utils.h>
 #include <CGAL/tags.h>
 
 #include <boost/graph/graph_traits.hpp>
-#include <boost/property_map/property_map.hpp>
 
 #include <array>
 #include <cstddef>
@@ -123,32 +120,26 @@ Sampled_surface sampled_surface(const Sphere_grid& grid, Arrays& arrays, const s
 ///
 /// \tparam ConcurrencyTag enables sequential versus parallel algorithm. Possible values are `Sequential_tag`,
 ///         `Parallel_tag`, and `Parallel_if_available_tag`. The result does not depend on it.
-/// \tparam TriangleMesh1 a model of `FaceListGraph`
-/// \tparam VertexSphereMap1 a model of `ReadablePropertyMap` with
-///         `boost::graph_traits<TriangleMesh1>::%vertex_descriptor` as key type and `%Point_3` of a \cgal kernel as value
-///         type; its coordinates are of type `double` or `float`, or of an exact number type
-/// \tparam TriangleMesh2 a model of `FaceListGraph`
-/// \tparam VertexSphereMap2 the same for it
+/// \tparam TriangleMesh1,TriangleMesh2 models of `FaceListGraph`
+/// \tparam VertexSphereMap1,VertexSphereMap2 models of `ReadablePropertyMap` with the vertex descriptors of the meshes as
+///         key types and `%Point_3` of a \cgal kernel as value types; the coordinates are of type `double` or
+///         `float`, or of an exact number type
 /// \tparam Features a range of `std::pair` of two functions: they return the value, a number, of a feature at a vertex of
 ///         the first mesh and of the second one. `Surface_mapper_3::Feature` is such a pair.
-/// \tparam NamedParameters1 a sequence of \ref bgl_namedparameters "Named Parameters"
-/// \tparam NamedParameters2 a sequence of \ref bgl_namedparameters "Named Parameters"
+/// \tparam NamedParameters1,NamedParameters2 sequences of \ref bgl_namedparameters "Named Parameters"
 ///
-/// \param tmesh1 the first surface
-/// \param vertex_sphere_map1 the images of its vertices, at any distance from the origin
-/// \param tmesh2 the second surface
-/// \param vertex_sphere_map2 the images of its vertices, at any distance from the origin
+/// \param tmesh1,tmesh2 the first surface and the second one
+/// \param vertex_sphere_map1,vertex_sphere_map2 the images of their vertices, at any distance from the origin
 /// \param features what is to be compared; if there are none, the features of the package are
 /// \param alignment receives the rotations of the first sphere
-/// \param np1 an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
-/// \param np2 an optional sequence of \ref bgl_namedparameters "Named Parameters": `vertex_point_map` of `tmesh2`
+/// \param np1,np2 optional sequences of \ref bgl_namedparameters "Named Parameters" among the ones listed below; of
+///        `np2`, only `vertex_point_map` is used
 ///
 /// \cgalNamedParamsBegin
 ///   \cgalParamNBegin{vertex_point_map}
-///     \cgalParamDescription{a property map associating points to the vertices of `tmesh1`}
-///     \cgalParamType{a class model of `ReadablePropertyMap` with
-///                    `boost::graph_traits<TriangleMesh1>::%vertex_descriptor` as key type and `%Point_3` as value type}
-///     \cgalParamDefault{`boost::get(CGAL::vertex_point, tmesh1)`}
+///     \cgalParamDescription{a property map associating points to the vertices of `tmesh1`, or `tmesh2`}
+///     \cgalParamType{a class model of `ReadablePropertyMap` with `%Point_3` of a \cgal kernel as value type}
+///     \cgalParamDefault{`boost::get(CGAL::vertex_point, tmesh1)`, or of `tmesh2`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{visitor}
 ///     \cgalParamDescription{a visitor, of which `go_further(0, 0)` is asked every few milliseconds whether to go on}
@@ -181,16 +172,8 @@ template <class ConcurrencyTag = Parallel_if_available_tag, class TriangleMesh1,
                internal::check_run_parameters<TriangleMesh1, CGAL_NP_CLASS_1>() &&
                internal::check_vertex_point_map<TriangleMesh2, CGAL_NP_CLASS_2>())
   {
-    using parameters::choose_parameter;
-    using parameters::get_parameter;
-    using parameters::get_parameter_reference;
-    using Visitor = typename internal_np::Lookup_named_param_def<internal_np::visitor_t, CGAL_NP_CLASS_1,
-                                                                 Default_visitor>::reference;
-    Default_visitor default_visitor;
-    Visitor visitor = choose_parameter(get_parameter_reference(np1, internal_np::visitor), default_visitor);
     Parameterization_report unused;
-    internal::Visitor_control<std::remove_reference_t<Visitor>> control(
-        visitor, choose_parameter(get_parameter(np1, internal_np::maximum_running_time), 0.), unused);
+    internal::Visitor_control<CGAL_NP_CLASS_1> control(np1, unused);
     const internal::Execution execution = internal::execution_of<ConcurrencyTag>();
     internal::Mesh_on_sphere<TriangleMesh1, VertexSphereMap1> arrays1;
     internal::Mesh_on_sphere<TriangleMesh2, VertexSphereMap2> arrays2;

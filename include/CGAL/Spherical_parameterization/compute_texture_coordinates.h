@@ -18,14 +18,13 @@
 #include <CGAL/Spherical_parameterization/internal/run/parallel.h>
 #include <CGAL/Spherical_parameterization/internal/Mesh_on_sphere.h>
 #include <CGAL/Spherical_parameterization/internal/surface/add_triangles.h>
+#include <CGAL/Spherical_parameterization/internal/surface/read_mesh.h>
 #include <CGAL/Spherical_parameterization/internal/images/Geographic_frame.h>
 #include <CGAL/Spherical_parameterization/internal/images/Seam_cut.h>
 
 #include <CGAL/Cartesian_converter.h>
 #include <CGAL/Kernel_traits.h>
 #include <CGAL/Named_function_parameters.h>
-#include <CGAL/boost/graph/named_params_helper.h>
-#include <CGAL/boost/graph/properties.h>
 #include <CGAL/tags.h>
 
 #include <boost/property_map/property_map.hpp>
@@ -72,8 +71,7 @@ namespace CGAL::Spherical_parameterization {
 /// \tparam HalfedgeTextureMap a model of `WritablePropertyMap` with
 ///         `boost::graph_traits<TexturedMesh>::%halfedge_descriptor` as key type and `%Point_2` of a \cgal kernel as value
 ///         type
-/// \tparam NamedParameters1 a sequence of \ref bgl_namedparameters "Named Parameters"
-/// \tparam NamedParameters2 a sequence of \ref bgl_namedparameters "Named Parameters"
+/// \tparam NamedParameters1,NamedParameters2 sequences of \ref bgl_namedparameters "Named Parameters"
 ///
 /// \param tmesh the surface, a closed triangle mesh of genus 0
 /// \param vertex_sphere_map its map to the sphere, a bijection, such as `parameterize()` makes
@@ -82,8 +80,7 @@ namespace CGAL::Spherical_parameterization {
 /// \param north_pole the direction of the north pole, at any distance from the origin
 /// \param zero_meridian a direction in the half plane that the axis of the poles bounds and the zero meridian is in; it need not
 ///        be orthogonal to `north_pole`, but not parallel to it, not even up to rounding
-/// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
-/// \param np_textured an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
+/// \param np,np_textured optional sequences of \ref bgl_namedparameters "Named Parameters" among the ones listed below
 ///
 /// \cgalNamedParamsBegin
 ///   \cgalParamNBegin{vertex_point_map}
@@ -114,8 +111,6 @@ template <class ConcurrencyTag = Parallel_if_available_tag, class TriangleMesh, 
 {
   using Mesh_arrays = internal::Mesh_on_sphere<TriangleMesh, VertexSphereMap>;
   using Exact_kernel = typename Mesh_arrays::Exact_kernel;
-  using parameters::choose_parameter;
-  using parameters::get_parameter;
 
   const internal::Geographic_frame<Exact_kernel> frame(Mesh_arrays::Selection::convert(north_pole),
                                                        Mesh_arrays::Selection::convert(zero_meridian));
@@ -124,13 +119,11 @@ template <class ConcurrencyTag = Parallel_if_available_tag, class TriangleMesh, 
   Mesh_arrays mesh;
   if(const Error_code error = mesh.read(tmesh, vertex_sphere_map, false, internal::execution_of<ConcurrencyTag>()))
     return error;
-  const auto point_map =
-      choose_parameter(get_parameter(np, internal_np::vertex_point), get_const_property_map(vertex_point, tmesh));
+  const auto point_map = internal::vertex_point_map_of(tmesh, np);
   if(const Error_code error = mesh.read_points(point_map))
     return error;
 
-  const auto new_point_map = choose_parameter(get_parameter(np_textured, internal_np::vertex_point),
-                                              get_property_map(vertex_point, textured_mesh));
+  const auto new_point_map = internal::vertex_point_map_of(textured_mesh, np_textured);
   using Point_3 = typename boost::property_traits<std::decay_t<decltype(point_map)>>::value_type;
   using New_point_3 = typename boost::property_traits<std::decay_t<decltype(new_point_map)>>::value_type;
   const Cartesian_converter<typename Kernel_traits<Point_3>::Kernel, typename Kernel_traits<New_point_3>::Kernel>

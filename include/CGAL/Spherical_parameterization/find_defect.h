@@ -20,8 +20,6 @@
 #include <CGAL/Spherical_parameterization/internal/surface/read_mesh.h>
 
 #include <CGAL/Named_function_parameters.h>
-#include <CGAL/boost/graph/named_params_helper.h>
-#include <CGAL/boost/graph/properties.h>
 
 #include <boost/graph/graph_traits.hpp>
 
@@ -105,11 +103,7 @@ struct Mesh_defect
 template <class TriangleMesh, typename CGAL_NP_TEMPLATE_PARAMETERS>
 Mesh_defect<TriangleMesh> find_defect(const TriangleMesh& tmesh, const CGAL_NP_CLASS& np = parameters::default_values())
 {
-  using parameters::choose_parameter;
-  using parameters::get_parameter;
-
-  const auto vpm =
-      choose_parameter(get_parameter(np, internal_np::vertex_point), get_const_property_map(vertex_point, tmesh));
+  const auto vpm = internal::vertex_point_map_of(tmesh, np);
   internal::Mesh_arrays<TriangleMesh> arrays;
   internal::Surface surface;
   const Error_code error = internal::read_surface(tmesh, vpm, arrays, surface);

@@ -17,10 +17,9 @@
 #include <CGAL/Spherical_parameterization/Error_code.h>
 #include <CGAL/Spherical_parameterization/internal/measuring/Triangle_set.h>
 #include <CGAL/Spherical_parameterization/internal/run/parallel.h>
+#include <CGAL/Spherical_parameterization/internal/surface/read_mesh.h>
 
 #include <CGAL/Named_function_parameters.h>
-#include <CGAL/boost/graph/named_params_helper.h>
-#include <CGAL/boost/graph/properties.h>
 #include <CGAL/tags.h>
 
 #include <algorithm>
@@ -65,25 +64,21 @@ struct Surface_distance
 ///
 /// \tparam ConcurrencyTag enables sequential versus parallel algorithm. Possible values are `Sequential_tag`,
 ///         `Parallel_tag`, and `Parallel_if_available_tag`. The result does not depend on it.
-/// \tparam TriangleMesh1 a model of `FaceListGraph`
-/// \tparam TriangleMesh2 a model of `FaceListGraph`
-/// \tparam NamedParameters1 a sequence of \ref bgl_namedparameters "Named Parameters"
-/// \tparam NamedParameters2 a sequence of \ref bgl_namedparameters "Named Parameters"
+/// \tparam TriangleMesh1,TriangleMesh2 models of `FaceListGraph`
+/// \tparam NamedParameters1,NamedParameters2 sequences of \ref bgl_namedparameters "Named Parameters"
 ///
-/// \param tmesh1 a triangle mesh
-/// \param tmesh2 another one
+/// \param tmesh1,tmesh2 triangle meshes
 /// \param distance receives the distances
-/// \param np1 an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
-/// \param np2 an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
+/// \param np1,np2 optional sequences of \ref bgl_namedparameters "Named Parameters" among the ones listed below
 ///
 /// \cgalNamedParamsBegin
 ///   \cgalParamNBegin{vertex_point_map}
-///     \cgalParamDescription{a property map associating points to the vertices of `tmesh1` (`tmesh2`)}
+///     \cgalParamDescription{a property map associating points to the vertices of `tmesh1`, or `tmesh2`}
 ///     \cgalParamType{a class model of `ReadablePropertyMap` with `%Point_3` of a \cgal kernel as value type}
-///     \cgalParamDefault{`boost::get(CGAL::vertex_point, tmesh1)` (`tmesh2`)}
+///     \cgalParamDefault{`boost::get(CGAL::vertex_point, tmesh1)`, or of `tmesh2`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{number_of_points_on_faces}
-///     \cgalParamDescription{the number of places of `tmesh1` (`tmesh2`)}
+///     \cgalParamDescription{the number of places of `tmesh1`, or `tmesh2`}
 ///     \cgalParamType{an integer}
 ///     \cgalParamDefault{`30000`}
 ///   \cgalParamNEnd
@@ -107,12 +102,9 @@ template <class ConcurrencyTag = Parallel_if_available_tag, class TriangleMesh1,
   if(n1 < 1 || n2 < 1)
     return ERROR_WRONG_PARAMETER;
   internal::Triangle_set first, second;
-  Error_code error = first.read(tmesh1, choose_parameter(get_parameter(np1, internal_np::vertex_point),
-                                                         get_const_property_map(vertex_point, tmesh1)));
-  if(error == OK)
-    error = second.read(tmesh2, choose_parameter(get_parameter(np2, internal_np::vertex_point),
-                                                 get_const_property_map(vertex_point, tmesh2)));
-  if(error != OK)
+  if(const Error_code error = first.read(tmesh1, internal::vertex_point_map_of(tmesh1, np1)))
+    return error;
+  if(const Error_code error = second.read(tmesh2, internal::vertex_point_map_of(tmesh2, np2)))
     return error;
   int exponent = 0;
   std::frexp((std::max)(first.largest_coordinate(), second.largest_coordinate()), &exponent);

@@ -22,8 +22,6 @@
 #include <CGAL/Spherical_parameterization/internal/surface/read_mesh.h>
 
 #include <CGAL/Named_function_parameters.h>
-#include <CGAL/boost/graph/named_params_helper.h>
-#include <CGAL/boost/graph/properties.h>
 #include <CGAL/number_utils.h>
 #include <CGAL/tags.h>
 
@@ -154,17 +152,12 @@ template <class ConcurrencyTag = Parallel_if_available_tag, class TriangleMesh, 
 {
   if constexpr(internal::check_mesh_and_readable_map<TriangleMesh, VertexSphereMap>())
   {
-    using parameters::choose_parameter;
-    using parameters::get_parameter;
-
     internal::Mesh_arrays<TriangleMesh> mesh;
     if(const Error_code error = mesh.read(tmesh, true))
       return error;
     const auto as_it_is = [](const auto& p) { return p; };
-    const auto points = internal::read_values(
-        mesh.vertices_of_mesh,
-        choose_parameter(get_parameter(np, internal_np::vertex_point), get_const_property_map(vertex_point, tmesh)),
-        as_it_is);
+    const auto points =
+        internal::read_values(mesh.vertices_of_mesh, internal::vertex_point_map_of(tmesh, np), as_it_is);
     const auto images = internal::read_values(mesh.vertices_of_mesh, vertex_sphere_map, as_it_is);
     const auto measured = internal::distortion_of_faces<internal::Exact_predicates_kernel_of_map<VertexSphereMap>>(
         points, images, mesh.triangles, internal::execution_of<ConcurrencyTag>());

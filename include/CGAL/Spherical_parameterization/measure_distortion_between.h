@@ -52,8 +52,7 @@ struct Distortion_between
 ///
 /// measures the distortion of the map between two surfaces, in each triangle of their common refinement.
 ///
-/// \tparam TriangleMesh1 the type of the first surface
-/// \tparam TriangleMesh2 the type of the second one
+/// \tparam TriangleMesh1,TriangleMesh2 the types of the surfaces
 ///
 /// \param overlay the refinement, made by `overlay()`
 /// \param distortion receives the distortion; all measures are infinite if a surface has no area, or all triangles are left out

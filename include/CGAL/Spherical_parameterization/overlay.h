@@ -40,8 +40,7 @@ namespace CGAL::Spherical_parameterization {
 /// which is a part of one face of the first surface and of one face of the second. It is closed: with `points` of either
 /// surface, `triangles` are that surface; and what is between the two points of a vertex is a morph.
 ///
-/// \tparam TriangleMesh1 a model of `FaceListGraph`
-/// \tparam TriangleMesh2 a model of `FaceListGraph`
+/// \tparam TriangleMesh1,TriangleMesh2 models of `FaceListGraph`
 template <class TriangleMesh1, class TriangleMesh2>
 struct Surface_overlay_3
 {
@@ -79,29 +78,21 @@ struct Surface_overlay_3
 ///
 /// \tparam ConcurrencyTag enables sequential versus parallel algorithm. Possible values are `Sequential_tag`,
 ///         `Parallel_tag`, and `Parallel_if_available_tag`. The result does not depend on it.
-/// \tparam TriangleMesh1 a model of `FaceListGraph`
-/// \tparam VertexSphereMap1 a model of `ReadablePropertyMap` with
-///         `boost::graph_traits<TriangleMesh1>::%vertex_descriptor` as key type and `%Point_3` of a \cgal kernel with
-///         coordinates of type `double` or `float` as value type
-/// \tparam TriangleMesh2 a model of `FaceListGraph`
-/// \tparam VertexSphereMap2 the same for it
-/// \tparam NamedParameters1 a sequence of \ref bgl_namedparameters "Named Parameters"
-/// \tparam NamedParameters2 a sequence of \ref bgl_namedparameters "Named Parameters"
+/// \tparam TriangleMesh1,TriangleMesh2 models of `FaceListGraph`
+/// \tparam VertexSphereMap1,VertexSphereMap2 models of `ReadablePropertyMap` with the vertex descriptors of the meshes as
+///         key types and `%Point_3` of a \cgal kernel as value types; the coordinates are of type `double` or `float`
+/// \tparam NamedParameters1,NamedParameters2 sequences of \ref bgl_namedparameters "Named Parameters"
 ///
-/// \param tmesh1 the first surface
-/// \param vertex_sphere_map1 the images of its vertices, at any distance from the origin
-/// \param tmesh2 the second surface
-/// \param vertex_sphere_map2 the images of its vertices, at any distance from the origin
+/// \param tmesh1,tmesh2 the first surface and the second one
+/// \param vertex_sphere_map1,vertex_sphere_map2 the images of their vertices, at any distance from the origin
 /// \param result receives the refinement
-/// \param np1 an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
-/// \param np2 the same for `tmesh2`
+/// \param np1,np2 optional sequences of \ref bgl_namedparameters "Named Parameters" among the ones listed below
 ///
 /// \cgalNamedParamsBegin
 ///   \cgalParamNBegin{vertex_point_map}
-///     \cgalParamDescription{a property map associating points to the vertices of `tmesh1`}
-///     \cgalParamType{a class model of `ReadablePropertyMap` with
-///                    `boost::graph_traits<TriangleMesh1>::%vertex_descriptor` as key type and `%Point_3` as value type}
-///     \cgalParamDefault{`boost::get(CGAL::vertex_point, tmesh1)`}
+///     \cgalParamDescription{a property map associating points to the vertices of `tmesh1`, or `tmesh2`}
+///     \cgalParamType{a class model of `ReadablePropertyMap` with `%Point_3` of a \cgal kernel as value type}
+///     \cgalParamDefault{`boost::get(CGAL::vertex_point, tmesh1)`, or of `tmesh2`}
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///

@@ -21,13 +21,12 @@
 #include <CGAL/Spherical_parameterization/internal/surface/add_triangles.h>
 #include <CGAL/Spherical_parameterization/internal/surface/Linked_triangle.h>
 #include <CGAL/Spherical_parameterization/internal/surface/Surface.h>
+#include <CGAL/Spherical_parameterization/internal/surface/read_mesh.h>
 #include <CGAL/Spherical_parameterization/internal/locate/Sphere_triangulation.h>
 #include <CGAL/Spherical_parameterization/internal/sampling/Property_carrier.h>
 #include <CGAL/Spherical_parameterization/internal/numbers/Vector_3.h>
 
 #include <CGAL/Named_function_parameters.h>
-#include <CGAL/boost/graph/named_params_helper.h>
-#include <CGAL/boost/graph/properties.h>
 #include <CGAL/tags.h>
 
 #include <cstddef>
@@ -83,16 +82,14 @@ inline std::vector<Vector_3d> vertex_normals(std::vector<Vector_3d> points,
 /// \tparam Remesh a model of `MutableFaceGraph`
 /// \tparam RemeshSphereMap a model of `WritablePropertyMap` with
 ///         `boost::graph_traits<Remesh>::%vertex_descriptor` as key type and `%Point_3` of a \cgal kernel as value type
-/// \tparam NamedParameters1 a sequence of \ref bgl_namedparameters "Named Parameters"
-/// \tparam NamedParameters2 a sequence of \ref bgl_namedparameters "Named Parameters"
+/// \tparam NamedParameters1,NamedParameters2 sequences of \ref bgl_namedparameters "Named Parameters"
 ///
 /// \param tmesh the surface, a closed triangle mesh of genus 0
 /// \param vertex_sphere_map its map to the sphere, a bijection, such as `parameterize()` makes
 /// \param domain what the sphere is sampled with
 /// \param remesh the new mesh is added to it, its vertices and faces in the order of the domain
 /// \param remesh_sphere_map receives the directions of the new vertices: the map of the new mesh to the sphere
-/// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
-/// \param np_remesh an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
+/// \param np,np_remesh optional sequences of \ref bgl_namedparameters "Named Parameters" among the ones listed below
 ///
 /// \cgalNamedParamsBegin
 ///   \cgalParamNBegin{vertex_point_map}
@@ -128,8 +125,6 @@ template <class ConcurrencyTag = Parallel_if_available_tag, class TriangleMesh, 
   using Mesh_arrays = internal::Mesh_on_sphere<TriangleMesh, VertexSphereMap>;
   using Exact_kernel = typename Mesh_arrays::Exact_kernel;
   using FT = typename Exact_kernel::FT;
-  using parameters::choose_parameter;
-  using parameters::get_parameter;
 
   if(domain.is_empty())
     return ERROR_INVALID_DOMAIN;
@@ -137,8 +132,7 @@ template <class ConcurrencyTag = Parallel_if_available_tag, class TriangleMesh, 
   Mesh_arrays mesh;
   if(const Error_code error = mesh.read(tmesh, vertex_sphere_map, false, execution))
     return error;
-  if(const Error_code error = mesh.read_points(
-         choose_parameter(get_parameter(np, internal_np::vertex_point), get_const_property_map(vertex_point, tmesh))))
+  if(const Error_code error = mesh.read_points(internal::vertex_point_map_of(tmesh, np)))
     return error;
   internal::Sphere_triangulation<Exact_kernel> source, target;
   source.assign(std::move(mesh.images), std::move(mesh.triangles));
@@ -155,14 +149,13 @@ template <class ConcurrencyTag = Parallel_if_available_tag, class TriangleMesh, 
         const auto sample = [&](const std::vector<internal::Vector_3d>& values, std::size_t k) {
           return internal::interpolated(values, source.triangles(), places[k]);
         };
-        internal::write_vectors(choose_parameter(get_parameter(np_remesh, internal_np::vertex_point),
-                                                 get_property_map(vertex_point, remesh)),
-                                new_vertices, [&](std::size_t k) { return sample(mesh.points, k); });
+        internal::write_vectors(internal::vertex_point_map_of(remesh, np_remesh), new_vertices,
+                                [&](std::size_t k) { return sample(mesh.points, k); });
         internal::write_vectors(remesh_sphere_map, new_vertices, [&](std::size_t k) { return domain.directions()[k]; });
         if constexpr(!parameters::is_default_parameter<CGAL_NP_CLASS_2, internal_np::vertex_normal_map_t>::value)
         {
           const auto normals = internal::vertex_normals(mesh.points, source.triangles());
-          internal::write_vectors(get_parameter(np_remesh, internal_np::vertex_normal_map), new_vertices,
+          internal::write_vectors(parameters::get_parameter(np_remesh, internal_np::vertex_normal_map), new_vertices,
                                   [&](std::size_t k) { return internal::normalized_or_zero(sample(normals, k)); });
         }
         if constexpr(internal::are_surface_meshes<TriangleMesh, Remesh>)

@@ -17,15 +17,13 @@
 #include <CGAL/Spherical_parameterization/Error_code.h>
 #include <CGAL/Spherical_parameterization/internal/certificate/is_safely_positive.h>
 #include <CGAL/Spherical_parameterization/internal/numbers/Vector_3.h>
+#include <CGAL/Spherical_parameterization/internal/surface/read_mesh.h>
 
 #include <CGAL/boost/graph/Euler_operations.h>
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/helpers.h>
-#include <CGAL/boost/graph/named_params_helper.h>
-#include <CGAL/boost/graph/properties.h>
 
 #include <boost/graph/graph_traits.hpp>
-#include <boost/property_map/property_map.hpp>
 
 #include <algorithm>
 #include <cstddef>
@@ -139,8 +137,7 @@ template <class TriangleMesh, class VertexSphereMap, class VertexDirectionMap, c
       blocking.push_back(h);
   }
 
-  const auto points = parameters::choose_parameter(parameters::get_parameter(np, internal_np::vertex_point),
-                                                   get_property_map(vertex_point, tmesh));
+  const auto points = internal::vertex_point_map_of(tmesh, np);
   for(const halfedge_descriptor h : blocking)
   {
     const auto a = source(h, tmesh), b = target(h, tmesh);

@@ -19,11 +19,10 @@
 #include <CGAL/Spherical_parameterization/internal/locate/Sphere_triangulation.h>
 #include <CGAL/Spherical_parameterization/internal/run/parallel.h>
 #include <CGAL/Spherical_parameterization/internal/sampling/Property_carrier.h>
+#include <CGAL/Spherical_parameterization/internal/surface/read_mesh.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/Surface_mesh/Surface_mesh_fwd.h>
-#include <CGAL/boost/graph/named_params_helper.h>
-#include <CGAL/boost/graph/properties.h>
 #include <CGAL/tags.h>
 
 #include <tuple>
@@ -50,9 +49,7 @@ Error_code carry_properties(const SourceMesh& source, const SourceSphereMap& sou
   Source source_arrays;
   if(const Error_code error = source_arrays.read(source, source_sphere, false, execution))
     return error;
-  if(const Error_code error = source_arrays.read_points(
-         parameters::choose_parameter(parameters::get_parameter(np_source, internal_np::vertex_point),
-                                      get_const_property_map(vertex_point, source))))
+  if(const Error_code error = source_arrays.read_points(vertex_point_map_of(source, np_source)))
     return error;
   Target target_arrays;
   if(const Error_code error = target_arrays.read(target, target_sphere, false, execution))

@@ -48,15 +48,17 @@ private:
   Energy m_energy;
 };
 
-// Makes the first map by the hierarchy.
+// Makes the first map by the hierarchy, and tells the visitor of it.
 template <class Energy, class Run>
 Error_code embed_surface(const Energy& energy, const Sharpness& sharpness, std::size_t sweeps_per_level,
                          bool sweeps_finest_level, Run& run)
 {
-  return embed_hierarchically(run.surface, energy, sharpness, sweeps_per_level, sweeps_finest_level, run.positions,
-                              run.control, run.execution)
-             ? OK
-             : ERROR_INSUFFICIENT_PRECISION;
+  run.control.on_initialization_begin(run.surface.number_of_vertices());
+  if(!embed_hierarchically(run.surface, energy, sharpness, sweeps_per_level, sweeps_finest_level, run.positions,
+                           run.control, run.execution))
+    return ERROR_INSUFFICIENT_PRECISION;
+  run.control.on_initialization_end();
+  return OK;
 }
 
 // Lowers the energy of a bijection by sweeps.

@@ -35,60 +35,54 @@
 
 #include <cstddef>
 #include <functional>
+#include <optional>
 #include <type_traits>
 #include <utility>
 #include <vector>
 
 namespace CGAL::Spherical_parameterization::internal {
 
-// Sets `number` to the named parameter `number_of_iterations` if it is given; returns false if that is negative.
-template <class NamedParameters>
-bool read_number_of_iterations(const NamedParameters& np, std::size_t& number)
-{
-  const auto given =
-      parameters::choose_parameter(parameters::get_parameter(np, internal_np::number_of_iterations), number);
-  static_assert(std::is_integral<std::decay_t<decltype(given)>>::value,
-                "The named parameter number_of_iterations has to be an integer.");
-  if constexpr(std::is_signed<std::decay_t<decltype(given)>>::value)
-    if(given < 0)
-      return false;
-  number = static_cast<std::size_t>(given);
-  return true;
-}
-
 // A run from the caller's mesh to the caller's map, as every parameterizer makes it: read(), the work of its method on the
 // members below, and write(). The caller's types end here: methods work on the surface, the control and the execution.
+// `error` is what write() returns: at first that of a setting out of its range, then that of read(), then the method's.
 template <class ConcurrencyTag_, class TriangleMesh, class NamedParameters>
 class Parameterization_run
 {
-  using Visitor = Visitor_of_call<NamedParameters>;
-
 public:
   using Concurrency_tag = ConcurrencyTag_;
 
   Parameterization_run(const TriangleMesh& mesh, const NamedParameters& np, Parameterization_report& report)
     : tmesh(mesh)
     , m_np(np)
-    , m_visitor(parameters::choose_parameter(parameters::get_parameter_reference(np, internal_np::visitor),
-                                             m_default_visitor))
-    , control(m_visitor,
-              parameters::choose_parameter(parameters::get_parameter(np, internal_np::maximum_running_time), 0.),
-              report)
-  {}
-
-  auto vertex_point_map() const
+    , control(np, report)
   {
-    return parameters::choose_parameter(parameters::get_parameter(m_np, internal_np::vertex_point),
-                                        get_const_property_map(vertex_point, tmesh));
+    report = Parameterization_report();
   }
 
-  // Checks and copies the mesh.
-  Error_code read()
+  auto vertex_point_map() const { return vertex_point_map_of(tmesh, m_np); }
+
+  // Reads the named parameter number_of_iterations, if it is given. Returns false if it is negative.
+  bool read_number_of_iterations()
+  {
+    if constexpr(!parameters::is_default_parameter<NamedParameters, internal_np::number_of_iterations_t>::value)
+    {
+      const auto given = parameters::get_parameter(m_np, internal_np::number_of_iterations);
+      using Number = std::decay_t<decltype(given)>;
+      static_assert(std::is_integral<Number>::value, "The named parameter number_of_iterations has to be an integer.");
+      number_of_iterations = static_cast<std::size_t>(given);
+      if constexpr(std::is_signed<Number>::value)
+        return given >= 0;
+    }
+    return true;
+  }
+
+  // Checks and copies the mesh. Returns whether it has no defect.
+  bool read()
   {
     run_both(
         execution, [] {}, [] {}); // the thread pool starts meanwhile
     Mesh_arrays<TriangleMesh> arrays;
-    const Error_code error = read_surface(tmesh, vertex_point_map(), arrays, surface);
+    error = read_surface(tmesh, vertex_point_map(), arrays, surface);
     Parameterization_report& report = control.report();
     report.number_of_isolated_vertices = arrays.number_of_isolated_vertices;
     report.number_of_vertices = surface.number_of_vertices();
@@ -97,7 +91,7 @@ public:
     report.seconds_for_reading = control.lap();
     m_vertices = std::move(arrays.vertices_of_mesh);
     m_is_read = error == OK;
-    return error;
+    return m_is_read;
   }
 
   // Reads a map of the mesh and projects it to the unit sphere. Returns whether it is a bijection there.
@@ -112,7 +106,7 @@ public:
 
   // Certifies and writes the map, by what the method guarantees, if reading and the method have succeeded.
   template <class VertexSphereMap>
-  Error_code write(Error_code error, VertexSphereMap vertex_sphere_map, Guarantee guarantee = Guarantee::ONE_TO_ONE)
+  Error_code write(VertexSphereMap vertex_sphere_map, Guarantee guarantee = Guarantee::ONE_TO_ONE)
   {
     if(!m_is_read)
       return error;
@@ -131,17 +125,17 @@ public:
 
 private:
   const NamedParameters& m_np;
-  Default_visitor m_default_visitor;
-  Visitor m_visitor;
   std::vector<typename boost::graph_traits<TriangleMesh>::vertex_descriptor> m_vertices;
   bool m_is_read = false;
 
 public:
-  Visitor_control<std::remove_reference_t<Visitor>> control;
+  Visitor_control<NamedParameters> control;
   Execution execution = execution_of<Concurrency_tag>();
   Surface surface;
   std::vector<Vector_3d> positions; // on the unit sphere
   double radius = 1.;               // in the caller's unit of length
+  std::optional<std::size_t> number_of_iterations;
+  Error_code error = ERROR_WRONG_PARAMETER;
 };
 
 // What the initial parameterizer sees of the caller's visitor and of the time: it may be stopped, and its levels show.
@@ -197,15 +191,16 @@ Error_code compute_initial_map(Parameterizer& parameterizer, Run& run)
 template <class Parameterizer, class Run>
 Error_code make_initial_map(Parameterizer& parameterizer, Run& run)
 {
-  run.control.on_initialization_begin(run.surface.number_of_vertices());
-  Error_code error = OK;
   if constexpr(is_detected<Embed_result, Parameterizer, Run>)
-    error = parameterizer.embed(run, false);
+    return parameterizer.embed(run, false);
   else
-    error = compute_initial_map(parameterizer, run);
-  if(error == OK)
-    run.control.on_initialization_end();
-  return error;
+  {
+    run.control.on_initialization_begin(run.surface.number_of_vertices());
+    const Error_code error = compute_initial_map(parameterizer, run);
+    if(error == OK)
+      run.control.on_initialization_end();
+    return error;
+  }
 }
 
 } // namespace CGAL::Spherical_parameterization::internal

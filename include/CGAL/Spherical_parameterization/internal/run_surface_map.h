@@ -14,7 +14,6 @@
 
 #include <CGAL/license/Spherical_parameterization.h>
 
-#include <CGAL/Spherical_parameterization/Default_visitor.h>
 #include <CGAL/Spherical_parameterization/Error_code.h>
 #include <CGAL/Spherical_parameterization/Parameterization_report.h>
 #include <CGAL/Spherical_parameterization/Surface_map_report.h>
@@ -27,13 +26,10 @@
 #include <CGAL/Spherical_parameterization/internal/surface/Surface.h>
 #include <CGAL/Spherical_parameterization/internal/write_map.h>
 
-#include <CGAL/Named_function_parameters.h>
-
 #include <cstddef>
 #include <cstdint>
 #include <map>
 #include <optional>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -118,19 +114,12 @@ Error_code run_surface_map(const TriangleMesh1& tmesh1, VertexSphereMap1 vertex_
                check_run_parameters<TriangleMesh1, NamedParameters1>() &&
                check_vertex_point_map<TriangleMesh2, NamedParameters2>())
   {
-    using parameters::choose_parameter;
-    using parameters::get_parameter;
-    using parameters::get_parameter_reference;
-    using Visitor = Visitor_of_call<NamedParameters1>;
     using Arrays1 = Mesh_on_sphere<TriangleMesh1, VertexSphereMap1>;
     using Arrays2 = Mesh_on_sphere<TriangleMesh2, VertexSphereMap2>;
     using K = typename Arrays1::Exact_kernel;
 
-    Default_visitor default_visitor;
-    Visitor visitor = choose_parameter(get_parameter_reference(np1, internal_np::visitor), default_visitor);
     Parameterization_report run_report;
-    Visitor_control<std::remove_reference_t<Visitor>> control(
-        visitor, choose_parameter(get_parameter(np1, internal_np::maximum_running_time), 0.), run_report);
+    Visitor_control<NamedParameters1> control(np1, run_report);
     const Execution execution = execution_of<ConcurrencyTag>();
     if(!settings.are_valid())
       return ERROR_WRONG_PARAMETER;

@@ -14,7 +14,10 @@
 
 #include <CGAL/license/Spherical_parameterization.h>
 
+#include <CGAL/Spherical_parameterization/Default_visitor.h>
 #include <CGAL/Spherical_parameterization/Parameterization_report.h>
+
+#include <CGAL/Named_function_parameters.h>
 
 #include <chrono>
 #include <cstddef>
@@ -85,14 +88,16 @@ private:
   Stop_reason m_stop_reason = NOT_RUN;
 };
 
-// The same with the caller's visitor.
-template <class Visitor>
+// The same by the named parameters of a call: its visitor, and its time limit.
+template <class NamedParameters>
 class Visitor_control : public Run_control
 {
 public:
-  Visitor_control(Visitor& visitor, double max_seconds, Parameterization_report& report)
-    : Run_control(max_seconds, report)
-    , m_visitor(visitor)
+  Visitor_control(const NamedParameters& np, Parameterization_report& report)
+    : Run_control(parameters::choose_parameter(parameters::get_parameter(np, internal_np::maximum_running_time), 0.),
+                  report)
+    , m_visitor(parameters::choose_parameter(parameters::get_parameter_reference(np, internal_np::visitor),
+                                             m_default_visitor))
   {}
 
   void on_initialization_begin(std::size_t number_of_vertices) override
@@ -113,7 +118,9 @@ private:
     return m_visitor.go_further(iteration, energy);
   }
 
-  Visitor& m_visitor;
+  Default_visitor m_default_visitor;
+  typename internal_np::Lookup_named_param_def<internal_np::visitor_t, NamedParameters, Default_visitor>::reference
+      m_visitor;
 };
 
 } // namespace CGAL::Spherical_parameterization::internal

@@ -19,7 +19,10 @@
 #include <CGAL/Spherical_parameterization/internal/surface/Surface.h>
 
 #include <CGAL/Dynamic_property_map.h>
+#include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/helpers.h>
+#include <CGAL/boost/graph/named_params_helper.h>
+#include <CGAL/boost/graph/properties.h>
 #include <CGAL/number_utils.h>
 
 #include <boost/graph/graph_traits.hpp>
@@ -103,6 +106,18 @@ std::vector<Vector_3d> read_points(const Vertices& vertices, const VertexPointMa
 inline bool are_finite(const std::vector<Vector_3d>& points)
 {
   return std::all_of(points.begin(), points.end(), [](const Vector_3d& p) { return is_finite(p); });
+}
+
+// The property map of the points of a mesh: the named parameter `vertex_point_map`, or else what the mesh has, which can be
+// written if the mesh can.
+template <class TriangleMesh, class NamedParameters>
+auto vertex_point_map_of(TriangleMesh& tmesh, const NamedParameters& np)
+{
+  const auto given = parameters::get_parameter(np, internal_np::vertex_point);
+  if constexpr(std::is_const<TriangleMesh>::value)
+    return parameters::choose_parameter(given, get_const_property_map(vertex_point, tmesh));
+  else
+    return parameters::choose_parameter(given, get_property_map(vertex_point, tmesh));
 }
 
 // Reads a mesh and its points as the surface that a method works on.
