@@ -66,12 +66,8 @@ public:
   /// `number_of_iterations` is 500. `vertex_sphere_map` is left as it is unless `OK` or `ERROR_NO_1_TO_1_MAPPING` is
   /// returned.
   ///
-  /// \return `OK`, `ERROR_NO_1_TO_1_MAPPING` if the map that has been written folds, or what is wrong with the mesh,
-  ///         see `find_defect()`; `ERROR_WRONG_PARAMETER` if `is_valid()` is `false` or a negative
-  ///         `number_of_iterations` is given; what the initial parameterizer returns if it fails, or
-  ///         `ERROR_INVALID_INITIAL_PARAMETERIZATION` if its map is not one-to-one by more than rounding can change;
-  ///         `ERROR_CANNOT_SOLVE_LINEAR_SYSTEM`; `ERROR_INSUFFICIENT_PRECISION` if the map cannot be held by the
-  ///         coordinates of `vertex_sphere_map`
+  /// \return what `Bijective_low_distortion_parameterizer_3` returns; `ERROR_CANNOT_SOLVE_LINEAR_SYSTEM`; or
+  ///         `ERROR_NO_1_TO_1_MAPPING` if the map that has been written folds
   template <class ConcurrencyTag = Parallel_if_available_tag, class TriangleMesh, class VertexSphereMap,
             typename CGAL_NP_TEMPLATE_PARAMETERS>
   Error_code parameterize(const TriangleMesh& tmesh, VertexSphereMap vertex_sphere_map,

@@ -43,8 +43,7 @@ namespace CGAL::Spherical_parameterization {
 ///
 /// It is used with its defaults by `parameterize()`. Settings are chained, here with `SP` for the namespace:
 /// \code
-/// SP::parameterize(mesh, SP::Bijective_low_distortion_parameterizer_3().sharpness(SP::Sharpness::lowest_worst()),
-/// map);
+/// SP::parameterize(mesh, SP::Bijective_low_distortion_parameterizer_3().sharpness(SP::Sharpness::fixed(5.)), map);
 /// \endcode
 ///
 /// A vertex makes one damped Newton step a sweep, on an energy that measures the image of a face by the determinant of
@@ -69,11 +68,9 @@ namespace CGAL::Spherical_parameterization {
 /// these sweeps together move at most 0.4 times as many vertices as the mesh has. If that is not enough for two of them,
 /// there are none, nor with the next four sweeps. The report does not count them.
 ///
-/// A one-to-one mapping is guaranteed whenever `OK` is returned: the orientation of every face and the degree of the
-/// map are computed by exact predicates on the points as they have been written. This holds for a run that was stopped
-/// early as well.
-///
-/// A sweep takes linear time. The result is the same to the last bit for any number of threads.
+/// A one-to-one mapping is guaranteed whenever `OK` is returned, by exact predicates on the points as they have been
+/// written, for a run that was stopped early as well. A sweep takes linear time. The result is the same to the last bit
+/// for any number of threads.
 ///
 /// \cgalModels{SphericalParameterizer_3}
 ///
@@ -160,9 +157,6 @@ public:
 
   /// @}
 
-  /// \name Operations
-  /// @{
-
   /// computes a one-to-one map from `tmesh` to a sphere around the origin.
   ///
   /// The parameters are those of `CGAL::Spherical_parameterization::parameterize()`. The default of
@@ -197,8 +191,6 @@ public:
 
   /// returns what the last run did.
   const Parameterization_report& report() const { return m_report; }
-
-  /// @}
 
 private:
   template <class OtherEnergy, class OtherRadius, class OtherParameterizer>

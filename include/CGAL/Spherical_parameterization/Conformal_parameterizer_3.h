@@ -31,12 +31,9 @@ namespace CGAL::Spherical_parameterization {
 /// lowers the discrete harmonic energy \f$ \frac{1}{2} \sum w_{ij} | u_i - u_j |^2 \f$ with the cotangent weights as
 /// they are, while Moebius transformations keep the centre of the area of the surface at the centre of the sphere.
 ///
-/// Nothing prevents faces from turning over, which happens at limbs and at obtuse angles. A map that folds is written
-/// nevertheless, and `ERROR_NO_1_TO_1_MAPPING` is returned. `OK` is only returned if the map has been certified to be
-/// one-to-one as it has been written. `Bijective_low_distortion_parameterizer_3` with `Conformal_energy_3` is the
-/// method that never folds.
-///
-/// The iteration is that of `Harmonic_parameterizer_3`.
+/// The iteration is that of `Harmonic_parameterizer_3`, but nothing prevents faces from turning over, which happens at
+/// limbs and at obtuse angles. A map that folds is written and reported as by `ARAP_parameterizer_3`.
+/// `Bijective_low_distortion_parameterizer_3` with `Conformal_energy_3` is the method that never folds.
 ///
 /// \cgalModels{SphericalParameterizer_3}
 ///
@@ -55,10 +52,8 @@ public:
   /// `number_of_iterations` is 100. The map of `Stereographic_parameterizer_3` to start with is completed in any case.
   /// `vertex_sphere_map` is left as it is unless `OK` or `ERROR_NO_1_TO_1_MAPPING` is returned.
   ///
-  /// \return `OK`, `ERROR_NO_1_TO_1_MAPPING` if the map that has been written folds, or what is wrong with the mesh,
-  ///         see `find_defect()`; `ERROR_WRONG_PARAMETER` if a negative `number_of_iterations` is given;
-  ///         `ERROR_CANNOT_SOLVE_LINEAR_SYSTEM`; `ERROR_INSUFFICIENT_PRECISION` if the map cannot be held by the
-  ///         coordinates of `vertex_sphere_map`
+  /// \return what `Harmonic_parameterizer_3` returns, or `ERROR_NO_1_TO_1_MAPPING` if the map that has been written
+  ///         folds
   template <class ConcurrencyTag = Parallel_if_available_tag, class TriangleMesh, class VertexSphereMap,
             typename CGAL_NP_TEMPLATE_PARAMETERS>
   Error_code parameterize(const TriangleMesh& tmesh, VertexSphereMap vertex_sphere_map,

@@ -98,9 +98,6 @@ public:
 
   /// @}
 
-  /// \name Operations
-  /// @{
-
   /// computes a one-to-one map from `tmesh` to the unit sphere around the origin.
   ///
   /// The parameters are those of `CGAL::Spherical_parameterization::parameterize()`. There is no
@@ -129,8 +126,6 @@ public:
   /// returns what the last run did. The reason for its end is `CONVERGED` if the mesh has fewer than 500 vertices and
   /// has settled, `ITERATION_LIMIT` if all sweeps have been made.
   const Parameterization_report& report() const { return m_report; }
-
-  /// @}
 
 #ifndef DOXYGEN_RUNNING
   // maps the surface of a run; see internal::make_initial_map()

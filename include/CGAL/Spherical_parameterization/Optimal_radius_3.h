@@ -36,8 +36,7 @@ namespace CGAL::Spherical_parameterization {
 class Optimal_radius_3
 {
 public:
-  /// returns the radius to start with, which is `equal_area_radius`: that of the sphere which has the area of the
-  /// surface.
+  /// returns the radius to start with, `equal_area_radius`: that of the sphere which has the area of the surface.
   double initial_radius(double equal_area_radius) const { return equal_area_radius; }
 
   /// returns the radius that follows `radius`, in linear time.

@@ -17,7 +17,6 @@
 #include <CGAL/Spherical_parameterization/Error_code.h>
 #include <CGAL/Spherical_parameterization/Parameterization_report.h>
 #include <CGAL/Spherical_parameterization/internal/run_parameterization.h>
-#include <CGAL/Spherical_parameterization/internal/write_map.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/tags.h>
@@ -34,10 +33,8 @@ namespace CGAL::Spherical_parameterization {
 ///
 /// \cgalModels{SphericalParameterizer_3}
 ///
-/// \tparam PrecomputedMap must be a model of `ReadablePropertyMap` with
-///         `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and `%Point_3` of a \cgal kernel as
-///         value type, whose coordinates are of type `double` or `float`, or of an exact number type. The images may be
-///         at any distance from the origin.
+/// \tparam PrecomputedMap must be a model of `ReadablePropertyMap` from the vertices of the mesh to `%Point_3` of a \cgal
+///         kernel, whose coordinates are of type `double` or `float`, or of an exact number type.
 template <class PrecomputedMap>
 class Precomputed_parameterizer_3
 {

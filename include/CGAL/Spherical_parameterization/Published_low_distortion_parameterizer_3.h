@@ -65,9 +65,7 @@ public:
 
   /// constructs the parameterizer with the settings of the paper. The default radius has the tolerance 0: eq. 9 lasts
   /// until the energy has settled as well.
-  Published_low_distortion_parameterizer_3()
-    : m_radius(default_radius())
-  {}
+  Published_low_distortion_parameterizer_3() = default;
 
   /// sets the radius policy.
   ///
@@ -104,9 +102,6 @@ public:
 
   /// @}
 
-  /// \name Operations
-  /// @{
-
   /// computes a one-to-one map from `tmesh` to a sphere around the origin.
   ///
   /// The parameters are those of `CGAL::Spherical_parameterization::parameterize()`. The default of
@@ -136,8 +131,6 @@ public:
   /// returns what the last run did.
   const Parameterization_report& report() const { return m_report; }
 
-  /// @}
-
 private:
   template <class OtherRadius, class OtherParameterizer>
   friend class Published_low_distortion_parameterizer_3;
@@ -157,7 +150,7 @@ private:
       return Radius();
   }
 
-  Radius m_radius;
+  Radius m_radius = default_radius();
   InitialParameterizer m_initial_parameterizer;
   Sharpness m_sharpness = Sharpness::schedule(0.1, 10., 100);
   Parameterization_report m_report;

@@ -41,9 +41,8 @@ class Sharpness_rule;
 ///
 ///   In a sweep, \f$ R \f$ is fixed, and the objective is a mixture of eq. 6 and of eq. 7 of
 ///   \cgalCite{cgal:whfl-bspld-16} with the sharpness \f$ s = b / R \f$. The levels of a hierarchy follow eq. 7 alone,
-///   with \f$ s = \min( \beta / 5, 3 ) / E_{max} \f$, where \f$ E_{max} \f$ is their largest energy: their worst faces are
-///   partly so for being coarse. Those that are nearly as fine as the mesh get \f$ s = \beta / E_{max} \f$, the coarsest
-///   ones \f$ s = 0 \f$, see `Hierarchical_parameterizer_3::sharpness()`.
+///   the coarser ones with less sharpness, as their worst faces are partly so for being coarse; see
+///   `Hierarchical_parameterizer_3::sharpness()`.
 ///
 ///   The dial goes from the lowest average distortion, 0, which is the plain mean of eq. 6, to a low maximum.
 ///   In the geometric mean over 38 meshes, the isometric distortions are these times those at 0:

@@ -30,21 +30,17 @@
 
 namespace CGAL::Spherical_parameterization {
 
-class Sphere_domain_3;
-template <class ConcurrencyTag = Parallel_if_available_tag, class TriangleMesh, class VertexSphereMap>
-[[nodiscard]] Error_code make_sphere_domain(const TriangleMesh&, VertexSphereMap, Sphere_domain_3&);
-
 /// \ingroup PkgSphericalParameterizationSampling
 ///
 /// The class `Sphere_domain_3` is a triangulation of the sphere, by which a surface is sampled: directions, and triangles
 /// that cover the sphere once. There are regular ones, and `make_sphere_domain()` makes one of any mesh that has a map to the
 /// sphere.
 ///
-/// The regular ones are solids whose edges are divided into `n`. Those of the octahedron and the icosahedron are divided
-/// into arcs of the same angle, and their triangles accordingly; the squares of the cube are divided by planes through
-/// its axes that are the same angle apart. So the samples are almost evenly spaced: the areas of triangles differ by a
-/// factor of at most 1.8 (octahedron), 1.7 (cube) and 1.2 (icosahedron). The vertices of the solid come first, those on
-/// its edges next, and those in its faces last.
+/// The regular ones are solids whose edges are divided into `n`, from 1 to `max_subdivision`; for any other `n`, they are
+/// empty. Those of the octahedron and the icosahedron are divided into arcs of the same angle, and their triangles
+/// accordingly; the squares of the cube are divided by planes through its axes that are the same angle apart. So the
+/// samples are almost evenly spaced: the areas of triangles differ by a factor of at most 1.8 (octahedron), 1.7 (cube)
+/// and 1.2 (icosahedron). The vertices of the solid come first, those on its edges next, and those in its faces last.
 ///
 /// \sa `CGAL::Spherical_parameterization::remesh_through_sphere()`
 class Sphere_domain_3
@@ -63,20 +59,14 @@ public:
 
   /// returns an octahedron whose edges are divided into `n`: \f$ 4 n^2 + 2 \f$ directions of length 1. The vertices of
   /// the octahedron are on the axes.
-  ///
-  /// \param n from 1 to `max_subdivision`; otherwise the domain is empty
   static Sphere_domain_3 octahedron(std::uint32_t n) { return make(n, internal::subdivided_octahedron); }
 
   /// returns a cube whose edges are divided into `n`: \f$ 6 n^2 + 2 \f$ directions of length 1. The faces of the cube are
   /// orthogonal to the axes, and each of their squares consists of two triangles.
-  ///
-  /// \param n from 1 to `max_subdivision`; otherwise the domain is empty
   static Sphere_domain_3 cube(std::uint32_t n) { return make(n, internal::subdivided_cube); }
 
   /// returns an icosahedron whose edges are divided into `n`: \f$ 10 n^2 + 2 \f$ directions of length 1. Two vertices of
   /// the icosahedron are on the z-axis, and one is in the plane of the x-axis and the z-axis.
-  ///
-  /// \param n from 1 to `max_subdivision`; otherwise the domain is empty
   static Sphere_domain_3 icosahedron(std::uint32_t n) { return make(n, internal::subdivided_icosahedron); }
 
   /// returns whether there is nothing to sample by.
@@ -115,12 +105,9 @@ private:
 /// makes a domain of a mesh and its map to the sphere; vertices without faces are left out. Coordinates of an exact number type
 /// are rounded.
 ///
-/// \tparam ConcurrencyTag enables sequential versus parallel algorithm. Possible values are `Sequential_tag`,
-///         `Parallel_tag`, and `Parallel_if_available_tag`. The result does not depend on it.
+/// \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`; no result depends on it
 /// \tparam TriangleMesh a model of `FaceListGraph`
-/// \tparam VertexSphereMap a model of `ReadablePropertyMap` with
-///         `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and `%Point_3` of a \cgal kernel as
-///         value type
+/// \tparam VertexSphereMap a model of `ReadablePropertyMap` from the vertices of `TriangleMesh` to `%Point_3` of a \cgal kernel
 ///
 /// \param tmesh the mesh
 /// \param vertex_sphere_map the directions of the vertices: points around the origin, at any distance from it
@@ -130,7 +117,7 @@ private:
 ///         bijection. The domain is as it was then.
 ///
 /// \sa `CGAL::Spherical_parameterization::remesh_through_sphere()`
-template <class ConcurrencyTag, class TriangleMesh, class VertexSphereMap>
+template <class ConcurrencyTag = Parallel_if_available_tag, class TriangleMesh, class VertexSphereMap>
 [[nodiscard]] Error_code make_sphere_domain(const TriangleMesh& tmesh, VertexSphereMap vertex_sphere_map,
                                             Sphere_domain_3& domain)
 {

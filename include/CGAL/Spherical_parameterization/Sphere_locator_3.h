@@ -25,7 +25,6 @@
 #include <CGAL/tags.h>
 
 #include <boost/graph/graph_traits.hpp>
-#include <boost/property_map/property_map.hpp>
 
 #include <array>
 #include <cstddef>
@@ -62,11 +61,9 @@ namespace CGAL::Spherical_parameterization {
 /// queries are safe if the coordinates are of type `double` or `float`.
 ///
 /// \tparam TriangleMesh a model of `FaceListGraph`
-/// \tparam VertexSphereMap a model of `ReadablePropertyMap` with
-///         `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and `%Point_3` of a \cgal kernel as
-///         value type; its coordinates are of type `double` or `float`, or of an exact number type
-/// \tparam ConcurrencyTag enables sequential versus parallel algorithm. Possible values are `Sequential_tag`,
-///         `Parallel_tag`, and `Parallel_if_available_tag`. The results do not depend on it.
+/// \tparam VertexSphereMap a model of `ReadablePropertyMap` from the vertices of `TriangleMesh` to `%Point_3` of a
+///         \cgal kernel; its coordinates are of type `double` or `float`, or of an exact number type
+/// \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`; no result depends on it
 ///
 /// \sa `CGAL::Spherical_parameterization::parameterize()`
 template <class TriangleMesh, class VertexSphereMap, class ConcurrencyTag = Parallel_if_available_tag>
@@ -122,13 +119,11 @@ public:
   /// infinite or not a number; `ERROR_NO_1_TO_1_MAPPING` if the map is no bijection.
   Error_code error_code() const { return m_error_code; }
 
-  /// returns the location of a direction: that of no face, `boost::graph_traits<TriangleMesh>::%null_face()`, with
+  /// returns the location of `direction`: that of no face, `boost::graph_traits<TriangleMesh>::%null_face()`, with
   /// coordinates of 0, if the direction is zero, infinite or not a number, and always unless `error_code()` is `OK`.
   ///
   /// \tparam Point `%Point_3` of a \cgal kernel with coordinates of type `double` or `float`, or, if those of the map
   ///         are of an exact number type, the value type of the map
-  ///
-  /// \param direction the direction
   template <class Point>
   Face_location locate(const Point& direction) const
   {

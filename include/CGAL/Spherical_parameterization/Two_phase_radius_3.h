@@ -27,21 +27,19 @@ namespace CGAL::Spherical_parameterization {
 ///
 /// The class `Two_phase_radius_3` follows one radius policy until the radius settles, and another one from then on. By
 /// default it is the scheme of the BLD paper \cgalCite{cgal:whfl-bspld-16}, and that of
-/// `Published_low_distortion_parameterizer_3`: eq. 9, which
-/// a very distorted initial map cannot mislead, then eq. 11, which gives the lower distortion.
+/// `Published_low_distortion_parameterizer_3`: eq. 9, which a very distorted initial map cannot mislead, then eq. 11,
+/// which gives the lower distortion.
 ///
 /// \cgalModels{SphereRadiusPolicy_3}
 ///
-/// \tparam FirstRadius must be a model of `SphereRadiusPolicy_3`.
-/// \tparam SecondRadius must be a model of `SphereRadiusPolicy_3`.
+/// \tparam FirstRadius,SecondRadius must be models of `SphereRadiusPolicy_3`.
 template <class FirstRadius = Area_preserving_radius_3, class SecondRadius = Area_balancing_radius_3>
 class Two_phase_radius_3
 {
 public:
   /// constructs the policy from those of the two phases.
   ///
-  /// \param first the policy of the first phase
-  /// \param second the policy of the second phase
+  /// \param first,second the policies of the first phase and of the second one
   /// \param tolerance the first phase ends with a relative change of the radius of at most this, which is at least 0;
   ///        with 0 it lasts until the energy has settled as well, as in the paper
   explicit Two_phase_radius_3(const FirstRadius& first = FirstRadius(), const SecondRadius& second = SecondRadius(),

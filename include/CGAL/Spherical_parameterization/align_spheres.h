@@ -38,9 +38,7 @@
 
 #include <array>
 #include <cstddef>
-#include <functional>
 #include <optional>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -118,12 +116,10 @@ Sampled_surface sampled_surface(const Sphere_grid& grid, Arrays& arrays, const s
 ///
 /// The running time is linear in the size of the meshes; for less than 100,000 vertices, it is that of the comparison.
 ///
-/// \tparam ConcurrencyTag enables sequential versus parallel algorithm. Possible values are `Sequential_tag`,
-///         `Parallel_tag`, and `Parallel_if_available_tag`. The result does not depend on it.
+/// \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`; no result depends on it
 /// \tparam TriangleMesh1,TriangleMesh2 models of `FaceListGraph`
-/// \tparam VertexSphereMap1,VertexSphereMap2 models of `ReadablePropertyMap` with the vertex descriptors of the meshes as
-///         key types and `%Point_3` of a \cgal kernel as value types; the coordinates are of type `double` or
-///         `float`, or of an exact number type
+/// \tparam VertexSphereMap1,VertexSphereMap2 models of `ReadablePropertyMap` from the vertices of the meshes to `%Point_3`
+///         of a \cgal kernel; the coordinates are of type `double` or `float`, or of an exact number type
 /// \tparam Features a range of `std::pair` of two functions: they return the value, a number, of a feature at a vertex of
 ///         the first mesh and of the second one. `Surface_mapper_3::Feature` is such a pair.
 /// \tparam NamedParameters1,NamedParameters2 sequences of \ref bgl_namedparameters "Named Parameters"
@@ -211,8 +207,8 @@ template <class ConcurrencyTag = Parallel_if_available_tag, class TriangleMesh1,
                                        const CGAL_NP_CLASS_1& np1 = parameters::default_values(),
                                        const CGAL_NP_CLASS_2& np2 = parameters::default_values())
 {
-  using Feature = std::pair<std::function<double(typename boost::graph_traits<TriangleMesh1>::vertex_descriptor)>,
-                            std::function<double(typename boost::graph_traits<TriangleMesh2>::vertex_descriptor)>>;
+  using Feature = std::pair<double (*)(typename boost::graph_traits<TriangleMesh1>::vertex_descriptor),
+                            double (*)(typename boost::graph_traits<TriangleMesh2>::vertex_descriptor)>;
   return align_spheres<ConcurrencyTag>(tmesh1, vertex_sphere_map1, tmesh2, vertex_sphere_map2, std::array<Feature, 0>(),
                                        alignment, np1, np2);
 }
@@ -225,13 +221,11 @@ template <class ConcurrencyTag = Parallel_if_available_tag, class TriangleMesh1,
 ///
 /// The running time is linear in the number of landmarks.
 ///
-/// \tparam VertexSphereMap1 a model of `ReadablePropertyMap` with `%Point_3` of a \cgal kernel as value type
-/// \tparam VertexSphereMap2 the same for the second surface
+/// \tparam VertexSphereMap1,VertexSphereMap2 models of `ReadablePropertyMap` with `%Point_3` of a \cgal kernel as value type
 /// \tparam Landmarks a range of `std::pair` of a vertex of the first surface and one of the second surface, the keys of
 ///         the maps
 ///
-/// \param vertex_sphere_map1 the images of the vertices of the first surface, at any distance from the origin
-/// \param vertex_sphere_map2 the images of the vertices of the second surface, at any distance from the origin
+/// \param vertex_sphere_map1,vertex_sphere_map2 the images of the vertices, at any distance from the origin
 /// \param landmarks pairs of vertices that correspond
 /// \param rotation receives the rotation of the first sphere
 ///

@@ -32,7 +32,6 @@
 #include <cstddef>
 #include <type_traits>
 #include <utility>
-#include <vector>
 
 namespace CGAL::Spherical_parameterization {
 
@@ -61,16 +60,13 @@ namespace CGAL::Spherical_parameterization {
 ///
 /// The running time is linear in the size of the mesh. It is only read.
 ///
-/// \tparam ConcurrencyTag enables sequential versus parallel algorithm. Possible values are `Sequential_tag`,
-///         `Parallel_tag`, and `Parallel_if_available_tag`. The result does not depend on it.
+/// \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`; no result depends on it
 /// \tparam TriangleMesh a model of `FaceListGraph`
-/// \tparam VertexSphereMap a model of `ReadablePropertyMap` with
-///         `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and `%Point_3` of a \cgal kernel as
-///         value type; its coordinates are of type `double` or `float`, or of an exact number type
+/// \tparam VertexSphereMap a model of `ReadablePropertyMap` from the vertices of `TriangleMesh` to `%Point_3` of a
+///         \cgal kernel; its coordinates are of type `double` or `float`, or of an exact number type
 /// \tparam TexturedMesh a model of `MutableFaceGraph`
-/// \tparam HalfedgeTextureMap a model of `WritablePropertyMap` with
-///         `boost::graph_traits<TexturedMesh>::%halfedge_descriptor` as key type and `%Point_2` of a \cgal kernel as value
-///         type
+/// \tparam HalfedgeTextureMap a model of `WritablePropertyMap` from the halfedges of `TexturedMesh` to `%Point_2` of a
+///         \cgal kernel
 /// \tparam NamedParameters1,NamedParameters2 sequences of \ref bgl_namedparameters "Named Parameters"
 ///
 /// \param tmesh the surface, a closed triangle mesh of genus 0
@@ -78,15 +74,14 @@ namespace CGAL::Spherical_parameterization {
 /// \param textured_mesh the surface is added to it: its vertices that have faces, in their order, and then new ones
 /// \param halfedge_texture_map receives the texture coordinates: for a halfedge, those of its target in its face
 /// \param north_pole the direction of the north pole, at any distance from the origin
-/// \param zero_meridian a direction in the half plane that the axis of the poles bounds and the zero meridian is in; it need not
-///        be orthogonal to `north_pole`, but not parallel to it, not even up to rounding
+/// \param zero_meridian a direction in the half plane that the axis of the poles bounds and the zero meridian is in; it
+///        need not be orthogonal to `north_pole`, but not parallel to it, not even up to rounding
 /// \param np,np_textured optional sequences of \ref bgl_namedparameters "Named Parameters" among the ones listed below
 ///
 /// \cgalNamedParamsBegin
 ///   \cgalParamNBegin{vertex_point_map}
 ///     \cgalParamDescription{a property map associating points to the vertices}
-///     \cgalParamType{a class model of `ReadablePropertyMap` (`WritablePropertyMap` for `textured_mesh`) with
-///                    `%Point_3` of a \cgal kernel as value type}
+///     \cgalParamType{a class model of `ReadablePropertyMap`, for `textured_mesh` of `WritablePropertyMap`, with `%Point_3` values}
 ///     \cgalParamDefault{`boost::get(CGAL::vertex_point, tmesh)`, and of `textured_mesh`}
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd

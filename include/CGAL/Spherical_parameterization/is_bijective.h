@@ -45,12 +45,10 @@ namespace CGAL::Spherical_parameterization {
 /// The running time is linear in the number of faces, and so is the additional memory. The property map is read by the
 /// calling thread alone; coordinates of an exact number type are decided about by it as well.
 ///
-/// \tparam ConcurrencyTag enables sequential versus parallel algorithm. Possible values are `Sequential_tag`,
-///         `Parallel_tag`, and `Parallel_if_available_tag`. The result does not depend on it.
+/// \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`; no result depends on it
 /// \tparam TriangleMesh a model of `FaceListGraph`
-/// \tparam VertexSphereMap a model of `ReadablePropertyMap` with
-///         `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and `%Point_3` of a \cgal kernel as
-///         value type; its coordinates are of type `double` or `float`, or of an exact number type
+/// \tparam VertexSphereMap a model of `ReadablePropertyMap` from the vertices of `TriangleMesh` to `%Point_3` of a
+///         \cgal kernel; its coordinates are of type `double` or `float`, or of an exact number type
 ///
 /// \param tmesh a triangle mesh
 /// \param vertex_sphere_map the images of the vertices

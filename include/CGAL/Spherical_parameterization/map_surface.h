@@ -45,15 +45,13 @@ namespace CGAL::Spherical_parameterization {
 ///
 /// The running time is nearly linear in the size of the meshes: for 26,000 vertices each, some 2.5 seconds on two threads.
 ///
-/// \tparam ConcurrencyTag enables sequential versus parallel algorithm. Possible values are `Sequential_tag`,
-///         `Parallel_tag`, and `Parallel_if_available_tag`. The result does not depend on it.
+/// \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`; no result depends on it
 /// \tparam TriangleMesh1,TriangleMesh2 models of `FaceListGraph`
-/// \tparam VertexSphereMap1,VertexSphereMap2 models of `ReadablePropertyMap` with the vertex descriptors of the meshes as
-///         key types and `%Point_3` of a \cgal kernel as value types; the coordinates are of type `double` or `float`
+/// \tparam VertexSphereMap1,VertexSphereMap2 models of `ReadablePropertyMap` from the vertices of the meshes to `%Point_3`
+///         of a \cgal kernel; the coordinates are of type `double` or `float`
 /// \tparam SurfaceMapper `Surface_mapper_3<TriangleMesh1, TriangleMesh2>`
-/// \tparam VertexDirectionMap a model of `WritablePropertyMap` with
-///         `boost::graph_traits<TriangleMesh1>::%vertex_descriptor` as key type and `%Point_3` of a \cgal kernel as value
-///         type
+/// \tparam VertexDirectionMap a model of `WritablePropertyMap` from the vertices of `TriangleMesh1` to `%Point_3` of a
+///         \cgal kernel
 /// \tparam NamedParameters1,NamedParameters2 sequences of \ref bgl_namedparameters "Named Parameters"
 ///
 /// \param tmesh1,tmesh2 the first surface and the second one

@@ -95,10 +95,8 @@ struct Distortion_summary
 ///
 /// measures how much a map to the sphere distorts the faces of a mesh, each one and all together.
 ///
-/// A face is mapped linearly to the flat triangle of its vertices' images, at the radius that the map has. With
-/// \f$ s_1 \leq s_2 \f$ the singular values of this linear map, its distortions are
-/// \f$ D_{iso} = \max(s_2, 1 / s_1) \f$, \f$ D_{area} = s_1 s_2 + 1 / (s_1 s_2) \f$ and
-/// \f$ D_{angle} = s_1 / s_2 + s_2 / s_1 \f$ (equations 12 to 14 of \cgalCite{cgal:whfl-bspld-16}).
+/// A face is mapped linearly to the flat triangle of its vertices' images, at the radius that the map has; its
+/// distortions are those of `Face_distortion`, equations 12 to 14 of \cgalCite{cgal:whfl-bspld-16}.
 ///
 /// - A face of the mesh whose area, taken twice, is at most 1e-12 times the square of its longest edge is degenerate.
 ///   It has no distortion that would mean something: its values in `face_distortion_map` are infinite, and it is
@@ -113,14 +111,11 @@ struct Distortion_summary
 /// additional memory. The property maps are read and written by the calling thread alone; coordinates of an exact
 /// number type are measured by it as well.
 ///
-/// \tparam ConcurrencyTag enables sequential versus parallel algorithm. Possible values are `Sequential_tag`,
-///         `Parallel_tag`, and `Parallel_if_available_tag`. The result does not depend on it.
+/// \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`; no result depends on it
 /// \tparam TriangleMesh a model of `FaceListGraph`
-/// \tparam VertexSphereMap a model of `ReadablePropertyMap` with
-///         `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and `%Point_3` of a \cgal kernel as
-///         value type; its coordinates are of type `double` or `float`, or of an exact number type
-/// \tparam FaceDistortionMap a model of `WritablePropertyMap` with
-///         `boost::graph_traits<TriangleMesh>::%face_descriptor` as key type and `Face_distortion` as value type
+/// \tparam VertexSphereMap a model of `ReadablePropertyMap` from the vertices of `TriangleMesh` to `%Point_3` of a
+///         \cgal kernel; its coordinates are of type `double` or `float`, or of an exact number type
+/// \tparam FaceDistortionMap a model of `WritablePropertyMap` from the faces of `TriangleMesh` to `Face_distortion`
 /// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 ///
 /// \param tmesh a triangle mesh, closed or not
@@ -132,11 +127,8 @@ struct Distortion_summary
 /// \cgalNamedParamsBegin
 ///   \cgalParamNBegin{vertex_point_map}
 ///     \cgalParamDescription{a property map associating points to the vertices of `tmesh`}
-///     \cgalParamType{a class model of `ReadablePropertyMap` with
-///                    `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and `%Point_3` as value type}
+///     \cgalParamType{a class model of `ReadablePropertyMap` with `%Point_3` of a \cgal kernel as value type}
 ///     \cgalParamDefault{`boost::get(CGAL::vertex_point, tmesh)`}
-///     \cgalParamExtra{If this parameter is omitted, an internal property map for `CGAL::vertex_point_t` must be
-///                     available in `TriangleMesh`.}
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///

@@ -27,8 +27,9 @@
 
 #include <boost/graph/graph_traits.hpp>
 
+#include <array>
 #include <cstddef>
-#include <type_traits>
+#include <cstdint>
 #include <utility>
 #include <vector>
 
@@ -76,11 +77,10 @@ struct Surface_overlay_3
 /// The running time is \f$ O(n \log n) \f$ for `n` faces and crossings. Long and narrow faces have many; so have vertices of
 /// high degree that coincide, \f$ d^2 / 2 \f$ for a degree of \f$ d \f$ of both.
 ///
-/// \tparam ConcurrencyTag enables sequential versus parallel algorithm. Possible values are `Sequential_tag`,
-///         `Parallel_tag`, and `Parallel_if_available_tag`. The result does not depend on it.
+/// \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`; no result depends on it
 /// \tparam TriangleMesh1,TriangleMesh2 models of `FaceListGraph`
-/// \tparam VertexSphereMap1,VertexSphereMap2 models of `ReadablePropertyMap` with the vertex descriptors of the meshes as
-///         key types and `%Point_3` of a \cgal kernel as value types; the coordinates are of type `double` or `float`
+/// \tparam VertexSphereMap1,VertexSphereMap2 models of `ReadablePropertyMap` from the vertices of the meshes to `%Point_3`
+///         of a \cgal kernel; the coordinates are of type `double` or `float`
 /// \tparam NamedParameters1,NamedParameters2 sequences of \ref bgl_namedparameters "Named Parameters"
 ///
 /// \param tmesh1,tmesh2 the first surface and the second one

@@ -56,24 +56,22 @@ namespace CGAL::Spherical_parameterization {
 /// `vertex_sphere_map` are of type `float`, whose numbers are 10<sup>-7</sup> radii apart, the limit is reached sooner,
 /// and that code is returned where the rounding to them turns a face over.
 ///
-/// <b>Stopping early.</b> Once the first map is there, the run may be stopped at any time, and `OK` means the same.
+/// <b>Stopping early.</b> Once the first map is there, which is completed in any case, with minimum effort, the run may be
+/// stopped at any time, and `OK` means the same.
 ///
 /// <b>Exceptions.</b> What the visitor, a property map or an allocation throws reaches the caller. `tmesh` is as it
 /// was, and so is `vertex_sphere_map`, which is written at the very end, unless something is thrown while it is written
 /// or read back: then it may be partly written.
 ///
-/// The result does not depend on the number of threads. Placing the surface elsewhere in space or scaling it changes
-/// the result by rounding only. So does renumbering its vertices, unless the shape is so regular that the choice
-/// between equals falls to the order.
+/// Placing the surface elsewhere in space or scaling it changes the result by rounding only. So does renumbering its
+/// vertices, unless the shape is so regular that the choice between equals falls to the order.
 ///
-/// \tparam ConcurrencyTag enables sequential versus parallel algorithm. Possible values are `Sequential_tag`,
-///         `Parallel_tag`, and `Parallel_if_available_tag`.
+/// \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`; no result depends on it
 /// \tparam TriangleMesh a model of `FaceListGraph`
 /// \tparam Parameterizer a model of `SphericalParameterizer_3`; the object itself is used, so that it can be asked for
 ///         its report afterwards
-/// \tparam VertexSphereMap a model of `WritablePropertyMap` with
-///         `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and `%Point_3` of a \cgal kernel as
-///         value type; its coordinates are of type `double` or `float`, or of an exact number type
+/// \tparam VertexSphereMap a model of `WritablePropertyMap` from the vertices of `TriangleMesh` to `%Point_3` of a
+///         \cgal kernel; its coordinates are of type `double` or `float`, or of an exact number type
 /// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 ///
 /// \param tmesh a triangle mesh that is closed, connected and of genus 0; isolated vertices are skipped, faces without
@@ -87,34 +85,25 @@ namespace CGAL::Spherical_parameterization {
 /// \cgalNamedParamsBegin
 ///   \cgalParamNBegin{vertex_point_map}
 ///     \cgalParamDescription{a property map associating points to the vertices of `tmesh`}
-///     \cgalParamType{a class model of `ReadablePropertyMap` with
-///                    `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and `%Point_3` as value type}
+///     \cgalParamType{a class model of `ReadablePropertyMap` with `%Point_3` of a \cgal kernel as value type}
 ///     \cgalParamDefault{`boost::get(CGAL::vertex_point, tmesh)`}
-///     \cgalParamExtra{If this parameter is omitted, an internal property map for `CGAL::vertex_point_t`
-///                     must be available in `TriangleMesh`.}
+///     \cgalParamExtra{without it, `TriangleMesh` has to have an internal property map for `CGAL::vertex_point_t`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{number_of_iterations}
-///     \cgalParamDescription{the maximum number of sweeps over the vertices of `tmesh` itself, or of steps of a
-///                           method that moves all vertices at once}
-///     \cgalParamType{unsigned int}
+///     \cgalParamDescription{the maximum number of sweeps over the vertices of `tmesh` itself, or of global steps}
+///     \cgalParamType{unsigned int; a negative number is refused with `ERROR_WRONG_PARAMETER`}
 ///     \cgalParamDefault{`250` for \f$ n \f$ = 2000 vertices and more, \f$ 1 + \lfloor 2000 / (n + 1) \rfloor \f$ times as
-///                       many for fewer; `2000` for `Published_low_distortion_parameterizer_3`, `500` for
-///                       `ARAP_parameterizer_3`, and `100` for the other methods that make global steps}
-///     \cgalParamExtra{Not used by `Hierarchical_parameterizer_3`, `Stereographic_parameterizer_3` and
-///                     `Precomputed_parameterizer_3`. A negative number is refused with `ERROR_WRONG_PARAMETER`.}
+///                       many for fewer; other methods name theirs, or do not use it}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{maximum_running_time}
-///     \cgalParamDescription{the time in seconds after which the map reached by then is certified and returned. The
-///                           first map is completed in any case, with minimum effort.}
-///     \cgalParamType{double}
+///     \cgalParamDescription{the seconds after which the map reached by then, at least the first one, is certified and returned}
+///     \cgalParamType{`double`}
 ///     \cgalParamDefault{no limit, as with any value that is not positive}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{visitor}
 ///     \cgalParamDescription{a visitor that is told of the progress and may stop it}
 ///     \cgalParamType{a model of `SphericalParameterizationVisitor`, or an `std::reference_wrapper` of one}
 ///     \cgalParamDefault{`Default_visitor`}
-///     \cgalParamExtra{Not used by `Precomputed_parameterizer_3`; `Stereographic_parameterizer_3`, which makes one
-///                     step, cannot be stopped, and neither knows `maximum_running_time`.}
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///

@@ -73,15 +73,12 @@ inline std::vector<Vector_3d> vertex_normals(std::vector<Vector_3d> points,
 ///
 /// The running time is linear in the size of the mesh and the domain, but for what `Sphere_locator_3` says.
 ///
-/// \tparam ConcurrencyTag enables sequential versus parallel algorithm. Possible values are `Sequential_tag`,
-///         `Parallel_tag`, and `Parallel_if_available_tag`. The result does not depend on it.
+/// \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`; no result depends on it
 /// \tparam TriangleMesh a model of `FaceListGraph`
-/// \tparam VertexSphereMap a model of `ReadablePropertyMap` with
-///         `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and `%Point_3` of a \cgal kernel as
-///         value type; its coordinates are of type `double` or `float`, or of an exact number type
+/// \tparam VertexSphereMap a model of `ReadablePropertyMap` from the vertices of `TriangleMesh` to `%Point_3` of a
+///         \cgal kernel; its coordinates are of type `double` or `float`, or of an exact number type
 /// \tparam Remesh a model of `MutableFaceGraph`
-/// \tparam RemeshSphereMap a model of `WritablePropertyMap` with
-///         `boost::graph_traits<Remesh>::%vertex_descriptor` as key type and `%Point_3` of a \cgal kernel as value type
+/// \tparam RemeshSphereMap a model of `WritablePropertyMap` from the vertices of `Remesh` to `%Point_3` of a \cgal kernel
 /// \tparam NamedParameters1,NamedParameters2 sequences of \ref bgl_namedparameters "Named Parameters"
 ///
 /// \param tmesh the surface, a closed triangle mesh of genus 0
@@ -94,14 +91,13 @@ inline std::vector<Vector_3d> vertex_normals(std::vector<Vector_3d> points,
 /// \cgalNamedParamsBegin
 ///   \cgalParamNBegin{vertex_point_map}
 ///     \cgalParamDescription{a property map associating points to the vertices}
-///     \cgalParamType{a class model of `ReadablePropertyMap` (`WritablePropertyMap` for `remesh`) with
-///                    `%Point_3` of a \cgal kernel as value type}
+///     \cgalParamType{a class model of `ReadablePropertyMap`, for `remesh` of `WritablePropertyMap`, with `%Point_3` values}
 ///     \cgalParamDefault{`boost::get(CGAL::vertex_point, tmesh)`, and of `remesh`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{vertex_normal_map}
 ///     \cgalParamDescription{of `remesh` only: a property map that receives the normals of the surface at the new
-///                           vertices, of length 1: those of its vertices, interpolated. The normal of a vertex is the
-///                           sum of those of its faces, weighted with their areas; it is 0 if they have no area.}
+///                           vertices, interpolated between its vertices, which have those of their faces, weighted
+///                           with the areas. They have length 1, or 0 where there is no area.}
 ///     \cgalParamType{a class model of `WritablePropertyMap` with `%Vector_3` of a \cgal kernel as value type}
 ///     \cgalParamDefault{normals are not computed}
 ///   \cgalParamNEnd
@@ -145,7 +141,7 @@ template <class ConcurrencyTag = Parallel_if_available_tag, class TriangleMesh, 
   const auto places = source.locate(target.points(), execution);
 
   internal::add_triangles(
-      target.triangles(), places.size(), remesh, [&](const auto& new_vertices, const auto& new_faces) {
+      target.triangles(), places.size(), remesh, [&](const auto& new_vertices, [[maybe_unused]] const auto& new_faces) {
         const auto sample = [&](const std::vector<internal::Vector_3d>& values, std::size_t k) {
           return internal::interpolated(values, source.triangles(), places[k]);
         };
@@ -165,8 +161,6 @@ template <class ConcurrencyTag = Parallel_if_available_tag, class TriangleMesh, 
               {mesh.vertices_of_mesh, mesh.faces_of_mesh}, {new_vertices, new_faces}, mixtures);
           internal::carry_all_properties(carrier, tmesh, vertex_sphere_map, remesh, remesh_sphere_map);
         }
-        else
-          (void)new_faces;
       });
   return OK;
 }

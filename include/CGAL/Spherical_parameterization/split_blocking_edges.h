@@ -67,12 +67,9 @@ inline bool do_arcs_cross(const Vector_3d& a, const Vector_3d& b, const Vector_3
 /// It takes time proportional to the number of edges times that of the landmarks that are missed.
 ///
 /// \tparam TriangleMesh a model of `MutableFaceGraph`
-/// \tparam VertexSphereMap a model of `ReadWritePropertyMap` with
-///         `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and `%Point_3` of a \cgal kernel as value
-///         type
+/// \tparam VertexSphereMap a model of `ReadWritePropertyMap` from the vertices to `%Point_3` of a \cgal kernel
 /// \tparam VertexDirectionMap a model of `ReadablePropertyMap` with the same types
-/// \tparam VertexSphereMap2 a model of `ReadablePropertyMap` with the vertices of the second surface as key type and
-///         `%Point_3` of a \cgal kernel as value type
+/// \tparam VertexSphereMap2 a model of `ReadablePropertyMap` with the same values for the second surface
 /// \tparam LandmarkRange a range of pairs of vertices, one of either surface
 /// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 ///
@@ -88,8 +85,7 @@ inline bool do_arcs_cross(const Vector_3d& a, const Vector_3d& b, const Vector_3
 /// \cgalNamedParamsBegin
 ///   \cgalParamNBegin{vertex_point_map}
 ///     \cgalParamDescription{a property map associating points to the vertices of `tmesh`, with room for new ones}
-///     \cgalParamType{a class model of `ReadWritePropertyMap` with
-///                    `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and `%Point_3` as value type}
+///     \cgalParamType{a class model of `ReadWritePropertyMap` with `%Point_3` of a \cgal kernel as value type}
 ///     \cgalParamDefault{`boost::get(CGAL::vertex_point, tmesh)`}
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd

@@ -95,13 +95,10 @@ Error_code carry_properties(const SourceMesh& source, const SourceSphereMap& sou
 /// The running time is linear in the size of the meshes, but for what `Sphere_locator_3` says, and for labels, which are sorted
 /// where they are averaged. The meshes are copied once for all properties. Maps are read and written by the calling thread alone.
 ///
-/// \tparam ConcurrencyTag enables sequential versus parallel algorithm. Possible values are `Sequential_tag`,
-///         `Parallel_tag`, and `Parallel_if_available_tag`. The result does not depend on it.
-/// \tparam SourceMesh a model of `FaceListGraph`
-/// \tparam SourceSphereMap a model of `ReadablePropertyMap` with
-///         `boost::graph_traits<SourceMesh>::%vertex_descriptor` as key type and `%Point_3` of a \cgal kernel as value
-///         type; its coordinates are of type `double` or `float`, or of an exact number type
-/// \tparam TargetMesh a model of `FaceListGraph`
+/// \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`; no result depends on it
+/// \tparam SourceMesh,TargetMesh models of `FaceListGraph`
+/// \tparam SourceSphereMap a model of `ReadablePropertyMap` from the vertices of `SourceMesh` to `%Point_3` of a \cgal
+///         kernel; its coordinates are of type `double` or `float`, or of an exact number type
 /// \tparam TargetSphereMap the same for the target; its coordinates are of type `double` or `float` if those of the source
 ///         are, or else of the same type
 /// \tparam SourceMap a model of `ReadablePropertyMap` whose key type is the vertex descriptor or the face descriptor of
@@ -110,10 +107,8 @@ Error_code carry_properties(const SourceMesh& source, const SourceSphereMap& sou
 ///         the target, accordingly, and whose value type is that of the `SourceMap` or one that this can be converted to
 /// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 ///
-/// \param source the mesh that has the properties
-/// \param source_sphere the images of its vertices, at any distance from the origin
-/// \param target the mesh that gets them
-/// \param target_sphere the images of its vertices, at any distance from the origin
+/// \param source,target the mesh that has the properties, and the one that gets them
+/// \param source_sphere,target_sphere the images of their vertices, at any distance from the origin
 /// \param properties for each property, the map of the source and the map of the target
 /// \param np_source an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
 ///
@@ -162,8 +157,7 @@ template <class ConcurrencyTag = Parallel_if_available_tag, class SourceMesh, cl
 /// of the same names, in the place of those that it has if they are of the same type. The points of the meshes stay as
 /// they are, and so do `source_sphere` and `target_sphere` if they are property maps of the meshes.
 ///
-/// \tparam SourcePoint `%Point_3` of a \cgal kernel
-/// \tparam TargetPoint `%Point_3` of a \cgal kernel
+/// \tparam SourcePoint,TargetPoint `%Point_3` of a \cgal kernel
 template <class ConcurrencyTag = Parallel_if_available_tag, class SourcePoint, class SourceSphereMap, class TargetPoint,
           class TargetSphereMap, typename CGAL_NP_TEMPLATE_PARAMETERS>
 [[nodiscard]] Error_code transfer(const Surface_mesh<SourcePoint>& source, SourceSphereMap source_sphere,
