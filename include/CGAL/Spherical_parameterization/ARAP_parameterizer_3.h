@@ -47,15 +47,11 @@ namespace CGAL::Spherical_parameterization {
 /// \tparam InitialParameterizer must be a model of `SphericalParameterizer_3`.
 /// \tparam SolverTraits must be a model of `SparseLinearAlgebraWithFactorTraits_d`; the default is that of
 ///         `Stereographic_parameterizer_3`.
-///
-/// \sa `Bijective_low_distortion_parameterizer_3`
 template <class InitialParameterizer = Hierarchical_parameterizer_3<>, class SolverTraits = Default>
 class ARAP_parameterizer_3
 {
 public:
-  /// constructs the parameterizer.
-  ///
-  /// \param initial_parameterizer makes the map to start with
+  /// constructs the parameterizer; `initial_parameterizer` makes the map to start with.
   explicit ARAP_parameterizer_3(const InitialParameterizer& initial_parameterizer = InitialParameterizer())
     : m_initial_parameterizer(initial_parameterizer)
   {}

@@ -81,7 +81,6 @@ namespace CGAL::Spherical_parameterization {
 ///         `Hierarchical_parameterizer_3` with the energy and the sharpness of this class, and 14 sweeps per level, or
 ///         20 with a radius policy
 ///
-/// \sa `Hierarchical_parameterizer_3`
 /// \sa `Precomputed_parameterizer_3`
 /// \sa `Published_low_distortion_parameterizer_3`
 template <class Energy = Symmetric_Dirichlet_energy_3, class Radius = Default, class InitialParameterizer = Default>
@@ -95,9 +94,7 @@ public:
   /// constructs the parameterizer with the default settings.
   Bijective_low_distortion_parameterizer_3() = default;
 
-  /// sets the energy that is lowered.
-  ///
-  /// \tparam OtherEnergy must be a model of `DistortionEnergy_3`.
+  /// sets the energy that is lowered. `OtherEnergy` must be a model of `DistortionEnergy_3`.
   template <class OtherEnergy>
   [[nodiscard]] Bijective_low_distortion_parameterizer_3<OtherEnergy, Radius, InitialParameterizer> energy(
       const OtherEnergy& energy) const
@@ -105,9 +102,8 @@ public:
     return {energy, m_radius, m_initial_parameterizer, m_sharpness, m_settings};
   }
 
-  /// sets a radius policy. By default there is none: the radius is a variable of the objective.
-  ///
-  /// \tparam OtherRadius must be a model of `SphereRadiusPolicy_3`.
+  /// sets a radius policy. By default there is none: the radius is a variable of the objective. `OtherRadius` must be a
+  /// model of `SphereRadiusPolicy_3`.
   template <class OtherRadius>
   [[nodiscard]] Bijective_low_distortion_parameterizer_3<Energy, OtherRadius, InitialParameterizer> radius(
       const OtherRadius& radius) const
@@ -115,9 +111,8 @@ public:
     return {m_energy, radius, m_initial_parameterizer, m_sharpness, m_settings};
   }
 
-  /// sets the parameterizer that makes the map to start with.
-  ///
-  /// \tparam OtherParameterizer must be a model of `SphericalParameterizer_3`.
+  /// sets the parameterizer that makes the map to start with. `OtherParameterizer` must be a model of
+  /// `SphericalParameterizer_3`.
   template <class OtherParameterizer>
   [[nodiscard]] Bijective_low_distortion_parameterizer_3<Energy, Radius, OtherParameterizer> initial_parameterizer(
       const OtherParameterizer& initial_parameterizer) const

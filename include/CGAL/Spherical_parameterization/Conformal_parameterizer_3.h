@@ -39,9 +39,6 @@ namespace CGAL::Spherical_parameterization {
 ///
 /// \tparam SolverTraits must be a model of `SparseLinearAlgebraWithFactorTraits_d`; the default is that of
 ///         `Stereographic_parameterizer_3`.
-///
-/// \sa `Harmonic_parameterizer_3`
-/// \sa `Conformal_energy_3`
 template <class SolverTraits = Default>
 class Conformal_parameterizer_3
 {

@@ -49,7 +49,6 @@ namespace CGAL::Spherical_parameterization {
 /// \tparam SolverTraits must be a model of `SparseLinearAlgebraWithFactorTraits_d`; the default is that of
 ///         `Stereographic_parameterizer_3`.
 ///
-/// \sa `Stereographic_parameterizer_3`
 /// \sa `Conformal_parameterizer_3`
 /// \sa `Published_low_distortion_parameterizer_3`
 template <class SolverTraits = Default>

@@ -50,8 +50,6 @@ namespace CGAL::Spherical_parameterization {
 /// \cgalModels{SphericalParameterizer_3}
 ///
 /// \tparam Energy must be a model of `DistortionEnergy_3`.
-///
-/// \sa `Bijective_low_distortion_parameterizer_3`
 template <class Energy = Isometric_energy_3>
 class Hierarchical_parameterizer_3
 {
@@ -63,9 +61,7 @@ public:
   /// constructs the parameterizer with the default settings.
   Hierarchical_parameterizer_3() = default;
 
-  /// sets the energy that the sweeps lower.
-  ///
-  /// \tparam OtherEnergy must be a model of `DistortionEnergy_3`.
+  /// sets the energy that the sweeps lower. `OtherEnergy` must be a model of `DistortionEnergy_3`.
   template <class OtherEnergy>
   [[nodiscard]] Hierarchical_parameterizer_3<OtherEnergy> energy(const OtherEnergy& energy) const
   {

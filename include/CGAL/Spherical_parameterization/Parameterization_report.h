@@ -82,10 +82,9 @@ struct Parameterization_report
   double average_energy = 0.; ///< average energy of the map, NaN if it is not finite
   double largest_energy = 0.; ///< largest energy of a face, NaN if the average is
 
-  double seconds_for_reading = 0.;   ///< checking and copying the mesh; starting threads
-  double seconds_for_hierarchy = 0.; ///< removing vertices down to a tetrahedron
-  double seconds_for_embedding =
-      0.; ///< inserting them again, with the sweeps over the coarse levels; or the initial map
+  double seconds_for_reading = 0.;      ///< checking and copying the mesh; starting threads
+  double seconds_for_hierarchy = 0.;    ///< removing vertices down to a tetrahedron
+  double seconds_for_embedding = 0.;    ///< inserting them again, and sweeps over coarse levels; or the initial map
   double seconds_for_optimization = 0.; ///< sweeps over the finest mesh, or global steps
   double seconds_for_certificate = 0.;  ///< writing the map and certifying it
 

@@ -28,7 +28,7 @@ namespace CGAL::Spherical_parameterization {
 /// The class `Precomputed_parameterizer_3` hands out a map that the caller has already, projected to the unit sphere,
 /// so that it can start another parameterizer, for example one that was stopped.
 ///
-/// The visitor is not called. A one-to-one mapping is guaranteed: if the caller's map is none,
+/// A one-to-one mapping is guaranteed: if the caller's map is none,
 /// `ERROR_INVALID_INITIAL_PARAMETERIZATION` is returned.
 ///
 /// \cgalModels{SphericalParameterizer_3}
@@ -39,9 +39,7 @@ template <class PrecomputedMap>
 class Precomputed_parameterizer_3
 {
 public:
-  /// constructs the parameterizer from a map, a copy of which is kept.
-  ///
-  /// \param map the images of the vertices, at any distance from the origin
+  /// constructs the parameterizer from a copy of `map`, the images of the vertices, at any distance from the origin.
   explicit Precomputed_parameterizer_3(const PrecomputedMap& map)
     : m_map(map)
   {}

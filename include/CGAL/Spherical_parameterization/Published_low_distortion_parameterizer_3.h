@@ -67,9 +67,7 @@ public:
   /// until the energy has settled as well.
   Published_low_distortion_parameterizer_3() = default;
 
-  /// sets the radius policy.
-  ///
-  /// \tparam OtherRadius must be a model of `SphereRadiusPolicy_3`.
+  /// sets the radius policy. `OtherRadius` must be a model of `SphereRadiusPolicy_3`.
   template <class OtherRadius>
   [[nodiscard]] Published_low_distortion_parameterizer_3<OtherRadius, InitialParameterizer> radius(
       const OtherRadius& radius) const
@@ -77,9 +75,8 @@ public:
     return {radius, m_initial_parameterizer, m_sharpness};
   }
 
-  /// sets the parameterizer that makes the map to start with.
-  ///
-  /// \tparam OtherParameterizer must be a model of `SphericalParameterizer_3`.
+  /// sets the parameterizer that makes the map to start with. `OtherParameterizer` must be a model of
+  /// `SphericalParameterizer_3`.
   template <class OtherParameterizer>
   [[nodiscard]] Published_low_distortion_parameterizer_3<Radius, OtherParameterizer> initial_parameterizer(
       const OtherParameterizer& initial_parameterizer) const

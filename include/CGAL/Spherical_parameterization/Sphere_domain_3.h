@@ -30,6 +30,10 @@
 
 namespace CGAL::Spherical_parameterization {
 
+class Sphere_domain_3;
+template <class ConcurrencyTag = Parallel_if_available_tag, class TriangleMesh, class VertexSphereMap>
+[[nodiscard]] Error_code make_sphere_domain(const TriangleMesh&, VertexSphereMap, Sphere_domain_3&);
+
 /// \ingroup PkgSphericalParameterizationSampling
 ///
 /// The class `Sphere_domain_3` is a triangulation of the sphere, by which a surface is sampled: directions, and triangles
@@ -117,7 +121,7 @@ private:
 ///         bijection. The domain is as it was then.
 ///
 /// \sa `CGAL::Spherical_parameterization::remesh_through_sphere()`
-template <class ConcurrencyTag = Parallel_if_available_tag, class TriangleMesh, class VertexSphereMap>
+template <class ConcurrencyTag, class TriangleMesh, class VertexSphereMap>
 [[nodiscard]] Error_code make_sphere_domain(const TriangleMesh& tmesh, VertexSphereMap vertex_sphere_map,
                                             Sphere_domain_3& domain)
 {

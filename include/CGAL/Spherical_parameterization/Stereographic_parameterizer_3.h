@@ -46,8 +46,7 @@ namespace CGAL::Spherical_parameterization {
 /// \tparam SolverTraits must be a model of `SparseLinearAlgebraWithFactorTraits_d`.<br> <b>%Default:</b> if
 ///         \ref thirdpartyEigen "Eigen" 3.1 or greater is available and `CGAL_EIGEN3_ENABLED` is defined,
 /// \code
-///   CGAL::Eigen_solver_traits<
-///           Eigen::SimplicialLDLT<Eigen_sparse_symmetric_matrix<double>::EigenType> >
+///   CGAL::Eigen_solver_traits<Eigen::SimplicialLDLT<Eigen_sparse_symmetric_matrix<double>::EigenType> >
 /// \endcode
 ///
 /// \sa `Harmonic_parameterizer_3`

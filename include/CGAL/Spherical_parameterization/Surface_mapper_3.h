@@ -44,13 +44,10 @@ class Surface_mapper_3
 public:
   /// Type of a vertex of the first surface
   using Vertex_1 = typename boost::graph_traits<TriangleMesh1>::vertex_descriptor;
-
   /// Type of a vertex of the second surface
   using Vertex_2 = typename boost::graph_traits<TriangleMesh2>::vertex_descriptor;
-
   /// Type of vertices that correspond
   using Landmark = std::pair<Vertex_1, Vertex_2>;
-
   /// Type of a feature: its values at the vertices of both surfaces
   using Feature = std::pair<std::function<double(Vertex_1)>, std::function<double(Vertex_2)>>;
 
@@ -67,9 +64,8 @@ public:
   }
 
   /// makes landmarks soft: the mean of their squared distances, on a sphere of radius 1, is added to the mean energy, times
-  /// this weight. By default they are met exactly, but where straight edges do not allow for it.
-  ///
-  /// \param weight the weight, which has to be positive; 10 is a strong one
+  /// `weight`, which has to be positive; 10 is a strong one. By default they are met exactly, but where straight edges do
+  /// not allow for it.
   [[nodiscard]] Surface_mapper_3 landmark_weight(double weight) const
   {
     Surface_mapper_3 result = *this;
@@ -88,9 +84,7 @@ public:
 
   /// sets the weight of features once they have aligned the spheres, 4 by default: the mean of the squared differences of
   /// their ranks, which are from -1 to 1, is added to the mean energy, times this weight; for features of the package, times
-  /// the fourth power of their agreement as well.
-  ///
-  /// \param weight the weight, at least 0; with 0, features only align the spheres
+  /// the fourth power of their agreement as well. The `weight` is at least 0; with 0, features only align the spheres.
   [[nodiscard]] Surface_mapper_3 feature_weight(double weight) const
   {
     Surface_mapper_3 result = *this;

@@ -27,15 +27,13 @@ namespace CGAL::Spherical_parameterization {
 /// The class `Symmetric_Dirichlet_energy_3` is the symmetric Dirichlet energy. It is the default of the package.
 ///
 /// The energy
-/// \f[ E = \tfrac{1}{2} ( \sigma_1^2 + \sigma_2^2 + \sigma_1^{-2} + \sigma_2^{-2} ) = \tfrac{1}{2} I ( 1 + d^{-2} )
-/// \f]
+/// \f[ E = \tfrac{1}{2} ( \sigma_1^2 + \sigma_2^2 + \sigma_1^{-2} + \sigma_2^{-2} ) = \tfrac{1}{2} I ( 1 + d^{-2} ) \f]
 /// is at least 2, with equality for an isometry, and grows with the square of the isometric distortion
 /// \f$ \max \{ \sigma_2, 1 / \sigma_1 \} \f$, which makes it a better guard against the worst face than the energy of
 /// the BLD paper, `Isometric_energy_3`.
 ///
 /// \cgalModels{DistortionEnergy_3}
 ///
-/// \sa `Isometric_energy_3`
 /// \sa `Conformal_energy_3`
 class Symmetric_Dirichlet_energy_3
 {

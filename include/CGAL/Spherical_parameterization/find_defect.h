@@ -95,8 +95,6 @@ struct Mesh_defect
 /// \cgalNamedParamsEnd
 ///
 /// \return the first defect that is found, or one with `OK` if there is none
-///
-/// \sa `CGAL::Spherical_parameterization::parameterize()`
 template <class TriangleMesh, typename CGAL_NP_TEMPLATE_PARAMETERS>
 Mesh_defect<TriangleMesh> find_defect(const TriangleMesh& tmesh, const CGAL_NP_CLASS& np = parameters::default_values())
 {

@@ -123,13 +123,12 @@ template <class ConcurrencyTag = Parallel_if_available_tag, class TriangleMesh1,
     if(const Error_code error = internal::read_surfaces(tmesh1, vertex_sphere_map1, arrays1, np1, tmesh2,
                                                         vertex_sphere_map2, arrays2, np2, execution))
       return error;
-    const std::vector<internal::Vector_3d>&points1 = arrays1.points, &points2 = arrays2.points;
     internal::Sphere_triangulation<K> sphere1, sphere2;
     sphere1.assign(std::move(arrays1.images), std::move(arrays1.triangles));
     sphere2.assign(std::move(arrays2.images), std::move(arrays2.triangles));
 
     internal::Overlay_arrays arrays;
-    if(const Error_code error = arrays.assign(sphere1, points1, sphere2, points2, execution))
+    if(const Error_code error = arrays.assign(sphere1, arrays1.points, sphere2, arrays2.points, execution))
       return error;
     Overlay overlay;
     overlay.points.reserve(arrays.points[0].size());

@@ -114,7 +114,6 @@ namespace CGAL::Spherical_parameterization {
 ///       parameterizer and a visitor of its own, and so are calls from within tasks of TBB. (The coordinates must be of
 ///       a type that several threads may read at once.)
 ///
-/// \sa `CGAL::Spherical_parameterization::find_defect()`
 /// \sa `CGAL::Spherical_parameterization::is_bijective()`
 /// \sa `CGAL::Spherical_parameterization::measure_distortion()`
 template <class ConcurrencyTag = Parallel_if_available_tag, class TriangleMesh, class Parameterizer,
@@ -137,8 +136,6 @@ Error_code parameterize(const TriangleMesh& tmesh, Parameterizer&& parameterizer
 /// a good choice for most surfaces. Parameters, guarantee, exceptions and threads are as for the function above.
 ///
 /// \return as the function above
-///
-/// \sa `CGAL::Spherical_parameterization::Bijective_low_distortion_parameterizer_3`
 template <class ConcurrencyTag = Parallel_if_available_tag, class TriangleMesh, class VertexSphereMap,
           typename CGAL_NP_TEMPLATE_PARAMETERS>
 Error_code parameterize(const TriangleMesh& tmesh, VertexSphereMap vertex_sphere_map,

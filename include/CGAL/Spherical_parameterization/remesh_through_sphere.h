@@ -107,9 +107,6 @@ inline std::vector<Vector_3d> vertex_normals(std::vector<Vector_3d> points,
 ///         no bijection; or `ERROR_INVALID_DOMAIN` if the domain is empty. Nothing is added then. What is thrown, for want of
 ///         memory or by property maps of the caller, is passed on; `remesh` has the vertices, edges and faces that it had then,
 ///         but properties of their own may have been added to a `Surface_mesh`, and it may have garbage.
-///
-/// \sa `CGAL::Spherical_parameterization::transfer()`
-/// \sa `CGAL::Spherical_parameterization::measure_distance()`
 template <class ConcurrencyTag = Parallel_if_available_tag, class TriangleMesh, class VertexSphereMap, class Remesh,
           class RemeshSphereMap, typename CGAL_NP_TEMPLATE_PARAMETERS_1, typename CGAL_NP_TEMPLATE_PARAMETERS_2>
 [[nodiscard]] Error_code remesh_through_sphere(const TriangleMesh& tmesh, VertexSphereMap vertex_sphere_map,
