@@ -32,10 +32,8 @@ namespace CGAL::Spherical_parameterization {
 /// opposite cotangents, raised to a small positive value where they are below.
 ///
 /// It is the map that \cgalCite{cgal:whfl-bspld-16} starts from. Angles are nearly kept, and areas differ by many
-/// orders of magnitude where a surface has limbs.
-///
-/// The energy alone would be minimal if all vertices were mapped to one point. So Moebius transformations keep the
-/// centre of the area of the surface at the centre of the sphere.
+/// orders of magnitude where a surface has limbs. The energy alone would be minimal if all vertices were mapped to one
+/// point. So Moebius transformations keep the centre of the area of the surface at the centre of the sphere.
 ///
 /// The iteration starts from the map of `Stereographic_parameterizer_3`, and each step solves a sparse system, whose
 /// matrix is factored once; some ten steps are enough. It ends when a step changes the energy by less than 1e-9 of it.

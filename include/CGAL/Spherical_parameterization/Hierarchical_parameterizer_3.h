@@ -43,9 +43,7 @@ namespace CGAL::Spherical_parameterization {
 /// A one-to-one mapping is guaranteed whenever `OK` is returned, because the map is certified as it has been written. A
 /// kernel is never empty, but it may be too small for double precision numbers; in this case the map is computed anew
 /// with a guard against small faces, and `ERROR_INSUFFICIENT_PRECISION` is returned only if that fails several times.
-///
-/// The time is linear in the number of vertices but for the sorting of the candidates for a removal, and so is the
-/// memory.
+/// Time and memory are linear in the number of vertices, but for the sorting of the candidates for a removal.
 ///
 /// \cgalModels{SphericalParameterizer_3}
 ///

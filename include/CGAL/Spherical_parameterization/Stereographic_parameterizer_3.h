@@ -32,14 +32,13 @@ namespace CGAL::Spherical_parameterization {
 /// and with cotangent weights, raised where they would not be positive. The plane goes to the sphere by the inverse of
 /// the stereographic projection, and a Moebius transformation balances the two sides: it brings the centre of the area
 /// of the surface to the centre of the sphere. Angles are kept but for what the roundness of the circle costs, and
-/// areas differ by many orders of magnitude where a surface has limbs.
+/// areas differ by many orders of magnitude where a surface has limbs. One sparse matrix is factorised, and used twice: to
+/// learn where most of the surface is, and to place it there.
 ///
 /// A one-to-one mapping is guaranteed whenever `OK` is returned, because the map is certified as it has been written.
 /// It exists for every mesh: where the inverse stereographic projection would turn a large face over, the plane is
 /// projected from the centre of the sphere. But limbs may get smaller than double precision numbers resolve; then
 /// `ERROR_INSUFFICIENT_PRECISION` is returned.
-///
-/// One sparse matrix is factorised, and used twice: to learn where most of the surface is, and to place it there.
 ///
 /// \cgalModels{SphericalParameterizer_3}
 ///

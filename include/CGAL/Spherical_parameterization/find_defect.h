@@ -72,12 +72,9 @@ struct Mesh_defect
 
 /// \ingroup PkgSphericalParameterizationMeasuring
 ///
-/// finds what keeps a mesh from being parameterized, and where it is: the detail behind the `Error_code` that
-/// `parameterize()` returns for the mesh, as far as it is the mesh that is at fault. It may also be called beforehand.
-///
-/// The checks are those of `parameterize()` itself, so that both agree: if no defect is found, `parameterize()` with
-/// default parameters returns `OK`, but for a mesh whose map double precision numbers cannot hold. The running time is
-/// linear in the size of the mesh.
+/// finds what keeps a mesh from being parameterized, and where it is, by the checks of `parameterize()` itself: if no
+/// defect is found, that with default parameters returns `OK`, but for a mesh whose map double precision numbers cannot
+/// hold. The running time is linear in the size of the mesh.
 ///
 /// \tparam TriangleMesh a model of `FaceListGraph`
 /// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"

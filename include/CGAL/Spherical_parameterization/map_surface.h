@@ -103,9 +103,8 @@ template <class ConcurrencyTag = Parallel_if_available_tag, class TriangleMesh1,
 
 /// \ingroup PkgSphericalParameterizationSurfaces
 ///
-/// maps a surface one-to-one onto another one, with nothing known of them but their shapes and their maps to the sphere.
-///
-/// The other parameters are those of the first function of this name.
+/// maps a surface one-to-one onto another one, with nothing known of them but their shapes and their maps to the sphere;
+/// otherwise as the function above.
 template <class ConcurrencyTag = Parallel_if_available_tag, class TriangleMesh1, class VertexSphereMap1,
           class TriangleMesh2, class VertexSphereMap2, class VertexDirectionMap, typename CGAL_NP_TEMPLATE_PARAMETERS_1,
           typename CGAL_NP_TEMPLATE_PARAMETERS_2>

@@ -189,9 +189,7 @@ template <class ConcurrencyTag = Parallel_if_available_tag, class TriangleMesh, 
 
 /// \ingroup PkgSphericalParameterizationMeasuring
 ///
-/// measures how much a map to the sphere distorts the faces of a mesh, all together.
-///
-/// Measures and parameters are those of the first function of this name.
+/// measures how much a map to the sphere distorts the faces of a mesh, all together, as the function above.
 template <class ConcurrencyTag = Parallel_if_available_tag, class TriangleMesh, class VertexSphereMap,
           typename CGAL_NP_TEMPLATE_PARAMETERS>
 [[nodiscard]] Error_code measure_distortion(const TriangleMesh& tmesh, VertexSphereMap vertex_sphere_map,

@@ -34,8 +34,7 @@ namespace CGAL::Spherical_parameterization {
 /// computes a one-to-one map from a triangle mesh to a sphere around the origin with a given method.
 ///
 /// The map is linear on each face followed by the projection along the rays from the origin. A face that is
-/// counterclockwise seen from outside the surface is counterclockwise seen from outside the sphere. The mesh is not
-/// changed.
+/// counterclockwise seen from outside the surface is so from outside the sphere. The mesh is not changed.
 ///
 /// <b>Guarantee.</b> If `OK` is returned, the map is a bijection. This has been certified by exact predicates on the
 /// points as they are in `vertex_sphere_map`: every face is positively oriented about the origin, and the faces cover
@@ -48,13 +47,12 @@ namespace CGAL::Spherical_parameterization {
 ///
 /// The default method returns `OK` for every mesh that `find_defect()` finds nothing wrong with, whatever its shape:
 /// faces without area, needles, vertices in one place, self-intersections and any orientation included. There is one
-/// limit, which is that of all maps to a sphere whose points are stored as floating-point numbers. These are about
-/// 10<sup>-16</sup> radii apart, and a mesh may demand faces that are smaller: a vertex at the tip of many nested
-/// triangles must be mapped into all of them. The method spends the area of the sphere such that chains of tens of
-/// thousands fit, and starts again with more room for the smallest faces if doubles do not hold a map; if none of this
-/// helped, `ERROR_INSUFFICIENT_PRECISION` would be returned. No mesh is known for which it is. Where the coordinates in
-/// `vertex_sphere_map` are of type `float`, whose numbers are 10<sup>-7</sup> radii apart, the limit is reached sooner,
-/// and that code is returned where the rounding to them turns a face over.
+/// limit, that of all maps to a sphere whose points are stored as floating-point numbers: these are about
+/// 10<sup>-16</sup> radii apart, and a vertex at the tip of many nested triangles must be mapped into all of them. The
+/// method spends the area of the sphere such that chains of tens of thousands fit, and starts again with more room for
+/// the smallest faces if doubles do not hold a map. If none of this helped, `ERROR_INSUFFICIENT_PRECISION` would be
+/// returned; no mesh is known for which it is. If the coordinates in `vertex_sphere_map` are of type `float`, whose
+/// numbers are 10<sup>-7</sup> radii apart, it is returned where the rounding to them turns a face over.
 ///
 /// <b>Stopping early.</b> Once the first map is there, which is completed in any case, with minimum effort, the run may be
 /// stopped at any time, and `OK` means the same.
@@ -96,7 +94,7 @@ namespace CGAL::Spherical_parameterization {
 ///                       many for fewer; other methods name theirs, or do not use it}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{maximum_running_time}
-///     \cgalParamDescription{the seconds after which the map reached by then, at least the first one, is certified and returned}
+///     \cgalParamDescription{the seconds after which the map of then, at least the first one, is certified and returned}
 ///     \cgalParamType{`double`}
 ///     \cgalParamDefault{no limit, as with any value that is not positive}
 ///   \cgalParamNEnd
