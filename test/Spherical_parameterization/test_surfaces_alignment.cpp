@@ -9,7 +9,7 @@
 
 #include <CGAL/Spherical_parameterization/Surface_mapper_3.h>
 #include <CGAL/Spherical_parameterization/align_spheres.h>
-#include <CGAL/Spherical_parameterization/internal/align/Bent_map.h>
+#include <CGAL/Spherical_parameterization/internal/align/Sphere_bending.h>
 #include <CGAL/Spherical_parameterization/is_bijective.h>
 
 #include <gtest/gtest.h>
@@ -276,7 +276,7 @@ TEST(Bending, comes_nearer_to_a_smooth_map_and_stays_a_bijection)
     EXPECT_EQ(spheres.alignment.margin(bent_grids), bent_grids[0].score);
 
     const auto directions =
-        SP::internal::Bent_map<Kernel>(spheres.first).directions(grid, bent_grids[0].directions, control, execution);
+        SP::internal::bent_directions(spheres.first, grid, bent_grids[0].directions, control, execution);
     ASSERT_TRUE(directions);
     results[is_parallel] = *directions;
     const Rotation_3 rotation = SP::internal::as_transformation(start[0].rotation);
@@ -350,7 +350,7 @@ TEST(Bending, repairs_what_straight_edges_turn_over)
   SP::internal::Sphere_triangulation<Kernel> images;
   images.assign(arrays.images, arrays.triangles);
   Recording_control control;
-  const auto directions = SP::internal::Bent_map<Kernel>(images).directions(grid, bent_grid, control, {});
+  const auto directions = SP::internal::bent_directions(images, grid, bent_grid, control, {});
   ASSERT_TRUE(directions);
   const SP::internal::Orientation_about_origin_3<Kernel> orientation;
   const auto count = [&](const auto& point_of) {

@@ -72,14 +72,11 @@ public:
     for(std::size_t v = 0; v < grid.size(); ++v)
       for(const Channel& channel : a)
         m_a.push_back(channel[v]);
-    // Every k-th vertex of a grid is next to others that are left out; those of a coarser grid are spread evenly.
-    Sphere_grid::Triangulation::Hint hint;
-    for(const Vector_3d& q : subdivided_icosahedron(7).directions)
-    {
-      const auto place = grid.triangulation().locate(Sphere_grid::Kernel::Point_3(q[0], q[1], q[2]), hint);
-      const auto& w = place.coordinates;
-      m_few.push_back(grid.triangles()[place.triangle][w[0] >= w[1] && w[0] >= w[2] ? 0 : w[1] >= w[2] ? 1 : 2]);
-    }
+    // Every k-th vertex of a grid is next to others that are left out; those of a coarser grid are spread evenly. These 492 are
+    // 9 degrees apart, as far as the rotations that are tried: fewer take less time, but leave more of that to chance.
+    for(const auto& place :
+        grid.triangulation().locate(points_of<Sphere_grid::Kernel>(subdivided_icosahedron(7).directions), execution))
+      m_few.push_back(nearest_vertex(grid.triangles(), place));
     m_all.resize(grid.size());
     std::iota(m_all.begin(), m_all.end(), std::uint32_t(0));
   }
@@ -88,9 +85,11 @@ public:
   // best of those that have been tried, or the identity.
   std::vector<Scored_rotation> best(std::size_t n, Run_control& control) const
   {
+    // More than two refinements that climb the same peak may end apart, and less than what two poses of a body differ by.
     constexpr double min_angle = CGAL_PI / 9.;
+    constexpr std::size_t batch_size =
+        4; // between two questions to the control: for four threads, and some milliseconds
     std::vector<Scored_rotation> found = local_maxima(control);
-    constexpr std::size_t batch_size = 4; // between two questions
     for(std::size_t k = 0; k < found.size() && control.go_further(0, 0.); k += batch_size)
       for_each_block(m_execution, k, (std::min)(k + batch_size, found.size()), 1,
                      [&](std::size_t i, std::size_t) { found[i] = refined(found[i].rotation); });
@@ -109,8 +108,9 @@ private:
   // The super-Fibonacci spirals of Alexa cover all rotations evenly: these, to about 10 degrees.
   static std::vector<Quaternion> rotations_of_grid()
   {
-    constexpr std::size_t n = 12000;
-    constexpr double phi = 1.41421356237309504880, psi = 1.533751168755204288118;
+    constexpr std::size_t n = 12000; // The spacing goes with the cube root: half of it takes eight times as many.
+    constexpr double phi = 1.41421356237309504880,
+                     psi = 1.533751168755204288118; // phi^2 = 2, psi^4 = psi + 4: as Alexa has it
     std::vector<Quaternion> result;
     for(std::size_t i = 0; i < n; ++i)
     {
@@ -125,8 +125,13 @@ private:
   // peaks. The best one comes first.
   std::vector<Scored_rotation> local_maxima(Run_control& control) const
   {
-    constexpr std::size_t batch_size = 2000;     // between two questions
-    constexpr double max_radius = CGAL_PI / 12.; // within which a maximum is one, a bit more than the grid's spacing
+    constexpr std::size_t batch_size = 2000,
+                          block_size = 100; // between two questions, some milliseconds; and for a thread
+    // Within which a maximum is one, a bit more than the grid's spacing. If it is less, rotations on the same flank are found
+    // in the place of other peaks; if it is more, peaks near a higher one are lost.
+    constexpr double max_radius = CGAL_PI / 12.;
+    // A peak of the grid may be lower than the real one, and the best of those that are found be none but that: more of them
+    // take more time to refine. Those below the best quarter are not looked at, as the time grows with the square.
     constexpr std::size_t n_looked_at = 3000, n_found = 16;
     const std::vector<Quaternion> starts = rotations_of_grid();
     std::vector<double> scores;
@@ -134,7 +139,7 @@ private:
     {
       const std::size_t begin = scores.size();
       scores.resize((std::min)(begin + batch_size, starts.size()));
-      for_each_block(m_execution, begin, scores.size(), 100, [&](std::size_t first, std::size_t last) {
+      for_each_block(m_execution, begin, scores.size(), block_size, [&](std::size_t first, std::size_t last) {
         for(std::size_t i = first; i < last; ++i)
           scores[i] = score(rotation_matrix(starts[i]), m_few);
       });
@@ -176,6 +181,8 @@ private:
   // Climbs by turns about three axes, of angles that become smaller; the last ones with all vertices.
   Scored_rotation refined(const Rotation_matrix& start) const
   {
+    // In radians. The first one is most of the grid's spacing, 10 degrees: a larger one leaves the peak. Below few_angle, turns
+    // are finer than what a few vertices tell. The last one that is tried is 0.2 degrees, a tenth of the spacing of the images.
     constexpr double first_angle = 0.12, few_angle = 0.02, last_angle = 0.002;
     Scored_rotation result = {start, 0.};
     const std::vector<std::uint32_t>* vertices = nullptr;

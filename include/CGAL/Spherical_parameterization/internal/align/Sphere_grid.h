@@ -24,6 +24,7 @@
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <utility>
@@ -33,6 +34,23 @@ namespace CGAL::Spherical_parameterization::internal {
 
 // A value for each vertex of a grid.
 using Channel = std::vector<double>;
+
+template <class K>
+std::vector<typename K::Point_3> points_of(const std::vector<Vector_3d>& directions)
+{
+  std::vector<typename K::Point_3> result;
+  for(const Vector_3d& p : directions)
+    result.emplace_back(p[0], p[1], p[2]);
+  return result;
+}
+
+// The vertex that has the largest barycentric coordinate of a place.
+template <class Place>
+std::uint32_t nearest_vertex(const std::vector<Linked_triangle>& triangles, const Place& place)
+{
+  const auto& w = place.coordinates;
+  return triangles[place.triangle][static_cast<std::size_t>(std::max_element(w.begin(), w.end()) - w.begin())];
+}
 
 // Directions that cover the sphere evenly, by which two surfaces are compared: what is computed on them takes the same
 // time for all meshes, and does not depend on how these are triangulated.
@@ -45,10 +63,8 @@ public:
   explicit Sphere_grid(const Execution& execution)
   {
     Subdivided_solid<3> solid = subdivided_icosahedron(n_steps);
-    std::vector<Kernel::Point_3> points;
-    for(const Vector_3d& q : solid.directions)
-      points.emplace_back(q[0], q[1], q[2]);
-    m_triangulation.assign(std::move(points), link_triangles(solid.triangles, solid.directions.size()));
+    m_triangulation.assign(points_of<Kernel>(solid.directions),
+                           link_triangles(solid.triangles, solid.directions.size()));
     m_triangulation.make_grid();
     m_nodes = Sphere_image::places_of_nodes(m_triangulation, execution);
     m_directions = std::move(solid.directions);
@@ -67,8 +83,9 @@ public:
   }
 
 private:
-  static constexpr std::uint32_t n_steps =
-      20; // along an edge of the icosahedron: 4002 directions, 3 to 4 degrees apart
+  // Along an edge of the icosahedron: 4002 directions, 3 to 4 degrees apart, by which two meshes of 26,002 vertices are
+  // compared in 0.14 s. Time and memory grow with the square; fewer steps leave out what is narrower on the sphere.
+  static constexpr std::uint32_t n_steps = 20;
 
   std::vector<Vector_3d> m_directions;
   Triangulation m_triangulation;

@@ -14,12 +14,10 @@
 
 #include <CGAL/license/Spherical_parameterization.h>
 
-#include <CGAL/Spherical_parameterization/internal/align/Bent_map.h>
-#include <CGAL/Spherical_parameterization/internal/align/Feature_flow.h>
 #include <CGAL/Spherical_parameterization/internal/align/Rotation_search.h>
 #include <CGAL/Spherical_parameterization/internal/align/Sampled_surface.h>
+#include <CGAL/Spherical_parameterization/internal/align/Sphere_bending.h>
 #include <CGAL/Spherical_parameterization/internal/align/Sphere_grid.h>
-#include <CGAL/Spherical_parameterization/internal/align/Surface_distances.h>
 #include <CGAL/Spherical_parameterization/internal/locate/Sphere_image.h>
 #include <CGAL/Spherical_parameterization/internal/locate/Sphere_triangulation.h>
 #include <CGAL/Spherical_parameterization/internal/numbers/Rotation_matrix.h>
@@ -29,9 +27,9 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <initializer_list>
+#include <numeric>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -70,11 +68,8 @@ public:
     , m_execution(execution)
   {
     if(m_surfaces[0].features().empty())
-      for(const Sampled_surface::Feature feature :
-          {&Sampled_surface::shrinking, &Sampled_surface::average_distance, &Sampled_surface::fine_curvature,
-           &Sampled_surface::coarse_curvature})
-        if(goes_on())
-          in_parallel(2, [&](std::size_t k) { m_surfaces[k].add_feature(feature); });
+      for(int feature = 0; feature < Sampled_surface::number_of_own_features && goes_on(); ++feature)
+        in_parallel(2, [&](std::size_t k) { m_surfaces[k].add_own_feature(feature); });
   }
 
   // The ranks of the features of a surface, 0 or 1.
@@ -91,6 +86,8 @@ public:
   template <class K>
   Aligned_start start(const Sphere_triangulation<K>& sphere1, const Sphere_triangulation<K>& sphere2)
   {
+    // Copies of a surface with turned copies of its sphere have a score of nearly 1, poses of a body less. If it is larger,
+    // copies are bent, to 1.3 degrees from each other where the rotation leaves 0.2; if it is smaller, poses are not bent.
     constexpr double min_score_of_same_shape = 0.97;
     Aligned_start result;
     const std::vector<Scored_rotation> candidates = best_rotations(2);
@@ -105,7 +102,7 @@ public:
     const std::vector<Bent_grid> bent = this->bent(candidates);
     result.agreement = bent[0].score;
     result.margin = margin(bent);
-    const auto directions = Bent_map<K>(sphere1).directions(m_grid, bent[0].directions, m_control, m_execution);
+    const auto directions = bent_directions(sphere1, m_grid, bent[0].directions, m_control, m_execution);
     result.directions = directions ? *directions : rotated_directions(bent[0].rotation, sphere1);
     return result;
   }
@@ -121,6 +118,10 @@ public:
   // Bends the first sphere onto the second one from each of these rotations; the best result comes first. At first the
   // features guide it, from coarse to fine. Then the ends of limbs are known, and the distances from them, which no pose
   // changes, tell everywhere where to go.
+  //
+  // The stages start where what is smoothed is as wide as the grid of rotations, 12 degrees, and end with the steps of the
+  // grid: a wider start takes different features for one, a narrower one misses what is farther away. The motion is always as
+  // smooth as the images, or smoother. The distances are smooth by themselves, and known better.
   std::vector<Bent_grid> bent(const std::vector<Scored_rotation>& rotations)
   {
     std::vector<Feature_flow> flows;
@@ -130,8 +131,8 @@ public:
     run({{30, 30}, {15, 20}, {6, 12}}, features, flows);
     if(goes_on())
     {
-      std::array<std::vector<Surface_distances::Limb>, 2> limbs;
-      in_parallel(2, [&](std::size_t k) { limbs[k] = m_surfaces[k].distances().limbs(); });
+      std::array<std::vector<Sampled_surface::Limb>, 2> limbs;
+      in_parallel(2, [&](std::size_t k) { limbs[k] = m_surfaces[k].limbs(); });
       in_parallel(flows.size(),
                   [&](std::size_t k) { features[k] = distances_from_limbs(limbs, flows[k].directions()); });
       run({{6, 30}, {3, 20}, {1, 12}, {1, 6}}, features, flows);
@@ -173,7 +174,7 @@ private:
   // All flows step together, so that the control is asked between short parts.
   void run(std::initializer_list<Stage> stages, const std::vector<Features>& features, std::vector<Feature_flow>& flows)
   {
-    constexpr int n_steps = 15;
+    constexpr int n_steps = 15; // 22 steps of the grid at most; more take more time, where most have settled
     for(const Stage& stage : stages)
     {
       in_parallel(flows.size(), [&](std::size_t k) {
@@ -188,11 +189,16 @@ private:
 
   // The distances from ends of limbs that are found on both surfaces, each the nearest one of the other, and the features
   // with a small weight; nothing if these ends are too few to tell a place.
-  Features distances_from_limbs(const std::array<std::vector<Surface_distances::Limb>, 2>& limbs,
+  Features distances_from_limbs(const std::array<std::vector<Sampled_surface::Limb>, 2>& limbs,
                                 const std::vector<Vector_3d>& directions) const
   {
-    constexpr std::size_t min_limbs = 3;
-    constexpr double min_cosine = 0.7, weight_of_features = 0.2;
+    constexpr std::size_t min_limbs = 3; // Two distances are the same at two places, or along a line.
+    // Ends that agree are less than 45 degrees apart. With more, limbs of which one is missing pass for each other; with less,
+    // limbs that the features have not brought together are left out.
+    constexpr double min_cosine = 0.7;
+    // Distances have the mean 1, features are ranks from -1 to 1. Larger weights bring back what the features have got wrong;
+    // without any, what is between the limbs, such as a face, has nothing to go by.
+    constexpr double weight_of_features = 0.2;
     const auto cosine = [&](const auto& a, const auto& b) {
       return dot(directions[a.end], m_grid.directions()[b.end]);
     };
@@ -216,8 +222,7 @@ private:
     {
       double sum = 0.;
       for(const Channel& channel : result[k])
-        for(const double d : channel)
-          sum += d;
+        sum = std::accumulate(channel.begin(), channel.end(), sum);
       const double scale = sum > 0. ? static_cast<double>(result[k].size() * m_grid.size()) / sum : 1.;
       for(Channel& channel : result[k])
         for(double& d : channel)
@@ -252,20 +257,14 @@ private:
   Rotation_matrix polished(Rotation_matrix rotation, const Sphere_triangulation<K>& sphere1,
                            const Sphere_triangulation<K>& sphere2) const
   {
+    // One is enough where vertices are farther apart than the rotation is off; of dense copies, more meet in each further one.
     constexpr int n_rounds = 8;
     for(int round = 0; round < n_rounds && goes_on(); ++round)
     {
-      std::vector<typename K::Point_3> queries;
-      for(const Vector_3d& p : rotated_directions(rotation, sphere1))
-        queries.emplace_back(p[0], p[1], p[2]);
-      const auto places = sphere2.locate(queries, m_execution);
+      const auto places = sphere2.locate(points_of<K>(rotated_directions(rotation, sphere1)), m_execution);
       std::vector<std::pair<Vector_3d, Vector_3d>> pairs;
-      for(std::size_t v = 0; v < queries.size(); ++v)
-      {
-        const auto& w = places[v].coordinates;
-        const std::size_t nearest = static_cast<std::size_t>(std::max_element(w.begin(), w.end()) - w.begin());
-        pairs.emplace_back(sphere1.direction(v), sphere2.direction(sphere2.triangles()[places[v].triangle][nearest]));
-      }
+      for(std::size_t v = 0; v < places.size(); ++v)
+        pairs.emplace_back(sphere1.direction(v), sphere2.direction(nearest_vertex(sphere2.triangles(), places[v])));
       if(const std::optional<Rotation_matrix> next = fitting_rotation(pairs))
         rotation = *next;
     }

@@ -9,17 +9,23 @@
 //
 // Author(s)     : The Spherical_parameterization authors
 
-#ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_ALIGN_FEATURE_FLOW_H
-#define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_ALIGN_FEATURE_FLOW_H
+#ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_ALIGN_SPHERE_BENDING_H
+#define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_ALIGN_SPHERE_BENDING_H
 
 #include <CGAL/license/Spherical_parameterization.h>
 
-#include <CGAL/Spherical_parameterization/internal/numbers/Rotation_matrix.h>
 #include <CGAL/Spherical_parameterization/internal/align/Sphere_grid.h>
+#include <CGAL/Spherical_parameterization/internal/certificate/Orientation_about_origin_3.h>
 #include <CGAL/Spherical_parameterization/internal/locate/Sphere_image.h>
 #include <CGAL/Spherical_parameterization/internal/locate/Sphere_triangulation.h>
+#include <CGAL/Spherical_parameterization/internal/numbers/Rotation_matrix.h>
 #include <CGAL/Spherical_parameterization/internal/numbers/Vector_3.h>
+#include <CGAL/Spherical_parameterization/internal/run/Run_control.h>
 #include <CGAL/Spherical_parameterization/internal/run/parallel.h>
+#include <CGAL/Spherical_parameterization/internal/surface/Linked_triangle.h>
+#include <CGAL/Spherical_parameterization/internal/surface/Vertex_rings.h>
+
+#include <CGAL/enum.h>
 
 #include <algorithm>
 #include <array>
@@ -34,14 +40,16 @@ namespace CGAL::Spherical_parameterization::internal {
 
 // Bends one sphere onto another one such that their features agree: an optical flow on the vertices of a grid, each of
 // which has a direction on the other sphere. All triangles stay positive, so that the map of the grid is a bijection.
+//
+// What is smoothed n times is a mean over a place of about 0.65 sqrt(n) steps of the grid: that is the standard deviation.
+// Constants have been chosen on ten pairs of people in other poses, where the mean geodesic error is 3.9 percent; six
+// settings of two of them give 3.9 to 4.7.
 class Feature_flow
 {
 public:
   Feature_flow(const Sphere_grid& grid, const Rotation_matrix& rotation, const Execution& execution)
     : m_grid(grid)
     , m_execution(execution)
-    , m_equations(grid.size())
-    , m_motion(grid.size())
   {
     for(const Vector_3d& q : grid.directions())
       m_directions.push_back(normalized(rotated(rotation, q)));
@@ -73,30 +81,35 @@ public:
   // been possible.
   void step()
   {
+    // In steps of the grid: about as far as a gradient holds in the last stages. Shorter steps do not come as far in a stage.
+    constexpr double max_length = 1.5;
+    constexpr int n_smoothed = 2; // Less leaves creases, which are in the way of move(); more takes away what is local.
     if(!m_b)
       return;
+    std::vector<Equations> equations(m_grid.size());
     for_each_block(m_execution, 0, m_grid.size(), block_size, [&](std::size_t begin, std::size_t end) {
       std::vector<double> values(5 * m_a.size());
       for(std::size_t v = begin; v < end; ++v)
-        m_equations[v] = equations_at(v, values);
+        equations[v] = equations_at(v, values);
     });
-    smooth(m_equations, m_n_motion);
-    for(std::size_t v = 0; v < m_grid.size(); ++v)
-      m_motion[v] = solution(m_equations[v], m_directions[v]);
+    smooth(equations, m_n_motion);
+    std::vector<Vector_3d> motion;
     double longest = 0.;
-    for(const Vector_3d& d : m_motion)
-      longest = (std::max)(longest, length(d));
+    for(std::size_t v = 0; v < m_grid.size(); ++v)
+    {
+      motion.push_back(solution(equations[v], m_directions[v]));
+      longest = (std::max)(longest, length(motion[v]));
+    }
     const double share = (std::min)(1., max_length * m_spacing / longest);
-    for(Vector_3d& d : m_motion)
+    for(Vector_3d& d : motion)
       d = share * d;
-    smooth(m_motion, 2);
-    if(!move())
+    smooth(motion, n_smoothed);
+    if(!move(motion))
       m_b.reset();
   }
 
 private:
-  static constexpr std::size_t block_size = 256;
-  static constexpr double max_length = 1.5; // of a step, in steps of the grid
+  static constexpr std::size_t block_size = 256; // 16 blocks: enough for the threads of a small machine
 
   // H d = g for the motion d of a vertex: xx, xy, xz of H, then yy, yz, zz, then g
   using Equations = std::array<Vector_3d, 3>;
@@ -138,7 +151,8 @@ private:
   {
     const Vector_3d& p = m_directions[v];
     const Tangent_frame frame(p);
-    const double h = 0.5 * m_spacing;
+    const double h =
+        0.5 * m_spacing; // The nodes of an image are that far apart: less is within a square, more smooths.
     const Vector_3d x = frame.vector_of(1., 0.), y = frame.vector_of(0., 1.);
     const std::size_t n = m_a.size();
     const std::array<Vector_3d, 5> places = {p, p + h * x, p - h * x, p + h * y, p - h * y};
@@ -159,6 +173,8 @@ private:
   // The motion in the tangent plane at p. Without features it is zero.
   static Vector_3d solution(const Equations& e, const Vector_3d& p)
   {
+    // The square of a gradient, of ranks from -1 to 1 by radians. What is flatter, by less than 0.2, moves less than it would
+    // have to: if it is more, real slopes are slow; if it is less, noise moves what is flat.
     constexpr double damping = 0.05;
     const Tangent_frame frame(p);
     const Vector_3d x = frame.vector_of(1., 0.), y = frame.vector_of(0., 1.);
@@ -172,16 +188,22 @@ private:
 
   // Moves all vertices, each a bit towards the centre of its neighbours as well; less where a triangle would become
   // smaller than half of what it was, in the grid or before. Returns whether there is such a motion.
-  bool move()
+  bool move(const std::vector<Vector_3d>& motion)
   {
-    constexpr double elasticity = 0.3, min_share = 0.5;
+    // More elasticity straightens what the features have bent; less lets triangles shrink until they are in the way.
+    constexpr double elasticity = 0.3;
+    // More than 0 for all triangles to stay positive. What is near 1 stops all motion; what is near 0 lets a triangle collapse
+    // in one step, from which it does not come back.
+    constexpr double min_share = 0.5;
+    // Steps are halved to 1 / 256, next to nothing, and then are 0, which may go on to the neighbours. More halvings take more
+    // time for less motion. The limit of trials bounds the time; what is in the way then ends the stage.
     constexpr int n_halvings = 8, max_trials = 40;
     std::vector<Vector_3d> steps(m_grid.size()), moved(m_grid.size());
     for(std::size_t v = 0; v < m_grid.size(); ++v)
     {
       const Vector_3d& p = m_directions[v];
       const Vector_3d to_center = average_at(v, m_directions) - p;
-      steps[v] = m_motion[v] + elasticity * (to_center - dot(to_center, p) * p);
+      steps[v] = motion[v] + elasticity * (to_center - dot(to_center, p) * p);
     }
     std::vector<double> shares(m_grid.size(), 1.);
     for(int trial = 0; trial < max_trials; ++trial)
@@ -218,10 +240,95 @@ private:
   std::vector<Channel> m_a;
   std::optional<Sphere_image> m_b;
   int m_n_motion = 0;
-  std::vector<Equations> m_equations;
-  std::vector<Vector_3d> m_motion;
 };
+
+// The mean of the neighbours of a vertex with weights (mean value coordinates) by which its image is such a mean.
+inline Vector_3d mean_of_neighbors(const Vertex_rings::Ring& ring, const Vector_3d& image,
+                                   const std::vector<Vector_3d>& images, const std::vector<Vector_3d>& p)
+{
+  Vector_3d sum = {0., 0., 0.};
+  for(std::size_t j = 0; j < ring.size(); ++j)
+  {
+    const std::uint32_t a = ring[j], b = ring.around(j + 1);
+    const Vector_3d u = images[a] - image, w = images[b] - image;
+    const double r = length(u), s = length(w);
+    const double tangent = length(cross(u, w)) / (r * s + dot(u, w)); // of half the angle
+    sum = sum + (tangent / r) * p[a] + (tangent / s) * p[b];
+  }
+  return sum;
+}
+
+// Carries the images of a mesh along with a grid that is bent, such that no triangle turns over. `K` is a kernel with
+// exact predicates on doubles. Returns the directions of the vertices, a bijection if the images are one: nearly where the
+// grid leads to; or none if that cannot be had, or the control says no meanwhile.
+//
+// Edges of the mesh are straight, where the grid bends them, so that some triangles turn over. The vertices around these
+// go to the weighted means of their neighbours: it turns the bent map into the rigid one, locally, and step by step
+// farther around what remains, for the more rounds it does.
+template <class K>
+std::optional<std::vector<Vector_3d>> bent_directions(const Sphere_triangulation<K>& images, const Sphere_grid& grid,
+                                                      const std::vector<Vector_3d>& bent_grid, Run_control& control,
+                                                      const Execution& execution)
+{
+  // A vertex takes one ring more along every four rounds, of five passes each: sooner, what is repaired is larger than it has to
+  // be; later, it takes longer. After 200 rounds that is 50 rings, which is most of a mesh, or there is no hope.
+  constexpr int n_rounds = 200, n_passes = 5, rounds_for_each_ring = 4;
+
+  const std::size_t n = images.points().size();
+  std::vector<Vector_3d> rigid;
+  for(std::size_t v = 0; v < n; ++v)
+    rigid.push_back(images.direction(v));
+  std::vector<Vector_3d> p;
+  for(const auto& place : grid.triangulation().locate(points_of<K>(rigid), execution))
+    p.push_back(normalized(interpolated(bent_grid, grid.triangles(), place)));
+  Vertex_rings rings;
+  build_rings(images.triangles(), n, rings);
+  const Orientation_about_origin_3<K> orientation;
+  const auto is_positive = [&](const Linked_triangle& t) {
+    const auto point = [&](std::size_t i) { return typename K::Point_3(p[t[i]][0], p[t[i]][1], p[t[i]][2]); };
+    return orientation(point(0), point(1), point(2)) == CGAL::POSITIVE;
+  };
+
+  std::vector<int> ages(n, 0), n_rings(n); // for how many rounds a vertex has moved, and how many rings around it do
+  std::vector<std::uint32_t> moving;
+  for(int round = 0; round < n_rounds; ++round)
+  {
+    moving.clear();
+    std::fill(n_rings.begin(), n_rings.end(), -1);
+    const auto add = [&](std::uint32_t v, int k) {
+      if(k > n_rings[v])
+      {
+        n_rings[v] = k;
+        moving.push_back(v); // perhaps again
+      }
+    };
+    for(const Linked_triangle& t : images.triangles())
+      if(!is_positive(t))
+        for(const std::uint32_t v : t.vertices)
+          add(v, ages[v] / rounds_for_each_ring);
+    if(moving.empty())
+      return p;
+    if(!control.go_further(0, 0.))
+      return std::nullopt;
+    for(const std::uint32_t v : moving)
+      ++ages[v];
+    for(std::size_t k = 0; k < moving.size(); ++k)
+      if(const std::uint32_t v = moving[k]; n_rings[v] > 0)
+        for(const std::uint32_t w : rings.ring(v))
+          add(w, n_rings[v] - 1);
+    std::sort(moving.begin(), moving.end());
+    moving.erase(std::unique(moving.begin(), moving.end()), moving.end());
+    for(int k = 0; k < n_passes; ++k)
+      for(const std::uint32_t v : moving)
+      {
+        const Vector_3d mean = mean_of_neighbors(rings.ring(v), rigid[v], rigid, p);
+        const double size = length(mean);
+        p[v] = size > 0. && is_finite(size) ? (1. / size) * mean : p[v];
+      }
+  }
+  return std::nullopt;
+}
 
 } // namespace CGAL::Spherical_parameterization::internal
 
-#endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_ALIGN_FEATURE_FLOW_H
+#endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_ALIGN_SPHERE_BENDING_H
