@@ -356,8 +356,14 @@ TEST(Harmonic_map, is_a_critical_point_of_the_energy)
 
       Recording_control control;
       const SP::Parameterization_report& report = control.report();
-      Harmonic_map<Solver> map(mesh, is_guarded, Execution());
-      ASSERT_TRUE(map.run(u, 100, control));
+      struct
+      {
+        std::vector<Vector_3d>& positions;
+        double radius;
+        Recording_control& control;
+      } run = {u, 0., control};
+      ASSERT_EQ(SP::internal::lower_energy(Harmonic_map<Solver>(mesh, is_guarded, Execution()), 100, run), SP::OK);
+      EXPECT_EQ(run.radius, 1.);
       EXPECT_EQ(report.stop_reason, SP::CONVERGED);
       EXPECT_EQ(report.initial_energy, start_energy);
       EXPECT_EQ(report.average_energy, dirichlet_energy(mesh.rings(), weights, u, shares, Execution()));

@@ -25,7 +25,6 @@
 #include <CGAL/number_type_config.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>

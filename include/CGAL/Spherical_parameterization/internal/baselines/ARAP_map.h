@@ -8,20 +8,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Author(s)     : The Spherical_parameterization authors
-//
 
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_BASELINES_ARAP_MAP_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_BASELINES_ARAP_MAP_H
 
 #include <CGAL/license/Spherical_parameterization.h>
 
-#include <CGAL/Spherical_parameterization/Error_code.h>
 #include <CGAL/Spherical_parameterization/internal/baselines/Laplacian_system.h>
 #include <CGAL/Spherical_parameterization/internal/surface/Surface.h>
 #include <CGAL/Spherical_parameterization/internal/surface/Rest_triangle.h>
 #include <CGAL/Spherical_parameterization/internal/surface/Vertex_rings.h>
 #include <CGAL/Spherical_parameterization/internal/surface/mesh_measures.h>
-#include <CGAL/Spherical_parameterization/internal/run/Run_control.h>
 #include <CGAL/Spherical_parameterization/internal/run/parallel.h>
 #include <CGAL/Spherical_parameterization/internal/numbers/Vector_3.h>
 
@@ -79,8 +76,7 @@ public:
   // descent: what the rotated edges would have the edges change by, summed up at each vertex.
   void forces(const std::vector<Vector_3d>& u, std::vector<Vector_3d>& b) const
   {
-    for(Vector_3d& x : b)
-      x = {0., 0., 0.};
+    b.assign(b.size(), Vector_3d{0., 0., 0.});
     for(const Face& face : m_faces)
       for(std::size_t i = 0; i < 3; ++i)
       {
@@ -176,21 +172,18 @@ public:
     , m_step(mesh.number_of_vertices())
   {}
 
-  // Lowers the energy of `positions` and sets the radius, in the caller's unit of length; returns false if the linear
-  // system cannot be solved.
-  bool run(std::vector<Vector_3d>& positions, double& radius, std::size_t max_rounds, Run_control& control)
-  {
-    const std::vector<double> weights =
-        cotangent_weights(m_mesh.rings(), m_mesh.points(), std::numeric_limits<double>::lowest());
-    return m_system.factor(m_mesh.rings(), weights, [](std::uint32_t v) { return v == 0; }) &&
-           lower_energy(*this, positions, radius, max_rounds, control);
-  }
-
-  // What lower_energy() asks for.
+  // What lower_energy() asks for; the radius is in the caller's unit of length.
 
   static constexpr double tolerance = 1e-6; // of the energy
   static constexpr double max_rise = 0.;
   static constexpr int max_halvings = 12;
+
+  bool factor()
+  {
+    const std::vector<double> weights =
+        cotangent_weights(m_mesh.rings(), m_mesh.points(), std::numeric_limits<double>::lowest());
+    return m_system.factor(m_mesh.rings(), weights, [](std::uint32_t v) { return v == 0; });
+  }
 
   double energy_of(const std::vector<Vector_3d>& positions) { return m_energy.fit(positions); }
   double radius() const { return m_energy.radius() * m_mesh.equal_area_radius(); }
@@ -226,18 +219,6 @@ private:
   std::vector<Vector_3d> m_step;
   Laplacian_system<SolverTraits> m_system;
 };
-
-// Makes the map of a run as rigid as possible.
-template <class SolverTraits, class Run>
-Error_code map_as_rigidly_as_possible(std::size_t max_iterations, Run& run)
-{
-  ARAP_map<SolverTraits> map(run.surface, run.execution);
-  if(!map.run(run.positions, run.radius, max_iterations, run.control))
-    return ERROR_CANNOT_SOLVE_LINEAR_SYSTEM;
-  run.control.report().seconds_for_optimization = run.control.lap();
-  run.control.on_optimization_end();
-  return OK;
-}
 
 } // namespace CGAL::Spherical_parameterization::internal
 

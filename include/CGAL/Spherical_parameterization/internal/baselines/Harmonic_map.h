@@ -8,7 +8,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Author(s)     : The Spherical_parameterization authors
-//
 
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_BASELINES_HARMONIC_MAP_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_BASELINES_HARMONIC_MAP_H
@@ -22,7 +21,6 @@
 #include <CGAL/Spherical_parameterization/internal/surface/Surface.h>
 #include <CGAL/Spherical_parameterization/internal/surface/Vertex_rings.h>
 #include <CGAL/Spherical_parameterization/internal/surface/mesh_measures.h>
-#include <CGAL/Spherical_parameterization/internal/run/Run_control.h>
 #include <CGAL/Spherical_parameterization/internal/run/parallel.h>
 #include <CGAL/Spherical_parameterization/internal/numbers/Vector_3.h>
 
@@ -83,19 +81,16 @@ public:
     , m_shares(m_masses.size())
   {}
 
-  // Lowers the energy of `positions`; returns false if the linear system cannot be solved.
-  bool run(std::vector<Vector_3d>& positions, std::size_t max_rounds, Run_control& control)
-  {
-    double radius;
-    return m_system.factor(m_mesh.rings(), m_weights, [](std::uint32_t v) { return v == 0; }) &&
-           lower_energy(*this, positions, radius, max_rounds, control);
-  }
-
   // What lower_energy() asks for.
 
   static constexpr double tolerance = 1e-9; // of the energy; positions may go on turning around the centre together
   static constexpr double max_rise = 1e-4;  // above the lowest energy so far: the transformation may cost a little
   static constexpr int max_halvings = 8;
+
+  bool factor()
+  {
+    return m_system.factor(m_mesh.rings(), m_weights, [](std::uint32_t v) { return v == 0; });
+  }
 
   double energy_of(const std::vector<Vector_3d>& positions)
   {
@@ -149,12 +144,7 @@ Error_code map_harmonically(Run& run, bool has_to_be_bijective, std::size_t max_
 {
   if(const Error_code error = embed_stereographically<SolverTraits>(run, has_to_be_bijective))
     return error;
-  Harmonic_map<SolverTraits> map(run.surface, has_to_be_bijective, run.execution);
-  if(!map.run(run.positions, max_rounds, run.control))
-    return ERROR_CANNOT_SOLVE_LINEAR_SYSTEM;
-  run.control.report().seconds_for_optimization = run.control.lap();
-  run.control.on_optimization_end();
-  return OK;
+  return lower_energy(Harmonic_map<SolverTraits>(run.surface, has_to_be_bijective, run.execution), max_rounds, run);
 }
 
 } // namespace CGAL::Spherical_parameterization::internal

@@ -8,16 +8,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Author(s)     : The Spherical_parameterization authors
-//
 
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_BASELINES_LAPLACIAN_SYSTEM_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_BASELINES_LAPLACIAN_SYSTEM_H
 
 #include <CGAL/license/Spherical_parameterization.h>
 
+#include <CGAL/Spherical_parameterization/Error_code.h>
 #include <CGAL/Spherical_parameterization/Parameterization_report.h>
 #include <CGAL/Spherical_parameterization/internal/numbers/Vector_3.h>
-#include <CGAL/Spherical_parameterization/internal/run/Run_control.h>
 #include <CGAL/Spherical_parameterization/internal/surface/Vertex_rings.h>
 
 #include <CGAL/Default.h>
@@ -121,47 +120,50 @@ private:
   std::vector<std::uint32_t> m_vertices; // of the rows
 };
 
-// Lowers the energy of a map by rounds, each of which solves a linear system. `method` has
+// Lowers the energy of the map of a run by rounds, each of which solves a linear system. `method` has
+//   bool factor()                        whether the matrix of the system could be factored
 //   bool find_step(positions)            whether the system could be solved
 //   bool move(positions, t, candidate)   whether the map that is the part t of the step away is allowed; if not, or if its
 //                                        energy is too high, the step is halved
 //   double energy_of(positions)          and radius(), that which is best for the last one
-// Returns false if a system could not be solved.
-template <class Method>
-bool lower_energy(Method& method, std::vector<Vector_3d>& positions, double& radius, std::size_t max_rounds,
-                  Run_control& control)
+template <class Method, class Run>
+Error_code lower_energy(Method&& method, std::size_t max_rounds, Run& run)
 {
-  Parameterization_report& report = control.report();
+  using Constants = std::remove_reference_t<Method>;
+  if(!method.factor())
+    return ERROR_CANNOT_SOLVE_LINEAR_SYSTEM;
+  std::vector<Vector_3d>& positions = run.positions;
+  Parameterization_report& report = run.control.report();
   double energy = method.energy_of(positions), lowest_energy = energy;
-  radius = method.radius();
+  run.radius = method.radius();
   report.initial_energy = energy;
   report.stop_reason = ITERATION_LIMIT;
   std::vector<Vector_3d> candidate(positions.size());
   for(std::size_t i = 0; i < max_rounds; ++i)
   {
     if(!method.find_step(positions))
-      return false;
+      return ERROR_CANNOT_SOLVE_LINEAR_SYSTEM;
     double t = 1., next_energy = 0.;
     bool is_found = false;
-    for(int halving = 0; halving < Method::max_halvings && !is_found; ++halving, t *= 0.5)
+    for(int halving = 0; halving < Constants::max_halvings && !is_found; ++halving, t *= 0.5)
     {
       const bool is_allowed = method.move(positions, t, candidate);
       next_energy = is_allowed ? method.energy_of(candidate) : std::numeric_limits<double>::infinity();
-      is_found = next_energy < (1. + Method::max_rise) * lowest_energy;
+      is_found = next_energy < (1. + Constants::max_rise) * lowest_energy;
     }
     if(!is_found)
     {
-      report.stop_reason = next_energy - energy <= Method::tolerance * energy ? CONVERGED : OBSTRUCTED;
+      report.stop_reason = next_energy - energy <= Constants::tolerance * energy ? CONVERGED : OBSTRUCTED;
       break;
     }
-    const bool has_settled = std::abs(next_energy - energy) < Method::tolerance * energy;
+    const bool has_settled = std::abs(next_energy - energy) < Constants::tolerance * energy;
     positions.swap(candidate);
     energy = next_energy;
     lowest_energy = (std::min)(lowest_energy, energy);
-    radius = method.radius();
+    run.radius = method.radius();
     ++report.number_of_average_iterations;
-    control.after_iteration(i + 1, energy, radius);
-    if(!control.go_further(i + 1, energy))
+    run.control.after_iteration(i + 1, energy, run.radius);
+    if(!run.control.go_further(i + 1, energy))
       break;
     if(has_settled)
     {
@@ -170,7 +172,9 @@ bool lower_energy(Method& method, std::vector<Vector_3d>& positions, double& rad
     }
   }
   report.average_energy = energy;
-  return true;
+  report.seconds_for_optimization = run.control.lap();
+  run.control.on_optimization_end();
+  return OK;
 }
 
 } // namespace CGAL::Spherical_parameterization::internal

@@ -8,7 +8,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Author(s)     : The Spherical_parameterization authors
-//
 
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_BASELINES_STEREOGRAPHIC_EMBEDDING_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_BASELINES_STEREOGRAPHIC_EMBEDDING_H
@@ -188,22 +187,21 @@ public:
   // Takes the plane to the sphere; returns whether no face is turned over.
   bool project(std::vector<Vector_3d>& positions) const
   {
-    const auto are_positive = [&](const std::vector<Vector_3d>& p) { return are_safely_positive(m_rings, p); };
     const auto stereographic = [](const Vector_3d& p) {
       return Vector_3d{2. * p[0], 2. * p[1], squared_length(p) - 1.};
     };
     const auto central = [](const Vector_3d& p) { return Vector_3d{p[0], p[1], -1.}; };
     project_by(stereographic, positions);
-    if(!are_positive(positions))
-      project_by(central, positions);
-    const bool is_bijective = are_positive(positions);
-    if(is_bijective)
-      center_mass(positions, m_masses, are_positive);
-    else
+    bool is_bijective = are_safely_positive(m_rings, positions);
+    if(!is_bijective)
     {
-      project_by(stereographic, positions);
-      center_mass(positions, m_masses, [](const std::vector<Vector_3d>&) { return true; });
+      project_by(central, positions);
+      is_bijective = are_safely_positive(m_rings, positions);
     }
+    if(!is_bijective)
+      project_by(stereographic, positions);
+    center_mass(positions, m_masses,
+                [&](const std::vector<Vector_3d>& p) { return !is_bijective || are_safely_positive(m_rings, p); });
     return is_bijective;
   }
 

@@ -30,68 +30,17 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <memory>
 #include <type_traits>
 #include <vector>
 
 namespace CGAL::Spherical_parameterization::internal {
 
-// The mean of values that have weights. Types without one are labels.
-template <class T, class Enable = void>
-struct Mean;
-
-template <class T, class Enable = void>
-constexpr bool has_mean = false;
-template <class T>
-constexpr bool has_mean<T, std::enable_if_t<(sizeof(Mean<T>) > 0)>> = true;
-
-template <class T>
-struct Mean<T, std::enable_if_t<std::is_floating_point<T>::value>>
+struct Mixture_term
 {
-  double sum = 0.;
-
-  void add(double weight, const T& value) { sum += weight * static_cast<double>(value); }
-  T over(double weight) const { return static_cast<T>(sum / weight); }
-};
-
-template <class T, std::size_t n>
-struct Mean<std::array<T, n>, std::enable_if_t<has_mean<T>>>
-{
-  std::array<Mean<T>, n> components;
-
-  void add(double weight, const std::array<T, n>& value)
-  {
-    for(std::size_t i = 0; i < n; ++i)
-      components[i].add(weight, value[i]);
-  }
-  std::array<T, n> over(double weight) const
-  {
-    std::array<T, n> result;
-    for(std::size_t i = 0; i < n; ++i)
-      result[i] = components[i].over(weight);
-    return result;
-  }
-};
-
-template <class T>
-struct Mean<std::vector<T>, std::enable_if_t<has_mean<T>>>
-{
-  std::vector<Mean<T>> components; // as many as the longest vector has
-
-  void add(double weight, const std::vector<T>& value)
-  {
-    if(components.size() < value.size())
-      components.resize(value.size());
-    for(std::size_t i = 0; i < value.size(); ++i)
-      components[i].add(weight, value[i]);
-  }
-  std::vector<T> over(double weight) const
-  {
-    std::vector<T> result;
-    for(const Mean<T>& component : components)
-      result.push_back(component.over(weight));
-    return result;
-  }
+  std::uint32_t source;
+  double weight; // positive
 };
 
 template <class T>
@@ -105,48 +54,64 @@ constexpr std::size_t cartesian_dimension<CGAL::Point_3<K>> = 3;
 template <class K>
 constexpr std::size_t cartesian_dimension<CGAL::Vector_3<K>> = 3;
 
+// Whether values of a type have a mean. Others are labels.
 template <class T>
-struct Mean<T, std::enable_if_t<(cartesian_dimension<T> > 0)>>
-{
-  std::array<double, cartesian_dimension<T>> sums = {};
+constexpr bool has_mean =
+    std::is_floating_point<T>::value || std::is_same<T, CGAL::IO::Color>::value || cartesian_dimension<T> != 0;
+template <class T, std::size_t n>
+constexpr bool has_mean<std::array<T, n>> = has_mean<T>;
+template <class T>
+constexpr bool has_mean<std::vector<T>> = has_mean<T>;
 
-  void add(double weight, const T& value)
+// The mean of what value(source) points to for some terms; a null pointer stands for zeros.
+template <class T, class Value>
+T mean_value(const Mixture_term* begin, const Mixture_term* end, const Value& value)
+{
+  const auto mean = [&](const auto& number_of) {
+    double sum = 0., weight = 0.;
+    for(const Mixture_term* term = begin; term != end; ++term)
+    {
+      if(const T* const x = value(term->source))
+        sum += term->weight * number_of(*x);
+      weight += term->weight;
+    }
+    return sum / weight;
+  };
+  if constexpr(std::is_floating_point<T>::value)
+    return static_cast<T>(mean([](const T& x) { return static_cast<double>(x); }));
+  else if constexpr(std::is_same<T, CGAL::IO::Color>::value)
   {
-    for(std::size_t i = 0; i < sums.size(); ++i)
-      sums[i] += weight * CGAL::to_double(value[static_cast<int>(i)]);
+    const auto channel = [&](const auto& value_of) {
+      return static_cast<unsigned char>(std::lround(mean([&](const T& x) { return double(value_of(x)); })));
+    };
+    return T(channel([](const T& x) { return x.red(); }), channel([](const T& x) { return x.green(); }),
+             channel([](const T& x) { return x.blue(); }), channel([](const T& x) { return x.alpha(); }));
   }
-  T over(double weight) const
+  else if constexpr(cartesian_dimension<T> != 0)
   {
     using FT = typename Kernel_traits<T>::Kernel::FT;
+    const auto coordinate = [&](int i) { return FT(mean([&](const T& x) { return CGAL::to_double(x[i]); })); };
     if constexpr(cartesian_dimension<T> == 2)
-      return T(FT(sums[0] / weight), FT(sums[1] / weight));
+      return T(coordinate(0), coordinate(1));
     else
-      return T(FT(sums[0] / weight), FT(sums[1] / weight), FT(sums[2] / weight));
+      return T(coordinate(0), coordinate(1), coordinate(2));
   }
-};
-
-template <>
-struct Mean<CGAL::IO::Color>
-{
-  Mean<std::array<double, 4>> channels;
-
-  void add(double weight, const CGAL::IO::Color& value)
+  else // an array, or a vector, which becomes as long as the longest one
   {
-    channels.add(weight, {double(value.red()), double(value.green()), double(value.blue()), double(value.alpha())});
+    using Component = typename T::value_type;
+    T result{};
+    if constexpr(std::is_same<T, std::vector<Component>>::value)
+      for(const Mixture_term* term = begin; term != end; ++term)
+        if(const T* const x = value(term->source))
+          result.resize((std::max)(result.size(), x->size()));
+    for(std::size_t i = 0; i < result.size(); ++i)
+      result[i] = mean_value<Component>(begin, end, [&](std::size_t source) -> const Component* {
+        const T* const x = value(source);
+        return x && i < x->size() ? &(*x)[i] : nullptr;
+      });
+    return result;
   }
-  CGAL::IO::Color over(double weight) const
-  {
-    const std::array<double, 4> mean = channels.over(weight);
-    const auto channel = [&](std::size_t i) { return static_cast<unsigned char>(std::lround(mean[i])); };
-    return CGAL::IO::Color(channel(0), channel(1), channel(2), channel(3));
-  }
-};
-
-struct Mixture_term
-{
-  std::uint32_t source;
-  double weight; // positive
-};
+}
 
 // The mean of the values of some terms; of labels, the one with the largest sum of weights, the first one if several have.
 template <class T>
@@ -155,40 +120,17 @@ T mixed_value(const Mixture_term* begin, const Mixture_term* end, const T* value
   if(end - begin == 1)
     return values[begin->source];
   if constexpr(has_mean<T>)
-  {
-    Mean<T> mean;
-    double weight = 0.;
-    for(const Mixture_term* term = begin; term != end; ++term)
-    {
-      mean.add(term->weight, values[term->source]);
-      weight += term->weight;
-    }
-    return mean.over(weight);
-  }
+    return mean_value<T>(begin, end, [&](std::size_t source) { return values + source; });
   else
   {
-    const auto is_less = [&](const Mixture_term* a, const Mixture_term* b) {
-      return std::less<T>()(values[a->source], values[b->source]);
-    };
-    std::vector<const Mixture_term*> terms;
+    const auto is_less = [](const T* a, const T* b) { return std::less<T>()(*a, *b); };
+    std::map<const T*, double, decltype(is_less)> weights(is_less);
     for(const Mixture_term* term = begin; term != end; ++term)
-      terms.push_back(term);
-    std::stable_sort(terms.begin(), terms.end(), is_less);
-    const Mixture_term* best = nullptr;
-    double best_weight = 0.;
-    for(std::size_t i = 0; i < terms.size();)
-    {
-      const Mixture_term* const first = terms[i]; // with its label
-      double weight = 0.;
-      for(; i < terms.size() && !is_less(first, terms[i]); ++i)
-        weight += terms[i]->weight;
-      if(!best || weight > best_weight || (weight == best_weight && first < best))
-      {
-        best = first;
-        best_weight = weight;
-      }
-    }
-    return values[best->source];
+      weights[values + term->source] += term->weight;
+    const auto has_less_weight = [&](const Mixture_term& a, const Mixture_term& b) {
+      return weights[values + a.source] < weights[values + b.source];
+    };
+    return values[std::max_element(begin, end, has_less_weight)->source];
   }
 }
 
