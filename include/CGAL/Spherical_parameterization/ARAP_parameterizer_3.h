@@ -17,7 +17,7 @@
 #include <CGAL/Spherical_parameterization/Error_code.h>
 #include <CGAL/Spherical_parameterization/Hierarchical_parameterizer_3.h>
 #include <CGAL/Spherical_parameterization/Parameterization_report.h>
-#include <CGAL/Spherical_parameterization/internal/baselines/ARAP_map.h>
+#include <CGAL/Spherical_parameterization/internal/baselines/Linear_step_maps.h>
 #include <CGAL/Spherical_parameterization/internal/run/policy_traits.h>
 #include <CGAL/Spherical_parameterization/internal/run_parameterization.h>
 

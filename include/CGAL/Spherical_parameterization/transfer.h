@@ -61,9 +61,12 @@ Error_code carry_properties(const SourceMesh& source, const SourceSphereMap& sou
   const auto places = source_triangulation.locate(target_triangulation.points(), execution);
   const Transfer_mixtures<Exact_kernel> mixtures(source_triangulation, std::move(source_arrays.points),
                                                  target_triangulation, places, execution);
-  Property_carrier<SourceMesh, TargetMesh, Exact_kernel> carrier(
+  if(!control.go_further(0, 0.))
+    return ERROR_STOPPED;
+  Property_carrier<SourceMesh, TargetMesh, Exact_kernel> carrier = {
       {source_arrays.vertices_of_mesh, source_arrays.faces_of_mesh},
-      {target_arrays.vertices_of_mesh, target_arrays.faces_of_mesh}, mixtures);
+      {target_arrays.vertices_of_mesh, target_arrays.faces_of_mesh},
+      mixtures};
   carry(carrier);
   return OK;
 }

@@ -127,18 +127,9 @@ namespace IO {
 ///
 /// This header needs the library OpenEXR, version 3, and is not among those that `CGAL/spherical_parameterization.h` includes.
 ///
-/// \tparam TriangleMesh a model of `VertexListGraph`
-/// \tparam VertexMap a model of `ReadablePropertyMap` with
-///         `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and as value type `%Point_3` or `%Vector_3` of a
-///         \cgal kernel, or a type of numbers
+/// The parameters are those of `write_PNG_geometry_image()`.
 ///
-/// \param out the file, in binary mode
-/// \param remesh a mesh that has been made by `remesh_through_sphere()` with `Sphere_domain_3::octahedron()` or
-///        `Sphere_domain_3::cube()`
-/// \param map what is to be written: the points, say, or the normals
-///
-/// \return `OK`; `ERROR_NO_GEOMETRY_IMAGE_MESH` if no such domain has as many vertices as the mesh;
-///         `ERROR_NON_FINITE_COORDINATE`, also of what is beyond the range of `float`; or `ERROR_CANNOT_WRITE_FILE`
+/// \return what `write_PNG_geometry_image()` returns; `ERROR_NON_FINITE_COORDINATE` also of what is beyond the range of `float`
 template <class TriangleMesh, class VertexMap>
 [[nodiscard]] Error_code write_EXR_geometry_image(std::ostream& out, const TriangleMesh& remesh, VertexMap map)
 {
@@ -156,14 +147,10 @@ template <class TriangleMesh, class VertexMap>
 /// adds the mesh to `tmesh` whose points a file of `write_EXR_geometry_image()` holds: closed, with the connectivity of the
 /// domain, and with the coordinates that were written, rounded to `float`.
 ///
-/// \tparam TriangleMesh a model of `MutableFaceGraph` with an internal vertex point property map
+/// The parameters are those of `read_PNG_geometry_image()`.
 ///
-/// \param in the file, in binary mode
-/// \param tmesh receives the mesh
-///
-/// \return `OK`; `ERROR_INVALID_IMAGE_FILE` if the file is damaged, or lacks the channels R, G and B;
-///         `ERROR_INVALID_IMAGE_SIZE` if it has other sizes than these images; `ERROR_NON_FINITE_COORDINATE`; or
-///         `ERROR_NON_MATCHING_BOUNDARY` if pixels differ that are the same vertex. Nothing is added then.
+/// \return what `read_PNG_geometry_image()` returns; `ERROR_INVALID_IMAGE_FILE` if the file is damaged, or lacks the channels R,
+///         G and B
 template <class TriangleMesh>
 [[nodiscard]] Error_code read_EXR_geometry_image(std::istream& in, TriangleMesh& tmesh)
 {

@@ -137,20 +137,19 @@ double center_mass(std::vector<Vector_3d>& points, const std::vector<double>& ma
       break;
     if(size > max_push)
       push = (max_push / size) * push;
-    bool is_moved = false;
-    for(int halving = 0; halving < max_halvings && !is_moved; ++halving, push = 0.5 * push)
-    {
+    Vector_3d next_center;
+    const auto is_nearer = [&] {
       std::transform(points.begin(), points.end(), moved.begin(), Moebius_transformation{push});
-      const Vector_3d next_center = center_of_mass(moved, masses);
-      if(length(next_center) < length(center) && is_admissible(moved))
-      {
-        center = next_center;
-        points.swap(moved);
-        is_moved = true;
-      }
-    }
-    if(!is_moved)
+      next_center = center_of_mass(moved, masses);
+      return length(next_center) < length(center) && is_admissible(moved);
+    };
+    int n_halvings = 0;
+    for(; n_halvings < max_halvings && !is_nearer(); ++n_halvings)
+      push = 0.5 * push;
+    if(n_halvings == max_halvings)
       break;
+    center = next_center;
+    points.swap(moved);
   }
   return length(center);
 }
@@ -191,15 +190,9 @@ public:
       return Vector_3d{2. * p[0], 2. * p[1], squared_length(p) - 1.};
     };
     const auto central = [](const Vector_3d& p) { return Vector_3d{p[0], p[1], -1.}; };
-    project_by(stereographic, positions);
-    bool is_bijective = are_safely_positive(m_rings, positions);
+    const bool is_bijective = is_positive_by(stereographic, positions) || is_positive_by(central, positions);
     if(!is_bijective)
-    {
-      project_by(central, positions);
-      is_bijective = are_safely_positive(m_rings, positions);
-    }
-    if(!is_bijective)
-      project_by(stereographic, positions);
+      is_positive_by(stereographic, positions);
     center_mass(positions, m_masses,
                 [&](const std::vector<Vector_3d>& p) { return !is_bijective || are_safely_positive(m_rings, p); });
     return is_bijective;
@@ -210,7 +203,7 @@ private:
   // turn or more.
   void place_ring_of_pole()
   {
-    const double turn = 2. * CGAL_PI;
+    constexpr double turn = 2. * CGAL_PI, own_blend = 0.6; // how much of an angle follows the one at the pole
     const Vertex_rings::Ring ring = m_rings.ring(m_pole);
     std::vector<double> angles(ring.size());
     double sum = 0.;
@@ -288,17 +281,16 @@ private:
     }
   }
 
+  // Projects the plane; returns whether no face is turned over.
   template <class Projection>
-  void project_by(const Projection& projection, std::vector<Vector_3d>& positions) const
+  bool is_positive_by(const Projection& projection, std::vector<Vector_3d>& positions) const
   {
     positions.resize(m_plane.size());
     for(std::size_t v = 0; v < m_plane.size(); ++v)
       positions[v] = normalized(projection(m_plane[v]));
     positions[m_pole] = {0., 0., 1.};
+    return are_safely_positive(m_rings, positions);
   }
-
-  // how much of an angle follows the angle at the pole
-  static constexpr double own_blend = 0.6;
 
   const Surface& m_mesh;
   const Vertex_rings& m_rings;

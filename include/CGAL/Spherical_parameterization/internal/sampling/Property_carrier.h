@@ -33,6 +33,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <tuple>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -86,12 +87,9 @@ public:
     };
     std::vector<double> sums(n, 0.); // of the weights for averages; 0 for what is interpolated
     for_each_in_stars([&](std::uint32_t v, std::uint32_t, double weight) { sums[v] += weight; });
-    constexpr std::size_t block_size = 4096;
-    for_each_block(m_execution, 0, n, block_size, [&](std::size_t begin, std::size_t end) {
-      for(std::size_t v = begin; v < end; ++v)
-        if(sums[v] > 0. && !has_average(v))
-          sums[v] = 0.;
-    });
+    for(std::size_t v = 0; v < n; ++v)
+      if(sums[v] > 0. && !has_average(v))
+        sums[v] = 0.;
     return Mixtures(n, [&](const auto& add) {
       for(std::size_t v = 0; v < n; ++v)
         for(std::size_t i = 0; i < 3 && !(sums[v] > 0.); ++i)
@@ -179,15 +177,12 @@ struct Mesh_elements
 
 // Carries property maps from a mesh to another one.
 template <class SourceMesh, class TargetMesh, class K>
-class Property_carrier
+struct Property_carrier
 {
-public:
-  Property_carrier(const Mesh_elements<SourceMesh>& source, const Mesh_elements<TargetMesh>& target,
-                   const Transfer_mixtures<K>& mixtures)
-    : m_source(source)
-    , m_target(target)
-    , m_mixtures(mixtures)
-  {}
+  Mesh_elements<SourceMesh> source;
+  Mesh_elements<TargetMesh> target;
+  const Transfer_mixtures<K>& mixtures;
+  std::optional<Mixtures> of_vertices = {}, of_faces = {}; // made when they are needed
 
   template <class SourceMap, class TargetMap>
   void carry(const SourceMap& source_map, const TargetMap& target_map)
@@ -196,6 +191,8 @@ public:
     using Target = boost::graph_traits<TargetMesh>;
     using Key = typename boost::property_traits<SourceMap>::key_type;
     using Target_key = typename boost::property_traits<TargetMap>::key_type;
+    using Value = typename boost::property_traits<SourceMap>::value_type;
+    using Target_value = typename boost::property_traits<TargetMap>::value_type;
     constexpr bool is_of_faces = std::is_same<Key, typename Source::face_descriptor>::value;
     static_assert(is_of_faces || std::is_convertible<typename Source::vertex_descriptor, Key>::value,
                   "A property map of the source has to be one of its vertices or faces.");
@@ -204,37 +201,25 @@ public:
     static_assert(std::is_convertible<Target_element, Target_key>::value,
                   "A property of vertices has to be carried to one of the target's vertices, and one of faces to one "
                   "of its faces.");
+    const auto mix = [&](const Mixtures& of_elements, const auto& sources, const auto& targets) {
+      of_elements.mix<Value>(
+          sources.size(), [&](std::size_t i) -> Value { return get(source_map, sources[i]); },
+          [&](std::size_t i, const Value& value) { put(target_map, targets[i], static_cast<Target_value>(value)); },
+          mixtures.execution());
+    };
     if constexpr(is_of_faces)
     {
-      if(!m_of_faces)
-        m_of_faces = m_mixtures.face_mixtures();
-      mix(*m_of_faces, m_source.faces, source_map, m_target.faces, target_map);
+      if(!of_faces)
+        of_faces = mixtures.face_mixtures();
+      mix(*of_faces, source.faces, target.faces);
     }
     else
     {
-      if(!m_of_vertices)
-        m_of_vertices = m_mixtures.vertex_mixtures();
-      mix(*m_of_vertices, m_source.vertices, source_map, m_target.vertices, target_map);
+      if(!of_vertices)
+        of_vertices = mixtures.vertex_mixtures();
+      mix(*of_vertices, source.vertices, target.vertices);
     }
   }
-
-private:
-  template <class Sources, class SourceMap, class Targets, class TargetMap>
-  void mix(const Mixtures& mixtures, const Sources& sources, const SourceMap& source_map, const Targets& targets,
-           const TargetMap& target_map) const
-  {
-    using Value = typename boost::property_traits<SourceMap>::value_type;
-    using Target_value = typename boost::property_traits<TargetMap>::value_type;
-    mixtures.mix<Value>(
-        sources.size(), [&](std::size_t i) -> Value { return get(source_map, sources[i]); },
-        [&](std::size_t i, const Value& value) { put(target_map, targets[i], static_cast<Target_value>(value)); },
-        m_mixtures.execution());
-  }
-
-  Mesh_elements<SourceMesh> m_source;
-  Mesh_elements<TargetMesh> m_target;
-  const Transfer_mixtures<K>& m_mixtures;
-  std::optional<Mixtures> m_of_vertices, m_of_faces; // made when they are needed
 };
 
 // what Surface_mesh::property_map() returns, which is a pair up to CGAL 5
@@ -258,50 +243,40 @@ bool are_the_same(const Map& map, const OtherMap& other)
     return false;
 }
 
-template <class... Types>
-struct Type_list
-{};
+template <class, class>
+constexpr bool are_surface_meshes = false;
+template <class SourcePoint, class TargetPoint>
+constexpr bool are_surface_meshes<Surface_mesh<SourcePoint>, Surface_mesh<TargetPoint>> = true;
 
-// Carries all properties of vertices or faces that have one of the types.
-template <class Index, class... Values, class Carrier, class Source, class SourceSphereMap, class Target,
-          class TargetSphereMap>
-void carry_properties_of_types(Type_list<Values...>, Carrier& carrier, const Source& source,
-                               const SourceSphereMap& source_sphere, Target& target,
-                               const TargetSphereMap& target_sphere)
+// Carries all properties of vertices and faces that have a type of this list.
+template <class Carrier, class SourcePoint, class SourceSphereMap, class TargetPoint, class TargetSphereMap>
+void carry_all_properties(Carrier& carrier, const Surface_mesh<SourcePoint>& source,
+                          const SourceSphereMap& source_sphere, Surface_mesh<TargetPoint>& target,
+                          const TargetSphereMap& target_sphere)
 {
-  const auto carry = [&](const std::string& name, const auto& source_map) {
-    using Value = typename boost::property_traits<typename std::decay_t<decltype(source_map)>::value_type>::value_type;
+  using Source = Surface_mesh<SourcePoint>;
+  using K = typename Kernel_traits<SourcePoint>::Kernel;
+  using Types = std::tuple<bool, char, signed char, unsigned char, short, unsigned short, int, unsigned int, long,
+                           unsigned long, long long, unsigned long long, float, double, std::string, CGAL::IO::Color,
+                           typename K::Point_2, typename K::Vector_2, typename K::Point_3, typename K::Vector_3,
+                           std::array<double, 2>, std::array<double, 3>, std::vector<double>>;
+  const auto carry = [&](auto index, const std::string& name, const auto& value) {
+    using Index = decltype(index);
+    using Value = std::decay_t<decltype(value)>;
+    const auto source_map = as_optional(source.template property_map<Index, Value>(name));
     if(!source_map || are_the_same(*source_map, source_sphere))
       return;
     const auto target_map = target.template add_property_map<Index, Value>(name).first;
     if(!are_the_same(target_map, target_sphere))
       carrier.carry(*source_map, target_map);
   };
-  for(const std::string& name : source.template properties<Index>())
-    if(name != "v:point" && name != "v:removed" && name != "f:removed")
-      (carry(name, as_optional(source.template property_map<Index, Values>(name))), ...);
-}
-
-template <class, class>
-constexpr bool are_surface_meshes = false;
-template <class SourcePoint, class TargetPoint>
-constexpr bool are_surface_meshes<Surface_mesh<SourcePoint>, Surface_mesh<TargetPoint>> = true;
-
-template <class Carrier, class SourcePoint, class SourceSphereMap, class TargetPoint, class TargetSphereMap>
-void carry_all_properties(Carrier& carrier, const Surface_mesh<SourcePoint>& source,
-                          const SourceSphereMap& source_sphere, Surface_mesh<TargetPoint>& target,
-                          const TargetSphereMap& target_sphere)
-{
-  using K = typename Kernel_traits<SourcePoint>::Kernel;
-  using Types = Type_list<bool, char, signed char, unsigned char, short, unsigned short, int, unsigned int, long,
-                          unsigned long, long long, unsigned long long, float, double, std::string, CGAL::IO::Color,
-                          typename K::Point_2, typename K::Vector_2, typename K::Point_3, typename K::Vector_3,
-                          std::array<double, 2>, std::array<double, 3>, std::vector<double>>;
-  using Source = Surface_mesh<SourcePoint>;
-  carry_properties_of_types<typename Source::Vertex_index>(Types(), carrier, source, source_sphere, target,
-                                                           target_sphere);
-  carry_properties_of_types<typename Source::Face_index>(Types(), carrier, source, source_sphere, target,
-                                                         target_sphere);
+  const auto carry_all_of = [&](auto index) {
+    for(const std::string& name : source.template properties<decltype(index)>())
+      if(name != "v:point" && name != "v:removed" && name != "f:removed")
+        std::apply([&](const auto&... values) { (carry(index, name, values), ...); }, Types());
+  };
+  carry_all_of(typename Source::Vertex_index());
+  carry_all_of(typename Source::Face_index());
 }
 
 } // namespace CGAL::Spherical_parameterization::internal
