@@ -357,11 +357,12 @@ TEST(Harmonic_map, is_a_critical_point_of_the_energy)
       const SP::Parameterization_report& report = control.report();
       struct
       {
+        const Surface& surface;
         std::vector<Vector_3d>& positions;
         double radius;
         Recording_control& control;
-      } run = {u, 0., control};
-      ASSERT_EQ(SP::internal::lower_energy(Harmonic_map<Solver>(mesh, is_guarded, Execution()), 100, run), SP::OK);
+      } run = {mesh, u, 0., control};
+      ASSERT_EQ(SP::internal::lower_energy<Solver>(Harmonic_map(mesh, is_guarded, Execution()), 100, run), SP::OK);
       EXPECT_EQ(run.radius, 1.);
       EXPECT_EQ(report.stop_reason, SP::CONVERGED);
       EXPECT_EQ(report.initial_energy, start_energy);

@@ -75,8 +75,8 @@ public:
       if(is_valid() && run.read_number_of_iterations() && run.read())
         run.error = internal::make_initial_map(m_initial_parameterizer, run);
       if(run.error == OK)
-        run.error = internal::lower_energy(internal::ARAP_map<SolverTraits>(run.surface, run.execution),
-                                           run.number_of_iterations.value_or(500), run);
+        run.error = internal::lower_energy<SolverTraits>(internal::ARAP_map(run.surface, run.execution),
+                                                         run.number_of_iterations.value_or(500), run);
       return run.write(vertex_sphere_map, internal::Guarantee::NONE);
     }
     else

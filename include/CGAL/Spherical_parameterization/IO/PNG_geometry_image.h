@@ -58,12 +58,10 @@ public:
   explicit Png_file(std::ostream& out)
     : m_out(&out)
     , m_png(png_create_write_struct(PNG_LIBPNG_VER_STRING, nullptr, leave, ignore))
-    , m_info(m_png ? png_create_info_struct(m_png) : nullptr)
   {}
   explicit Png_file(std::istream& in)
     : m_in(&in)
     , m_png(png_create_read_struct(PNG_LIBPNG_VER_STRING, nullptr, leave, ignore))
-    , m_info(m_png ? png_create_info_struct(m_png) : nullptr)
   {}
 
   // Returns false if the stream does not take the file.
@@ -93,7 +91,15 @@ public:
   // Returns false if the stream holds no such file.
   bool read(Geometry_image& image)
   {
-    if(!m_info || !is_done([&] { read_header(); }))
+    const auto read_header = [&] {
+      constexpr png_uint_32 max_width = 2 * max_subdivision + 1;
+      png_set_read_fn(m_png, this, get);
+      png_set_user_limits(m_png, max_width, 6 * max_width);
+      png_set_chunk_malloc_max(m_png, 1000000); // bytes: the texts are short
+      png_set_benign_errors(m_png, 0);          // or that limit would be a warning
+      png_read_info(m_png, m_info);
+    };
+    if(!m_info || !is_done(read_header))
       return false;
     image.width = png_get_image_width(m_png, m_info);
     image.height = png_get_image_height(m_png, m_info);
@@ -176,16 +182,6 @@ private:
     png_write_end(m_png, nullptr);
   }
 
-  void read_header()
-  {
-    png_set_read_fn(m_png, this, get);
-    constexpr png_uint_32 max_width = 2 * max_subdivision + 1;
-    png_set_user_limits(m_png, max_width, 6 * max_width);
-    png_set_chunk_malloc_max(m_png, 1000000); // bytes: the texts are short
-    png_set_benign_errors(m_png, 0);          // or that limit would be a warning
-    png_read_info(m_png, m_info);
-  }
-
   [[noreturn]] static void leave(png_structp png, png_const_charp) { png_longjmp(png, 1); }
   static void ignore(png_structp, png_const_charp) {}
   // A stream that throws sets its state before.
@@ -214,7 +210,7 @@ private:
   std::ostream* m_out = nullptr;
   std::istream* m_in = nullptr;
   png_structp m_png;
-  png_infop m_info;
+  png_infop m_info = m_png ? png_create_info_struct(m_png) : nullptr;
   std::vector<png_byte> m_row;
   char m_keys[2][8] = {"Minimum", "Maximum"};  // of the texts
   std::array<std::string, 2> m_texts;          // the range of the values of the image

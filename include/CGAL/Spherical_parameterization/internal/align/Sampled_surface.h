@@ -130,11 +130,7 @@ private:
   // definite, and for its cotangents not to be 0 / 0. Smaller areas have the same rank.
   static constexpr double min_area = 1e-12;
 
-  struct Joint
-  {
-    std::uint32_t vertex;
-    double length;
-  };
+  using Joint = std::pair<double, std::uint32_t>; // how far it is to a vertex
 
   // Adds the ranks of the values of a channel, from -1 to 1: neither outliers nor scales matter. Equal values have the same
   // rank, the middle of theirs.
@@ -170,8 +166,8 @@ private:
   void join_vertices()
   {
     const auto join = [&](std::uint32_t v, std::uint32_t w, double length) {
-      m_joints[v].push_back({w, length});
-      m_joints[w].push_back({v, length});
+      m_joints[v].emplace_back(length, w);
+      m_joints[w].emplace_back(length, v);
     };
     const std::vector<Linked_triangle>& triangles = m_grid.triangles();
     for(std::uint32_t t = 0; t < triangles.size(); ++t)
@@ -201,9 +197,8 @@ private:
 
   Channel distances_from(std::uint32_t source) const
   {
-    using Entry = std::pair<double, std::uint32_t>;
     Channel result(m_grid.size(), (std::numeric_limits<double>::max)());
-    std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> queue;
+    std::priority_queue<Joint, std::vector<Joint>, std::greater<Joint>> queue;
     result[source] = 0.;
     queue.emplace(0., source);
     while(!queue.empty())
@@ -212,11 +207,11 @@ private:
       queue.pop();
       if(d > result[v])
         continue;
-      for(const Joint& joint : m_joints[v])
-        if(const double x = d + joint.length; x < result[joint.vertex])
+      for(const auto& [step, w] : m_joints[v])
+        if(const double x = d + step; x < result[w])
         {
-          result[joint.vertex] = x;
-          queue.emplace(x, joint.vertex);
+          result[w] = x;
+          queue.emplace(x, w);
         }
     }
     return result;

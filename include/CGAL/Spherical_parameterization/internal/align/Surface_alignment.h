@@ -218,6 +218,10 @@ private:
       }
     if(result[0].size() < min_limbs)
       return {};
+    const auto multiply = [](Channel& channel, double factor) {
+      for(double& x : channel)
+        x *= factor;
+    };
     for(std::size_t k = 0; k < 2; ++k)
     {
       double sum = 0.;
@@ -225,14 +229,9 @@ private:
         sum = std::accumulate(channel.begin(), channel.end(), sum);
       const double scale = sum > 0. ? static_cast<double>(result[k].size() * m_grid.size()) / sum : 1.;
       for(Channel& channel : result[k])
-        for(double& d : channel)
-          d *= scale;
-      for(Channel channel : m_surfaces[k].features())
-      {
-        for(double& x : channel)
-          x *= weight_of_features;
-        result[k].push_back(std::move(channel));
-      }
+        multiply(channel, scale);
+      for(const Channel& channel : m_surfaces[k].features())
+        multiply(result[k].emplace_back(channel), weight_of_features);
     }
     return result;
   }

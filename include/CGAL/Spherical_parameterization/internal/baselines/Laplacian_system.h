@@ -121,16 +121,16 @@ private:
 };
 
 // Lowers the energy of the map of a run by rounds, each of which solves a linear system. `method` has
-//   bool factor()                        whether the matrix of the system could be factored
-//   bool find_step(positions)            whether the system could be solved
+//   weights()                            of the edges, which make the Laplacian of the system; the vertex 0 is held
+//   bool find_step(positions, system)    whether the system could be solved
 //   bool move(positions, t, candidate)   whether the map that is the part t of the step away is allowed; if not, or if its
 //                                        energy is too high, the step is halved
 //   double energy_of(positions)          and radius(), that which is best for the last one
-template <class Method, class Run>
-Error_code lower_energy(Method&& method, std::size_t max_rounds, Run& run)
+template <class SolverTraits, class Method, class Run>
+Error_code lower_energy(Method method, std::size_t max_rounds, Run& run)
 {
-  using Constants = std::remove_reference_t<Method>;
-  if(!method.factor())
+  Laplacian_system<SolverTraits> system;
+  if(!system.factor(run.surface.rings(), method.weights(), [](std::uint32_t v) { return v == 0; }))
     return ERROR_CANNOT_SOLVE_LINEAR_SYSTEM;
   std::vector<Vector_3d>& positions = run.positions;
   Parameterization_report& report = run.control.report();
@@ -141,22 +141,22 @@ Error_code lower_energy(Method&& method, std::size_t max_rounds, Run& run)
   std::vector<Vector_3d> candidate(positions.size());
   for(std::size_t i = 0; i < max_rounds; ++i)
   {
-    if(!method.find_step(positions))
+    if(!method.find_step(positions, system))
       return ERROR_CANNOT_SOLVE_LINEAR_SYSTEM;
     double t = 1., next_energy = 0.;
     bool is_found = false;
-    for(int halving = 0; halving < Constants::max_halvings && !is_found; ++halving, t *= 0.5)
+    for(int halving = 0; halving < Method::max_halvings && !is_found; ++halving, t *= 0.5)
     {
       const bool is_allowed = method.move(positions, t, candidate);
       next_energy = is_allowed ? method.energy_of(candidate) : std::numeric_limits<double>::infinity();
-      is_found = next_energy < (1. + Constants::max_rise) * lowest_energy;
+      is_found = next_energy < (1. + Method::max_rise) * lowest_energy;
     }
     if(!is_found)
     {
-      report.stop_reason = next_energy - energy <= Constants::tolerance * energy ? CONVERGED : OBSTRUCTED;
+      report.stop_reason = next_energy - energy <= Method::tolerance * energy ? CONVERGED : OBSTRUCTED;
       break;
     }
-    const bool has_settled = std::abs(next_energy - energy) < Constants::tolerance * energy;
+    const bool has_settled = std::abs(next_energy - energy) < Method::tolerance * energy;
     positions.swap(candidate);
     energy = next_energy;
     lowest_energy = (std::min)(lowest_energy, energy);

@@ -68,7 +68,6 @@ inline double dirichlet_energy(const Vertex_rings& rings, const std::vector<doub
 //
 // The energy alone would be minimal for a map to one point. So after each step a Moebius transformation, which changes
 // a conformal map to another one, brings the centre of the area of the surface back to the centre of the sphere.
-template <class SolverTraits>
 class Harmonic_map
 {
 public:
@@ -90,11 +89,7 @@ public:
   static constexpr double max_rise = 1e-4;  // above the lowest energy so far: the transformation may cost a little
   static constexpr int max_halvings = 8;
 
-  bool factor()
-  {
-    return m_system.factor(m_mesh.rings(), m_weights, [](std::uint32_t v) { return v == 0; });
-  }
-
+  const std::vector<double>& weights() const { return m_weights; }
   double energy_of(const std::vector<Vector_3d>& positions)
   {
     return dirichlet_energy(m_mesh.rings(), m_weights, positions, m_shares, m_execution);
@@ -103,13 +98,14 @@ public:
 
   // The next map in space. What is missing for the sum of the right-hand sides to vanish is taken in proportion to the
   // shares, so that limbs do not feel it.
-  bool find_step(const std::vector<Vector_3d>& positions)
+  template <class System>
+  bool find_step(const std::vector<Vector_3d>& positions, System& system)
   {
     const Vector_3d excess = center_of_mass(positions, m_shares);
     m_target.resize(positions.size());
     for(std::size_t v = 0; v < m_target.size(); ++v)
       m_target[v] = (2. * m_shares[v]) * (positions[v] - excess);
-    if(!m_system.solve(m_target))
+    if(!system.solve(m_target))
       return false;
     const Vector_3d center = center_of_mass(m_target, m_masses);
     for(Vector_3d& x : m_target)
@@ -138,7 +134,6 @@ private:
   std::vector<double> m_masses;    // of the vertices
   std::vector<double> m_shares;    // of the vertices in the energy of the last map
   std::vector<Vector_3d> m_target; // of the step
-  Laplacian_system<SolverTraits> m_system;
 };
 
 // Maps a mesh to the unit sphere with the minimum harmonic energy, starting through the plane.
@@ -147,7 +142,7 @@ Error_code map_harmonically(Run& run, bool has_to_be_bijective, std::size_t max_
 {
   if(const Error_code error = embed_stereographically<SolverTraits>(run, has_to_be_bijective))
     return error;
-  return lower_energy(Harmonic_map<SolverTraits>(run.surface, has_to_be_bijective, run.execution), max_rounds, run);
+  return lower_energy<SolverTraits>(Harmonic_map(run.surface, has_to_be_bijective, run.execution), max_rounds, run);
 }
 
 // The as-rigid-as-possible energy of a map u to the sphere of radius r: the sum over the faces of
@@ -269,7 +264,6 @@ private:
 // fitted, then all vertices are moved by the solution of a linear system with the Laplacian, which is factored once.
 // Forces and movements are restricted to the tangents of the sphere, and a step that would raise the energy is
 // shortened, so the energy always falls.
-template <class SolverTraits>
 class ARAP_map
 {
 public:
@@ -285,21 +279,19 @@ public:
   static constexpr double max_rise = 0.;
   static constexpr int max_halvings = 12;
 
-  bool factor()
+  std::vector<double> weights() const
   {
-    const std::vector<double> weights =
-        cotangent_weights(m_mesh.rings(), m_mesh.points(), std::numeric_limits<double>::lowest());
-    return m_system.factor(m_mesh.rings(), weights, [](std::uint32_t v) { return v == 0; });
+    return cotangent_weights(m_mesh.rings(), m_mesh.points(), std::numeric_limits<double>::lowest());
   }
-
   double energy_of(const std::vector<Vector_3d>& positions) { return m_energy.fit(positions); }
   double radius() const { return m_energy.radius() * m_mesh.equal_area_radius(); }
 
-  bool find_step(const std::vector<Vector_3d>& positions)
+  template <class System>
+  bool find_step(const std::vector<Vector_3d>& positions, System& system)
   {
     m_energy.forces(positions, m_step);
     make_tangential(positions);
-    if(!m_system.solve(m_step))
+    if(!system.solve(m_step))
       return false;
     make_tangential(positions);
     for(Vector_3d& x : m_step)
@@ -324,7 +316,6 @@ private:
   const Surface& m_mesh;
   ARAP_energy m_energy;
   std::vector<Vector_3d> m_step;
-  Laplacian_system<SolverTraits> m_system;
 };
 
 } // namespace CGAL::Spherical_parameterization::internal

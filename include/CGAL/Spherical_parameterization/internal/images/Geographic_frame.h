@@ -36,12 +36,16 @@ namespace CGAL::Spherical_parameterization::internal {
 template <class K>
 class Geographic_frame
 {
+  using FT = typename K::FT;
+  using Exact_FT = std::conditional_t<std::is_same<FT, double>::value, Exact_rational, FT>;
+
 public:
   using Point_3 = typename K::Point_3;
 
+  // East and west of the zero meridian are what is so by less than half a turn.
   enum class Place
   {
-    east, // of the zero meridian, by less than half a turn
+    east,
     west,
     zero_meridian,
     seam,
@@ -93,13 +97,9 @@ public:
 
   Sign orientation(const Point_3& a, const Point_3& b, const Point_3& c) const { return m_orientation(a, b, c); }
 
-  Site site(const Point_3& p) const
-  {
-    if constexpr(std::is_same<FT, double>::value)
-      return site(place(p), approximate(p));
-    else
-      return site(place(p), exact(p));
-  }
+  static Vector_3<FT> coordinates(const Point_3& p) { return {p.x(), p.y(), p.z()}; }
+
+  Site site(const Point_3& p) const { return site(place(p), coordinates(p)); }
 
   // The middle of the arc between two places, if that does not cross the seam.
   static Crossing middle(const Site& a, const Site& b)
@@ -148,9 +148,6 @@ public:
   }
 
 private:
-  using FT = typename K::FT;
-  using Exact_FT = std::conditional_t<std::is_same<FT, double>::value, Exact_rational, FT>;
-
   static Vector_3<Exact_FT> exact(const Point_3& p) { return {Exact_FT(p.x()), Exact_FT(p.y()), Exact_FT(p.z())}; }
 
   static Vector_3d approximate(const Point_3& p)

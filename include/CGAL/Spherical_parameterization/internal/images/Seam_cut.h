@@ -47,7 +47,6 @@ namespace CGAL::Spherical_parameterization::internal {
 template <class K>
 class Seam_cut
 {
-  using FT = typename K::FT;
   using Point_3 = typename K::Point_3;
   using Frame = Geographic_frame<K>;
   using Place = typename Frame::Place;
@@ -167,18 +166,18 @@ private:
              frame.orientation(images[s[1]], images[s[2]], pole) == POSITIVE &&
              frame.orientation(images[s[2]], images[s[0]], pole) == POSITIVE;
     });
-    const auto xyz = [](const Point_3& p) { return Vector_3<FT>{p.x(), p.y(), p.z()}; };
-    const auto w = barycentric_coordinates<FT>({xyz(images[(*t)[0]]), xyz(images[(*t)[1]]), xyz(images[(*t)[2]])},
-                                               xyz(pole), {true, true, true});
+    const auto corner = [&](std::size_t i) { return Frame::coordinates(images[(*t)[i]]); };
+    const auto w = barycentric_coordinates<typename K::FT>({corner(0), corner(1), corner(2)}, Frame::coordinates(pole),
+                                                           {true, true, true});
     double size = 0.; // whose square may overflow
     for(const Index v : t->vertices)
       size = (std::max)(size, m_sites[v].distance);
     Vector_3d point = {0., 0., 0.}, image = {0., 0., 0.};
     for(std::size_t i = 0; i < 3; ++i)
     {
-      const Site& corner = m_sites[(*t)[i]];
+      const Site& site = m_sites[(*t)[i]];
       point = point + CGAL::to_double(w[i]) * m_points[(*t)[i]];
-      image = image + (CGAL::to_double(w[i]) * (corner.distance / size)) * corner.direction;
+      image = image + (CGAL::to_double(w[i]) * (site.distance / size)) * site.direction;
     }
     Site site = frame.site(pole);
     site.distance = size * length(image); // and not that of the direction

@@ -52,8 +52,12 @@ public:
       directions.push_back(normalized(corner));
     for(const Face& face : faces)
       for(std::size_t i = 0; i < k; ++i)
-        if(face[i] < face[(i + 1) % k]) // it is the other way round in the other face
-          add_edge({face[i], face[(i + 1) % k]});
+        if(const Index a = face[i], b = face[(i + 1) % k]; a < b) // it is the other way round in the other face
+        {
+          m_edges.push_back({{a, b}, static_cast<Index>(directions.size())});
+          for(Index j = 1; j < m_n; ++j)
+            add(between(a, b, j, m_n));
+        }
     for(const Face& face : faces)
       subdivide(face);
   }
@@ -76,11 +80,10 @@ private:
     return static_cast<Index>(directions.size() - 1);
   }
 
-  void add_edge(const std::array<Index, 2>& ends)
+  // what is i of n parts from a to b
+  Vector_3d between(Index a, Index b, Index i, Index n) const
   {
-    m_edges.push_back({ends, static_cast<Index>(directions.size())});
-    for(Index i = 1; i < m_n; ++i)
-      add(m_weights[m_n - i] * m_corners[ends[0]] + m_weights[i] * m_corners[ends[1]]);
+    return m_weights[n - i] * m_corners[a] + m_weights[i] * m_corners[b];
   }
 
   // the vertex that is i parts from a
@@ -97,9 +100,6 @@ private:
   {
     constexpr bool is_square = k == 4;
     const Index a = face[0], b = face[1], c = face[2], last_corner = face[k - 1];
-    const auto between = [&](Index begin, Index end, Index i, Index n) { // of n parts
-      return m_weights[n - i] * m_corners[begin] + m_weights[i] * m_corners[end];
-    };
     std::vector<Index> last, row;
     for(Index j = 0; j <= m_n; ++j)
     {
