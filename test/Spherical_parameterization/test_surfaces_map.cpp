@@ -7,7 +7,7 @@
 #include "surfaces.h"
 #include "test_meshes.h"
 
-#include <CGAL/Spherical_parameterization/internal/align/Sphere_grid.h>
+#include <CGAL/Spherical_parameterization/internal/align/Sampled_surface.h>
 #include <CGAL/Spherical_parameterization/internal/locate/Sphere_image.h>
 #include <CGAL/Spherical_parameterization/internal/certificate/is_safely_positive.h>
 #include <CGAL/Spherical_parameterization/internal/levels/Mesh_hierarchy.h>

@@ -19,7 +19,6 @@
 #include <CGAL/Spherical_parameterization/internal/Mesh_on_sphere.h>
 #include <CGAL/Spherical_parameterization/internal/align/Rotation_search.h>
 #include <CGAL/Spherical_parameterization/internal/align/Sampled_surface.h>
-#include <CGAL/Spherical_parameterization/internal/align/Sphere_grid.h>
 #include <CGAL/Spherical_parameterization/internal/align/Surface_alignment.h>
 #include <CGAL/Spherical_parameterization/internal/check_run.h>
 #include <CGAL/Spherical_parameterization/internal/locate/Sphere_triangulation.h>

@@ -155,7 +155,7 @@ template <class ConcurrencyTag = Parallel_if_available_tag, class TriangleMesh, 
         {
           const internal::Transfer_mixtures<Exact_kernel> mixtures(source, mesh.points, target, places, execution);
           internal::Property_carrier<TriangleMesh, Remesh, Exact_kernel> carrier = {
-              {mesh.vertices_of_mesh, mesh.faces_of_mesh}, {new_vertices, new_faces}, mixtures};
+              mesh.vertices_of_mesh, mesh.faces_of_mesh, new_vertices, new_faces, mixtures};
           internal::carry_all_properties(carrier, tmesh, vertex_sphere_map, remesh, remesh_sphere_map);
         }
       });

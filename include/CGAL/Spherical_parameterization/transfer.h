@@ -64,9 +64,8 @@ Error_code carry_properties(const SourceMesh& source, const SourceSphereMap& sou
   if(!control.go_further(0, 0.))
     return ERROR_STOPPED;
   Property_carrier<SourceMesh, TargetMesh, Exact_kernel> carrier = {
-      {source_arrays.vertices_of_mesh, source_arrays.faces_of_mesh},
-      {target_arrays.vertices_of_mesh, target_arrays.faces_of_mesh},
-      mixtures};
+      source_arrays.vertices_of_mesh, source_arrays.faces_of_mesh, target_arrays.vertices_of_mesh,
+      target_arrays.faces_of_mesh, mixtures};
   carry(carrier);
   return OK;
 }

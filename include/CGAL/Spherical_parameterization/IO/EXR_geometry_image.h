@@ -149,8 +149,8 @@ template <class TriangleMesh, class VertexMap>
 ///
 /// The parameters are those of `read_PNG_geometry_image()`.
 ///
-/// \return what `read_PNG_geometry_image()` returns; `ERROR_INVALID_IMAGE_FILE` if the file is damaged, or lacks the channels R,
-///         G and B
+/// \return what `read_PNG_geometry_image()` returns; `ERROR_INVALID_IMAGE_FILE` if the file is damaged, or lacks the channels
+///         R, G and B
 template <class TriangleMesh>
 [[nodiscard]] Error_code read_EXR_geometry_image(std::istream& in, TriangleMesh& tmesh)
 {

@@ -33,8 +33,7 @@
 
 /// \file write_OBJ.h
 
-namespace CGAL::Spherical_parameterization {
-namespace IO {
+namespace CGAL::Spherical_parameterization::IO {
 
 /// \ingroup PkgSphericalParameterizationSampling
 ///
@@ -105,7 +104,6 @@ template <class Graph, class HalfedgeTextureMap, typename CGAL_NP_TEMPLATE_PARAM
   return out.flush() ? OK : ERROR_CANNOT_WRITE_FILE;
 }
 
-} // namespace IO
-} // namespace CGAL::Spherical_parameterization
+} // namespace CGAL::Spherical_parameterization::IO
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_IO_WRITE_OBJ_H

@@ -16,7 +16,6 @@
 
 #include <CGAL/Spherical_parameterization/Surface_map_report.h>
 #include <CGAL/Spherical_parameterization/internal/align/Sampled_surface.h>
-#include <CGAL/Spherical_parameterization/internal/align/Sphere_grid.h>
 #include <CGAL/Spherical_parameterization/internal/align/Surface_alignment.h>
 #include <CGAL/Spherical_parameterization/internal/certificate/Bijectivity_certificate.h>
 #include <CGAL/Spherical_parameterization/internal/certificate/is_safely_positive.h>

@@ -15,7 +15,7 @@
 #include <CGAL/license/Spherical_parameterization.h>
 
 #include <CGAL/Spherical_parameterization/internal/numbers/Rotation_matrix.h>
-#include <CGAL/Spherical_parameterization/internal/align/Sphere_grid.h>
+#include <CGAL/Spherical_parameterization/internal/align/Sampled_surface.h>
 #include <CGAL/Spherical_parameterization/internal/locate/Sphere_image.h>
 #include <CGAL/Spherical_parameterization/internal/numbers/Vector_3.h>
 #include <CGAL/Spherical_parameterization/internal/run/Run_control.h>
@@ -32,6 +32,14 @@
 #include <vector>
 
 namespace CGAL::Spherical_parameterization::internal {
+
+// The vertex that has the largest barycentric coordinate of a place.
+template <class Place>
+std::uint32_t nearest_vertex(const std::vector<Linked_triangle>& triangles, const Place& place)
+{
+  const auto& w = place.coordinates;
+  return triangles[place.triangle][static_cast<std::size_t>(std::max_element(w.begin(), w.end()) - w.begin())];
+}
 
 // How well two images of features agree: the correlation of their values, which are ranks and so have the mean 0.
 class Correlation

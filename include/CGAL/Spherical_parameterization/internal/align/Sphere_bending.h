@@ -14,7 +14,7 @@
 
 #include <CGAL/license/Spherical_parameterization.h>
 
-#include <CGAL/Spherical_parameterization/internal/align/Sphere_grid.h>
+#include <CGAL/Spherical_parameterization/internal/align/Sampled_surface.h>
 #include <CGAL/Spherical_parameterization/internal/certificate/Orientation_about_origin_3.h>
 #include <CGAL/Spherical_parameterization/internal/locate/Sphere_image.h>
 #include <CGAL/Spherical_parameterization/internal/locate/Sphere_triangulation.h>
@@ -270,8 +270,8 @@ std::optional<std::vector<Vector_3d>> bent_directions(const Sphere_triangulation
                                                       const std::vector<Vector_3d>& bent_grid, Run_control& control,
                                                       const Execution& execution)
 {
-  // A vertex takes one ring more along every four rounds, of five passes each: sooner, what is repaired is larger than it has to
-  // be; later, it takes longer. After 200 rounds that is 50 rings, which is most of a mesh, or there is no hope.
+  // A vertex takes one ring more along every four rounds, of five passes each: sooner, what is repaired is larger than it has
+  // to be; later, it takes longer. After 200 rounds that is 50 rings, which is most of a mesh, or there is no hope.
   constexpr int n_rounds = 200, n_passes = 5, rounds_for_each_ring = 4;
 
   const std::size_t n = images.points().size();

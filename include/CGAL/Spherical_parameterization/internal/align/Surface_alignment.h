@@ -17,7 +17,6 @@
 #include <CGAL/Spherical_parameterization/internal/align/Rotation_search.h>
 #include <CGAL/Spherical_parameterization/internal/align/Sampled_surface.h>
 #include <CGAL/Spherical_parameterization/internal/align/Sphere_bending.h>
-#include <CGAL/Spherical_parameterization/internal/align/Sphere_grid.h>
 #include <CGAL/Spherical_parameterization/internal/locate/Sphere_image.h>
 #include <CGAL/Spherical_parameterization/internal/locate/Sphere_triangulation.h>
 #include <CGAL/Spherical_parameterization/internal/numbers/Rotation_matrix.h>
@@ -28,7 +27,6 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <initializer_list>
 #include <numeric>
 #include <optional>
 #include <utility>
@@ -157,12 +155,6 @@ public:
 private:
   using Features = std::array<std::vector<Channel>, 2>; // of both surfaces
 
-  // How often the features, and how often the motion is smoothed.
-  struct Stage
-  {
-    int n_image, n_motion;
-  };
-
   bool goes_on() const { return m_control.go_further(0, 0.); }
 
   template <class Function>
@@ -171,14 +163,16 @@ private:
     for_each_block(m_execution, 0, n, 1, [&](std::size_t k, std::size_t) { f(k); });
   }
 
-  // All flows step together, so that the control is asked between short parts.
-  void run(std::initializer_list<Stage> stages, const std::vector<Features>& features, std::vector<Feature_flow>& flows)
+  // Stages are how often the features, and how often the motion is smoothed. All flows step together, so that the control is
+  // asked between short parts.
+  void run(const std::vector<std::array<int, 2>>& stages, const std::vector<Features>& features,
+           std::vector<Feature_flow>& flows)
   {
     constexpr int n_steps = 15; // 22 steps of the grid at most; more take more time, where most have settled
-    for(const Stage& stage : stages)
+    for(const auto& [n_image, n_motion] : stages)
     {
-      in_parallel(flows.size(), [&](std::size_t k) {
-        flows[k].set_features(features[k][0], features[k][1], stage.n_image, stage.n_motion);
+      in_parallel(flows.size(), [&, n = n_image, m = n_motion](std::size_t k) {
+        flows[k].set_features(features[k][0], features[k][1], n, m);
       });
       for(int step = 0; step < n_steps && goes_on(); ++step)
         in_parallel(flows.size(), [&](std::size_t k) { flows[k].step(); });

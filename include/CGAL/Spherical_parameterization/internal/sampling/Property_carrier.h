@@ -167,28 +167,23 @@ private:
   std::vector<double> m_source_areas; // doubled, of the faces
 };
 
-// The elements of a mesh, in the order of its arrays.
-template <class Mesh>
-struct Mesh_elements
-{
-  const std::vector<typename boost::graph_traits<Mesh>::vertex_descriptor>& vertices;
-  const std::vector<typename boost::graph_traits<Mesh>::face_descriptor>& faces;
-};
-
-// Carries property maps from a mesh to another one.
+// Carries property maps from a mesh to another one. Elements are in the order of the meshes' arrays.
 template <class SourceMesh, class TargetMesh, class K>
 struct Property_carrier
 {
-  Mesh_elements<SourceMesh> source;
-  Mesh_elements<TargetMesh> target;
+  using Source = boost::graph_traits<SourceMesh>;
+  using Target = boost::graph_traits<TargetMesh>;
+
+  const std::vector<typename Source::vertex_descriptor>& source_vertices;
+  const std::vector<typename Source::face_descriptor>& source_faces;
+  const std::vector<typename Target::vertex_descriptor>& target_vertices;
+  const std::vector<typename Target::face_descriptor>& target_faces;
   const Transfer_mixtures<K>& mixtures;
   std::optional<Mixtures> of_vertices = {}, of_faces = {}; // made when they are needed
 
   template <class SourceMap, class TargetMap>
   void carry(const SourceMap& source_map, const TargetMap& target_map)
   {
-    using Source = boost::graph_traits<SourceMesh>;
-    using Target = boost::graph_traits<TargetMesh>;
     using Key = typename boost::property_traits<SourceMap>::key_type;
     using Target_key = typename boost::property_traits<TargetMap>::key_type;
     using Value = typename boost::property_traits<SourceMap>::value_type;
@@ -211,13 +206,13 @@ struct Property_carrier
     {
       if(!of_faces)
         of_faces = mixtures.face_mixtures();
-      mix(*of_faces, source.faces, target.faces);
+      mix(*of_faces, source_faces, target_faces);
     }
     else
     {
       if(!of_vertices)
         of_vertices = mixtures.vertex_mixtures();
-      mix(*of_vertices, source.vertices, target.vertices);
+      mix(*of_vertices, source_vertices, target_vertices);
     }
   }
 };
