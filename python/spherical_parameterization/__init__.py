@@ -5,40 +5,65 @@ A map of it to the sphere is another one, ``sphere``, (n, 3): the image of each 
 of any numeric type, contiguous or not; those that are returned are float64 and int64. What is wrong with them is told by
 an `Error`.
 
+Functions take the three arrays in this order, without those that they do not need: as arguments where there is one surface,
+as a tuple ``(vertices, faces, sphere)`` for each where there are two. Settings are given by name. Functions that may take
+long have `threads`, and those that can be stopped `time_limit`, `callback` and `on_interrupt`.
+
 >>> import spherical_parameterization as sp
 >>> sphere, report = sp.parameterize(vertices, faces)
 >>> sp.measure_distortion(vertices, faces, sphere).isometric.average
+>>> directions, report = sp.map_surface((vertices, faces, sphere), (other_vertices, other_faces, other_sphere))
 """
 
 from ._core import ErrorCode, __version__
 from ._errors import Error
-from ._parameterization import (
+from ._measuring import (
     Distortion,
     Measure,
-    Report,
+    OneWayDistance,
+    SurfaceDistance,
     find_defect,
     is_bijective,
+    measure_distance,
     measure_distortion,
-    parameterize,
 )
+from ._parameterization import Report, parameterize
 from ._sampling import Locator, Remesh, remesh, transfer
-from ._surfaces import Overlay, SurfaceMapReport, map_surface, overlay
+from ._surfaces import (
+    DistortionBetween,
+    MeasureBetween,
+    Overlay,
+    SphereAlignment,
+    SurfaceMapReport,
+    align_spheres,
+    map_surface,
+    measure_distortion_between,
+    overlay,
+)
 
 __all__ = [
     "Distortion",
+    "DistortionBetween",
     "Error",
     "ErrorCode",
     "Locator",
     "Measure",
+    "MeasureBetween",
+    "OneWayDistance",
     "Overlay",
     "Remesh",
     "Report",
+    "SphereAlignment",
+    "SurfaceDistance",
     "SurfaceMapReport",
     "__version__",
+    "align_spheres",
     "find_defect",
     "is_bijective",
     "map_surface",
+    "measure_distance",
     "measure_distortion",
+    "measure_distortion_between",
     "overlay",
     "parameterize",
     "remesh",

@@ -2,13 +2,19 @@
 
 from __future__ import annotations
 
-from typing import Any, NoReturn, Optional, Sequence, Tuple
+import operator
+from typing import Any, Callable, List, NoReturn, Optional, Sequence, Tuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ._core import ErrorCode
 from ._errors import Error
+
+Surface = Tuple[ArrayLike, ArrayLike, ArrayLike]  # vertices, faces, sphere
+SurfaceArrays = Tuple[NDArray[np.float64], NDArray[np.int64], NDArray[np.float64]]
+Callback = Optional[Callable[..., Any]]
+Features = Sequence[Tuple[ArrayLike, ArrayLike]]
 
 
 def refuse(message: str) -> NoReturn:
@@ -42,13 +48,70 @@ def read_faces(name: str, value: ArrayLike) -> NDArray[np.int64]:
     return np.ascontiguousarray(array, dtype=np.int64)
 
 
-def read_surface(
-    vertices: ArrayLike, faces: ArrayLike, sphere: ArrayLike, suffix: str = ""
-) -> Tuple[NDArray[np.float64], NDArray[np.int64], NDArray[np.float64]]:
-    points = read_points("vertices" + suffix, vertices)
-    return points, read_faces("faces" + suffix, faces), read_points("sphere" + suffix, sphere, len(points))
+def read_surface(vertices: ArrayLike, faces: ArrayLike, sphere: ArrayLike, prefix: str = "") -> SurfaceArrays:
+    points = read_points(prefix + "vertices", vertices)
+    return points, read_faces(prefix + "faces", faces), read_points(prefix + "sphere", sphere, len(points))
+
+
+def read_tuple(name: str, value: Any, *parts: str) -> Sequence[Any]:
+    # An array of as many rows would be one of something else.
+    if not isinstance(value, (tuple, list)) or len(value) != len(parts):
+        raise TypeError(f"{name} has to be a tuple: ({', '.join(parts)})")
+    return value
+
+
+def read_named_surface(name: str, value: Surface) -> SurfaceArrays:
+    return read_surface(*read_tuple(name, value, "vertices", "faces", "sphere"), f"{name}: ")
+
+
+def read_two_surfaces(surface1: Surface, surface2: Surface) -> Tuple[SurfaceArrays, SurfaceArrays]:
+    return read_named_surface("surface1", surface1), read_named_surface("surface2", surface2)
+
+
+def read_features(
+    features: Features, *surfaces: SurfaceArrays
+) -> List[Tuple[NDArray[np.float64], NDArray[np.float64]]]:
+    def read(name: str, value: ArrayLike, n: int) -> NDArray[np.float64]:
+        array = np.asarray(value)
+        if array.dtype.kind not in "fiu":
+            raise TypeError(f"{name} has the type {array.dtype}; it has to hold real numbers")
+        if array.shape != (n,):
+            refuse(f"{name} has the shape {array.shape}; it has to be ({n},): a number for each vertex")
+        if not np.isfinite(array).all():
+            refuse(f"{name} is infinite or not a number at vertex {np.flatnonzero(~np.isfinite(array))[0]}")
+        return np.ascontiguousarray(array, dtype=np.float64)
+
+    pairs = []
+    for k, feature in enumerate(features):
+        pair = read_tuple(f"features[{k}]", feature, "values of surface1", "values of surface2")
+        values1, values2 = (read(f"features[{k}][{i}]", pair[i], len(surfaces[i][0])) for i in (0, 1))
+        pairs.append((values1, values2))
+    return pairs
 
 
 def check_word(name: str, value: object, words: Sequence[str]) -> None:
     if value not in words:
         refuse(f"{name} is {value!r}; it has to be one of {', '.join(map(repr, words))}")
+
+
+def read_threads(threads: Optional[int]) -> int:
+    """Returns the largest number of threads, or 0 for all cores."""
+    if threads is None:
+        return 0
+    n = operator.index(threads)
+    if not 1 <= n < 2**31:
+        refuse(f"threads is {threads}; it has to be at least 1")
+    return n
+
+
+def read_run(
+    threads: Optional[int], time_limit: Optional[float], callback: Callback, on_interrupt: str
+) -> Tuple[int, float, Callback, bool]:
+    """Returns what the compiled part is told of a run that can be stopped."""
+    seconds = 0.0 if time_limit is None else float(time_limit)
+    if time_limit is not None and not seconds > 0:
+        refuse(f"time_limit is {time_limit}; it has to be positive")
+    if callback is not None and not callable(callback):
+        raise TypeError(f"callback is {callback!r}; it has to be a function")
+    check_word("on_interrupt", on_interrupt, ("raise", "return"))
+    return read_threads(threads), seconds, callback, on_interrupt == "return"

@@ -29,7 +29,7 @@ class ErrorCode:
     def value(self) -> int: ...
 
 class Locator:
-    def __init__(self, sphere: _Points, faces: _Faces) -> None: ...
+    def __init__(self, faces: _Faces, sphere: _Points, threads: int) -> None: ...
     def locate(self, directions: _Points) -> Tuple[_Faces, _Points]: ...
 
 def parameterize(
@@ -37,20 +37,23 @@ def parameterize(
     faces: _Faces,
     prefer: str,
     energy: str,
+    initial: Optional[_Points],
     threads: int,
     time_limit: float,
     callback: Optional[Callable[[int, float, float], Any]],
-    initial: Optional[_Points],
     returns_on_interrupt: bool,
 ) -> Tuple[_Points, Dict[str, Any]]: ...
 def find_defect(vertices: _Points, faces: _Faces) -> None: ...
-def is_bijective(sphere: _Points, faces: _Faces) -> bool: ...
-def measure_distortion(vertices: _Points, faces: _Faces, sphere: _Points) -> Dict[str, Any]: ...
+def is_bijective(faces: _Faces, sphere: _Points, threads: int) -> bool: ...
+def measure_distortion(vertices: _Points, faces: _Faces, sphere: _Points, threads: int) -> Dict[str, Any]: ...
+def measure_distance(
+    vertices1: _Points, faces1: _Faces, vertices2: _Points, faces2: _Faces, number_of_points: int, threads: int
+) -> Tuple[Tuple[float, float], Tuple[float, float], float]: ...
 def remesh(
-    vertices: _Points, faces: _Faces, sphere: _Points, solid: str, subdivision: int
+    vertices: _Points, faces: _Faces, sphere: _Points, solid: str, subdivision: int, threads: int
 ) -> Tuple[_Points, _Faces, _Points]: ...
 def remesh_with(
-    vertices: _Points, faces: _Faces, sphere: _Points, domain_sphere: _Points, domain_faces: _Faces
+    vertices: _Points, faces: _Faces, sphere: _Points, domain_faces: _Faces, domain_sphere: _Points, threads: int
 ) -> Tuple[_Points, _Points]: ...
 def transfer(
     values: NDArray[Any],
@@ -58,8 +61,9 @@ def transfer(
     vertices: _Points,
     faces: _Faces,
     sphere: _Points,
-    target_sphere: _Points,
     target_faces: _Faces,
+    target_sphere: _Points,
+    threads: int,
 ) -> NDArray[Any]: ...
 def map_surface(
     vertices1: _Points,
@@ -72,8 +76,24 @@ def map_surface(
     landmark_weight: Optional[float],
     features: Sequence[Tuple[NDArray[np.float64], NDArray[np.float64]]],
     feature_weight: float,
+    threads: int,
+    time_limit: float,
+    callback: Optional[Callable[[int, float], Any]],
     returns_on_interrupt: bool,
 ) -> Tuple[_Points, Dict[str, Any]]: ...
+def align_spheres(
+    vertices1: _Points,
+    faces1: _Faces,
+    sphere1: _Points,
+    vertices2: _Points,
+    faces2: _Faces,
+    sphere2: _Points,
+    features: Sequence[Tuple[NDArray[np.float64], NDArray[np.float64]]],
+    threads: int,
+    time_limit: float,
+    callback: Optional[Callable[[int, float], Any]],
+    returns_on_interrupt: bool,
+) -> Tuple[NDArray[np.float64], NDArray[np.float64], bool]: ...
 def overlay(
     vertices1: _Points,
     faces1: _Faces,
@@ -81,4 +101,15 @@ def overlay(
     vertices2: _Points,
     faces2: _Faces,
     sphere2: _Points,
+    threads: int,
 ) -> Tuple[_Points, _Points, _Faces, _Faces, _Faces]: ...
+def measure_distortion_between(
+    vertices1: _Points,
+    faces1: _Faces,
+    sphere1: _Points,
+    vertices2: _Points,
+    faces2: _Faces,
+    sphere2: _Points,
+    smallest_area: float,
+    threads: int,
+) -> Dict[str, Any]: ...

@@ -9,16 +9,18 @@ namespace Module {
 
 namespace py = pybind11;
 
-/// Asks Python for its signals, such as that of Ctrl-C, in the thread of the caller, without the lock of the interpreter.
+/// What may end a run, asked in the thread of the caller, without the lock of the interpreter: the signals of Python, such as
+/// that of Ctrl-C, and the caller's function.
 class Interruption
 {
 public:
-  explicit Interruption(bool returns_on_interrupt)
-    : m_returns_on_interrupt(returns_on_interrupt)
+  /// \param callback the caller's function, or None
+  Interruption(const py::object& callback, bool returns_on_interrupt)
+    : m_callback(callback)
+    , m_returns_on_interrupt(returns_on_interrupt)
   {}
 
   bool is_stopped() const { return m_is_stopped; }
-  void stop() { m_is_stopped = true; }
 
   /// throws what a signal has raised, unless it is an interrupt that is to stop the run.
   void check()
@@ -40,17 +42,41 @@ public:
     m_next = Clock::now() + pause;
   }
 
-  /// Needs the lock.
-  void stop_or_throw(py::error_already_set& error)
+  /// calls the caller's function, if there is one, which stops the run by a false value other than None, and throws what it
+  /// raises.
+  template <class... Arguments>
+  void call(Arguments... arguments)
   {
-    if(!m_returns_on_interrupt || !error.matches(PyExc_KeyboardInterrupt))
-      throw error;
-    stop();
+    if(m_callback.is_none())
+      return;
+    const py::gil_scoped_acquire lock;
+    try
+    {
+      const py::object answer = m_callback(arguments...);
+      const int is_true = answer.is_none() ? 1 : PyObject_IsTrue(answer.ptr());
+      if(is_true < 0)
+        throw py::error_already_set();
+      if(is_true == 0)
+        m_is_stopped = true;
+    }
+    catch(py::error_already_set& error)
+    {
+      stop_or_throw(error);
+    }
   }
 
 private:
   using Clock = std::chrono::steady_clock;
 
+  // Needs the lock.
+  void stop_or_throw(py::error_already_set& error)
+  {
+    if(!m_returns_on_interrupt || !error.matches(PyExc_KeyboardInterrupt))
+      throw error;
+    m_is_stopped = true;
+  }
+
+  const py::object& m_callback;
   bool m_returns_on_interrupt;
   bool m_is_stopped = false;
   Clock::time_point m_next = Clock::now();

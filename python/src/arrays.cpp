@@ -6,6 +6,7 @@
 #include <CGAL/Spherical_parameterization/measure_distortion.h>
 
 #include <CGAL/boost/graph/Euler_operations.h>
+#include <CGAL/tags.h>
 
 #include <boost/property_map/property_map.hpp>
 
@@ -89,28 +90,35 @@ void check_surface(const std::string& name, const Mesh& mesh)
     refuse(name, std::move(*defect));
 }
 
-void check_map(const std::string& name, const Mesh& mesh, const std::string& name_of_map, const Points& sphere)
+void check_points(const std::string& name, const Mesh& mesh, const std::string& name_of_points, const Points& points)
 {
-  check_surface(name, mesh);
-  const Const_row_map map = rows_of(sphere);
-  if(SP::is_bijective(mesh, map))
-    return;
   for(const Vertex_index v : mesh.vertices())
   {
-    const Point_3 p = get(map, v);
+    const Point_3 p = get(rows_of(points), v);
     if(!mesh.is_isolated(v) && !(std::isfinite(p.x()) && std::isfinite(p.y()) && std::isfinite(p.z())))
       refuse(name, {SP::ERROR_NON_FINITE_COORDINATE,
-                    name_of_map + ": vertex " + std::to_string(v) +
+                    name_of_points + ": vertex " + std::to_string(v) +
                         " has a coordinate that is infinite or not a number.\n(Vertices are counted from 0.)",
                     v,
                     {},
                     {}});
   }
+}
+
+void check_map(const std::string& name, const Mesh& mesh, const std::string& name_of_map, const Points& sphere)
+{
+  check_surface(name, mesh);
+  const Const_row_map map = rows_of(sphere);
+  // In this thread alone, as the caller may have allowed for no more.
+  if(SP::is_bijective<CGAL::Sequential_tag>(mesh, map))
+    return;
+  check_points(name, mesh, name_of_map, sphere);
   std::vector<SP::Face_distortion> distortions(mesh.number_of_faces());
   const auto distortion_map =
       boost::make_iterator_property_map(distortions.begin(), boost::typed_identity_property_map<std::size_t>());
   SP::Distortion_summary distortion;
-  if(const SP::Error_code error = SP::measure_distortion(mesh, map, distortion, distortion_map); error != SP::OK)
+  if(const auto error = SP::measure_distortion<CGAL::Sequential_tag>(mesh, map, distortion, distortion_map);
+     error != SP::OK)
     fail(error, SP::get_error_message(error));
   const auto inverted =
       std::find_if(distortions.begin(), distortions.end(), [](const auto& d) { return d.is_inverted; });

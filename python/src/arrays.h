@@ -100,6 +100,9 @@ Mesh make_mesh(const std::string& name, const Points& points, const Indices& fac
 /// throws what keeps the mesh from being parameterized, if anything does.
 void check_surface(const std::string& name, const Mesh& mesh);
 
+/// throws where a point of a vertex that has faces is not finite, if one is.
+void check_points(const std::string& name, const Mesh& mesh, const std::string& name_of_points, const Points& points);
+
 /// throws what is wrong with the mesh or its map, if anything is.
 void check_map(const std::string& name, const Mesh& mesh, const std::string& name_of_map, const Points& sphere);
 

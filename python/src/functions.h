@@ -16,28 +16,37 @@ namespace Module {
 // What the Python part calls, once it has checked words, shapes and ranges; it documents them as well.
 
 py::tuple parameterize(const Points& vertices, const Indices& faces, const std::string& prefer,
-                       const std::string& energy, std::size_t threads, double time_limit, const py::object& callback,
-                       const std::optional<Points>& initial, bool returns_on_interrupt);
+                       const std::string& energy, const std::optional<Points>& initial, std::size_t threads,
+                       double time_limit, const py::object& callback, bool returns_on_interrupt);
 
 void find_defect(const Points& vertices, const Indices& faces); // throws it
-bool is_bijective(const Points& sphere, const Indices& faces);
-py::dict measure_distortion(const Points& vertices, const Indices& faces, const Points& sphere);
+bool is_bijective(const Indices& faces, const Points& sphere, std::size_t threads);
+py::dict measure_distortion(const Points& vertices, const Indices& faces, const Points& sphere, std::size_t threads);
+py::tuple measure_distance(const Points& vertices1, const Indices& faces1, const Points& vertices2,
+                           const Indices& faces2, std::size_t number_of_points, std::size_t threads);
 
 void define_locator(py::module_& module);
 py::tuple remesh(const Points& vertices, const Indices& faces, const Points& sphere, const std::string& solid,
-                 std::uint32_t subdivision);
+                 std::uint32_t subdivision, std::size_t threads);
 std::pair<Points, Points> remesh_with(const Points& vertices, const Indices& faces, const Points& sphere,
-                                      const Points& domain_sphere, const Indices& domain_faces);
+                                      const Indices& domain_faces, const Points& domain_sphere, std::size_t threads);
 py::array transfer(const py::array& values, bool is_of_faces, const Points& vertices, const Indices& faces,
-                   const Points& sphere, const Points& target_sphere, const Indices& target_faces);
+                   const Points& sphere, const Indices& target_faces, const Points& target_sphere, std::size_t threads);
 
 using Values = py::array_t<double, py::array::c_style>;
+using Features = std::vector<std::pair<Values, Values>>;
 py::tuple map_surface(const Points& vertices1, const Indices& faces1, const Points& sphere1, const Points& vertices2,
                       const Indices& faces2, const Points& sphere2, const Indices& landmarks,
-                      std::optional<double> landmark_weight, const std::vector<std::pair<Values, Values>>& features,
-                      double feature_weight, bool returns_on_interrupt);
+                      std::optional<double> landmark_weight, const Features& features, double feature_weight,
+                      std::size_t threads, double time_limit, const py::object& callback, bool returns_on_interrupt);
+py::tuple align_spheres(const Points& vertices1, const Indices& faces1, const Points& sphere1, const Points& vertices2,
+                        const Indices& faces2, const Points& sphere2, const Features& features, std::size_t threads,
+                        double time_limit, const py::object& callback, bool returns_on_interrupt);
 py::tuple overlay(const Points& vertices1, const Indices& faces1, const Points& sphere1, const Points& vertices2,
-                  const Indices& faces2, const Points& sphere2);
+                  const Indices& faces2, const Points& sphere2, std::size_t threads);
+py::dict measure_distortion_between(const Points& vertices1, const Indices& faces1, const Points& sphere1,
+                                    const Points& vertices2, const Indices& faces2, const Points& sphere2,
+                                    double smallest_area, std::size_t threads);
 
 } // namespace Module
 

@@ -1,6 +1,8 @@
 #include "functions.h"
+#include "threads.h"
 
 #include <CGAL/Spherical_parameterization/is_bijective.h>
+#include <CGAL/Spherical_parameterization/measure_distance.h>
 #include <CGAL/Spherical_parameterization/measure_distortion.h>
 
 namespace Module {
@@ -35,12 +37,13 @@ void find_defect(const Points& vertices, const Indices& faces)
   check_surface("", make_mesh("", vertices, faces));
 }
 
-bool is_bijective(const Points& sphere, const Indices& faces)
+bool is_bijective(const Indices& faces, const Points& sphere, std::size_t threads)
 {
   const py::gil_scoped_release unlock;
   try
   {
-    return SP::is_bijective(make_mesh("", sphere, faces), rows_of(sphere));
+    const Mesh mesh = make_mesh("", sphere, faces);
+    return run_with_threads(threads, [&] { return SP::is_bijective(mesh, rows_of(sphere)); });
   }
   catch(const Error& error)
   {
@@ -50,7 +53,7 @@ bool is_bijective(const Points& sphere, const Indices& faces)
   }
 }
 
-py::dict measure_distortion(const Points& vertices, const Indices& faces, const Points& sphere)
+py::dict measure_distortion(const Points& vertices, const Indices& faces, const Points& sphere, std::size_t threads)
 {
   using namespace py::literals;
   const py::ssize_t n_faces = faces.shape(0);
@@ -61,8 +64,9 @@ py::dict measure_distortion(const Points& vertices, const Indices& faces, const 
   SP::Distortion_summary summary;
   {
     const py::gil_scoped_release unlock;
+    const Mesh mesh = make_mesh("", vertices, faces);
     const SP::Error_code error =
-        SP::measure_distortion(make_mesh("", vertices, faces), rows_of(sphere), summary, columns);
+        run_with_threads(threads, [&] { return SP::measure_distortion(mesh, rows_of(sphere), summary, columns); });
     if(error != SP::OK)
       fail(error, SP::get_error_message(error));
   }
@@ -73,6 +77,31 @@ py::dict measure_distortion(const Points& vertices, const Indices& faces, const 
                   "angle"_a = measure(angle, summary.angle), "is_inverted"_a = is_inverted, "radius"_a = summary.radius,
                   "number_of_inverted_faces"_a = summary.number_of_inverted_faces,
                   "number_of_degenerate_faces"_a = summary.number_of_degenerate_faces);
+}
+
+py::tuple measure_distance(const Points& vertices1, const Indices& faces1, const Points& vertices2,
+                           const Indices& faces2, std::size_t number_of_points, std::size_t threads)
+{
+  SP::Surface_distance distance;
+  {
+    const py::gil_scoped_release unlock;
+    const std::string name1 = "surface1: ", name2 = "surface2: ";
+    const Mesh first = make_mesh(name1, vertices1, faces1), second = make_mesh(name2, vertices2, faces2);
+    const auto n = CGAL::parameters::number_of_points_on_faces(number_of_points);
+    const SP::Error_code error =
+        run_with_threads(threads, [&] { return SP::measure_distance(first, second, distance, n, n); });
+    if(error != SP::OK)
+    {
+      const bool is_first = error != SP::ERROR_EMPTY_MESH || first.number_of_faces() == 0;
+      check_points(name1, first, "vertices", vertices1);
+      check_points(name2, second, "vertices", vertices2);
+      fail(error, (is_first ? name1 : name2) + SP::get_error_message(error));
+    }
+  }
+  const auto one_way = [](const SP::Surface_distance::One_way& d) {
+    return py::make_tuple(d.root_mean_square, d.maximum);
+  };
+  return py::make_tuple(one_way(distance.from_first), one_way(distance.from_second), distance.diagonal);
 }
 
 } // namespace Module

@@ -52,10 +52,13 @@ PYBIND11_MODULE(_core, module)
   module.def("find_defect", &find_defect);
   module.def("is_bijective", &is_bijective);
   module.def("measure_distortion", &measure_distortion);
+  module.def("measure_distance", &measure_distance);
   module.def("remesh", &remesh);
   module.def("remesh_with", &remesh_with);
   module.def("transfer", &transfer);
   module.def("map_surface", &map_surface);
+  module.def("align_spheres", &align_spheres);
   module.def("overlay", &overlay);
+  module.def("measure_distortion_between", &measure_distortion_between);
   define_locator(module);
 }

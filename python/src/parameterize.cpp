@@ -1,5 +1,6 @@
 #include "Interruption.h"
 #include "functions.h"
+#include "threads.h"
 
 #include <CGAL/Spherical_parameterization/Area_preserving_radius_3.h>
 #include <CGAL/Spherical_parameterization/Conformal_energy_3.h>
@@ -11,10 +12,6 @@
 #include <CGAL/Spherical_parameterization/Stretch_energy_3.h>
 #include <CGAL/Spherical_parameterization/parameterize.h>
 
-#ifdef CGAL_LINKED_WITH_TBB
-#include <tbb/task_arena.h>
-#endif
-
 #include <algorithm>
 #include <functional>
 #include <limits>
@@ -23,35 +20,19 @@ namespace Module {
 
 namespace {
 
-// Asks between two sweeps whether to go on: the signals of Python, and the caller's function.
+// Asks between two sweeps whether to go on.
 class Python_visitor : public SP::Default_visitor
 {
 public:
-  Python_visitor(const py::object& callback, bool returns_on_interrupt)
-    : m_callback(callback)
-    , m_interruption(returns_on_interrupt)
+  explicit Python_visitor(Interruption& interruption)
+    : m_interruption(interruption)
   {}
 
   void on_level(std::size_t) { m_interruption.check_now_and_then(); }
 
   void after_iteration(std::size_t iteration, double energy, double radius)
   {
-    if(m_callback.is_none())
-      return;
-    const py::gil_scoped_acquire lock;
-    try
-    {
-      const py::object answer = m_callback(iteration, energy, radius);
-      const int is_true = answer.is_none() ? 1 : PyObject_IsTrue(answer.ptr());
-      if(is_true < 0)
-        throw py::error_already_set();
-      if(is_true == 0)
-        m_interruption.stop();
-    }
-    catch(py::error_already_set& error)
-    {
-      m_interruption.stop_or_throw(error);
-    }
+    m_interruption.call(iteration, energy, radius);
   }
 
   bool go_further(std::size_t, double)
@@ -64,24 +45,8 @@ public:
   void on_optimization_end() { m_interruption.check(); }
 
 private:
-  const py::object& m_callback;
-  Interruption m_interruption;
+  Interruption& m_interruption;
 };
-
-// Runs f with no more threads than given; 0 stands for no limit.
-template <class Function>
-void run_with_threads([[maybe_unused]] std::size_t max_threads, const Function& f)
-{
-#ifdef CGAL_LINKED_WITH_TBB
-  if(max_threads > 0)
-  {
-    const auto n_cores = static_cast<std::size_t>(tbb::this_task_arena::max_concurrency());
-    tbb::task_arena(static_cast<int>((std::min)(max_threads, n_cores))).execute(f);
-    return;
-  }
-#endif
-  f();
-}
 
 SP::Sharpness find_sharpness(const std::string& prefer)
 {
@@ -110,23 +75,23 @@ py::dict to_dict(const SP::Parameterization_report& report)
 } // namespace
 
 py::tuple parameterize(const Points& vertices, const Indices& faces, const std::string& prefer,
-                       const std::string& energy, std::size_t threads, double time_limit, const py::object& callback,
-                       const std::optional<Points>& initial, bool returns_on_interrupt)
+                       const std::string& energy, const std::optional<Points>& initial, std::size_t threads,
+                       double time_limit, const py::object& callback, bool returns_on_interrupt)
 {
   const std::size_t n = number_of_rows(vertices);
   Points sphere = new_points(n);
   double* const images = sphere.mutable_data();
   std::fill_n(images, 3 * n, std::numeric_limits<double>::quiet_NaN()); // for vertices without faces
   SP::Parameterization_report report;
-  Python_visitor visitor(callback, returns_on_interrupt);
+  Interruption interruption(callback, returns_on_interrupt);
+  Python_visitor visitor(interruption);
   {
     const py::gil_scoped_release unlock;
     const Mesh mesh = make_mesh("", vertices, faces);
     const auto run = [&](auto parameterizer) {
-      SP::Error_code error = SP::OK;
-      run_with_threads(threads, [&] {
-        error = SP::parameterize(mesh, parameterizer, Row_map<double>(images),
-                                 CGAL::parameters::visitor(std::ref(visitor)).maximum_running_time(time_limit));
+      const SP::Error_code error = run_with_threads(threads, [&] {
+        return SP::parameterize(mesh, parameterizer, Row_map<double>(images),
+                                CGAL::parameters::visitor(std::ref(visitor)).maximum_running_time(time_limit));
       });
       report = parameterizer.report();
       if(error == SP::OK)

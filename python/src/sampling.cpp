@@ -1,4 +1,5 @@
 #include "functions.h"
+#include "threads.h"
 
 #include <CGAL/Spherical_parameterization/Sphere_domain_3.h>
 #include <CGAL/Spherical_parameterization/Sphere_locator_3.h>
@@ -15,9 +16,10 @@ namespace {
 class Locator
 {
 public:
-  Locator(const Points& sphere, const Indices& faces)
-    : m_mesh(make_mesh("", sphere, faces))
-    , m_locator(m_mesh, rows_of(sphere))
+  Locator(const Indices& faces, const Points& sphere, std::size_t threads)
+    : m_threads(threads)
+    , m_mesh(make_mesh("", sphere, faces))
+    , m_locator(run_with_threads(threads, [&] { return Sphere_locator(m_mesh, rows_of(sphere)); }))
   {
     if(m_locator.error_code() != SP::OK)
       check_map("", m_mesh, "sphere", sphere);
@@ -38,7 +40,9 @@ public:
         points.push_back(get(rows_of(directions), Vertex_index(static_cast<Mesh::size_type>(k))));
       std::vector<Sphere_locator::Face_location> locations;
       locations.reserve(n);
-      if(m_locator.locate(points, std::back_inserter(locations)) != SP::OK)
+      const SP::Error_code error =
+          run_with_threads(m_threads, [&] { return m_locator.locate(points, std::back_inserter(locations)); });
+      if(error != SP::OK)
         explain_directions(locations);
       for(const auto& [f, c] : locations)
       {
@@ -68,13 +72,14 @@ private:
                  {}}};
   }
 
+  std::size_t m_threads;
   Mesh m_mesh;
   Sphere_locator m_locator;
 };
 
 // returns the points of the remesh, and its directions
 std::pair<Points, Points> remesh_over(const Points& vertices, const Indices& faces, const Points& sphere,
-                                      const SP::Sphere_domain_3& domain)
+                                      const SP::Sphere_domain_3& domain, std::size_t threads)
 {
   const std::size_t n = domain.directions().size();
   Points points = new_points(n), directions = new_points(n);
@@ -83,9 +88,11 @@ std::pair<Points, Points> remesh_over(const Points& vertices, const Indices& fac
     const py::gil_scoped_release unlock;
     const Mesh mesh = make_mesh("", vertices, faces);
     Mesh result; // its vertices and faces are those of the domain
-    const SP::Error_code error =
-        SP::remesh_through_sphere(mesh, rows_of(sphere), domain, result, direction_map,
-                                  CGAL::parameters::default_values(), CGAL::parameters::vertex_point_map(point_map));
+    const SP::Error_code error = run_with_threads(threads, [&] {
+      return SP::remesh_through_sphere(mesh, rows_of(sphere), domain, result, direction_map,
+                                       CGAL::parameters::default_values(),
+                                       CGAL::parameters::vertex_point_map(point_map));
+    });
     if(error != SP::OK)
     {
       check_map("", mesh, "sphere", sphere);
@@ -129,7 +136,7 @@ struct Table_map
 template <class Number>
 py::array transfer_values(const py::array_t<Number, py::array::c_style>& values, bool is_of_faces, Number missing,
                           const Points& vertices, const Indices& faces, const Points& sphere,
-                          const Points& target_sphere, const Indices& target_faces)
+                          const Indices& target_faces, const Points& target_sphere, std::size_t threads)
 {
   const auto n_columns = static_cast<std::size_t>(values.shape(1));
   py::array_t<Number> result({is_of_faces ? target_faces.shape(0) : target_sphere.shape(0), values.shape(1)});
@@ -138,17 +145,19 @@ py::array transfer_values(const py::array_t<Number, py::array::c_style>& values,
   std::fill_n(results, result.size(), missing);
 
   const py::gil_scoped_release unlock;
-  const Mesh source = make_mesh("", vertices, faces), target = make_mesh("target: ", target_sphere, target_faces);
+  const Mesh source = make_mesh("source: ", vertices, faces),
+             target = make_mesh("target: ", target_sphere, target_faces);
   const auto carry = [&](auto index) {
     using Index = decltype(index);
     return SP::transfer(
         source, rows_of(sphere), target, rows_of(target_sphere),
         std::pair(Table_map<Index, const Number>{sources, n_columns}, Table_map<Index, Number>{results, n_columns}));
   };
-  const SP::Error_code error = is_of_faces ? carry(Face_index()) : carry(Vertex_index());
+  const SP::Error_code error =
+      run_with_threads(threads, [&] { return is_of_faces ? carry(Face_index()) : carry(Vertex_index()); });
   if(error != SP::OK)
   {
-    check_map("", source, "sphere", sphere);
+    check_map("source: ", source, "sphere", sphere);
     check_map("target: ", target, "sphere", target_sphere);
     fail(error, SP::get_error_message(error));
   }
@@ -160,12 +169,12 @@ py::array transfer_values(const py::array_t<Number, py::array::c_style>& values,
 void define_locator(py::module_& module)
 {
   py::class_<Locator>(module, "Locator")
-      .def(py::init<const Points&, const Indices&>(), py::call_guard<py::gil_scoped_release>())
+      .def(py::init<const Indices&, const Points&, std::size_t>(), py::call_guard<py::gil_scoped_release>())
       .def("locate", &Locator::locate);
 }
 
 py::tuple remesh(const Points& vertices, const Indices& faces, const Points& sphere, const std::string& solid,
-                 std::uint32_t subdivision)
+                 std::uint32_t subdivision, std::size_t threads)
 {
   const auto domain = [&] {
     const py::gil_scoped_release unlock;
@@ -173,31 +182,37 @@ py::tuple remesh(const Points& vertices, const Indices& faces, const Points& sph
            : solid == "icosahedron" ? SP::Sphere_domain_3::icosahedron(subdivision)
                                     : SP::Sphere_domain_3::octahedron(subdivision);
   }();
-  const auto [points, directions] = remesh_over(vertices, faces, sphere, domain);
+  const auto [points, directions] = remesh_over(vertices, faces, sphere, domain, threads);
   return py::make_tuple(points, to_array(domain.triangles()), directions);
 }
 
 std::pair<Points, Points> remesh_with(const Points& vertices, const Indices& faces, const Points& sphere,
-                                      const Points& domain_sphere, const Indices& domain_faces)
+                                      const Indices& domain_faces, const Points& domain_sphere, std::size_t threads)
 {
   const auto domain = [&] {
     const py::gil_scoped_release unlock;
     const Mesh mesh = make_mesh("domain: ", domain_sphere, domain_faces);
     SP::Sphere_domain_3 result;
-    if(SP::make_sphere_domain(mesh, rows_of(domain_sphere), result) != SP::OK)
+    const SP::Error_code error =
+        run_with_threads(threads, [&] { return SP::make_sphere_domain(mesh, rows_of(domain_sphere), result); });
+    if(error != SP::OK)
+    {
       check_map("domain: ", mesh, "sphere", domain_sphere);
+      fail(error, SP::get_error_message(error));
+    }
     return result;
   }();
-  return remesh_over(vertices, faces, sphere, domain);
+  return remesh_over(vertices, faces, sphere, domain, threads);
 }
 
 py::array transfer(const py::array& values, bool is_of_faces, const Points& vertices, const Indices& faces,
-                   const Points& sphere, const Points& target_sphere, const Indices& target_faces)
+                   const Points& sphere, const Indices& target_faces, const Points& target_sphere, std::size_t threads)
 {
   if(values.dtype().kind() == 'f')
     return transfer_values<double>(values, is_of_faces, std::numeric_limits<double>::quiet_NaN(), vertices, faces,
-                                   sphere, target_sphere, target_faces);
-  return transfer_values<std::int64_t>(values, is_of_faces, -1, vertices, faces, sphere, target_sphere, target_faces);
+                                   sphere, target_faces, target_sphere, threads);
+  return transfer_values<std::int64_t>(values, is_of_faces, -1, vertices, faces, sphere, target_faces, target_sphere,
+                                       threads);
 }
 
 } // namespace Module

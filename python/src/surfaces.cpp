@@ -1,9 +1,13 @@
 #include "Interruption.h"
 #include "functions.h"
+#include "threads.h"
 
+#include <CGAL/Spherical_parameterization/align_spheres.h>
 #include <CGAL/Spherical_parameterization/map_surface.h>
+#include <CGAL/Spherical_parameterization/measure_distortion_between.h>
 #include <CGAL/Spherical_parameterization/overlay.h>
 
+#include <functional>
 #include <limits>
 
 namespace Module {
@@ -28,31 +32,48 @@ struct Two_surfaces
   {
     if(error == SP::OK)
       return;
-    check_map(name1, first, "sphere1", sphere1);
-    check_map(name2, second, "sphere2", sphere2);
+    check_map(name1, first, "sphere", sphere1);
+    check_map(name2, second, "sphere", sphere2);
     fail(error, SP::get_error_message(error));
   }
 
-  static constexpr const char *name1 = "first surface: ", *name2 = "second surface: ";
+  static constexpr const char *name1 = "surface1: ", *name2 = "surface2: ";
 };
 
-// Asks Python for its signals while surfaces are mapped.
-class Signal_visitor : public SP::Default_visitor
+// Asks on the way whether to go on.
+class Surface_visitor : public SP::Default_visitor
 {
 public:
-  explicit Signal_visitor(Interruption& interruption)
+  explicit Surface_visitor(Interruption& interruption)
     : m_interruption(interruption)
   {}
 
-  bool go_further(std::size_t, double)
+  void on_level(std::size_t number_of_vertices) { m_number_of_vertices = number_of_vertices; }
+
+  bool go_further(std::size_t, double energy)
   {
     m_interruption.check_now_and_then();
+    if(!m_interruption.is_stopped())
+      m_interruption.call(m_number_of_vertices, energy);
     return !m_interruption.is_stopped();
   }
 
 private:
   Interruption& m_interruption;
+  std::size_t m_number_of_vertices = 0; // of the last level that has been mapped
 };
+
+using Feature_functions = SP::Surface_mapper_3<Mesh>::Feature;
+
+// The values of features as functions of vertices.
+std::vector<Feature_functions> functions_of(const Features& features)
+{
+  const auto function = [](const Values& values) { return [data = values.data()](Vertex_index v) { return data[v]; }; };
+  std::vector<Feature_functions> result;
+  for(const auto& [values1, values2] : features)
+    result.emplace_back(function(values1), function(values2));
+  return result;
+}
 
 std::vector<std::pair<Vertex_index, Vertex_index>> read_landmarks(const Two_surfaces& surfaces,
                                                                   const Indices& landmarks)
@@ -68,7 +89,7 @@ std::vector<std::pair<Vertex_index, Vertex_index>> read_landmarks(const Two_surf
       const auto refuse = [&](const std::string& why) {
         Program::Input_defect defect{SP::ERROR_INVALID_LANDMARK,
                                      "landmarks: row " + std::to_string(row) + " has the vertex " + std::to_string(v) +
-                                         (column == 0 ? " of the first surface" : " of the second surface") + why +
+                                         (column == 0 ? " of surface1" : " of surface2") + why +
                                          ".\n(Vertices and rows are counted from 0.)",
                                      {},
                                      {},
@@ -91,12 +112,26 @@ std::vector<std::pair<Vertex_index, Vertex_index>> read_landmarks(const Two_surf
   return result;
 }
 
+using Overlay = SP::Surface_overlay_3<Mesh, Mesh>;
+
+Overlay overlay_of(const Points& vertices1, const Indices& faces1, const Points& sphere1, const Points& vertices2,
+                   const Indices& faces2, const Points& sphere2, std::size_t threads)
+{
+  const py::gil_scoped_release unlock;
+  const Two_surfaces surfaces(vertices1, faces1, sphere1, vertices2, faces2, sphere2);
+  Overlay refinement;
+  surfaces.check(run_with_threads(threads, [&] {
+    return SP::overlay(surfaces.first, rows_of(sphere1), surfaces.second, rows_of(sphere2), refinement);
+  }));
+  return refinement;
+}
+
 } // namespace
 
 py::tuple map_surface(const Points& vertices1, const Indices& faces1, const Points& sphere1, const Points& vertices2,
                       const Indices& faces2, const Points& sphere2, const Indices& landmarks,
-                      std::optional<double> landmark_weight, const std::vector<std::pair<Values, Values>>& features,
-                      double feature_weight, bool returns_on_interrupt)
+                      std::optional<double> landmark_weight, const Features& features, double feature_weight,
+                      std::size_t threads, double time_limit, const py::object& callback, bool returns_on_interrupt)
 {
   using namespace py::literals;
   const std::size_t n = number_of_rows(vertices1);
@@ -107,43 +142,69 @@ py::tuple map_surface(const Points& vertices1, const Indices& faces1, const Poin
   {
     const py::gil_scoped_release unlock;
     const Two_surfaces surfaces(vertices1, faces1, sphere1, vertices2, faces2, sphere2);
-    std::vector<std::pair<std::function<double(Vertex_index)>, std::function<double(Vertex_index)>>> functions;
-    const auto feature = [](const Values& values) {
-      return [data = values.data()](Vertex_index v) { return data[v]; };
-    };
-    for(const auto& [values1, values2] : features)
-      functions.emplace_back(feature(values1), feature(values2));
     auto mapper = SP::Surface_mapper_3<Mesh>()
                       .landmarks(read_landmarks(surfaces, landmarks))
-                      .features(functions)
+                      .features(functions_of(features))
                       .feature_weight(feature_weight);
     if(landmark_weight)
       mapper = mapper.landmark_weight(*landmark_weight);
-    Interruption interruption(returns_on_interrupt);
-    Signal_visitor visitor(interruption);
-    surfaces.check(SP::map_surface(surfaces.first, rows_of(sphere1), surfaces.second, rows_of(sphere2), mapper,
-                                   Row_map<double>(rows), CGAL::parameters::visitor(std::ref(visitor))));
+    Interruption interruption(callback, returns_on_interrupt);
+    Surface_visitor visitor(interruption);
+    surfaces.check(run_with_threads(threads, [&] {
+      return SP::map_surface(surfaces.first, rows_of(sphere1), surfaces.second, rows_of(sphere2), mapper,
+                             Row_map<double>(rows),
+                             CGAL::parameters::visitor(std::ref(visitor)).maximum_running_time(time_limit));
+    }));
     report = mapper.report();
     interruption.check(); // one that comes after the last sweep, or where none is needed, is answered as well
   }
   return py::make_tuple(
-      directions, py::dict("energy"_a = report.energy, "agreement"_a = report.agreement, "margin"_a = report.margin,
-                           "landmark_distances"_a = Values(static_cast<py::ssize_t>(report.landmark_distances.size()),
-                                                           report.landmark_distances.data()),
-                           "number_of_missed_landmarks"_a = report.number_of_missed_landmarks,
-                           "stop_reason"_a = SP::get_stop_message(report.stop_reason),
-                           "number_of_sweeps"_a = report.number_of_sweeps));
+      directions,
+      py::dict("energy"_a = report.energy, "agreement"_a = report.agreement, "margin"_a = report.margin,
+               "landmark_distances"_a =
+                   Values(static_cast<py::ssize_t>(report.landmark_distances.size()), report.landmark_distances.data()),
+               "number_of_missed_landmarks"_a = report.number_of_missed_landmarks,
+               "stop_reason"_a = SP::get_stop_message(report.stop_reason),
+               "number_of_sweeps"_a = report.number_of_sweeps, "seconds_for_reading"_a = report.seconds_for_reading,
+               "seconds_for_alignment"_a = report.seconds_for_alignment,
+               "seconds_for_descent"_a = report.seconds_for_descent,
+               "seconds_for_overlay"_a = report.seconds_for_overlay));
 }
 
-py::tuple overlay(const Points& vertices1, const Indices& faces1, const Points& sphere1, const Points& vertices2,
-                  const Indices& faces2, const Points& sphere2)
+py::tuple align_spheres(const Points& vertices1, const Indices& faces1, const Points& sphere1, const Points& vertices2,
+                        const Indices& faces2, const Points& sphere2, const Features& features, std::size_t threads,
+                        double time_limit, const py::object& callback, bool returns_on_interrupt)
 {
-  SP::Surface_overlay_3<Mesh, Mesh> refinement;
+  SP::Sphere_alignment_3 alignment;
   {
     const py::gil_scoped_release unlock;
     const Two_surfaces surfaces(vertices1, faces1, sphere1, vertices2, faces2, sphere2);
-    surfaces.check(SP::overlay(surfaces.first, rows_of(sphere1), surfaces.second, rows_of(sphere2), refinement));
+    Interruption interruption(callback, returns_on_interrupt);
+    Surface_visitor visitor(interruption);
+    surfaces.check(run_with_threads(threads, [&] {
+      return SP::align_spheres(surfaces.first, rows_of(sphere1), surfaces.second, rows_of(sphere2),
+                               functions_of(features), alignment,
+                               CGAL::parameters::visitor(std::ref(visitor)).maximum_running_time(time_limit));
+    }));
+    interruption.check();
   }
+  const auto n = static_cast<py::ssize_t>(alignment.candidates.size());
+  Values rotations({n, py::ssize_t(3), py::ssize_t(3)}), scores(n);
+  double *number = rotations.mutable_data(), *score = scores.mutable_data();
+  for(const auto& candidate : alignment.candidates)
+  {
+    *score++ = candidate.score;
+    for(int i = 0; i < 3; ++i)
+      for(int j = 0; j < 3; ++j)
+        *number++ = candidate.rotation.m(i, j);
+  }
+  return py::make_tuple(rotations, scores, alignment.is_stopped);
+}
+
+py::tuple overlay(const Points& vertices1, const Indices& faces1, const Points& sphere1, const Points& vertices2,
+                  const Indices& faces2, const Points& sphere2, std::size_t threads)
+{
+  const Overlay refinement = overlay_of(vertices1, faces1, sphere1, vertices2, faces2, sphere2, threads);
   Points points1 = new_points(refinement.points.size()), points2 = new_points(refinement.points.size());
   double *row1 = points1.mutable_data(), *row2 = points2.mutable_data();
   for(const auto& [p, q] : refinement.points)
@@ -160,6 +221,28 @@ py::tuple overlay(const Points& vertices1, const Indices& faces1, const Points& 
     *parent2++ = std::uint32_t(g);
   }
   return py::make_tuple(points1, points2, to_array(refinement.triangles), parents1, parents2);
+}
+
+py::dict measure_distortion_between(const Points& vertices1, const Indices& faces1, const Points& sphere1,
+                                    const Points& vertices2, const Indices& faces2, const Points& sphere2,
+                                    double smallest_area, std::size_t threads)
+{
+  using namespace py::literals;
+  const Overlay refinement = overlay_of(vertices1, faces1, sphere1, vertices2, faces2, sphere2, threads);
+  SP::Distortion_between distortion;
+  {
+    const py::gil_scoped_release unlock;
+    if(const SP::Error_code error = SP::measure_distortion_between(refinement, distortion, smallest_area);
+       error != SP::OK)
+      fail(error, SP::get_error_message(error));
+  }
+  const auto measure = [](const SP::Distortion_between::Statistics& s) {
+    return py::make_tuple(s.maximum, s.average_over_first, s.average_over_second);
+  };
+  return py::dict("isometric"_a = measure(distortion.isometric), "area"_a = measure(distortion.area),
+                  "angle"_a = measure(distortion.angle), "energy"_a = measure(distortion.energy),
+                  "number_of_triangles"_a = distortion.number_of_triangles,
+                  "number_of_slivers"_a = distortion.number_of_slivers);
 }
 
 } // namespace Module

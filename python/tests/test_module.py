@@ -19,17 +19,41 @@ TETRAHEDRON = np.array([[1, 1, 1], [1, -1, -1], [-1, 1, -1], [-1, -1, 1]])
 FACES = np.array([[0, 1, 2], [0, 3, 1], [0, 2, 3], [1, 3, 2]])
 
 
-def surface(n, bumps=0.4, shift=0.0):
+def surface(n, bumps=0.4, shift=0.0, threads=None):
     """An octahedron whose edges are divided into n, with bumps."""
-    p = sp.remesh(TETRAHEDRON, FACES, TETRAHEDRON, ("octahedron", n))
+    p = sp.remesh(TETRAHEDRON, FACES, TETRAHEDRON, ("octahedron", n), threads=threads)
     x, y, z = p.sphere.T
     radius = 1 + bumps * np.sin(5 * x + shift) * np.cos(4 * y) + 0.2 * z
     return p.sphere * radius[:, None], p.faces
 
 
-def map_of(n, **settings):
-    vertices, faces = surface(n, **settings)
-    return vertices, faces, sp.parameterize(vertices, faces)[0]
+def map_of(n, shift=0.0, threads=None):
+    vertices, faces = surface(n, shift=shift, threads=threads)
+    return vertices, faces, sp.parameterize(vertices, faces, threads=threads)[0]
+
+
+def make_calls(n, **settings):
+    """Each function that has threads as a function of its settings, which returns an array of what it finds."""
+    first, second = map_of(n, **settings), map_of(n - 2, shift=0.3, **settings)
+    return {
+        "parameterize": lambda **s: sp.parameterize(*first[:2], **s)[0],
+        "is_bijective": lambda **s: np.array(sp.is_bijective(*first[1:], **s)),
+        "measure_distortion": lambda **s: sp.measure_distortion(*first, **s).isometric.values,
+        "measure_distance": lambda **s: np.array(sp.measure_distance(first[:2], second[:2], **s).from_first),
+        "Locator": lambda **s: sp.Locator(*first[1:], **s).locate(second[2])[1],
+        "remesh": lambda **s: sp.remesh(*first, ("cube", n), **s).vertices,
+        "remesh with": lambda **s: sp.remesh(*first, second[1:], **s).vertices,
+        "transfer": lambda **s: sp.transfer(first, second[1:], first[0], **s),
+        "map_surface": lambda **s: sp.map_surface(first, second, **s)[0],
+        "align_spheres": lambda **s: sp.align_spheres(first, second, **s).rotations,
+        "overlay": lambda **s: sp.overlay(first, second, **s).vertices1,
+        "measure_distortion_between": lambda **s: np.array(sp.measure_distortion_between(first, second, **s).energy),
+    }
+
+
+@pytest.fixture(scope="module")
+def calls():
+    return make_calls(12)
 
 
 def same(a, b):
@@ -90,7 +114,7 @@ def test_refuses_what_is_no_mesh():
     assert "(4, 2)" in str(refused(wrong, sp.parameterize, TETRAHEDRON[:, :2], FACES))
     assert "(12,)" in str(refused(wrong, sp.parameterize, TETRAHEDRON, FACES.ravel()))
     for v in (4, -1, 2**40):
-        error = refused(wrong, sp.is_bijective, TETRAHEDRON, [*FACES[:3], [1, v, 2]])
+        error = refused(wrong, sp.is_bijective, [*FACES[:3], [1, v, 2]], TETRAHEDRON)
         assert error.face == 3 and f"vertex {v}, but there are 4" in str(error)
     assert "3 rows" in str(refused(wrong, sp.measure_distortion, TETRAHEDRON, FACES, TETRAHEDRON[:3]))
     with pytest.raises(TypeError, match="float64; it has to hold integers"):
@@ -135,22 +159,22 @@ def test_says_what_is_wrong_with_a_mesh_and_where():
     assert isinstance(copy, ValueError) and str(copy) == str(error) and copy.face == 2 and copy.code == error.code
 
 
-def test_refuses_settings_out_of_range():
-    for setting, value in (
-        ("prefer", "best"),
-        ("energy", 1),
-        ("threads", 0),
-        ("time_limit", 0),
-        ("time_limit", np.nan),
-        ("on_interrupt", "stop"),
-    ):
-        assert setting in str(
-            refused(sp.ErrorCode.WRONG_PARAMETER, sp.parameterize, TETRAHEDRON, FACES, **{setting: value})
-        )
-    refused(sp.ErrorCode.WRONG_PARAMETER, sp.parameterize, TETRAHEDRON, FACES, prefer="sampling", energy="conformal")
-    for setting in ({"callback": 1}, {"threads": 1.5}):
+def test_refuses_settings_out_of_range(calls):
+    wrong = sp.ErrorCode.WRONG_PARAMETER
+    for call in calls.values():
+        assert "threads" in str(refused(wrong, call, threads=0))
         with pytest.raises(TypeError):
-            sp.parameterize(TETRAHEDRON, FACES, **setting)
+            call(threads=1.5)
+    for call in (calls["parameterize"], calls["map_surface"], calls["align_spheres"]):
+        for setting, value in (("time_limit", 0), ("time_limit", np.nan), ("on_interrupt", "stop")):
+            assert setting in str(refused(wrong, call, **{setting: value}))
+        with pytest.raises(TypeError):
+            call(callback=1)
+    for setting, value in (("prefer", "best"), ("energy", 1)):
+        assert setting in str(refused(wrong, sp.parameterize, TETRAHEDRON, FACES, **{setting: value}))
+    refused(wrong, sp.parameterize, TETRAHEDRON, FACES, prefer="sampling", energy="conformal")
+    with pytest.raises(TypeError):
+        sp.parameterize(TETRAHEDRON, FACES, "worst")
 
 
 # The map
@@ -159,7 +183,7 @@ def test_refuses_settings_out_of_range():
 def test_isolated_vertices_have_no_image():
     sphere, report = sp.parameterize(np.r_[TETRAHEDRON, [[9, 9, 9]]], FACES)
     assert np.isnan(sphere[4]).all() and np.isfinite(sphere[:4]).all() and report.number_of_isolated_vertices == 1
-    assert sp.is_bijective(sphere, FACES)
+    assert sp.is_bijective(FACES, sphere)
 
 
 @pytest.mark.parametrize(
@@ -182,27 +206,25 @@ def test_has_the_bits_of_the_program(options, tmp_path):
 
 
 def test_samples_and_maps_surfaces_with_the_bits_of_the_program(tmp_path):
-    vertices1, faces1 = surface(10)
-    vertices2, faces2 = surface(12, shift=0.3)
-    write_off(tmp_path / "1.off", vertices1, faces1)
-    write_off(tmp_path / "2.off", vertices2, faces2)
+    first, second = map_of(10), map_of(12, shift=0.3)
+    write_off(tmp_path / "1.off", *first[:2])
+    write_off(tmp_path / "2.off", *second[:2])
     run_program(tmp_path, "1.off", "--remesh", "cube=5", "-o", "remesh.off")
-    sphere = sp.parameterize(vertices1, faces1, prefer="sampling")[0]
-    assert same(sp.remesh(vertices1, faces1, sphere, ("cube", 5)).vertices, read_points(tmp_path / "remesh.off"))
+    sphere = sp.parameterize(*first[:2], prefer="sampling")[0]
+    assert same(sp.remesh(*first[:2], sphere, ("cube", 5)).vertices, read_points(tmp_path / "remesh.off"))
 
     run_program(tmp_path, "1.off", "--onto", "2.off", "-o", "image.off", "--sphere", "directions.off")
-    sphere1, sphere2 = sp.parameterize(vertices1, faces1)[0], sp.parameterize(vertices2, faces2)[0]
-    directions, report = sp.map_surface(vertices1, faces1, sphere1, vertices2, faces2, sphere2)
+    directions, report = sp.map_surface(first, second)
     assert same(directions, read_points(tmp_path / "directions.off"))
     assert 2 <= report.energy < 2.2 and report.agreement > 0.5
-    image = sp.remesh(vertices2, faces2, sphere2, (directions, faces1))
+    image = sp.remesh(*second, (first[1], directions))
     np.testing.assert_allclose(image.vertices, read_points(tmp_path / "image.off"), atol=1e-14)
-    assert np.array_equal(image.faces, faces1)
+    assert np.array_equal(image.faces, first[1])
 
 
 def test_measures_each_face():
     vertices, faces, sphere = map_of(8)
-    assert sp.is_bijective(sphere, faces) and not sp.is_bijective(-sphere, faces)
+    assert sp.is_bijective(faces, sphere) and not sp.is_bijective(faces, -sphere)
     d = sp.measure_distortion(vertices, faces, sphere)
 
     def basis(p):  # the edges of each face in its plane
@@ -229,6 +251,32 @@ def test_measures_each_face():
     turned[0] *= -1
     is_inverted = sp.measure_distortion(vertices, faces, turned).is_inverted
     assert is_inverted.any() and np.array_equal(is_inverted, np.linalg.det(turned[faces]) < 0)
+
+
+def test_measures_distances():
+    square = np.array([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]])
+    faces = [[0, 1, 2], [0, 2, 3]]
+    long = square * [3, 1, 1]
+    distance = sp.measure_distance((long, faces), (square + [0, 0, 2], faces))
+    np.testing.assert_allclose(distance.from_second, 2)
+    # beyond the square, the distance at x is the root of 4 + (x - 1)^2
+    np.testing.assert_allclose(distance.from_first.root_mean_square, np.sqrt(4 + 8 / 9), rtol=1e-3)
+    np.testing.assert_allclose(distance.from_first.maximum, np.sqrt(8), rtol=1e-2)
+    np.testing.assert_allclose(distance.diagonal, np.sqrt(10))
+    np.testing.assert_allclose(distance.psnr, 20 * np.log10(np.sqrt(10) / distance.from_first.root_mean_square))
+    assert sp.measure_distance((square, faces), (square, faces)).psnr > 300
+    few = sp.measure_distance((long, faces), (square, faces), number_of_points=9)
+    assert few.from_first.maximum < 2 * (1 - 1e-2)
+
+    code = sp.ErrorCode
+    refused(code.WRONG_PARAMETER, sp.measure_distance, (long, faces), (square, faces), number_of_points=0)
+    broken = np.where(square == 1, np.nan, square)
+    error = refused(code.NON_FINITE_COORDINATE, sp.measure_distance, (long, faces), (broken, faces))
+    assert error.vertex == 1 and str(error).startswith("surface2: vertices: vertex 1")
+    error = refused(code.EMPTY_MESH, sp.measure_distance, (long, faces), (square, np.empty((0, 3), int)))
+    assert str(error).startswith("surface2: ")
+    with pytest.raises(TypeError, match="surface1 has to be a tuple: .vertices, faces"):
+        sp.measure_distance(long, (square, faces))
 
 
 def test_goes_on_from_a_map():
@@ -259,6 +307,37 @@ def test_any_number_of_threads_gives_the_same_bits():
     assert len(results) == 4 and all(same(result, expected) for result in results)
 
 
+def compare_threads():
+    """Prints which functions start threads that they should not, which none at all, and which find something else by them.
+
+    No thread may be there before.
+    """
+    tasks = lambda: len(os.listdir("/proc/self/task"))
+    n = tasks()
+    calls = make_calls(16, threads=1)
+    faces, sphere = map_of(16, threads=1)[1:]
+    error = sp.ErrorCode.NO_1_TO_1_MAPPING
+    calls["explain a map"] = lambda **s: np.array(refused(error, sp.Locator, faces, -sphere, **s).face)
+    for name, call in calls.items():
+        child = os.fork()
+        if child == 0:
+            by_one = call(threads=1)
+            n_of_one = tasks()
+            by_all = call()
+            os._exit(int(n_of_one > n) + 2 * int(tasks() == n) + 4 * int(not same(by_one, by_all)))
+        status = os.waitpid(child, 0)[1]
+        if status != 0:
+            print(name, status)
+
+
+@pytest.mark.skipif(not Path("/proc/self/task").is_dir() or os.cpu_count() == 1, reason="needs Linux and two cores")
+def test_one_thread_is_that_of_the_caller_and_gives_the_same_bits():
+    words = [sys.executable, "-c", "import test_module; test_module.compare_threads()"]
+    environment = {**os.environ, "OPENBLAS_NUM_THREADS": "1"}
+    found = subprocess.run(words, cwd=Path(__file__).parent, env=environment, check=True, stdout=subprocess.PIPE)
+    assert found.stdout == b""
+
+
 def test_other_python_threads_go_on():
     vertices, faces = surface(80)
     ticks, is_over = [], threading.Event()
@@ -285,7 +364,7 @@ def test_the_callback_is_told_and_may_stop():
     assert calls[-1][1] < calls[0][1] and calls[-1][2] == pytest.approx(report.radius, rel=0.01)
     sphere, stopped = sp.parameterize(vertices, faces, callback=lambda i, energy, radius: [i] if i < 2 else [])
     assert stopped.stop_reason == "stopped by the visitor" and stopped.number_of_iterations < 4
-    assert sp.is_bijective(sphere, faces)
+    assert sp.is_bijective(faces, sphere)
 
     def fail(*arguments):
         raise RuntimeError("mine")
@@ -294,10 +373,38 @@ def test_the_callback_is_told_and_may_stop():
         sp.parameterize(vertices, faces, callback=fail)
 
 
-def test_a_time_limit_gives_the_map_reached():
-    vertices, faces = surface(40)
+def test_the_callback_is_told_of_maps_between_surfaces_and_may_stop_them():
+    first, second = map_of(18), map_of(12, shift=1.0)
+    calls = []
+    report = sp.map_surface(first, second, callback=lambda *arguments: calls.append(arguments))[1]
+    sizes, energies = np.array(calls).T
+    assert sizes[0] == energies[0] == 0 and (np.diff(sizes) >= 0).all() and 0 < sizes[-1] < len(first[0])
+    assert energies[-1] == pytest.approx(report.energy, rel=0.1)
+    directions, stopped = sp.map_surface(first, second, callback=lambda n, energy: energy == 0)
+    assert stopped.stop_reason == "stopped by the visitor" and stopped.number_of_sweeps < report.number_of_sweeps
+    assert sp.is_bijective(first[1], directions)
+
+    calls.clear()
+    alignment = sp.align_spheres(first, second, callback=lambda *arguments: calls.append(arguments))
+    assert len(calls) > 3 and set(calls) == {(0, 0.0)} and not alignment.is_stopped
+    assert sp.align_spheres(first, second, callback=lambda *_: False).is_stopped
+
+    def fail(*arguments):
+        raise RuntimeError("mine")
+
+    for call in (sp.map_surface, sp.align_spheres):
+        with pytest.raises(RuntimeError, match="mine"):
+            call(first, second, callback=fail)
+
+
+def test_a_time_limit_gives_what_has_been_reached():
+    vertices, faces, sphere = first = map_of(40)
     sphere, report = sp.parameterize(vertices, faces, time_limit=1e-6)
-    assert report.stop_reason == "time limit" and sp.is_bijective(sphere, faces)
+    assert report.stop_reason == "time limit" and sp.is_bijective(faces, sphere)
+    second = map_of(30, shift=1.0)
+    directions, report = sp.map_surface(first, second, time_limit=1e-6)
+    assert report.stop_reason == "time limit" and sp.is_bijective(faces, directions)
+    assert sp.align_spheres(first, second, time_limit=1e-6).is_stopped
 
 
 @pytest.mark.parametrize("callback", [None, lambda *_: time.sleep(0.02)])
@@ -312,24 +419,27 @@ def test_an_interruption_stops_the_run(callback):
         return sp.parameterize(vertices, faces, callback=callback, on_interrupt=on_interrupt)
 
     sphere, report = interrupted("return")
-    assert report.stop_reason == "stopped by the visitor" and sp.is_bijective(sphere, faces)
+    assert report.stop_reason == "stopped by the visitor" and sp.is_bijective(faces, sphere)
     with pytest.raises(KeyboardInterrupt):
         interrupted("raise")
     signal.signal(signal.SIGVTALRM, previous)
 
 
-def test_an_interruption_stops_the_map_between_surfaces():
+def test_an_interruption_stops_maps_between_surfaces():
     first, second = map_of(50), map_of(48, shift=1.0)
     previous = signal.signal(signal.SIGVTALRM, signal.default_int_handler)
     signal.setitimer(signal.ITIMER_VIRTUAL, 0.1)
-    directions, report = sp.map_surface(*first, *second, on_interrupt="return")
-    assert report.stop_reason == "stopped by the visitor" and sp.is_bijective(directions, first[1])
+    directions, report = sp.map_surface(first, second, on_interrupt="return")
+    assert report.stop_reason == "stopped by the visitor" and sp.is_bijective(first[1], directions)
     signal.setitimer(signal.ITIMER_VIRTUAL, 0.1)
-    with pytest.raises(KeyboardInterrupt):
-        sp.map_surface(*first, *second)
+    assert sp.align_spheres(first, second, on_interrupt="return").is_stopped
+    for call in (sp.map_surface, sp.align_spheres):
+        signal.setitimer(signal.ITIMER_VIRTUAL, 0.1)
+        with pytest.raises(KeyboardInterrupt):
+            call(first, second)
     signal.setitimer(signal.ITIMER_VIRTUAL, 0.1)
-    directions, _ = sp.map_surface(*first, *first, on_interrupt="return")  # which may be in the alignment
-    assert sp.is_bijective(directions, first[1])
+    directions, _ = sp.map_surface(first, first, on_interrupt="return")  # which may be in the alignment
+    assert sp.is_bijective(first[1], directions)
     signal.signal(signal.SIGVTALRM, previous)
 
 
@@ -338,7 +448,7 @@ def test_an_interruption_stops_the_map_between_surfaces():
 
 def test_locates_directions():
     vertices, faces, sphere = map_of(8)
-    locator = sp.Locator(sphere, faces)
+    locator = sp.Locator(faces, sphere)
     directions = np.random.default_rng(1).normal(size=(500, 3))
     face, coordinates = locator.locate(directions)
     found = np.einsum("kc,kcx->kx", coordinates, sphere[faces[face]])
@@ -349,7 +459,7 @@ def test_locates_directions():
     error = refused(sp.ErrorCode.INVALID_DIRECTION, locator.locate, [[1, 0, 0], [0, 0, 0], [0, np.nan, 0]])
     assert error.vertex == 1 and "2 such rows" in str(error)
     sphere[5] *= -1
-    assert 5 in faces[refused(sp.ErrorCode.NO_1_TO_1_MAPPING, sp.Locator, sphere, faces).face]
+    assert 5 in faces[refused(sp.ErrorCode.NO_1_TO_1_MAPPING, sp.Locator, faces, sphere).face]
 
 
 @pytest.mark.parametrize(
@@ -359,11 +469,11 @@ def test_remeshes_over_a_solid_or_a_mesh(solid, n):
     vertices, faces, sphere = map_of(8)
     result = sp.remesh(vertices, faces, sphere, (solid, 7))
     assert result.vertices.shape == (n, 3) and len(result.faces) == 2 * n - 4
-    assert sp.is_bijective(result.sphere, result.faces)
-    face, coordinates = sp.Locator(sphere, faces).locate(result.sphere)
+    assert sp.is_bijective(result.faces, result.sphere)
+    face, coordinates = sp.Locator(faces, sphere).locate(result.sphere)
     np.testing.assert_allclose(result.vertices, np.einsum("kc,kcx->kx", coordinates, vertices[faces[face]]))
     directions = np.r_[[[9, 9, 9]], result.sphere]  # with a vertex that has no face
-    again = sp.remesh(vertices, faces, sphere, (directions, result.faces + 1))
+    again = sp.remesh(vertices, faces, sphere, (result.faces + 1, directions))
     assert same(again.vertices[1:], result.vertices) and same(again.sphere[1:], result.sphere)
     assert np.isnan(again.vertices[0]).all() and np.array_equal(again.faces, result.faces + 1)
 
@@ -375,28 +485,28 @@ def test_refuses_wrong_domains():
     for domain in ("cube", 5, ("cube", 2.5)):
         with pytest.raises(TypeError):
             sp.remesh(vertices, faces, sphere, domain)
-    error = refused(sp.ErrorCode.NO_1_TO_1_MAPPING, sp.remesh, vertices, faces, sphere, (-sphere, faces))
+    error = refused(sp.ErrorCode.NO_1_TO_1_MAPPING, sp.remesh, vertices, faces, sphere, (faces, -sphere))
     assert str(error).startswith("domain: ")
 
 
 def test_transfers_numbers_and_labels():
     vertices, faces, sphere = map_of(8)
     fine = sp.remesh(vertices, faces, sphere, ("octahedron", 30))
-    surface_and_target = (vertices, faces, sphere, np.r_[fine.sphere, [[0, 0, 0]]], fine.faces)
-    points = sp.transfer(vertices, *surface_and_target)
+    source, target = (vertices, faces, sphere), (fine.faces, np.r_[fine.sphere, [[0, 0, 0]]])
+    points = sp.transfer(source, target, vertices)
     np.testing.assert_allclose(points[:-1], fine.vertices)
     assert np.isnan(points[-1]).all()
-    assert sp.transfer(vertices[:, 0].astype("f4"), *surface_and_target).dtype == np.float32
-    face = sp.Locator(sphere, faces).locate(fine.sphere[fine.faces].sum(1))[0]
+    assert sp.transfer(source, target, vertices[:, 0].astype("f4")).dtype == np.float32
+    face = sp.Locator(faces, sphere).locate(fine.sphere[fine.faces].sum(1))[0]
     for labels in (np.arange(len(faces)), np.arange(len(faces)) % 2 == 0, np.arange(len(faces)).astype("U")):
-        assert np.array_equal(sp.transfer(labels, *surface_and_target, of="faces"), labels[face])
+        assert np.array_equal(sp.transfer(source, target, labels, of="faces"), labels[face])
     sides = np.where(vertices[:, :2] > 0, "right", "left")
-    carried = sp.transfer(sides, *surface_and_target)
+    carried = sp.transfer(source, target, sides)
     assert carried.shape == (len(points), 2) and set(carried[:-1].ravel()) == {"left", "right"} and carried[-1, 0] == ""
     assert (carried[:-1, 0] == np.where(fine.vertices[:, 0] > 0, "right", "left")).mean() > 0.9
-    assert "258 rows" in str(refused(sp.ErrorCode.WRONG_PARAMETER, sp.transfer, vertices[:9], *surface_and_target))
+    assert "258 rows" in str(refused(sp.ErrorCode.WRONG_PARAMETER, sp.transfer, source, target, vertices[:9]))
     with pytest.raises(TypeError):
-        sp.transfer(vertices.astype(complex), *surface_and_target)
+        sp.transfer(source, target, vertices.astype(complex))
 
 
 # Surfaces
@@ -405,15 +515,15 @@ def test_transfers_numbers_and_labels():
 def test_maps_and_refines_two_surfaces():
     first, second = map_of(8), map_of(10)
     landmarks = np.stack([first[0].argmax(0), second[0].argmax(0)], axis=1)  # where x, y or z is largest
-    directions, report = sp.map_surface(*first, *second, landmarks=landmarks)
-    assert sp.is_bijective(directions, first[1]) and report.number_of_missed_landmarks == 0 and report.agreement == 0
+    directions, report = sp.map_surface(first, second, landmarks=landmarks)
+    assert sp.is_bijective(first[1], directions) and report.number_of_missed_landmarks == 0 and report.agreement == 0
     np.testing.assert_allclose(report.landmark_distances, 0, atol=1e-12)
-    images = sp.remesh(*second, (directions, first[1])).vertices
+    images = sp.remesh(*second, (first[1], directions)).vertices
     np.testing.assert_allclose(images[landmarks[:, 0]], second[0][landmarks[:, 1]], atol=1e-12)
-    soft = sp.map_surface(*first, *second, landmarks=landmarks, landmark_weight=1e-3)[1]
+    soft = sp.map_surface(first, second, landmarks=landmarks, landmark_weight=1e-3)[1]
     assert soft.energy < report.energy and soft.landmark_distances.max() > 1e-6
 
-    refinement = sp.overlay(first[0], first[1], directions, *second)
+    refinement = sp.overlay((*first[:2], directions), second)
     for points, corners, face, (vertices, faces) in (
         (refinement.vertices1, refinement.faces, refinement.faces1, first[:2]),
         (refinement.vertices2, refinement.faces, refinement.faces2, second[:2]),
@@ -423,30 +533,80 @@ def test_maps_and_refines_two_surfaces():
         np.testing.assert_allclose(parts, area(vertices, faces), rtol=1e-6)
 
 
+def test_measures_maps_between_surfaces():
+    first, second = map_of(8), map_of(10)
+    begin = time.perf_counter()
+    directions, report = sp.map_surface(first, second)
+    seconds = time.perf_counter() - begin
+    stages = [getattr(report, "seconds_for_" + s) for s in ("reading", "alignment", "descent", "overlay")]
+    assert min(stages) > 0 and seconds / 2 < sum(stages) < seconds
+    between = sp.measure_distortion_between((*first[:2], directions), second)
+    assert report.energy == pytest.approx(np.mean(between.energy[1:]))
+    assert between.number_of_triangles == len(sp.overlay((*first[:2], directions), second).faces)
+
+    # the same faces: the map is linear on each of them, and is compared with the lengths of its image at the same area
+    vertices, faces, sphere = first
+    stretched = vertices * [1, 1, 2]
+    corners = np.stack([vertices[faces], stretched[faces]])
+    edges = corners[:, :, 1:] - corners[:, :, :1]
+    gram = edges @ edges.transpose(0, 1, 3, 2)
+    areas = np.sqrt(np.linalg.det(gram)) / 2
+    squares = np.linalg.eigvals(np.linalg.solve(gram[0], gram[1])).real * areas[0].sum() / areas[1].sum()
+    s1, s2 = np.sqrt(np.sort(squares, axis=1).T)
+    between = sp.measure_distortion_between(first, (stretched, faces, sphere))
+    for measure, values in (
+        (between.isometric, np.maximum(s2, 1 / s1)),
+        (between.area, s1 * s2 + 1 / (s1 * s2)),
+        (between.angle, s1 / s2 + s2 / s1),
+        (between.energy, (s1**2 + s2**2 + 1 / s1**2 + 1 / s2**2) / 2),
+    ):
+        np.testing.assert_allclose(measure, [values.max(), *(np.average(values, weights=a) for a in areas)])
+    assert between.number_of_triangles - between.number_of_slivers >= len(faces)
+    all_left_out = sp.measure_distortion_between(first, (stretched, faces, sphere), smallest_area=0.9)
+    assert all_left_out.number_of_slivers == between.number_of_triangles and all_left_out.area.maximum == np.inf
+    refused(sp.ErrorCode.WRONG_PARAMETER, sp.measure_distortion_between, first, second, smallest_area=1)
+
+
+def test_aligns_spheres():
+    first = map_of(16)
+    angle = 2.0
+    turn = np.array([[0, 0, 1], [np.cos(angle), np.sin(angle), 0], [-np.sin(angle), np.cos(angle), 0]])
+    second = (first[0], first[1], first[2] @ turn.T)
+    for settings in ({}, {"features": [(first[0][:, i], first[0][:, i]) for i in range(3)]}):
+        alignment = sp.align_spheres(first, second, **settings)
+        np.testing.assert_allclose(alignment.rotations[0], turn, atol=0.01)
+        identities = alignment.rotations @ alignment.rotations.transpose(0, 2, 1)
+        np.testing.assert_allclose(identities, np.broadcast_to(np.eye(3), identities.shape), atol=1e-12)
+        assert alignment.scores[0] > 0.98 and (np.diff(alignment.scores) <= 0).all() and not alignment.is_stopped
+        assert alignment.margin == alignment.scores[0] - np.r_[alignment.scores, 0][1] > 0
+    assert sp.align_spheres(first, second, time_limit=1e-9).margin == 0
+
+
 def test_aligns_by_features_of_the_caller():
     first = map_of(8)
     turn = np.array([[0, 0, 1], [1, 0, 0], [0, 1, 0]])
     second = (first[0], first[1], first[2] @ turn.T)
     features = [(first[0][:, i], first[0][:, i]) for i in range(3)]
-    directions, report = sp.map_surface(*first, *second, features=features)
+    directions, report = sp.map_surface(first, second, features=features)
     assert report.agreement > 0.99 and report.energy == pytest.approx(2, abs=1e-6)
-    np.testing.assert_allclose(sp.remesh(*second, (directions, first[1])).vertices, first[0], atol=1e-3)
+    np.testing.assert_allclose(sp.remesh(*second, (first[1], directions)).vertices, first[0], atol=1e-3)
 
 
 def test_says_what_is_wrong_with_two_surfaces():
     first, second = map_of(4), map_of(5)
     n = len(first[0])
     landmark = sp.ErrorCode.INVALID_LANDMARK
-    error = refused(landmark, sp.map_surface, *first, *second, landmarks=[[0, 0], [n, 1]])
-    assert error.vertex == n and "row 1" in str(error) and "first surface" in str(error)
-    error = refused(landmark, sp.map_surface, *first, *second, landmarks=[[0, 7], [1, 7]])
+    error = refused(landmark, sp.map_surface, first, second, landmarks=[[0, 0], [n, 1]])
+    assert error.vertex == n and "row 1" in str(error) and "of surface1" in str(error)
+    error = refused(landmark, sp.map_surface, first, second, landmarks=[[0, 7], [1, 7]])
     assert error.vertex == 7 and "so has row 0" in str(error)
     second_and_more = (np.r_[second[0], [[0, 0, 0]]], second[1], np.r_[second[2], [[0, 0, 0]]])
-    error = refused(landmark, sp.map_surface, *first, *second_and_more, landmarks=[[0, len(second[0])]])
+    error = refused(landmark, sp.map_surface, first, second_and_more, landmarks=[[0, len(second[0])]])
     assert error.vertex == len(second[0]) and "no face" in str(error)
     wrong = sp.ErrorCode.WRONG_PARAMETER
     values = np.zeros(n), np.zeros(len(second[0]))
     values[1][3] = np.inf
+    refused(wrong, sp.align_spheres, first, second, features=[values])
     for settings in (
         {"landmarks": [0, 1]},
         {"landmark_weight": 0},
@@ -454,13 +614,19 @@ def test_says_what_is_wrong_with_two_surfaces():
         {"feature_weight": -1},
         {"features": [values[::-1]]},
     ):
-        refused(wrong, sp.map_surface, *first, *second, **settings)
+        refused(wrong, sp.map_surface, first, second, **settings)
     for settings in ({"landmarks": [[0.5, 1]]}, {"features": [1]}):
         with pytest.raises(TypeError):
-            sp.map_surface(*first, *second, **settings)
+            sp.map_surface(first, second, **settings)
     folded = (*second[:2], -second[2])
-    for call in (sp.map_surface, sp.overlay):
-        assert str(refused(sp.ErrorCode.NO_1_TO_1_MAPPING, call, *first, *folded)).startswith("second surface: sphere2")
+    for call in (sp.map_surface, sp.align_spheres, sp.overlay, sp.measure_distortion_between):
+        assert str(refused(sp.ErrorCode.NO_1_TO_1_MAPPING, call, first, folded)).startswith("surface2: sphere is not")
+        assert str(refused(wrong, call, (first[0][:, :2], *first[1:]), second)).startswith("surface1: vertices has")
+        with pytest.raises(TypeError, match="surface2 has to be a tuple: .vertices, faces, sphere"):
+            call(first, second[:2])
+    error = refused(sp.ErrorCode.NO_1_TO_1_MAPPING, sp.transfer, first, folded[1:], first[0])
+    assert str(error).startswith("target: sphere is not")
+    assert str(refused(wrong, sp.transfer, first, (second[1], second[2][:, :2]), first[0])).startswith("target: sphere has")
 
 
 # What users read
