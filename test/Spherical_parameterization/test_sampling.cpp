@@ -2,6 +2,7 @@
 
 #include <CGAL/Spherical_parameterization/Sphere_locator_3.h>
 
+#include "Counting_kernel.h"
 #include "judge.h"
 #include "methods.h"
 #include "random_meshes.h"
@@ -289,7 +290,7 @@ TEST(Locations, at_a_vertex_or_edge_are_in_its_first_face)
 }
 
 // The mesh is so large that directions are sorted.
-TEST(Locations, around_a_vertex_of_high_degree)
+TEST(Locations, are_those_of_a_brute_force_around_a_vertex_of_high_degree)
 {
   const Triangle_list list = suspension(test_scale::number_of(50000, 100000));
   const Sphere_map map(list);
@@ -304,6 +305,23 @@ TEST(Locations, around_a_vertex_of_high_degree)
     }
   }
   expect_right(map, directions);
+}
+
+// A query takes as many steps in any mesh, as the grid has a cell for each few triangles.
+TEST(Locations, take_as_many_side_tests_in_a_large_mesh_as_in_a_small_one)
+{
+  const auto n_side_tests = [](unsigned int subdivisions) {
+    auto triangulation = triangulation_of<Counting_kernel>(icosphere(subdivisions));
+    EXPECT_TRUE(triangulation.make_grid());
+    Counting_kernel::n_orientations = 0;
+    for(const Point_3& q : points_of(random_directions(1000, 8)))
+    {
+      decltype(triangulation)::Hint none;
+      triangulation.locate(q, none);
+    }
+    return static_cast<double>(Counting_kernel::n_orientations);
+  };
+  EXPECT_LT(n_side_tests(5), 1.1 * n_side_tests(2));
 }
 
 TEST(Locations, do_not_depend_on_the_length_of_a_direction)

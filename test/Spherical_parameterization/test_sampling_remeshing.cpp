@@ -47,17 +47,6 @@ Coordinates coordinates(const Point_3& p)
   return {p.x(), p.y(), p.z()};
 }
 
-// the triangles of a domain, whose points are its directions
-Triangle_list list_of(const Domain& domain)
-{
-  Triangle_list result;
-  for(const Point_3& p : domain.directions())
-    result.points.push_back(coordinates(p));
-  for(const Domain::Triangle& t : domain.triangles())
-    result.triangles.push_back({t[0], t[1], t[2]});
-  return result;
-}
-
 Point_3 scaled_by_power(const Point_3& p, int exponent)
 {
   return Point_3(std::ldexp(p.x(), exponent), std::ldexp(p.y(), exponent), std::ldexp(p.z(), exponent));
@@ -598,20 +587,6 @@ double mean(const std::map<std::size_t, double>& weights)
   return sum / weight;
 }
 
-// turned by some angles, so that what is compared does not hang on how a centre on an edge is rounded
-Triangle_list turned(Triangle_list list)
-{
-  for(std::size_t axis = 0; axis < 2; ++axis)
-    for(Coordinates& p : list.points)
-    {
-      double &x = p[(axis + 1) % 3], &y = p[(axis + 2) % 3];
-      const double old_x = x;
-      x = std::cos(0.3) * x - std::sin(0.3) * y;
-      y = std::sin(0.3) * old_x + std::cos(0.3) * y;
-    }
-  return list;
-}
-
 TEST(Transfer, follows_its_rules_to_coarser_and_finer_meshes)
 {
   const Triangle_list uneven = with_slivers(random_stacked_sphere(150, 3), 5, 1e-3);
@@ -620,7 +595,7 @@ TEST(Transfer, follows_its_rules_to_coarser_and_finer_meshes)
     for(const Triangle_list& to : lists)
     {
       SCOPED_TRACE(std::to_string(from.points.size()) + " to " + std::to_string(to.points.size()));
-      Mapped_mesh source(scaled(from, 1., 1., 2.), from.points), target(turned(to));
+      Mapped_mesh source(scaled(from, 1., 1., 2.), from.points), target(tilted(to)); // no centre is on an edge
       fill<Vertex_index, double>(source, "v:x", [](std::size_t i) { return std::sin(static_cast<double>(i)); });
       const auto region_of = [&](std::size_t i) {
         return region(source.sphere[Vertex_index(static_cast<Mesh::size_type>(i))]);
@@ -751,7 +726,7 @@ TEST(Transfer, compares_labels_as_often_as_sorting_does)
       return n;
     }
   };
-  Mapped_mesh source(icosphere(5)), target(turned(octahedron()));
+  Mapped_mesh source(icosphere(5)), target(tilted(octahedron()));
   fill<Vertex_index, Label>(source, "v:label", [](std::size_t i) { return Label{i}; });
   const auto label = target.add<Vertex_index, Label>("v:label");
   ASSERT_EQ(SP::transfer(source.mesh, source.sphere, target.mesh, target.sphere,

@@ -1,6 +1,7 @@
 // The common refinement of two meshes of the sphere is closed, covers each face of both exactly, and has the crossings that
 // a rational brute force finds, whatever coincides.
 
+#include "Counting_kernel.h"
 #include "judge.h"
 #include "methods.h"
 #include "random_meshes.h"
@@ -31,37 +32,6 @@ using namespace test;
 namespace {
 
 using Overlay = SP::Surface_overlay_3<Mesh, Mesh>;
-using Triangulation = SP::internal::Sphere_triangulation<Kernel>;
-
-Triangulation triangulation_of(const Triangle_list& list)
-{
-  std::vector<Point_3> points;
-  for(const Coordinates& p : list.points)
-    points.emplace_back(p[0], p[1], p[2]);
-  std::vector<std::array<std::uint32_t, 3>> triangles;
-  for(const Triangle& t : list.triangles)
-    triangles.push_back(
-        {static_cast<std::uint32_t>(t[0]), static_cast<std::uint32_t>(t[1]), static_cast<std::uint32_t>(t[2])});
-  Triangulation result;
-  result.assign(points, SP::internal::link_triangles(triangles, points.size()));
-  return result;
-}
-
-Triangle_list turned(Triangle_list list, double angle)
-{
-  for(Coordinates& p : list.points)
-    p = {std::cos(angle) * p[0] - std::sin(angle) * p[1], std::sin(angle) * p[0] + std::cos(angle) * p[1], p[2]};
-  return list;
-}
-
-// turned about another axis, so that nothing coincides
-Triangle_list tilted(Triangle_list list)
-{
-  list = turned(list, 0.1);
-  for(Coordinates& p : list.points)
-    p = {p[2], p[0], p[1]};
-  return turned(list, 0.2);
-}
 
 const std::vector<std::pair<std::string, Triangle_list>>& lists()
 {
@@ -77,7 +47,8 @@ const std::vector<std::pair<std::string, Triangle_list>>& lists()
       {"stacked", random_stacked_sphere(60, 1)},
       {"stacked, again", random_stacked_sphere(90, 1)}, // shares most of its vertices with the one before
       {"slivers", with_slivers(icosphere(1), 10, 1e-9)},
-      {"suspension", suspension(50)}};
+      {"suspension", suspension(50)},
+      {"tilted", tilted(random_stacked_sphere(30, 7))}}; // in general position to all others
   return result;
 }
 
@@ -94,12 +65,14 @@ Overlay overlay_of(const Mesh& mesh1, const Triangle_list& sphere1, const Mesh& 
   return result;
 }
 
+Coordinates coordinates_of(const Point_3& p)
+{
+  return {p.x(), p.y(), p.z()};
+}
+
 double area_of(const Overlay& overlay, std::size_t k, std::size_t surface)
 {
-  const auto p = [&](std::size_t i) -> Coordinates {
-    const auto& q = overlay.points[overlay.triangles[k][i]][surface];
-    return {q.x(), q.y(), q.z()};
-  };
+  const auto p = [&](std::size_t i) { return coordinates_of(overlay.points[overlay.triangles[k][i]][surface]); };
   return area(p(0), p(1), p(2));
 }
 
@@ -138,65 +111,176 @@ TEST(Overlay, covers_each_face_of_both_surfaces)
     }
 }
 
-// For meshes in general position, the crossings are those of the pairs of edges whose ends are on different sides.
+// Where the surfaces are the spheres themselves, both places of a vertex, and of a crossing, are the same but for their length.
+TEST(Overlay, gives_each_vertex_one_direction)
+{
+  for(const auto& [name1, list1] : lists())
+    for(const auto& [name2, list2] : lists())
+    {
+      SCOPED_TRACE(name1 + " and " + name2);
+      const Mesh mesh1 = make(list1), mesh2 = make(list2);
+      const Overlay overlay = overlay_of(mesh1, list1, mesh2, list2);
+      // Where an edge of 1e-9 goes on another one, rounding leaves open which of its ends is theirs.
+      const double tolerance = name1 == "slivers" || name2 == "slivers" ? 1e-9 : 1e-14;
+      for(std::size_t v = 0; v < overlay.points.size(); ++v)
+      {
+        const Coordinates p = coordinates_of(overlay.points[v][0]), q = coordinates_of(overlay.points[v][1]);
+        ASSERT_GT(dot(p, q), 0.) << v;
+        ASSERT_LT(norm(cross(p, q)), tolerance) << v; // of lengths of about 1
+      }
+    }
+}
+
+using Ends = std::array<std::size_t, 2>;
+using Crossings = std::set<std::array<Ends, 2>>; // the ends of an edge of each mesh, the smaller number first
+
+Ends edge_of(std::size_t v, std::size_t w)
+{
+  return {(std::min)(v, w), (std::max)(v, w)};
+}
+
+std::set<Ends> edges_of(const Triangle_list& list)
+{
+  std::set<Ends> result;
+  for(const Triangle& t : list.triangles)
+    for(std::size_t i = 0; i < 3; ++i)
+      result.insert(edge_of(t[i], t[(i + 1) % 3]));
+  return result;
+}
+
+// Multiples of 2^-40: no determinant of three points, nor product of coordinates of (p x q) and r, is nearer to 0 than
+// 2^-120, but for 0.
+Triangle_list on_grid(Triangle_list list)
+{
+  for(Coordinates& p : list.points)
+    for(double& x : p)
+      x = std::ldexp(std::round(std::ldexp(x, 40)), -40);
+  return list;
+}
+
+using Exact_image = judge::Image<CGAL::Exact_rational>;
+
+std::vector<Exact_image> exact_points(const Triangle_list& list)
+{
+  std::vector<Exact_image> result;
+  for(const Coordinates& p : list.points)
+    result.push_back(judge::exact(p));
+  return result;
+}
+
+// (1 + E) p in rationals, for the matrix E of Perturbed_orientation with d = 2^-2000: each entry is 2^-200 times the one
+// before, and products of two are below 2^-4000, the last entry is 2^-3600. For points on the grid, these are
+// infinitesimals: what is infinitely smaller than an entry is smaller than 2^-120 times the entry.
+std::vector<Exact_image> perturbed_points(const Triangle_list& list)
+{
+  std::array<CGAL::Exact_rational, 9> entries;
+  CGAL::Exact_rational x = 1;
+  for(int k = 0; k < 10; ++k)
+    x *= CGAL::Exact_rational(0x1p-200);
+  for(CGAL::Exact_rational& entry : entries)
+  {
+    entry = x;
+    x *= CGAL::Exact_rational(0x1p-200);
+  }
+  std::vector<Exact_image> result = exact_points(list);
+  for(Exact_image& p : result)
+  {
+    const Exact_image q = p;
+    for(std::size_t i = 0; i < 3; ++i)
+      for(std::size_t j = 0; j < 3; ++j)
+        p[i] += entries[3 * i + j] * q[j];
+  }
+  return result;
+}
+
+// For each edge of `of`, the sides of the vertices of `in`: by the doubles, and where these are on it, by exact points.
+std::map<Ends, std::vector<int>> sides_of(const Triangle_list& of, const std::vector<Exact_image>& exact_of,
+                                          const Triangle_list& in, const std::vector<Exact_image>& exact_in)
+{
+  std::map<Ends, std::vector<int>> result;
+  for(const Ends& e : edges_of(of))
+    for(std::size_t v = 0; v < in.points.size(); ++v)
+    {
+      int side = judge::sign_of_determinant(of.points[e[0]], of.points[e[1]], in.points[v]);
+      if(side == 0)
+        side = CGAL::sign(judge::determinant(exact_of[e[0]], exact_of[e[1]], exact_in[v]));
+      EXPECT_NE(side, 0);
+      result[e].push_back(side);
+    }
+  return result;
+}
+
+// The pairs of edges whose ends are on different sides of each other, of the first mesh as it is perturbed.
+Crossings crossings_of_brute_force(const Triangle_list& list1, const Triangle_list& list2)
+{
+  const std::vector<Exact_image> points1 = perturbed_points(list1), points2 = exact_points(list2);
+  const auto sides1 = sides_of(list1, points1, list2, points2), sides2 = sides_of(list2, points2, list1, points1);
+  Crossings result;
+  for(const auto& [e, sides_of_e] : sides1)
+    for(const auto& [f, sides_of_f] : sides2)
+    {
+      const int c = sides_of_e[f[0]], d = sides_of_e[f[1]], a = sides_of_f[e[0]], b = sides_of_f[e[1]];
+      if(c != d && a != b && c == b) // or they would cross on the other side of the sphere
+        result.insert({e, f});
+    }
+  return result;
+}
+
 TEST(Overlay, has_the_crossings_of_a_brute_force)
 {
-  const auto exact = [](const Coordinates& p) { return judge::exact(p); };
-  const auto edges_of = [](const Triangle_list& list) {
-    std::set<std::array<std::size_t, 2>> result;
-    for(const Triangle& t : list.triangles)
-      for(std::size_t i = 0; i < 3; ++i)
-        result.insert({(std::min)(t[i], t[(i + 1) % 3]), (std::max)(t[i], t[(i + 1) % 3])});
-    return result;
-  };
-  for(const auto& [name, list1] : lists())
-  {
-    SCOPED_TRACE(name);
-    const Triangle_list list2 = tilted(random_stacked_sphere(30, 7));
-    std::size_t n = 0;
-    for(const auto& [a, b] : edges_of(list1))
-      for(const auto& [c, d] : edges_of(list2))
-      {
-        const auto p = exact(list1.points[a]), q = exact(list1.points[b]), r = exact(list2.points[c]),
-                   s = exact(list2.points[d]);
-        const int pqr = CGAL::sign(judge::determinant(p, q, r)), pqs = CGAL::sign(judge::determinant(p, q, s)),
-                  rsp = CGAL::sign(judge::determinant(r, s, p)), rsq = CGAL::sign(judge::determinant(r, s, q));
-        ASSERT_NE(pqr * pqs * rsp * rsq, 0);
-        n += pqr != pqs && rsp != rsq && pqr == rsq; // or they would cross on the other side of the sphere
-      }
-    const Triangulation first = triangulation_of(list1), second = triangulation_of(list2);
-    SP::internal::Sphere_overlay<Kernel> overlay;
-    ASSERT_EQ(overlay.assign(first, second, {}), SP::OK);
-    EXPECT_EQ(overlay.crossings().size(), n);
-  }
+  for(const auto& [name1, list1] : lists())
+    for(const auto& [name2, list2] : lists())
+    {
+      SCOPED_TRACE(name1 + " and " + name2);
+      const Triangle_list on_grid1 = on_grid(list1), on_grid2 = on_grid(list2);
+      ASSERT_TRUE(judge::is_one_to_one(on_grid1.points, on_grid1.triangles));
+      const auto first = triangulation_of<Kernel>(on_grid1), second = triangulation_of<Kernel>(on_grid2);
+      SP::internal::Sphere_overlay<Kernel> overlay;
+      ASSERT_EQ(overlay.assign(first, second, {}), SP::OK);
+      const SP::internal::Triangle_sides sides1(first.triangles()), sides2(second.triangles());
+      const auto ends = [](const auto& sides, std::size_t e) { return edge_of(sides.source(e), sides.target(e)); };
+      Crossings crossings;
+      for(const auto& [e, f] : overlay.crossings())
+        ASSERT_TRUE(crossings.insert({ends(sides1, e), ends(sides2, f)}).second);
+      EXPECT_EQ(crossings, crossings_of_brute_force(on_grid1, on_grid2));
+    }
 }
 
-// The time is linear in the crossings, which are many where two such vertices coincide.
-TEST(Overlay, around_vertices_of_high_degree)
+// What the overlay of two meshes asks for, and how many vertices it has.
+std::pair<double, double> orientations_and_vertices(const Triangle_list& list1, const Triangle_list& list2)
 {
+  const auto first = triangulation_of<Counting_kernel>(list1), second = triangulation_of<Counting_kernel>(list2);
+  SP::internal::Sphere_overlay<Counting_kernel> overlay;
+  Counting_kernel::n_orientations = 0;
+  EXPECT_EQ(overlay.assign(first, second, {}), SP::OK);
+  return {static_cast<double>(Counting_kernel::n_orientations), static_cast<double>(overlay.number_of_vertices())};
+}
+
+// The time is linear in what comes out, which is in proportion to the degree of a vertex, and to the product of the degrees
+// where two such vertices coincide.
+TEST(Overlay, asks_in_proportion_to_its_vertices_around_vertices_of_high_degree)
+{
+  const Triangle_list other = tilted(icosphere(3));
+  const auto expect_linear = [](const std::pair<double, double>& small, const std::pair<double, double>& large) {
+    EXPECT_GT(large.second, 1.8 * small.second);
+    EXPECT_LT(large.first / small.first, 1.05 * large.second / small.second);
+    EXPECT_LT(large.first, 6. * large.second); // 3.4 times as many were counted, and 5.2 where hubs coincide
+  };
+  expect_linear(orientations_and_vertices(suspension(1000), other), orientations_and_vertices(suspension(2000), other));
+  expect_linear(orientations_and_vertices(other, suspension(1000)), orientations_and_vertices(other, suspension(2000)));
+  expect_linear(orientations_and_vertices(suspension(100), suspension(100)),
+                orientations_and_vertices(suspension(200), suspension(200)));
+}
+
+TEST(Overlay, that_is_too_large_for_the_numbers_of_vertices_is_refused)
+{
+  const auto small = triangulation_of<Kernel>(octahedron());
   SP::internal::Sphere_overlay<Kernel> overlay;
-  const Triangulation hub = triangulation_of(suspension(10000)), other = triangulation_of(tilted(icosphere(3)));
-  EXPECT_EQ(overlay.assign(hub, other, {}), SP::OK);
-  EXPECT_EQ(overlay.assign(other, hub, {}), SP::OK);
-  const Triangulation small_hub = triangulation_of(suspension(300));
-  EXPECT_EQ(overlay.assign(small_hub, small_hub, {}), SP::OK);
-  // What is too large for the numbers of vertices is told.
+  ASSERT_EQ(overlay.assign(small, small, {}), SP::OK);
   const std::size_t n = overlay.number_of_vertices();
   SP::internal::Sphere_overlay<Kernel> large(n - 1), fitting(n);
-  EXPECT_EQ(large.assign(small_hub, small_hub, {}), SP::ERROR_TOO_LARGE_MESH);
-  EXPECT_EQ(fitting.assign(small_hub, small_hub, {}), SP::OK);
-}
-
-TEST(Overlay, is_the_same_in_any_number_of_threads)
-{
-  const Triangle_list list1 = icosphere(4), list2 = turned(icosphere(4), 0.2);
-  const Mesh mesh1 = make(list1), mesh2 = make(list2);
-  Overlay parallel, sequential;
-  ASSERT_EQ(SP::overlay(mesh1, mesh1.points(), mesh2, mesh2.points(), parallel), SP::OK);
-  ASSERT_EQ(SP::overlay<CGAL::Sequential_tag>(mesh1, mesh1.points(), mesh2, mesh2.points(), sequential), SP::OK);
-  EXPECT_EQ(parallel.points, sequential.points);
-  EXPECT_EQ(parallel.triangles, sequential.triangles);
-  EXPECT_EQ(parallel.faces, sequential.faces);
+  EXPECT_EQ(large.assign(small, small, {}), SP::ERROR_TOO_LARGE_MESH);
+  EXPECT_EQ(fitting.assign(small, small, {}), SP::OK);
 }
 
 TEST(Overlay, does_not_depend_on_the_length_of_directions)

@@ -19,6 +19,7 @@
 
 #include <CGAL/Spherical_parameterization/Error_code.h>
 #include <CGAL/Spherical_parameterization/Parameterization_report.h>
+#include <CGAL/Spherical_parameterization/Sphere_domain_3.h>
 #include <CGAL/Spherical_parameterization/measure_distortion.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -253,6 +254,7 @@ Method bijective_from(const Mesh& mesh, const Images& images); // the default me
 Method bijective_from_stereographic();
 
 Mesh make(const Triangle_list& list);
+Triangle_list list_of(const SP::Sphere_domain_3& domain);
 std::vector<Triangle> triangles(const Mesh& mesh);
 Images points(const Mesh& mesh);
 bool is_bijective(const Mesh& mesh, const Images& images);

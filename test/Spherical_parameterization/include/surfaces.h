@@ -81,16 +81,6 @@ inline Point_3 on_body(const Point_3& p)
   return Point_3(r * p.x(), 1.2 * r * p.y(), 0.8 * r * p.z());
 }
 
-inline Triangle_list list_of(const SP::Sphere_domain_3& domain)
-{
-  Triangle_list result;
-  for(const Point_3& p : domain.directions())
-    result.points.push_back({p.x(), p.y(), p.z()});
-  for(const auto& t : domain.triangles())
-    result.triangles.push_back({t[0], t[1], t[2]});
-  return result;
-}
-
 inline Triangle_list octahedron_of(std::uint32_t n)
 {
   return list_of(SP::Sphere_domain_3::octahedron(n));

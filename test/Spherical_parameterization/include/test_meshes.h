@@ -59,6 +59,23 @@ inline Triangle_list scaled(Triangle_list list, double x, double y, double z)
   return list;
 }
 
+// The mesh, turned about the axis of z.
+inline Triangle_list turned(Triangle_list list, double angle)
+{
+  for(Coordinates& p : list.points)
+    p = {std::cos(angle) * p[0] - std::sin(angle) * p[1], std::sin(angle) * p[0] + std::cos(angle) * p[1], p[2]};
+  return list;
+}
+
+// The mesh, turned about two axes, so that nothing of it coincides with what it coincided with before.
+inline Triangle_list tilted(Triangle_list list)
+{
+  list = turned(list, 0.1);
+  for(Coordinates& p : list.points)
+    p = {p[2], p[0], p[1]};
+  return turned(list, 0.2);
+}
+
 // A regular tetrahedron on the unit sphere.
 inline Triangle_list tetrahedron()
 {

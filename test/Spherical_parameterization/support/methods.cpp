@@ -148,6 +148,17 @@ Mesh make(const Triangle_list& list)
   return test_meshes::make_mesh<Mesh>(list);
 }
 
+// the triangles of a domain, whose points are its directions
+Triangle_list list_of(const SP::Sphere_domain_3& domain)
+{
+  Triangle_list result;
+  for(const Point_3& p : domain.directions())
+    result.points.push_back({p.x(), p.y(), p.z()});
+  for(const auto& t : domain.triangles())
+    result.triangles.push_back({t[0], t[1], t[2]});
+  return result;
+}
+
 std::vector<Triangle> triangles(const Mesh& mesh)
 {
   std::vector<std::size_t> number(mesh.number_of_vertices() + mesh.number_of_removed_vertices());
