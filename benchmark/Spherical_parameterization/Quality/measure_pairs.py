@@ -5,17 +5,21 @@ FOLDER has pairs.txt, with two names and a kind in each line. The meshes are NAM
 files NAME.vts of both have the vertices that correspond, line by line, counted from 1, and NAME.sym.vts their mirror images. Of the kind
 `landmarks`, NAME.vts, or for NAME/input0 and NAME/input1 the files NAME/landmarks0.txt and so on, have landmarks, counted from 0. Takes five
 minutes; needs numpy and scipy.
+
+With --bounds FILE, the pairs of that file are mapped, those of which there are files, and compared with the bounds there. It needs no
+scipy, as the error is then that of straight distances. Fails if one is above its bound.
 """
 
 from __future__ import annotations
 
 import gzip
 import json
+import math
 import statistics
 import sys
 import tempfile
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 sys.dont_write_bytecode = True  # leaves the sources as they are
 sys.path.append(str(Path(__file__).resolve().parents[1] / "python"))
@@ -24,9 +28,31 @@ import numpy as np
 from measuring.commands import run_command
 from measuring.drivers import Driver
 from measuring.meshes import Mesh, read_mesh
-from scipy.sparse import csr_matrix
-from scipy.sparse.csgraph import dijkstra
-from scipy.spatial import cKDTree
+
+
+class Bounds(NamedTuple):
+    """What a map may have at most, and the remesh that it goes to at least; infinite if there is no bound."""
+
+    first: str
+    second: str
+    kind: str
+    error: float
+    energy: float
+    psnr: float
+
+
+def read_bounds(path: Path) -> list[Bounds]:
+    """reads lines of two names, a kind and three numbers, in which '-' stands for no bound"""
+    bounds = []
+    for line in path.read_text(encoding="utf-8").splitlines():
+        if line and not line.startswith("#"):
+            try:
+                first, second, kind, error, energy, psnr = line.split()
+                most = (math.inf if bound == "-" else float(bound) for bound in (error, energy))
+                bounds.append(Bounds(first, second, kind, *most, -math.inf if psnr == "-" else float(psnr)))
+            except ValueError:
+                sys.exit(f"{path}: not two names, a kind and three numbers: {line}")
+    return bounds
 
 
 def numbers_in(path: Path, first: int) -> np.ndarray:
@@ -36,6 +62,9 @@ def numbers_in(path: Path, first: int) -> np.ndarray:
 
 def distances(mesh: Mesh, sources: np.ndarray) -> np.ndarray:
     """returns the lengths of shortest paths along edges, over the square root of the area, in percent"""
+    from scipy.sparse import csr_matrix
+    from scipy.sparse.csgraph import dijkstra
+
     points, faces = mesh.vertices, mesh.faces
     ends = np.vstack([faces[:, [0, 1]], faces[:, [1, 2]], faces[:, [2, 0]]])
     lengths = np.linalg.norm(points[ends[:, 0]] - points[ends[:, 1]], axis=1)
@@ -46,8 +75,8 @@ def distances(mesh: Mesh, sources: np.ndarray) -> np.ndarray:
 class Pairs:
     """The pairs of a folder, mapped by the program."""
 
-    def __init__(self, program: Path, folder: Path, work: Path) -> None:
-        self.program, self.folder, self.work = program, folder, work
+    def __init__(self, program: Path, folder: Path | None, meshes: Path | None, work: Path) -> None:
+        self.program, self.folder, self.meshes, self.work = program.resolve(), folder, meshes, work
         self.results: dict[str, list[dict[str, Any]]] = {}
 
     def mesh(self, name: str) -> Path:
@@ -65,20 +94,36 @@ class Pairs:
         path = self.folder / (name + ".vts")
         return path if path.exists() else self.folder / (name.replace("input", "landmarks") + ".txt")
 
-    def run(self, first: str, second: str, kind: str) -> None:
-        """maps one surface onto another one"""
-        paths = [self.mesh(first), self.mesh(second)]
-        result, report = self.work / "result.off", self.work / "result.json"
-        command = [str(self.program), str(paths[0]), "--onto", str(paths[1]), "-o", str(result), "--json", str(report), "--quiet"]
-        if kind == "landmarks":
-            command += ["--landmarks", str(self.landmarks(first)), str(self.landmarks(second))]
-        outcome = run_command(command)
+    def energy(self, facts: dict[str, Any]) -> float:
+        """returns the mean of both averages of the energy"""
+        energy = facts["match"]["energy"]
+        return 0.5 * float(energy["average"] + energy["average_over_target"])
+
+    def execute(self, arguments: list[Any]) -> dict[str, Any]:
+        """runs the program, and returns its report"""
+        report = self.work / "result.json"
+        outcome = run_command([self.program, *arguments, "--json", report, "--quiet"])
         if outcome.status != 0:
             raise SystemExit(outcome.message)
-        facts = json.loads(report.read_text())
+        facts: dict[str, Any] = json.loads(report.read_text())
+        return facts
+
+    def map_pair(self, first: str, second: str, kind: str) -> tuple[dict[str, Any], Mesh, np.ndarray]:
+        """maps one surface onto another one, and returns the report, the target, and where the vertices are on it"""
+        paths = [self.mesh(first), self.mesh(second)]
+        result = self.work / "result.off"
+        arguments: list[Any] = [paths[0], "--onto", paths[1], "-o", result]
+        if kind == "landmarks":
+            arguments += ["--landmarks", self.landmarks(first), self.landmarks(second)]
+        return self.execute(arguments), read_mesh(paths[1]), read_mesh(result).vertices
+
+    def run(self, first: str, second: str, kind: str) -> None:
+        """maps one surface onto another one, for the table"""
+        facts, target, images = self.map_pair(first, second, kind)
         facts["error"], facts["is_swapped"] = 0.0, False
         if kind == "corres":
-            target, images = read_mesh(paths[1]), read_mesh(result).vertices
+            from scipy.spatial import cKDTree
+
             places = numbers_in(self.folder / (first + ".vts"), 1)
             true = numbers_in(self.folder / (second + ".vts"), 1)
             sources, inverse = np.unique(true, return_inverse=True)
@@ -90,6 +135,41 @@ class Pairs:
                 facts["is_swapped"] = float(distances(target, sources)[inverse, found].mean()) < facts["error"]
         print(first, second, f"{facts['error']:.2f}", file=sys.stderr)
         self.results.setdefault(first.split("/", maxsplit=1)[0], []).append(facts)
+
+    def figures(self, pair: Bounds) -> Bounds | None:
+        """returns what is bounded of a pair, or nothing if there are no files of it"""
+        error, psnr = -math.inf, math.inf
+        if pair.kind == "remesh":  # of a mesh of CGAL's; each vertex has to come to where it was
+            if self.meshes is None:
+                return None
+            path, remesh, result = self.meshes / f"{pair.first}.off", self.work / "remesh.off", self.work / "result.off"
+            psnr = float(self.execute([path, "--remesh", pair.second, "-o", remesh])["remesh"]["psnr"])
+            facts = self.execute([path, "--onto", remesh, "-o", result])
+            target, images, true = read_mesh(remesh), read_mesh(result).vertices, read_mesh(path).vertices
+        elif self.folder is None:
+            return None
+        else:
+            facts, target, images = self.map_pair(pair.first, pair.second, pair.kind)
+            if pair.kind == "corres":
+                images = images[numbers_in(self.folder / (pair.first + ".vts"), 1)]
+                true = target.vertices[numbers_in(self.folder / (pair.second + ".vts"), 1)]
+        if pair.kind != "landmarks":
+            error = 100.0 * float(np.linalg.norm(images - true, axis=1).mean() / np.sqrt(target.area()))
+        return Bounds(*pair[:3], error, self.energy(facts), psnr)
+
+    def check(self, bounds: list[Bounds]) -> None:
+        """compares pairs with their bounds"""
+        failures, count = [], 0
+        for pair in bounds:
+            found = self.figures(pair)
+            if found is None:
+                continue
+            count += 1
+            shown = (f"{x:.4f}" if math.isfinite(x) else "-" for x in found[3:])
+            print(*found[:3], *shown)
+            if not (found.error <= pair.error and found.energy <= pair.energy and found.psnr >= pair.psnr):
+                failures.append(f"{pair.first} {pair.second} is beyond {pair.error:g}, {pair.energy:g} or {pair.psnr:g}")
+        sys.exit("\n".join(failures) or (0 if count else "There are no files of these pairs."))
 
     def print_table(self) -> None:
         """prints a row for each folder of meshes"""
@@ -103,7 +183,7 @@ class Pairs:
                 f"{statistics.mean(errors):.2f} ({max(errors):.2f})" if any(errors) else "",
                 str(sum(run["is_swapped"] for run in runs)) if any(errors) else "",
                 f"{sum(m['missed_landmarks'] for m in match)} of {n_landmarks}" if n_landmarks else "",
-                f"{statistics.mean(0.5 * (m['energy']['average'] + m['energy']['average_over_target']) for m in match):.2f}",
+                f"{statistics.mean(self.energy(run) for run in runs):.2f}",
                 f"{statistics.mean(m['D_iso']['average'] for m in match):.2f}",
                 f"{statistics.mean(run['seconds']['total'] - run['seconds']['output'] for run in runs):.1f}",
             ]
@@ -114,10 +194,16 @@ def main() -> None:
     """reads the command line"""
     driver = Driver(__doc__, folders=("pairs",))
     driver.add_program()
-    driver.add_argument("--pairs", type=Path, required=True, metavar="FOLDER", help="the folder of pairs")
+    driver.add_argument("--pairs", type=Path, metavar="FOLDER", help="the folder of pairs")
+    driver.add_argument("--cgal-meshes", type=Path, metavar="FOLDER", help="the folder of CGAL's meshes, for --bounds")
+    driver.add_argument("--bounds", type=Path, metavar="FILE", help="bounds that pairs are compared with")
     arguments = driver.parse()
+    if not (arguments.pairs or arguments.bounds):
+        driver.error("--pairs or --bounds is needed")
     with tempfile.TemporaryDirectory() as work:
-        pairs = Pairs(arguments.program, arguments.pairs, Path(work))
+        pairs = Pairs(arguments.program, arguments.pairs, arguments.cgal_meshes, Path(work))
+        if arguments.bounds:
+            pairs.check(read_bounds(arguments.bounds))
         for line in (arguments.pairs / "pairs.txt").read_text().splitlines():
             first, second, kind = line.split()
             pairs.run(first, second, kind)
