@@ -30,9 +30,10 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
-#include <map>
 #include <memory>
+#include <numeric>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Spherical_parameterization::internal {
@@ -123,14 +124,22 @@ T mixed_value(const Mixture_term* begin, const Mixture_term* end, const T* value
     return mean_value<T>(begin, end, [&](std::size_t source) { return values + source; });
   else
   {
-    const auto is_less = [](const T* a, const T* b) { return std::less<T>()(*a, *b); };
-    std::map<const T*, double, decltype(is_less)> weights(is_less);
-    for(const Mixture_term* term = begin; term != end; ++term)
-      weights[values + term->source] += term->weight;
-    const auto has_less_weight = [&](const Mixture_term& a, const Mixture_term& b) {
-      return weights[values + a.source] < weights[values + b.source];
+    const auto is_less = [&](const Mixture_term* a, const Mixture_term* b) {
+      return std::less<T>()(values[a->source], values[b->source]);
     };
-    return values[std::max_element(begin, end, has_less_weight)->source];
+    std::vector<const Mixture_term*> terms(static_cast<std::size_t>(end - begin));
+    std::iota(terms.begin(), terms.end(), begin);
+    std::stable_sort(terms.begin(), terms.end(), is_less);
+    std::pair<double, const Mixture_term*> best = {-1., nullptr}; // the sum of weights of a label, and its first term
+    for(auto term = terms.begin(); term != terms.end();)
+    {
+      std::pair<double, const Mixture_term*> sum = {0., *term};
+      for(; term != terms.end() && !is_less(sum.second, *term); ++term)
+        sum.first += (*term)->weight;
+      if(sum.first > best.first || (sum.first == best.first && sum.second < best.second))
+        best = sum;
+    }
+    return values[best.second->source];
   }
 }
 
