@@ -23,6 +23,7 @@ class ErrorCode:
     TOO_LARGE_MESH: ClassVar[ErrorCode]
     INVALID_DIRECTION: ClassVar[ErrorCode]
     INVALID_LANDMARK: ClassVar[ErrorCode]
+    STOPPED: ClassVar[ErrorCode]
     @property
     def name(self) -> str: ...
     @property

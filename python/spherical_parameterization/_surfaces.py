@@ -97,8 +97,9 @@ def map_surface(
     callback : callable, optional
         Called every few milliseconds while the spheres are aligned, as ``callback(0, 0.0)``, and then every few sweeps over a
         level of the hierarchy, as ``callback(number_of_vertices, energy)``: the vertices of the level before, 0 on the
-        coarsest one, and the average energy of this one. If it returns a false value other than None, the map reached by then
-        is returned. What it raises reaches the caller.
+        coarsest one, and the average energy of this one; in the end, while the energy of the map is measured, as
+        ``callback(number_of_vertices, 0.0)`` with all vertices. If it returns a false value other than None, the map reached
+        by then is returned. What it raises reaches the caller.
     on_interrupt : {"raise", "return"}
         What Ctrl-C does: raise KeyboardInterrupt, or return the map reached by then. It is noticed where `callback` is called.
 

@@ -34,7 +34,8 @@ PYBIND11_MODULE(_core, module)
       .value("WRONG_PARAMETER", SP::ERROR_WRONG_PARAMETER)
       .value("TOO_LARGE_MESH", SP::ERROR_TOO_LARGE_MESH)
       .value("INVALID_DIRECTION", SP::ERROR_INVALID_DIRECTION)
-      .value("INVALID_LANDMARK", SP::ERROR_INVALID_LANDMARK);
+      .value("INVALID_LANDMARK", SP::ERROR_INVALID_LANDMARK)
+      .value("STOPPED", SP::ERROR_STOPPED);
 
   py::register_exception_translator([](std::exception_ptr pointer) {
     try

@@ -92,6 +92,20 @@ TEST(Distance, refuses_what_is_no_surface_of_triangles)
             SP::ERROR_WRONG_PARAMETER);
 }
 
+TEST(Distance, is_as_it_was_once_it_is_stopped)
+{
+  const Mesh sphere = make(icosphere(1));
+  SP::Surface_distance d;
+  d.diagonal = 7.;
+  EXPECT_EQ(SP::measure_distance(sphere, sphere, d, CGAL::parameters::maximum_running_time(1e-9)), SP::ERROR_STOPPED);
+  EXPECT_EQ(d.diagonal, 7.);
+}
+
+TEST(Distance, of_none_is_an_infinite_ratio)
+{
+  EXPECT_EQ(SP::Surface_distance().psnr(), std::numeric_limits<double>::infinity());
+}
+
 TEST(Distance, does_not_depend_on_the_unit)
 {
   const auto measure = [](double unit) {

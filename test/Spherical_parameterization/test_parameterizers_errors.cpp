@@ -62,7 +62,7 @@ void expect_error(const Mesh& mesh, SP::Error_code error)
 TEST(Error_message, is_a_different_sentence_for_each_code)
 {
   std::set<std::string> messages;
-  for(int code = SP::OK; code <= SP::ERROR_INVALID_LANDMARK; ++code)
+  for(int code = SP::OK; code <= SP::ERROR_STOPPED; ++code)
   {
     const char* message = SP::get_error_message(static_cast<SP::Error_code>(code));
     ASSERT_NE(message, nullptr);

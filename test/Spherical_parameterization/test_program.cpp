@@ -591,7 +591,7 @@ TEST_F(Command_line, writes_geometry_images)
         ASSERT_NEAR(image.channels[c].at(k), values[Vertex_index(layout.vertices[k])][static_cast<int>(c)], tolerance)
             << k << ' ' << c;
   };
-  const auto expect_images = [&](const std::string& format, const auto& decode, double tolerance) {
+  [[maybe_unused]] const auto expect_images = [&](const std::string& format, const auto& decode, double tolerance) {
     const Outcome outcome = run("sphere.off --geometry-image image." + format + " --image-size 9 -o map.off");
     ASSERT_EQ(outcome.status, 0) << outcome.err;
     const Library_remesh expected(mesh_in("sphere.off"), mesh_in("map.off"), SP::Sphere_domain_3::octahedron(4));

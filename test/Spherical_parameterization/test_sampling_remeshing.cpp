@@ -1,6 +1,7 @@
 // The domains triangulate the sphere; what is sampled through them, or carried from mesh to mesh, is what the rules of the
 // documentation say.
 
+#include <CGAL/Spherical_parameterization/Default_visitor.h>
 #include <CGAL/Spherical_parameterization/Sphere_domain_3.h>
 #include <CGAL/Spherical_parameterization/Sphere_locator_3.h>
 #include <CGAL/Spherical_parameterization/is_bijective.h>
@@ -22,6 +23,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <map>
 #include <memory>
@@ -303,6 +305,20 @@ TEST(Remeshing, refuses_what_is_no_bijection)
   expect(Domain::cube(1), SP::ERROR_NON_FINITE_COORDINATE);
   CGAL::Euler::remove_face(source.mesh.halfedge(Face_index(0)), source.mesh);
   expect(Domain::cube(1), SP::ERROR_NON_CLOSED_MESH);
+}
+
+TEST(Remeshing, adds_nothing_once_it_is_stopped)
+{
+  const Mapped_mesh source = ellipsoid_on_sphere(1);
+  Mesh remesh;
+  auto sphere = remesh.add_property_map<Vertex_index, Point_3>("v:sphere").first;
+  const auto remesh_in = [&](double seconds) {
+    return SP::remesh_through_sphere(source.mesh, source.sphere, Domain::cube(2), remesh, sphere,
+                                     CGAL::parameters::maximum_running_time(seconds));
+  };
+  EXPECT_EQ(remesh_in(1e-9), SP::ERROR_STOPPED);
+  EXPECT_EQ(remesh.number_of_vertices(), 0u);
+  EXPECT_EQ(remesh_in(1e9), SP::OK);
 }
 
 // Fourth powers of lengths would overflow and underflow.
@@ -738,6 +754,30 @@ TEST(Transfer, compares_labels_as_often_as_sorting_does)
     EXPECT_LT(distance(coordinates(source.sphere[Vertex_index(static_cast<Mesh::size_type>(label[v].value))]),
                        coordinates(target.sphere[v])),
               0.2);
+}
+
+TEST(Transfer, writes_nothing_once_it_is_stopped)
+{
+  Mapped_mesh source(icosphere(1)), target(icosphere(1));
+  fill<Vertex_index, double>(source, "v:x", [](std::size_t) { return 1.; });
+  struct Visitor : SP::Default_visitor
+  {
+    int n_questions = 0, max_questions = 0;
+    bool go_further(std::size_t, double) { return n_questions++ < max_questions; }
+  };
+  const auto x = target.add<Vertex_index, double>("v:x");
+  for(int k = 0; k < 2; ++k)
+  {
+    Visitor visitor;
+    visitor.max_questions = k;
+    EXPECT_EQ(SP::transfer(source.mesh, source.sphere, target.mesh, target.sphere,
+                           CGAL::parameters::visitor(std::ref(visitor))),
+              SP::ERROR_STOPPED);
+    EXPECT_EQ(visitor.n_questions, k + 1);
+    EXPECT_TRUE(std::all_of(x.begin(), x.end(), [](double value) { return value == 0.; }));
+  }
+  EXPECT_EQ(SP::transfer(source.mesh, source.sphere, target.mesh, target.sphere), SP::OK);
+  EXPECT_TRUE(std::all_of(x.begin(), x.end(), [](double value) { return value == 1.; }));
 }
 
 TEST(Transfer, refuses_what_is_no_bijection)

@@ -223,8 +223,7 @@ struct Aligned_spheres
                                                Triangulation& sphere)
   {
     SP::internal::Mesh_on_sphere<Mesh, Mesh::Property_map<Vertex_index, Point_3>> arrays;
-    EXPECT_EQ(arrays.read(mesh.mesh, mesh.sphere, false, execution), SP::OK);
-    EXPECT_EQ(arrays.read_points(mesh.mesh.points()), SP::OK);
+    EXPECT_EQ(arrays.read_with_points(mesh.mesh, mesh.sphere, mesh.mesh.points(), execution), SP::OK);
     sphere.assign(arrays.images, arrays.triangles);
     sphere.make_grid();
     return SP::internal::Sampled_surface(grid, sphere, arrays.points, features, execution);

@@ -5,6 +5,7 @@
 #include "judge.h"
 #include "methods.h"
 #include "random_meshes.h"
+#include "recording_control.h"
 #include "surfaces.h"
 
 #include <CGAL/Exact_rational.h>
@@ -235,8 +236,9 @@ TEST(Overlay, has_the_crossings_of_a_brute_force)
       const Triangle_list on_grid1 = on_grid(list1), on_grid2 = on_grid(list2);
       ASSERT_TRUE(judge::is_one_to_one(on_grid1.points, on_grid1.triangles));
       const auto first = triangulation_of<Kernel>(on_grid1), second = triangulation_of<Kernel>(on_grid2);
+      Recording_control control;
       SP::internal::Sphere_overlay<Kernel> overlay;
-      ASSERT_EQ(overlay.assign(first, second, {}), SP::OK);
+      ASSERT_EQ(overlay.assign(first, second, control, {}), SP::OK);
       const SP::internal::Triangle_sides sides1(first.triangles()), sides2(second.triangles());
       const auto ends = [](const auto& sides, std::size_t e) { return edge_of(sides.source(e), sides.target(e)); };
       Crossings crossings;
@@ -251,8 +253,9 @@ std::pair<double, double> orientations_and_vertices(const Triangle_list& list1, 
 {
   const auto first = triangulation_of<Counting_kernel>(list1), second = triangulation_of<Counting_kernel>(list2);
   SP::internal::Sphere_overlay<Counting_kernel> overlay;
+  Recording_control control;
   Counting_kernel::n_orientations = 0;
-  EXPECT_EQ(overlay.assign(first, second, {}), SP::OK);
+  EXPECT_EQ(overlay.assign(first, second, control, {}), SP::OK);
   return {static_cast<double>(Counting_kernel::n_orientations), static_cast<double>(overlay.number_of_vertices())};
 }
 
@@ -275,12 +278,42 @@ TEST(Overlay, asks_in_proportion_to_its_vertices_around_vertices_of_high_degree)
 TEST(Overlay, that_is_too_large_for_the_numbers_of_vertices_is_refused)
 {
   const auto small = triangulation_of<Kernel>(octahedron());
+  Recording_control control;
   SP::internal::Sphere_overlay<Kernel> overlay;
-  ASSERT_EQ(overlay.assign(small, small, {}), SP::OK);
+  ASSERT_EQ(overlay.assign(small, small, control, {}), SP::OK);
   const std::size_t n = overlay.number_of_vertices();
   SP::internal::Sphere_overlay<Kernel> large(n - 1), fitting(n);
-  EXPECT_EQ(large.assign(small, small, {}), SP::ERROR_TOO_LARGE_MESH);
-  EXPECT_EQ(fitting.assign(small, small, {}), SP::OK);
+  EXPECT_EQ(large.assign(small, small, control, {}), SP::ERROR_TOO_LARGE_MESH);
+  EXPECT_EQ(fitting.assign(small, small, control, {}), SP::OK);
+}
+
+TEST(Overlay, may_be_stopped_at_any_question)
+{
+  const auto first = triangulation_of<Kernel>(icosphere(4)), second = triangulation_of<Kernel>(tilted(icosphere(4)));
+  Recording_control control;
+  SP::internal::Sphere_overlay<Kernel> overlay;
+  ASSERT_EQ(overlay.assign(first, second, control, {}), SP::OK);
+  EXPECT_GE(control.number_of_questions, 8u); // 7,680 edges are traced, and the parts of 5,120 faces are sorted
+  for(std::size_t k = 0; k < control.number_of_questions; ++k)
+  {
+    Recording_control stopping;
+    stopping.max_questions = k;
+    EXPECT_EQ(overlay.assign(first, second, stopping, {}), SP::ERROR_STOPPED);
+    EXPECT_EQ(stopping.number_of_questions, k + 1);
+  }
+}
+
+TEST(Overlay, keeps_a_time_limit_and_its_result_then)
+{
+  const Triangle_list list = icosphere(2);
+  const Mesh mesh = make(list);
+  const Point_map sphere(mesh, list.points);
+  Overlay overlay = overlay_of(mesh, list, mesh, tilted(list));
+  const std::size_t n = overlay.triangles.size();
+  EXPECT_EQ(SP::overlay(mesh, sphere, mesh, sphere, overlay, CGAL::parameters::maximum_running_time(1e-9)),
+            SP::ERROR_STOPPED);
+  EXPECT_EQ(overlay.triangles.size(), n);
+  EXPECT_EQ(SP::overlay(mesh, sphere, mesh, sphere, overlay, CGAL::parameters::maximum_running_time(1e9)), SP::OK);
 }
 
 TEST(Overlay, does_not_depend_on_the_length_of_directions)

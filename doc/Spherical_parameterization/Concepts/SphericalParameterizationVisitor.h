@@ -22,6 +22,9 @@ parameterizer calls what applies to it, and `on_level()` only if it starts from 
 | \link CGAL::Spherical_parameterization::Precomputed_parameterizer_3 `%Precomputed_parameterizer_3` \endlink | - | - | - | - | - |
 | \link CGAL::Spherical_parameterization::map_surface() `map_surface()` \endlink | yes | yes | - | yes | yes |
 | \link CGAL::Spherical_parameterization::align_spheres() `align_spheres()` \endlink | - | - | - | yes | - |
+| \link CGAL::Spherical_parameterization::overlay() `overlay()` \endlink | - | - | - | yes | - |
+| \link CGAL::Spherical_parameterization::measure_distance() `measure_distance()` \endlink | - | - | - | yes | - |
+| \link CGAL::Spherical_parameterization::transfer() `transfer()` \endlink, \link CGAL::Spherical_parameterization::remesh_through_sphere() `remesh_through_sphere()` \endlink | - | - | - | yes | - |
 
 `CGAL::Spherical_parameterization::map_surface()` lowers the energy on levels of the first surface, of which there are none if the
 surfaces agree as they are.
@@ -67,15 +70,15 @@ public:
   /// \param radius the radius of the sphere in the unit of length of the mesh
   void after_iteration(std::size_t iteration, double energy, double radius);
 
-  /// called after `after_iteration()`; on the levels of a hierarchy, every fifth sweep; and while spheres are aligned, every few
-  /// milliseconds. The clock of `maximum_running_time` is asked more often, when the hierarchy has been built and at every sweep over
+  /// called after `after_iteration()`; on the levels of a hierarchy, every fifth sweep; and while spheres are aligned, overlaid
+  /// or measured, every few milliseconds. The clock of `maximum_running_time` is asked more often, when the hierarchy has been built and at every sweep over
   /// a level.
   ///
-  /// \param iteration the number of the sweep or step, from 1; 0 on the levels and while spheres are aligned
-  /// \param energy as for `after_iteration()`; on the levels, the average energy of the level; 0 while spheres are aligned
+  /// \param iteration the number of the sweep or step, from 1; 0 on the levels and where there are none
+  /// \param energy as for `after_iteration()`; on the levels, the average energy of the level; 0 where there are none
   ///
   /// \return `false` to stop as soon as possible: the map that has been reached is certified and returned, or the best
-  ///         rotations that have been found. On the levels, the rest of the hierarchy is mapped first, with the minimum of one
+  ///         rotations that have been found, or else nothing but `ERROR_STOPPED`. On the levels, the rest of the hierarchy is mapped first, with the minimum of one
   ///         sweep a level.
   bool go_further(std::size_t iteration, double energy);
 

@@ -103,9 +103,9 @@ public:
     report = mapper.report();
     if(error != SP::OK)
       throw Program_error(first.name() + ": " + SP::get_error_message(error));
-    if(SP::overlay(m_first, m_directions, m_second, m_sphere2, m_overlay) != SP::OK)
-      throw Program_error(first.name() + ": " + SP::get_error_message(SP::ERROR_INSUFFICIENT_PRECISION));
-    error = SP::measure_distortion_between(m_overlay, distortion);
+    error = SP::overlay(m_first, m_directions, m_second, m_sphere2, m_overlay);
+    if(error == SP::OK)
+      error = SP::measure_distortion_between(m_overlay, distortion);
     if(error != SP::OK)
       throw Program_error(first.name() + ": " + SP::get_error_message(error));
   }

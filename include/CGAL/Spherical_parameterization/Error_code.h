@@ -18,10 +18,11 @@ namespace CGAL::Spherical_parameterization {
 
 /// \ingroup PkgSphericalParameterizationEnums
 ///
-/// List of the outcomes of the functions of the package. Every value but `OK` and `ERROR_WRONG_PARAMETER` describes a
-/// property of the data, not a programming error; all are reported in Release mode as well. Unless the
-/// function says otherwise, whatever it was to write to is left as it was by all values but `OK`.
-enum Error_code
+/// List of the outcomes of the functions of the package; the compiler warns if one is ignored. Every value but `OK` and
+/// `ERROR_WRONG_PARAMETER` describes a property of the data or of the run, not a programming error; all are reported in
+/// Release mode as well. Unless the function says otherwise, whatever it was to write to is left as it was by all values but
+/// `OK`.
+enum [[nodiscard]] Error_code
 {
   OK = 0,                                 ///< Success. Maps are one-to-one, which exact predicates have certified.
   ERROR_EMPTY_MESH,                       ///< The mesh has no face.
@@ -47,7 +48,8 @@ enum Error_code
   ERROR_INVALID_IMAGE_SIZE,               ///< An image has not as many rows, columns or channels as a geometry image.
   ERROR_NON_MATCHING_BOUNDARY,            ///< Pixels of a geometry image that are the same vertex differ.
   ERROR_UNDETERMINED_ROTATION,            ///< Landmarks do not determine a rotation.
-  ERROR_INVALID_LANDMARK                  ///< A landmark is no vertex of a face, or a vertex has two.
+  ERROR_INVALID_LANDMARK,                 ///< A landmark is no vertex of a face, or a vertex has two.
+  ERROR_STOPPED                           ///< The visitor or the time limit ended the run before there was a result.
 };
 
 /// \ingroup PkgSphericalParameterizationEnums
@@ -133,6 +135,8 @@ inline const char* get_error_message(Error_code error_code)
            "opposite, on both spheres.";
   case ERROR_INVALID_LANDMARK:
     return "A landmark is no vertex of a face of its mesh, or a vertex has two landmarks: leave it out.";
+  case ERROR_STOPPED:
+    return "The run was ended by its visitor or its time limit before there was a result: give it more time.";
   }
   return "Unknown error code: it was not returned by this package.";
 }

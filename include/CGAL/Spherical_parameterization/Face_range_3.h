@@ -88,7 +88,7 @@ public:
   template <std::size_t n, class Terms>
   std::array<double, n> sums(const Terms& terms) const
   {
-    constexpr std::size_t block_size = 1024;
+    constexpr std::size_t block_size = 1024; // of parallel work: enough that handing it out costs nothing
     std::vector<std::array<double, n>> parts((size() + block_size - 1) / block_size);
     internal::for_each_block(m_execution, 0, size(), block_size, [&](std::size_t begin, std::size_t end) {
       std::array<double, n> part = {};

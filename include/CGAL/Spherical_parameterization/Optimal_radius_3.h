@@ -20,8 +20,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <type_traits>
-#include <utility>
 
 namespace CGAL::Spherical_parameterization {
 
@@ -43,29 +41,19 @@ public:
   template <class Energy>
   double operator()(const Energy& energy, const Face_range_3& faces, double radius)
   {
-    if constexpr(Has_optimal_scale<Energy>::value)
+    if constexpr(internal::has_optimal_scale<Energy, Face_range_3>)
       return radius * energy.optimal_scale(faces);
     else
       return radius * newton_scale(energy, faces);
   }
 
 private:
-  template <class Energy, class = void>
-  struct Has_optimal_scale : std::false_type
-  {};
-
-  template <class Energy>
-  struct Has_optimal_scale<
-      Energy, std::void_t<decltype(std::declval<const Energy&>().optimal_scale(std::declval<const Face_range_3&>()))>>
-    : std::true_type
-  {};
-
   // minimises sum E(q^2 I, q^2 d) over t = log q
   template <class Energy>
   static double newton_scale(const Energy& energy, const Face_range_3& faces)
   {
     constexpr int max_steps = 20;
-    constexpr double longest_step = 0.5, tolerance = 1e-10;
+    constexpr double longest_step = 0.5, tolerance = 1e-10; // a factor of 1.65; ten digits, as sweeps change it anyway
     double t = 0.;
     for(int k = 0; k < max_steps; ++k)
     {

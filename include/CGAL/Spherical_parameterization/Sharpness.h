@@ -105,7 +105,7 @@ public:
 private:
   friend class internal::Sharpness_rule;
 
-  static constexpr double balanced_beta = 20.;
+  static constexpr double balanced_beta = 20.; // more hardly lowers the maximum, see the table
   static constexpr std::size_t adaptive = static_cast<std::size_t>(-1);
 
   static Sharpness schedule(double first, double last, std::size_t number_of_average_sweeps, double min_fall)

@@ -32,7 +32,7 @@ namespace CGAL::Spherical_parameterization {
 
 class Sphere_domain_3;
 template <class ConcurrencyTag = Parallel_if_available_tag, class TriangleMesh, class VertexSphereMap>
-[[nodiscard]] Error_code make_sphere_domain(const TriangleMesh&, VertexSphereMap, Sphere_domain_3&);
+Error_code make_sphere_domain(const TriangleMesh&, VertexSphereMap, Sphere_domain_3&);
 
 /// \ingroup PkgSphericalParameterizationSampling
 ///
@@ -122,8 +122,7 @@ private:
 ///
 /// \sa `CGAL::Spherical_parameterization::remesh_through_sphere()`
 template <class ConcurrencyTag, class TriangleMesh, class VertexSphereMap>
-[[nodiscard]] Error_code make_sphere_domain(const TriangleMesh& tmesh, VertexSphereMap vertex_sphere_map,
-                                            Sphere_domain_3& domain)
+Error_code make_sphere_domain(const TriangleMesh& tmesh, VertexSphereMap vertex_sphere_map, Sphere_domain_3& domain)
 {
   internal::Mesh_on_sphere<TriangleMesh, VertexSphereMap> mesh;
   if(const Error_code error = mesh.read(tmesh, vertex_sphere_map, false, internal::execution_of<ConcurrencyTag>()))

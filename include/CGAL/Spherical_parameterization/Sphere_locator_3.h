@@ -158,7 +158,7 @@ public:
   /// \return `OK`; `ERROR_INVALID_DIRECTION` if a direction is zero, infinite or not a number: its location, and no
   ///         other one, is that of no face; or `error_code()` if that is not `OK`: nothing is written then
   template <class DirectionRange, class OutputIterator>
-  [[nodiscard]] Error_code locate(const DirectionRange& directions, OutputIterator locations) const
+  Error_code locate(const DirectionRange& directions, OutputIterator locations) const
   {
     if(m_error_code != OK)
       return m_error_code;

@@ -97,11 +97,10 @@ public:
   /// maps a surface onto another one: what `CGAL::Spherical_parameterization::map_surface()` calls, which see.
   template <class ConcurrencyTag = Parallel_if_available_tag, class VertexSphereMap1, class VertexSphereMap2,
             class VertexDirectionMap, typename CGAL_NP_TEMPLATE_PARAMETERS_1, typename CGAL_NP_TEMPLATE_PARAMETERS_2>
-  [[nodiscard]] Error_code map_surface(const TriangleMesh1& tmesh1, VertexSphereMap1 vertex_sphere_map1,
-                                       const TriangleMesh2& tmesh2, VertexSphereMap2 vertex_sphere_map2,
-                                       VertexDirectionMap vertex_direction_map,
-                                       const CGAL_NP_CLASS_1& np1 = parameters::default_values(),
-                                       const CGAL_NP_CLASS_2& np2 = parameters::default_values())
+  Error_code map_surface(const TriangleMesh1& tmesh1, VertexSphereMap1 vertex_sphere_map1, const TriangleMesh2& tmesh2,
+                         VertexSphereMap2 vertex_sphere_map2, VertexDirectionMap vertex_direction_map,
+                         const CGAL_NP_CLASS_1& np1 = parameters::default_values(),
+                         const CGAL_NP_CLASS_2& np2 = parameters::default_values())
   {
     m_report = Surface_map_report();
     const internal::Surface_map_settings<Landmark, Feature> settings = {m_landmarks, m_landmark_weight, m_features,

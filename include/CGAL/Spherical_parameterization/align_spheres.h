@@ -15,7 +15,6 @@
 #include <CGAL/license/Spherical_parameterization.h>
 
 #include <CGAL/Spherical_parameterization/Error_code.h>
-#include <CGAL/Spherical_parameterization/Parameterization_report.h>
 #include <CGAL/Spherical_parameterization/internal/Mesh_on_sphere.h>
 #include <CGAL/Spherical_parameterization/internal/align/Rotation_search.h>
 #include <CGAL/Spherical_parameterization/internal/align/Sampled_surface.h>
@@ -156,25 +155,26 @@ Sampled_surface sampled_surface(const Sphere_grid& grid, Arrays& arrays, const s
 template <class ConcurrencyTag = Parallel_if_available_tag, class TriangleMesh1, class VertexSphereMap1,
           class TriangleMesh2, class VertexSphereMap2, class Features, typename CGAL_NP_TEMPLATE_PARAMETERS_1,
           typename CGAL_NP_TEMPLATE_PARAMETERS_2>
-[[nodiscard]] Error_code align_spheres(const TriangleMesh1& tmesh1, VertexSphereMap1 vertex_sphere_map1,
-                                       const TriangleMesh2& tmesh2, VertexSphereMap2 vertex_sphere_map2,
-                                       const Features& features, Sphere_alignment_3& alignment,
-                                       const CGAL_NP_CLASS_1& np1 = parameters::default_values(),
-                                       const CGAL_NP_CLASS_2& np2 = parameters::default_values())
+Error_code align_spheres(const TriangleMesh1& tmesh1, VertexSphereMap1 vertex_sphere_map1, const TriangleMesh2& tmesh2,
+                         VertexSphereMap2 vertex_sphere_map2, const Features& features, Sphere_alignment_3& alignment,
+                         const CGAL_NP_CLASS_1& np1 = parameters::default_values(),
+                         const CGAL_NP_CLASS_2& np2 = parameters::default_values())
 {
   if constexpr(internal::check_mesh_and_readable_map<TriangleMesh1, VertexSphereMap1>() &&
                internal::check_mesh_and_readable_map<TriangleMesh2, VertexSphereMap2>() &&
                internal::check_run_parameters<TriangleMesh1, CGAL_NP_CLASS_1>() &&
                internal::check_vertex_point_map<TriangleMesh2, CGAL_NP_CLASS_2>())
   {
-    Parameterization_report unused;
-    internal::Visitor_control<CGAL_NP_CLASS_1> control(np1, unused);
+    internal::Visitor_control<CGAL_NP_CLASS_1> control(np1);
     const internal::Execution execution = internal::execution_of<ConcurrencyTag>();
     internal::Mesh_on_sphere<TriangleMesh1, VertexSphereMap1> arrays1;
     internal::Mesh_on_sphere<TriangleMesh2, VertexSphereMap2> arrays2;
     std::vector<internal::Channel> features1, features2;
-    if(const Error_code error = internal::read_surfaces(tmesh1, vertex_sphere_map1, arrays1, np1, tmesh2,
-                                                        vertex_sphere_map2, arrays2, np2, execution))
+    if(const Error_code error =
+           arrays1.read_with_points(tmesh1, vertex_sphere_map1, internal::vertex_point_map_of(tmesh1, np1), execution))
+      return error;
+    if(const Error_code error =
+           arrays2.read_with_points(tmesh2, vertex_sphere_map2, internal::vertex_point_map_of(tmesh2, np2), execution))
       return error;
     if(!internal::read_features<0>(features, arrays1.vertices_of_mesh, features1) ||
        !internal::read_features<1>(features, arrays2.vertices_of_mesh, features2))
@@ -183,7 +183,7 @@ template <class ConcurrencyTag = Parallel_if_available_tag, class TriangleMesh1,
     const internal::Surface_alignment surfaces(grid, internal::sampled_surface(grid, arrays1, features1, execution),
                                                internal::sampled_surface(grid, arrays2, features2, execution), control,
                                                execution);
-    constexpr std::size_t n_candidates = 4;
+    constexpr std::size_t n_candidates = 4; // to choose from, where a surface is nearly symmetric
     alignment.candidates.clear();
     for(const internal::Scored_rotation& candidate : surfaces.best_rotations(n_candidates))
       alignment.candidates.push_back({internal::as_transformation(candidate.rotation), candidate.score});
@@ -200,11 +200,10 @@ template <class ConcurrencyTag = Parallel_if_available_tag, class TriangleMesh1,
 template <class ConcurrencyTag = Parallel_if_available_tag, class TriangleMesh1, class VertexSphereMap1,
           class TriangleMesh2, class VertexSphereMap2, typename CGAL_NP_TEMPLATE_PARAMETERS_1,
           typename CGAL_NP_TEMPLATE_PARAMETERS_2>
-[[nodiscard]] Error_code align_spheres(const TriangleMesh1& tmesh1, VertexSphereMap1 vertex_sphere_map1,
-                                       const TriangleMesh2& tmesh2, VertexSphereMap2 vertex_sphere_map2,
-                                       Sphere_alignment_3& alignment,
-                                       const CGAL_NP_CLASS_1& np1 = parameters::default_values(),
-                                       const CGAL_NP_CLASS_2& np2 = parameters::default_values())
+Error_code align_spheres(const TriangleMesh1& tmesh1, VertexSphereMap1 vertex_sphere_map1, const TriangleMesh2& tmesh2,
+                         VertexSphereMap2 vertex_sphere_map2, Sphere_alignment_3& alignment,
+                         const CGAL_NP_CLASS_1& np1 = parameters::default_values(),
+                         const CGAL_NP_CLASS_2& np2 = parameters::default_values())
 {
   using Feature = std::pair<double (*)(typename boost::graph_traits<TriangleMesh1>::vertex_descriptor),
                             double (*)(typename boost::graph_traits<TriangleMesh2>::vertex_descriptor)>;
@@ -234,19 +233,17 @@ template <class ConcurrencyTag = Parallel_if_available_tag, class TriangleMesh1,
 ///
 /// \sa `CGAL::Spherical_parameterization::align_spheres()`
 template <class VertexSphereMap1, class VertexSphereMap2, class Landmarks>
-[[nodiscard]] Error_code fit_rotation(VertexSphereMap1 vertex_sphere_map1, VertexSphereMap2 vertex_sphere_map2,
-                                      const Landmarks& landmarks, Sphere_alignment_3::Rotation_3& rotation)
+Error_code fit_rotation(VertexSphereMap1 vertex_sphere_map1, VertexSphereMap2 vertex_sphere_map2,
+                        const Landmarks& landmarks, Sphere_alignment_3::Rotation_3& rotation)
 {
   std::vector<std::pair<internal::Vector_3d, internal::Vector_3d>> directions;
   for(const auto& [v, w] : landmarks)
   {
-    const auto direction = [](const auto& p) {
-      return internal::direction_of({CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z())});
-    };
-    const auto p = direction(get(vertex_sphere_map1, v)), q = direction(get(vertex_sphere_map2, w));
-    if(!p || !q)
+    const internal::Vector_3d p = internal::direction_of(get(vertex_sphere_map1, v)),
+                              q = internal::direction_of(get(vertex_sphere_map2, w));
+    if(!internal::is_finite(p) || !internal::is_finite(q))
       return ERROR_INVALID_DIRECTION;
-    directions.emplace_back(*p, *q);
+    directions.emplace_back(p, q);
   }
   const std::optional<internal::Rotation_matrix> matrix = internal::fitting_rotation(directions);
   if(!matrix)

@@ -96,7 +96,7 @@ namespace CGAL::Spherical_parameterization {
 template <class ConcurrencyTag = Parallel_if_available_tag, class TriangleMesh, class VertexSphereMap,
           class TexturedMesh, class HalfedgeTextureMap, typename CGAL_NP_TEMPLATE_PARAMETERS_1,
           typename CGAL_NP_TEMPLATE_PARAMETERS_2>
-[[nodiscard]] Error_code compute_texture_coordinates(
+Error_code compute_texture_coordinates(
     const TriangleMesh& tmesh, VertexSphereMap vertex_sphere_map, TexturedMesh& textured_mesh,
     HalfedgeTextureMap halfedge_texture_map,
     const typename boost::property_traits<VertexSphereMap>::value_type& north_pole = {0, 0, 1},
@@ -112,10 +112,9 @@ template <class ConcurrencyTag = Parallel_if_available_tag, class TriangleMesh, 
   if(!frame.is_valid())
     return ERROR_INVALID_DIRECTION;
   Mesh_arrays mesh;
-  if(const Error_code error = mesh.read(tmesh, vertex_sphere_map, false, internal::execution_of<ConcurrencyTag>()))
-    return error;
   const auto point_map = internal::vertex_point_map_of(tmesh, np);
-  if(const Error_code error = mesh.read_points(point_map))
+  if(const Error_code error =
+         mesh.read_with_points(tmesh, vertex_sphere_map, point_map, internal::execution_of<ConcurrencyTag>()))
     return error;
 
   const auto new_point_map = internal::vertex_point_map_of(textured_mesh, np_textured);

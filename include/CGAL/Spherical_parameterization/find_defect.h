@@ -48,8 +48,6 @@ namespace CGAL::Spherical_parameterization {
 /// What does not apply is a null descriptor.
 ///
 /// \tparam TriangleMesh a model of `FaceListGraph`
-///
-/// \sa `CGAL::Spherical_parameterization::find_defect()`
 template <class TriangleMesh>
 struct Mesh_defect
 {

@@ -86,16 +86,14 @@ namespace CGAL::Spherical_parameterization {
 ///         or a landmark is no vertex of a face; `ERROR_WRONG_PARAMETER` if the weight of landmarks is not positive, that of
 ///         features negative, or one of their values not finite; or `ERROR_INSUFFICIENT_PRECISION` if doubles, or the numbers
 ///         of the map, cannot hold the result. Nothing is written then.
-///
-/// \sa `CGAL::Spherical_parameterization::measure_distortion_between()`
 template <class ConcurrencyTag = Parallel_if_available_tag, class TriangleMesh1, class VertexSphereMap1,
           class TriangleMesh2, class VertexSphereMap2, class SurfaceMapper, class VertexDirectionMap,
           typename CGAL_NP_TEMPLATE_PARAMETERS_1, typename CGAL_NP_TEMPLATE_PARAMETERS_2>
-[[nodiscard]] Error_code map_surface(const TriangleMesh1& tmesh1, VertexSphereMap1 vertex_sphere_map1,
-                                     const TriangleMesh2& tmesh2, VertexSphereMap2 vertex_sphere_map2,
-                                     SurfaceMapper&& mapper, VertexDirectionMap vertex_direction_map,
-                                     const CGAL_NP_CLASS_1& np1 = parameters::default_values(),
-                                     const CGAL_NP_CLASS_2& np2 = parameters::default_values())
+Error_code map_surface(const TriangleMesh1& tmesh1, VertexSphereMap1 vertex_sphere_map1, const TriangleMesh2& tmesh2,
+                       VertexSphereMap2 vertex_sphere_map2, SurfaceMapper&& mapper,
+                       VertexDirectionMap vertex_direction_map,
+                       const CGAL_NP_CLASS_1& np1 = parameters::default_values(),
+                       const CGAL_NP_CLASS_2& np2 = parameters::default_values())
 {
   return mapper.template map_surface<ConcurrencyTag>(tmesh1, vertex_sphere_map1, tmesh2, vertex_sphere_map2,
                                                      vertex_direction_map, np1, np2);
@@ -108,11 +106,10 @@ template <class ConcurrencyTag = Parallel_if_available_tag, class TriangleMesh1,
 template <class ConcurrencyTag = Parallel_if_available_tag, class TriangleMesh1, class VertexSphereMap1,
           class TriangleMesh2, class VertexSphereMap2, class VertexDirectionMap, typename CGAL_NP_TEMPLATE_PARAMETERS_1,
           typename CGAL_NP_TEMPLATE_PARAMETERS_2>
-[[nodiscard]] Error_code map_surface(const TriangleMesh1& tmesh1, VertexSphereMap1 vertex_sphere_map1,
-                                     const TriangleMesh2& tmesh2, VertexSphereMap2 vertex_sphere_map2,
-                                     VertexDirectionMap vertex_direction_map,
-                                     const CGAL_NP_CLASS_1& np1 = parameters::default_values(),
-                                     const CGAL_NP_CLASS_2& np2 = parameters::default_values())
+Error_code map_surface(const TriangleMesh1& tmesh1, VertexSphereMap1 vertex_sphere_map1, const TriangleMesh2& tmesh2,
+                       VertexSphereMap2 vertex_sphere_map2, VertexDirectionMap vertex_direction_map,
+                       const CGAL_NP_CLASS_1& np1 = parameters::default_values(),
+                       const CGAL_NP_CLASS_2& np2 = parameters::default_values())
 {
   return Spherical_parameterization::map_surface<ConcurrencyTag>(tmesh1, vertex_sphere_map1, tmesh2, vertex_sphere_map2,
                                                                  Surface_mapper_3<TriangleMesh1, TriangleMesh2>(),

@@ -16,6 +16,7 @@
 
 #include <CGAL/Spherical_parameterization/Error_code.h>
 #include <CGAL/Spherical_parameterization/internal/measuring/Triangle_set.h>
+#include <CGAL/Spherical_parameterization/internal/run/Run_control.h>
 #include <CGAL/Spherical_parameterization/internal/run/parallel.h>
 #include <CGAL/Spherical_parameterization/internal/surface/read_mesh.h>
 
@@ -25,6 +26,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <numeric>
 #include <vector>
 
@@ -50,7 +52,8 @@ struct Surface_distance
   /// the two root mean squares. It is infinite if these are 0.
   double psnr() const
   {
-    return 20. * std::log10(diagonal / (std::max)(from_first.root_mean_square, from_second.root_mean_square));
+    const double larger = (std::max)(from_first.root_mean_square, from_second.root_mean_square);
+    return larger > 0. ? 20. * std::log10(diagonal / larger) : std::numeric_limits<double>::infinity();
   }
 };
 
@@ -81,18 +84,27 @@ struct Surface_distance
 ///     \cgalParamType{an integer}
 ///     \cgalParamDefault{`30000`}
 ///   \cgalParamNEnd
+///   \cgalParamNBegin{visitor}
+///     \cgalParamDescription{of `np1`: a visitor whose `go_further()` may stop the run}
+///     \cgalParamType{a model of `SphericalParameterizationVisitor`, or an `std::reference_wrapper` of one}
+///     \cgalParamDefault{`Default_visitor`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{maximum_running_time}
+///     \cgalParamDescription{of `np1`: the time in seconds after which the run is stopped}
+///     \cgalParamType{double}
+///     \cgalParamDefault{no limit, as with any value that is not positive}
+///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
 /// \return `OK`; `ERROR_NON_TRIANGULAR_MESH`, `ERROR_EMPTY_MESH`, `ERROR_TOO_LARGE_MESH` or `ERROR_NON_FINITE_COORDINATE`,
-///         and `ERROR_WRONG_PARAMETER` if a number of places is below 1: then `distance` is as it was
+///         `ERROR_WRONG_PARAMETER` if a number of places is below 1, and `ERROR_STOPPED`: then `distance` is as it was
 ///
 /// \sa `CGAL::Spherical_parameterization::remesh_through_sphere()`
 template <class ConcurrencyTag = Parallel_if_available_tag, class TriangleMesh1, class TriangleMesh2,
           typename CGAL_NP_TEMPLATE_PARAMETERS_1, typename CGAL_NP_TEMPLATE_PARAMETERS_2>
-[[nodiscard]] Error_code measure_distance(const TriangleMesh1& tmesh1, const TriangleMesh2& tmesh2,
-                                          Surface_distance& distance,
-                                          const CGAL_NP_CLASS_1& np1 = parameters::default_values(),
-                                          const CGAL_NP_CLASS_2& np2 = parameters::default_values())
+Error_code measure_distance(const TriangleMesh1& tmesh1, const TriangleMesh2& tmesh2, Surface_distance& distance,
+                            const CGAL_NP_CLASS_1& np1 = parameters::default_values(),
+                            const CGAL_NP_CLASS_2& np2 = parameters::default_values())
 {
   using parameters::choose_parameter;
   using parameters::get_parameter;
@@ -100,6 +112,7 @@ template <class ConcurrencyTag = Parallel_if_available_tag, class TriangleMesh1,
   const auto n2 = choose_parameter(get_parameter(np2, internal_np::number_of_points_on_faces), 30000);
   if(n1 < 1 || n2 < 1)
     return ERROR_WRONG_PARAMETER;
+  internal::Visitor_control<CGAL_NP_CLASS_1> control(np1);
   internal::Triangle_set first, second;
   if(const Error_code error = first.read(tmesh1, internal::vertex_point_map_of(tmesh1, np1)))
     return error;
@@ -111,19 +124,23 @@ template <class ConcurrencyTag = Parallel_if_available_tag, class TriangleMesh1,
   second.build(exponent);
 
   const auto one_way = [&](const internal::Triangle_set& from, const internal::Triangle_set& to, std::size_t n) {
-    constexpr std::size_t block_size = 256;
+    constexpr std::size_t block_size = 256; // of parallel work: enough that handing it out costs nothing
     std::vector<double> squares(n);
-    internal::for_each_block(internal::execution_of<ConcurrencyTag>(), 0, n, block_size,
-                             [&](std::size_t begin, std::size_t end) {
-                               for(std::size_t k = begin; k < end; ++k)
-                                 squares[k] = to.squared_distance_to(from.place(k, n));
-                             });
+    internal::for_each_block_until_stopped(control, internal::execution_of<ConcurrencyTag>(), n, block_size,
+                                           [&](std::size_t begin, std::size_t end) {
+                                             for(std::size_t k = begin; k < end; ++k)
+                                               squares[k] = to.squared_distance_to(from.place(k, n));
+                                           });
     const double mean = std::accumulate(squares.begin(), squares.end(), 0.) / static_cast<double>(n),
                  max = *std::max_element(squares.begin(), squares.end());
     return Surface_distance::One_way{std::scalbn(std::sqrt(mean), exponent), std::scalbn(std::sqrt(max), exponent)};
   };
-  distance = {one_way(first, second, static_cast<std::size_t>(n1)),
-              one_way(second, first, static_cast<std::size_t>(n2)), std::scalbn(first.diagonal(), exponent)};
+  const Surface_distance result = {one_way(first, second, static_cast<std::size_t>(n1)),
+                                   one_way(second, first, static_cast<std::size_t>(n2)),
+                                   std::scalbn(first.diagonal(), exponent)};
+  if(control.is_stopped())
+    return ERROR_STOPPED;
+  distance = result;
   return OK;
 }
 

@@ -138,9 +138,9 @@ struct Distortion_summary
 /// \sa `CGAL::Spherical_parameterization::is_bijective()`
 template <class ConcurrencyTag = Parallel_if_available_tag, class TriangleMesh, class VertexSphereMap,
           class FaceDistortionMap, typename CGAL_NP_TEMPLATE_PARAMETERS>
-[[nodiscard]] Error_code measure_distortion(const TriangleMesh& tmesh, VertexSphereMap vertex_sphere_map,
-                                            Distortion_summary& distortion, FaceDistortionMap face_distortion_map,
-                                            const CGAL_NP_CLASS& np = parameters::default_values())
+Error_code measure_distortion(const TriangleMesh& tmesh, VertexSphereMap vertex_sphere_map,
+                              Distortion_summary& distortion, FaceDistortionMap face_distortion_map,
+                              const CGAL_NP_CLASS& np = parameters::default_values())
 {
   if constexpr(internal::check_mesh_and_readable_map<TriangleMesh, VertexSphereMap>())
   {
@@ -192,9 +192,8 @@ template <class ConcurrencyTag = Parallel_if_available_tag, class TriangleMesh, 
 /// measures how much a map to the sphere distorts the faces of a mesh, all together, as the function above.
 template <class ConcurrencyTag = Parallel_if_available_tag, class TriangleMesh, class VertexSphereMap,
           typename CGAL_NP_TEMPLATE_PARAMETERS>
-[[nodiscard]] Error_code measure_distortion(const TriangleMesh& tmesh, VertexSphereMap vertex_sphere_map,
-                                            Distortion_summary& distortion,
-                                            const CGAL_NP_CLASS& np = parameters::default_values())
+Error_code measure_distortion(const TriangleMesh& tmesh, VertexSphereMap vertex_sphere_map,
+                              Distortion_summary& distortion, const CGAL_NP_CLASS& np = parameters::default_values())
 {
   return Spherical_parameterization::measure_distortion<ConcurrencyTag>(tmesh, vertex_sphere_map, distortion,
                                                                         internal::No_face_map(), np);

@@ -62,8 +62,8 @@ struct Distortion_between
 /// \return `OK`; `ERROR_EMPTY_MESH` if the refinement has no triangle, `ERROR_WRONG_PARAMETER` if `smallest_area` is not in
 ///         \f$ [ 0, 1 ) \f$, and `distortion` is as it was
 template <class TriangleMesh1, class TriangleMesh2>
-[[nodiscard]] Error_code measure_distortion_between(const Surface_overlay_3<TriangleMesh1, TriangleMesh2>& overlay,
-                                                    Distortion_between& distortion, double smallest_area = 1e-10)
+Error_code measure_distortion_between(const Surface_overlay_3<TriangleMesh1, TriangleMesh2>& overlay,
+                                      Distortion_between& distortion, double smallest_area = 1e-10)
 {
   if(!(smallest_area >= 0. && smallest_area < 1.))
     return ERROR_WRONG_PARAMETER;

@@ -15,11 +15,13 @@
 #include <CGAL/license/Spherical_parameterization.h>
 
 #include <CGAL/Spherical_parameterization/Error_code.h>
-#include <CGAL/Spherical_parameterization/internal/overlay/Overlay_arrays.h>
-#include <CGAL/Spherical_parameterization/internal/run/parallel.h>
 #include <CGAL/Spherical_parameterization/internal/Mesh_on_sphere.h>
+#include <CGAL/Spherical_parameterization/internal/check_run.h>
 #include <CGAL/Spherical_parameterization/internal/locate/Sphere_triangulation.h>
 #include <CGAL/Spherical_parameterization/internal/numbers/Vector_3.h>
+#include <CGAL/Spherical_parameterization/internal/overlay/Overlay_arrays.h>
+#include <CGAL/Spherical_parameterization/internal/run/Run_control.h>
+#include <CGAL/Spherical_parameterization/internal/run/parallel.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Named_function_parameters.h>
@@ -94,41 +96,56 @@ struct Surface_overlay_3
 ///     \cgalParamType{a class model of `ReadablePropertyMap` with `%Point_3` of a \cgal kernel as value type}
 ///     \cgalParamDefault{`boost::get(CGAL::vertex_point, tmesh1)`, or of `tmesh2`}
 ///   \cgalParamNEnd
+///   \cgalParamNBegin{visitor}
+///     \cgalParamDescription{of `np1`: a visitor whose `go_further()` may stop the run}
+///     \cgalParamType{a model of `SphericalParameterizationVisitor`, or an `std::reference_wrapper` of one}
+///     \cgalParamDefault{`Default_visitor`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{maximum_running_time}
+///     \cgalParamDescription{of `np1`: the time in seconds after which the run is stopped}
+///     \cgalParamType{double}
+///     \cgalParamDefault{no limit, as with any value that is not positive}
+///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
 /// \return `OK`; what is wrong with the first mesh, or else the second one, see `find_defect()`, or with its map:
-///         `ERROR_NO_1_TO_1_MAPPING` if that is no bijection; or `ERROR_TOO_LARGE_MESH` if the refinement has more vertices
-///         than 32 bits can count. The result is as it was then.
+///         `ERROR_NO_1_TO_1_MAPPING` if that is no bijection; `ERROR_TOO_LARGE_MESH` if the refinement has more vertices
+///         than 32 bits can count; or `ERROR_STOPPED`. The result is as it was then.
 ///
 /// \sa `CGAL::Spherical_parameterization::measure_distortion_between()`
 template <class ConcurrencyTag = Parallel_if_available_tag, class TriangleMesh1, class VertexSphereMap1,
           class TriangleMesh2, class VertexSphereMap2, typename CGAL_NP_TEMPLATE_PARAMETERS_1,
           typename CGAL_NP_TEMPLATE_PARAMETERS_2>
-[[nodiscard]] Error_code overlay(const TriangleMesh1& tmesh1, VertexSphereMap1 vertex_sphere_map1,
-                                 const TriangleMesh2& tmesh2, VertexSphereMap2 vertex_sphere_map2,
-                                 Surface_overlay_3<TriangleMesh1, TriangleMesh2>& result,
-                                 const CGAL_NP_CLASS_1& np1 = parameters::default_values(),
-                                 const CGAL_NP_CLASS_2& np2 = parameters::default_values())
+Error_code overlay(const TriangleMesh1& tmesh1, VertexSphereMap1 vertex_sphere_map1, const TriangleMesh2& tmesh2,
+                   VertexSphereMap2 vertex_sphere_map2, Surface_overlay_3<TriangleMesh1, TriangleMesh2>& result,
+                   const CGAL_NP_CLASS_1& np1 = parameters::default_values(),
+                   const CGAL_NP_CLASS_2& np2 = parameters::default_values())
 {
-  if constexpr(internal::check_two_spheres<TriangleMesh1, VertexSphereMap1, TriangleMesh2, VertexSphereMap2>())
+  if constexpr(internal::check_two_spheres<TriangleMesh1, VertexSphereMap1, TriangleMesh2, VertexSphereMap2>() &&
+               internal::check_run_parameters<TriangleMesh1, CGAL_NP_CLASS_1>() &&
+               internal::check_vertex_point_map<TriangleMesh2, CGAL_NP_CLASS_2>())
   {
     using Arrays1 = internal::Mesh_on_sphere<TriangleMesh1, VertexSphereMap1>;
     using Arrays2 = internal::Mesh_on_sphere<TriangleMesh2, VertexSphereMap2>;
     using K = typename Arrays1::Exact_kernel;
     using Overlay = Surface_overlay_3<TriangleMesh1, TriangleMesh2>;
 
+    internal::Visitor_control<CGAL_NP_CLASS_1> control(np1);
     const internal::Execution execution = internal::execution_of<ConcurrencyTag>();
     Arrays1 arrays1;
     Arrays2 arrays2;
-    if(const Error_code error = internal::read_surfaces(tmesh1, vertex_sphere_map1, arrays1, np1, tmesh2,
-                                                        vertex_sphere_map2, arrays2, np2, execution))
+    if(const Error_code error =
+           arrays1.read_with_points(tmesh1, vertex_sphere_map1, internal::vertex_point_map_of(tmesh1, np1), execution))
+      return error;
+    if(const Error_code error =
+           arrays2.read_with_points(tmesh2, vertex_sphere_map2, internal::vertex_point_map_of(tmesh2, np2), execution))
       return error;
     internal::Sphere_triangulation<K> sphere1, sphere2;
     sphere1.assign(std::move(arrays1.images), std::move(arrays1.triangles));
     sphere2.assign(std::move(arrays2.images), std::move(arrays2.triangles));
 
     internal::Overlay_arrays arrays;
-    if(const Error_code error = arrays.assign(sphere1, arrays1.points, sphere2, arrays2.points, execution))
+    if(const Error_code error = arrays.assign(sphere1, arrays1.points, sphere2, arrays2.points, control, execution))
       return error;
     Overlay overlay;
     overlay.points.reserve(arrays.points[0].size());

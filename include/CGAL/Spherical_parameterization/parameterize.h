@@ -111,9 +111,6 @@ namespace CGAL::Spherical_parameterization {
 /// \note Calls at the same time are safe, also for the same mesh, which is only read, as long as each has a map, a
 ///       parameterizer and a visitor of its own, and so are calls from within tasks of TBB. (The coordinates must be of
 ///       a type that several threads may read at once.)
-///
-/// \sa `CGAL::Spherical_parameterization::is_bijective()`
-/// \sa `CGAL::Spherical_parameterization::measure_distortion()`
 template <class ConcurrencyTag = Parallel_if_available_tag, class TriangleMesh, class Parameterizer,
           class VertexSphereMap, typename CGAL_NP_TEMPLATE_PARAMETERS>
 Error_code parameterize(const TriangleMesh& tmesh, Parameterizer&& parameterizer, VertexSphereMap vertex_sphere_map,

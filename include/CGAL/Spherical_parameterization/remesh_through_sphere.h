@@ -16,8 +16,9 @@
 
 #include <CGAL/Spherical_parameterization/Error_code.h>
 #include <CGAL/Spherical_parameterization/Sphere_domain_3.h>
-#include <CGAL/Spherical_parameterization/internal/run/parallel.h>
 #include <CGAL/Spherical_parameterization/internal/Mesh_on_sphere.h>
+#include <CGAL/Spherical_parameterization/internal/run/Run_control.h>
+#include <CGAL/Spherical_parameterization/internal/run/parallel.h>
 #include <CGAL/Spherical_parameterization/internal/surface/add_triangles.h>
 #include <CGAL/Spherical_parameterization/internal/surface/Linked_triangle.h>
 #include <CGAL/Spherical_parameterization/internal/surface/Surface.h>
@@ -101,19 +102,28 @@ inline std::vector<Vector_3d> vertex_normals(std::vector<Vector_3d> points,
 ///     \cgalParamType{a class model of `WritablePropertyMap` with `%Vector_3` of a \cgal kernel as value type}
 ///     \cgalParamDefault{normals are not computed}
 ///   \cgalParamNEnd
+///   \cgalParamNBegin{visitor}
+///     \cgalParamDescription{of `np`: a visitor whose `go_further()`, asked between the stages, may stop the run}
+///     \cgalParamType{a model of `SphericalParameterizationVisitor`, or an `std::reference_wrapper` of one}
+///     \cgalParamDefault{`Default_visitor`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{maximum_running_time}
+///     \cgalParamDescription{of `np`: the time in seconds after which the run is stopped}
+///     \cgalParamType{double}
+///     \cgalParamDefault{no limit, as with any value that is not positive}
+///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
 /// \return `OK`; what is wrong with the mesh, see `find_defect()`, or with its map: `ERROR_NO_1_TO_1_MAPPING` if that is
-///         no bijection; or `ERROR_INVALID_DOMAIN` if the domain is empty. Nothing is added then. What is thrown, for want of
+///         no bijection; `ERROR_INVALID_DOMAIN` if the domain is empty; or `ERROR_STOPPED`. Nothing is added then. What is thrown, for want of
 ///         memory or by property maps of the caller, is passed on; `remesh` has the vertices, edges and faces that it had then,
 ///         but properties of their own may have been added to a `Surface_mesh`, and it may have garbage.
 template <class ConcurrencyTag = Parallel_if_available_tag, class TriangleMesh, class VertexSphereMap, class Remesh,
           class RemeshSphereMap, typename CGAL_NP_TEMPLATE_PARAMETERS_1, typename CGAL_NP_TEMPLATE_PARAMETERS_2>
-[[nodiscard]] Error_code remesh_through_sphere(const TriangleMesh& tmesh, VertexSphereMap vertex_sphere_map,
-                                               const Sphere_domain_3& domain, Remesh& remesh,
-                                               RemeshSphereMap remesh_sphere_map,
-                                               const CGAL_NP_CLASS_1& np = parameters::default_values(),
-                                               const CGAL_NP_CLASS_2& np_remesh = parameters::default_values())
+Error_code remesh_through_sphere(const TriangleMesh& tmesh, VertexSphereMap vertex_sphere_map,
+                                 const Sphere_domain_3& domain, Remesh& remesh, RemeshSphereMap remesh_sphere_map,
+                                 const CGAL_NP_CLASS_1& np = parameters::default_values(),
+                                 const CGAL_NP_CLASS_2& np_remesh = parameters::default_values())
 {
   using Mesh_arrays = internal::Mesh_on_sphere<TriangleMesh, VertexSphereMap>;
   using Exact_kernel = typename Mesh_arrays::Exact_kernel;
@@ -121,12 +131,14 @@ template <class ConcurrencyTag = Parallel_if_available_tag, class TriangleMesh, 
 
   if(domain.is_empty())
     return ERROR_INVALID_DOMAIN;
+  internal::Visitor_control<CGAL_NP_CLASS_1> control(np);
   const internal::Execution execution = internal::execution_of<ConcurrencyTag>();
   Mesh_arrays mesh;
-  if(const Error_code error = mesh.read(tmesh, vertex_sphere_map, false, execution))
+  if(const Error_code error =
+         mesh.read_with_points(tmesh, vertex_sphere_map, internal::vertex_point_map_of(tmesh, np), execution))
     return error;
-  if(const Error_code error = mesh.read_points(internal::vertex_point_map_of(tmesh, np)))
-    return error;
+  if(!control.go_further(0, 0.))
+    return ERROR_STOPPED;
   internal::Sphere_triangulation<Exact_kernel> source, target;
   source.assign(std::move(mesh.images), std::move(mesh.triangles));
   source.make_grid();
@@ -136,6 +148,8 @@ template <class ConcurrencyTag = Parallel_if_available_tag, class TriangleMesh, 
     directions.emplace_back(FT(q.x()), FT(q.y()), FT(q.z()));
   target.assign(std::move(directions), internal::link_triangles(domain.triangles(), domain.directions().size()));
   const auto places = source.locate(target.points(), execution);
+  if(!control.go_further(0, 0.))
+    return ERROR_STOPPED;
 
   internal::add_triangles(
       target.triangles(), places.size(), remesh, [&](const auto& new_vertices, [[maybe_unused]] const auto& new_faces) {

@@ -94,11 +94,10 @@ inline bool do_arcs_cross(const Vector_3d& a, const Vector_3d& b, const Vector_3
 ///         it is as it was then
 template <class TriangleMesh, class VertexSphereMap, class VertexDirectionMap, class VertexSphereMap2,
           class LandmarkRange, typename CGAL_NP_TEMPLATE_PARAMETERS>
-[[nodiscard]] Error_code split_blocking_edges(TriangleMesh& tmesh, VertexSphereMap vertex_sphere_map,
-                                              VertexDirectionMap vertex_direction_map,
-                                              VertexSphereMap2 vertex_sphere_map2, const LandmarkRange& landmarks,
-                                              std::size_t& number_of_split_edges,
-                                              const CGAL_NP_CLASS& np = parameters::default_values())
+Error_code split_blocking_edges(TriangleMesh& tmesh, VertexSphereMap vertex_sphere_map,
+                                VertexDirectionMap vertex_direction_map, VertexSphereMap2 vertex_sphere_map2,
+                                const LandmarkRange& landmarks, std::size_t& number_of_split_edges,
+                                const CGAL_NP_CLASS& np = parameters::default_values())
 {
   using halfedge_descriptor = typename boost::graph_traits<TriangleMesh>::halfedge_descriptor;
   using internal::direction_of;
@@ -108,7 +107,7 @@ template <class TriangleMesh, class VertexSphereMap, class VertexDirectionMap, c
 
   std::vector<halfedge_descriptor> blocking;
   std::vector<std::pair<internal::Vector_3d, internal::Vector_3d>> ways;
-  constexpr double cosine_of_rounding = 1. - 1e-14;
+  constexpr double cosine_of_rounding = 1. - 1e-14; // landmarks within 1.4e-7 of their places are there
   for(const auto& [v, w] : landmarks)
   {
     const internal::Vector_3d p = direction_of(get(vertex_direction_map, v)),

@@ -17,6 +17,7 @@
 #include <CGAL/Spherical_parameterization/Error_code.h>
 #include <CGAL/Spherical_parameterization/internal/Mesh_on_sphere.h>
 #include <CGAL/Spherical_parameterization/internal/locate/Sphere_triangulation.h>
+#include <CGAL/Spherical_parameterization/internal/run/Run_control.h>
 #include <CGAL/Spherical_parameterization/internal/run/parallel.h>
 #include <CGAL/Spherical_parameterization/internal/sampling/Property_carrier.h>
 #include <CGAL/Spherical_parameterization/internal/surface/read_mesh.h>
@@ -45,15 +46,17 @@ Error_code carry_properties(const SourceMesh& source, const SourceSphereMap& sou
                 "The coordinates of both maps to the sphere have to be of type double or float, or of the same exact "
                 "number type.");
 
+  Visitor_control<NamedParameters> control(np_source);
   const Execution execution = execution_of<ConcurrencyTag>();
   Source source_arrays;
-  if(const Error_code error = source_arrays.read(source, source_sphere, false, execution))
-    return error;
-  if(const Error_code error = source_arrays.read_points(vertex_point_map_of(source, np_source)))
+  if(const Error_code error =
+         source_arrays.read_with_points(source, source_sphere, vertex_point_map_of(source, np_source), execution))
     return error;
   Target target_arrays;
   if(const Error_code error = target_arrays.read(target, target_sphere, false, execution))
     return error;
+  if(!control.go_further(0, 0.))
+    return ERROR_STOPPED;
   Sphere_triangulation<Exact_kernel> source_triangulation, target_triangulation;
   source_triangulation.assign(std::move(source_arrays.images), std::move(source_arrays.triangles));
   target_triangulation.assign(std::move(target_arrays.images), std::move(target_arrays.triangles));
@@ -120,18 +123,27 @@ Error_code carry_properties(const SourceMesh& source, const SourceSphereMap& sou
 ///     \cgalParamType{a class model of `ReadablePropertyMap` with `%Point_3` of a \cgal kernel as value type}
 ///     \cgalParamDefault{`boost::get(CGAL::vertex_point, source)`}
 ///   \cgalParamNEnd
+///   \cgalParamNBegin{visitor}
+///     \cgalParamDescription{of `np_source`: a visitor whose `go_further()`, asked between the stages, may stop the run}
+///     \cgalParamType{a model of `SphericalParameterizationVisitor`, or an `std::reference_wrapper` of one}
+///     \cgalParamDefault{`Default_visitor`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{maximum_running_time}
+///     \cgalParamDescription{of `np_source`: the time in seconds after which the run is stopped}
+///     \cgalParamType{double}
+///     \cgalParamDefault{no limit, as with any value that is not positive}
+///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
 /// \return `OK`; or what is wrong with the source, or else the target, see `find_defect()`, or with its map to the sphere:
-///         `ERROR_NO_1_TO_1_MAPPING` if that is no bijection. Nothing is written then.
+///         `ERROR_NO_1_TO_1_MAPPING` if that is no bijection; or `ERROR_STOPPED`. Nothing is written then.
 ///
 /// \sa `CGAL::Spherical_parameterization::remesh_through_sphere()`
 template <class ConcurrencyTag = Parallel_if_available_tag, class SourceMesh, class SourceSphereMap, class TargetMesh,
           class TargetSphereMap, class... SourceMap, class... TargetMap, typename CGAL_NP_TEMPLATE_PARAMETERS>
-[[nodiscard]] Error_code transfer(const SourceMesh& source, SourceSphereMap source_sphere, const TargetMesh& target,
-                                  TargetSphereMap target_sphere,
-                                  const std::tuple<std::pair<SourceMap, TargetMap>...>& properties,
-                                  const CGAL_NP_CLASS& np_source = parameters::default_values())
+Error_code transfer(const SourceMesh& source, SourceSphereMap source_sphere, const TargetMesh& target,
+                    TargetSphereMap target_sphere, const std::tuple<std::pair<SourceMap, TargetMap>...>& properties,
+                    const CGAL_NP_CLASS& np_source = parameters::default_values())
 {
   return internal::carry_properties<ConcurrencyTag>(
       source, source_sphere, target, target_sphere, np_source, [&](auto& carrier) {
@@ -144,9 +156,9 @@ template <class ConcurrencyTag = Parallel_if_available_tag, class SourceMesh, cl
 /// carries one property.
 template <class ConcurrencyTag = Parallel_if_available_tag, class SourceMesh, class SourceSphereMap, class TargetMesh,
           class TargetSphereMap, class SourceMap, class TargetMap, typename CGAL_NP_TEMPLATE_PARAMETERS>
-[[nodiscard]] Error_code transfer(const SourceMesh& source, SourceSphereMap source_sphere, const TargetMesh& target,
-                                  TargetSphereMap target_sphere, const std::pair<SourceMap, TargetMap>& properties,
-                                  const CGAL_NP_CLASS& np_source = parameters::default_values())
+Error_code transfer(const SourceMesh& source, SourceSphereMap source_sphere, const TargetMesh& target,
+                    TargetSphereMap target_sphere, const std::pair<SourceMap, TargetMap>& properties,
+                    const CGAL_NP_CLASS& np_source = parameters::default_values())
 {
   return transfer<ConcurrencyTag>(source, source_sphere, target, target_sphere, std::make_tuple(properties), np_source);
 }
@@ -162,9 +174,9 @@ template <class ConcurrencyTag = Parallel_if_available_tag, class SourceMesh, cl
 /// \tparam SourcePoint,TargetPoint `%Point_3` of a \cgal kernel
 template <class ConcurrencyTag = Parallel_if_available_tag, class SourcePoint, class SourceSphereMap, class TargetPoint,
           class TargetSphereMap, typename CGAL_NP_TEMPLATE_PARAMETERS>
-[[nodiscard]] Error_code transfer(const Surface_mesh<SourcePoint>& source, SourceSphereMap source_sphere,
-                                  Surface_mesh<TargetPoint>& target, TargetSphereMap target_sphere,
-                                  const CGAL_NP_CLASS& np_source = parameters::default_values())
+Error_code transfer(const Surface_mesh<SourcePoint>& source, SourceSphereMap source_sphere,
+                    Surface_mesh<TargetPoint>& target, TargetSphereMap target_sphere,
+                    const CGAL_NP_CLASS& np_source = parameters::default_values())
 {
   return internal::carry_properties<ConcurrencyTag>(
       source, source_sphere, target, target_sphere, np_source,

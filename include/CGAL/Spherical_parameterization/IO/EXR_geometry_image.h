@@ -36,16 +36,28 @@
 #include <ostream>
 #include <vector>
 
-/// \file EXR_geometry_image.h
-
 namespace CGAL::Spherical_parameterization {
 namespace internal {
 
 constexpr std::array<const char*, 3> exr_channels = {"R", "G", "B"};
 
-// Returns false if the stream does not take the file.
-inline bool write_exr(std::ostream& out, const Geometry_image& image)
+// Returns what f() does, or `failure` if OpenEXR throws.
+template <class Function>
+Error_code without_exceptions(Error_code failure, const Function& f)
 try
+{
+  return f();
+}
+catch(const std::bad_alloc&)
+{
+  throw;
+}
+catch(const std::exception&)
+{
+  return failure;
+}
+
+inline Error_code write_exr(std::ostream& out, const Geometry_image& image)
 {
   std::vector<float> pixels(image.values.begin(), image.values.end());
   Imf::Header header(static_cast<int>(image.width), static_cast<int>(image.height));
@@ -63,20 +75,11 @@ try
     file.setFrameBuffer(buffer);
     file.writePixels(static_cast<int>(image.height));
   }
-  return !(out << stream.str()).fail();
-}
-catch(const std::bad_alloc&)
-{
-  throw;
-}
-catch(const std::exception&)
-{
-  return false;
+  return (out << stream.str()).fail() ? ERROR_CANNOT_WRITE_FILE : OK;
 }
 
 // What is kept is at most what there is: a size that a file only claims costs no memory.
 inline Error_code read_exr(std::istream& in, Geometry_image& image)
-try
 {
   Imf::StdISStream stream;
   stream.str({std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()});
@@ -106,14 +109,6 @@ try
   }
   return OK;
 }
-catch(const std::bad_alloc&)
-{
-  throw;
-}
-catch(const std::exception&)
-{
-  return ERROR_INVALID_IMAGE_FILE;
-}
 
 } // namespace internal
 
@@ -131,7 +126,7 @@ namespace IO {
 ///
 /// \return what `write_PNG_geometry_image()` returns; `ERROR_NON_FINITE_COORDINATE` also of what is beyond the range of `float`
 template <class TriangleMesh, class VertexMap>
-[[nodiscard]] Error_code write_EXR_geometry_image(std::ostream& out, const TriangleMesh& remesh, VertexMap map)
+Error_code write_EXR_geometry_image(std::ostream& out, const TriangleMesh& remesh, VertexMap map)
 {
   internal::Geometry_image image;
   if(const Error_code error = internal::make_geometry_image(remesh, map, image))
@@ -139,7 +134,7 @@ template <class TriangleMesh, class VertexMap>
   for(const double x : image.values)
     if(std::abs(x) > (std::numeric_limits<float>::max)())
       return ERROR_NON_FINITE_COORDINATE;
-  return internal::write_exr(out, image) ? OK : ERROR_CANNOT_WRITE_FILE;
+  return internal::without_exceptions(ERROR_CANNOT_WRITE_FILE, [&] { return internal::write_exr(out, image); });
 }
 
 /// \ingroup PkgSphericalParameterizationSampling
@@ -152,10 +147,11 @@ template <class TriangleMesh, class VertexMap>
 /// \return what `read_PNG_geometry_image()` returns; `ERROR_INVALID_IMAGE_FILE` if the file is damaged, or lacks the channels
 ///         R, G and B
 template <class TriangleMesh>
-[[nodiscard]] Error_code read_EXR_geometry_image(std::istream& in, TriangleMesh& tmesh)
+Error_code read_EXR_geometry_image(std::istream& in, TriangleMesh& tmesh)
 {
   internal::Geometry_image image;
-  const Error_code error = internal::read_exr(in, image);
+  const Error_code error =
+      internal::without_exceptions(ERROR_INVALID_IMAGE_FILE, [&] { return internal::read_exr(in, image); });
   return error == OK ? internal::add_mesh_of_geometry_image(image, tmesh) : error;
 }
 

@@ -35,8 +35,6 @@
 #include <string>
 #include <vector>
 
-/// \file PNG_geometry_image.h
-
 namespace CGAL::Spherical_parameterization {
 namespace internal {
 
@@ -251,7 +249,7 @@ namespace IO {
 /// \return `OK`; `ERROR_NO_GEOMETRY_IMAGE_MESH` if no such domain has as many vertices as the mesh;
 ///         `ERROR_NON_FINITE_COORDINATE`; or `ERROR_CANNOT_WRITE_FILE`
 template <class TriangleMesh, class VertexMap>
-[[nodiscard]] Error_code write_PNG_geometry_image(std::ostream& out, const TriangleMesh& remesh, VertexMap map)
+Error_code write_PNG_geometry_image(std::ostream& out, const TriangleMesh& remesh, VertexMap map)
 {
   internal::Geometry_image image;
   if(const Error_code error = internal::make_geometry_image(remesh, map, image))
@@ -274,7 +272,7 @@ template <class TriangleMesh, class VertexMap>
 ///         `ERROR_NON_FINITE_COORDINATE`; or `ERROR_NON_MATCHING_BOUNDARY` if pixels differ that are the same vertex.
 ///         Nothing is added then.
 template <class TriangleMesh>
-[[nodiscard]] Error_code read_PNG_geometry_image(std::istream& in, TriangleMesh& tmesh)
+Error_code read_PNG_geometry_image(std::istream& in, TriangleMesh& tmesh)
 {
   internal::Geometry_image image;
   return internal::Png_file(in).read(image) ? internal::add_mesh_of_geometry_image(image, tmesh)

@@ -31,8 +31,6 @@
 #include <utility>
 #include <vector>
 
-/// \file write_OBJ.h
-
 namespace CGAL::Spherical_parameterization::IO {
 
 /// \ingroup PkgSphericalParameterizationSampling
@@ -60,11 +58,9 @@ namespace CGAL::Spherical_parameterization::IO {
 /// \cgalNamedParamsEnd
 ///
 /// \return `OK`, or `ERROR_CANNOT_WRITE_FILE` if not all has been written
-///
-/// \sa `CGAL::Spherical_parameterization::compute_texture_coordinates()`
 template <class Graph, class HalfedgeTextureMap, typename CGAL_NP_TEMPLATE_PARAMETERS>
-[[nodiscard]] Error_code write_OBJ(std::ostream& out, const Graph& g, HalfedgeTextureMap halfedge_texture_map,
-                                   const CGAL_NP_CLASS& np = parameters::default_values())
+Error_code write_OBJ(std::ostream& out, const Graph& g, HalfedgeTextureMap halfedge_texture_map,
+                     const CGAL_NP_CLASS& np = parameters::default_values())
 {
   const auto point_map = parameters::choose_parameter(parameters::get_parameter(np, internal_np::vertex_point),
                                                       get_const_property_map(vertex_point, g));

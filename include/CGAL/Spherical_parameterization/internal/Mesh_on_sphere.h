@@ -70,11 +70,14 @@ struct Mesh_on_sphere
     return OK;
   }
 
-  // Copies the points of the surface, once the mesh has been read.
+  // The same with the points of the surface.
   template <class VertexPointMap>
-  Error_code read_points(const VertexPointMap& vpm)
+  Error_code read_with_points(const TriangleMesh& tmesh, const VertexSphereMap& vertex_sphere_map,
+                              const VertexPointMap& vpm, const Execution& execution)
   {
-    points = internal::read_points(vertices_of_mesh, vpm);
+    if(const Error_code error = read(tmesh, vertex_sphere_map, false, execution))
+      return error;
+    points = read_points(vertices_of_mesh, vpm);
     return are_finite(points) ? OK : ERROR_NON_FINITE_COORDINATE;
   }
 
@@ -102,25 +105,6 @@ constexpr bool check_two_spheres()
     return are_doubles;
   }
   return false;
-}
-
-// Reads two surfaces with their maps; returns what is wrong with the first one, or else with the second one.
-template <class TriangleMesh1, class VertexSphereMap1, class NamedParameters1, class TriangleMesh2,
-          class VertexSphereMap2, class NamedParameters2>
-Error_code read_surfaces(const TriangleMesh1& tmesh1, const VertexSphereMap1& vertex_sphere_map1,
-                         Mesh_on_sphere<TriangleMesh1, VertexSphereMap1>& arrays1, const NamedParameters1& np1,
-                         const TriangleMesh2& tmesh2, const VertexSphereMap2& vertex_sphere_map2,
-                         Mesh_on_sphere<TriangleMesh2, VertexSphereMap2>& arrays2, const NamedParameters2& np2,
-                         const Execution& execution)
-{
-  const auto read = [&](const auto& tmesh, const auto& vertex_sphere_map, auto& arrays, const auto& np) {
-    if(const Error_code error = arrays.read(tmesh, vertex_sphere_map, false, execution))
-      return error;
-    return arrays.read_points(parameters::choose_parameter(parameters::get_parameter(np, internal_np::vertex_point),
-                                                           get_const_property_map(vertex_point, tmesh)));
-  };
-  const Error_code error = read(tmesh1, vertex_sphere_map1, arrays1, np1);
-  return error == OK ? read(tmesh2, vertex_sphere_map2, arrays2, np2) : error;
 }
 
 // Reads features, each a pair of functions of a vertex, for the first surface (0) or the second one (1). Returns false if a

@@ -27,7 +27,7 @@
 #include <CGAL/Spherical_parameterization/internal/locate/Sphere_triangulation.h>
 #include <CGAL/Spherical_parameterization/internal/numbers/Rotation_matrix.h>
 #include <CGAL/Spherical_parameterization/internal/numbers/Vector_3.h>
-#include <CGAL/Spherical_parameterization/internal/levels/Target_surface.h>
+#include <CGAL/Spherical_parameterization/internal/levels/Target_levels.h>
 #include <CGAL/Spherical_parameterization/internal/levels/Target_metric.h>
 
 #include <CGAL/number_type_config.h>
@@ -64,20 +64,23 @@ double distance_left(const Located_surface<K>& surface, const Vector_3d& p, std:
 }
 
 // The energy of the map that puts the vertices of the first surface at these directions of the second one's sphere: the
-// mean of both ways, on the common refinement; none if the map is no bijection.
+// mean of both ways, on the common refinement. Returns ERROR_NO_1_TO_1_MAPPING if the map is no bijection, and else what
+// Sphere_overlay does.
 template <class K>
-std::optional<double> energy_between(const Located_surface<K>& first, const std::vector<Vector_3d>& directions,
-                                     const Located_surface<K>& second, const Execution& execution)
+Error_code measure_energy_between(const Located_surface<K>& first, const std::vector<Vector_3d>& directions,
+                                  const Located_surface<K>& second, std::optional<double>& result, Run_control& control,
+                                  const Execution& execution)
 {
   std::vector<typename K::Point_3> images;
   for(const Vector_3d& p : directions)
     images.emplace_back(p[0], p[1], p[2]);
   Sphere_triangulation<K> sphere;
   sphere.assign(std::move(images), first.sphere.triangles());
+  if(!certify_bijectivity<K>(sphere.points(), sphere.triangles(), execution).is_bijective())
+    return ERROR_NO_1_TO_1_MAPPING;
   Overlay_arrays overlay;
-  if(!certify_bijectivity<K>(sphere.points(), sphere.triangles(), execution).is_bijective() ||
-     overlay.assign(sphere, first.points, second.sphere, second.points, execution) != OK)
-    return std::nullopt;
+  if(const Error_code error = overlay.assign(sphere, first.points, second.sphere, second.points, control, execution))
+    return error;
   constexpr double smallest_area = 1e-10; // as measure_distortion_between() has it
   const Weighted_statistics energy =
       distortion_between(overlay.triangles.size(), smallest_area, [&](std::size_t k, std::size_t surface) {
@@ -85,7 +88,8 @@ std::optional<double> energy_between(const Located_surface<K>& first, const std:
         const std::vector<Vector_3d>& points = overlay.points[surface];
         return std::array<Vector_3d, 3>{points[t[0]], points[t[1]], points[t[2]]};
       }).energy;
-  return 0.5 * (energy.averages[0] + energy.averages[1]);
+  result = 0.5 * (energy.averages[0] + energy.averages[1]);
+  return OK;
 }
 
 // What is known of both surfaces beside their shapes, in the numbers of their arrays.
@@ -123,26 +127,22 @@ Aligned_start start_of_map(const Located_surface<K>& first, const Located_surfac
   return result;
 }
 
-// Where the landmarks are to go, for the vertices of the first surface in its order.
 template <class K>
-Landmark_goals landmark_goals(const Surface& mesh, const Located_surface<K>& second, const Surface_map_hints& hints)
+Landmark_goals landmark_goals(const Located_surface<K>& second, const Surface_map_hints& hints, std::size_t n_vertices)
 {
   Landmark_goals goals;
   if(hints.landmarks.empty())
     return goals;
   // The sum over the faces is 8 pi times the mean energy.
   goals.weight = 8. * CGAL_PI * hints.landmark_weight / static_cast<double>(hints.landmarks.size());
-  std::vector<std::optional<Vector_3d>> directions(mesh.number_of_vertices());
+  goals.directions.resize(n_vertices);
   for(const auto& [v, w] : hints.landmarks)
-    directions[v] = second.sphere.direction(w);
-  goals.directions = mesh.in_own_order(directions);
+    goals.directions[v] = second.sphere.direction(w);
   return goals;
 }
 
-// The features that are to agree, those of the vertices in the order of the surface.
 template <class K>
-Feature_goals feature_goals(const Surface& mesh, const Located_surface<K>& first, const Aligned_start& start,
-                            const Surface_map_hints& hints)
+Feature_goals feature_goals(const Located_surface<K>& first, const Aligned_start& start, const Surface_map_hints& hints)
 {
   Feature_goals result;
   if(start.features.empty() || !(hints.feature_weight > 0.))
@@ -151,78 +151,71 @@ Feature_goals feature_goals(const Surface& mesh, const Located_surface<K>& first
   // Those of the package count the less, the less they agree: on bodies without limbs they are noise.
   const double trust = std::clamp(start.agreement, 0., 1.);
   result.weight = hints.feature_weight * (hints.features[0].empty() ? trust * trust * trust * trust : 1.);
-  std::vector<Vector_3d> directions(mesh.number_of_vertices());
-  for(std::size_t v = 0; v < directions.size(); ++v)
-    directions[v] = first.sphere.direction(v);
   const std::size_t n_channels = start.features[0].number_of_channels();
-  result.values.resize(directions.size() * n_channels);
-  double* values = result.values.data();
-  for(const Vector_3d& p : mesh.in_own_order(directions))
-  {
-    start.features[0].interpolate(p, values);
-    values += n_channels;
-  }
+  result.values.resize(first.points.size() * n_channels);
+  for(std::size_t v = 0; v < first.points.size(); ++v)
+    start.features[0].interpolate(first.sphere.direction(v), &result.values[v * n_channels]);
   return result;
 }
 
-// Finds the map of the first surface, which is `mesh` as well, onto the second one: a start, and the descent from it. The
-// directions are in the order of the caller. Fails if doubles cannot hold it.
+// Finds the map of the first surface, which is `mesh` as well, onto the second one: a start, and the descent from it. It is
+// yet to be certified.
 template <class K>
-bool find_surface_map(const Surface& mesh, const Located_surface<K>& first, const Located_surface<K>& second,
-                      const Surface_map_hints& hints, Surface_map_report& report, std::vector<Vector_3d>& directions,
-                      Run_control& control, const Execution& execution)
+std::vector<Vector_3d> find_surface_map(const Surface& mesh, const Located_surface<K>& first,
+                                        const Located_surface<K>& second, const Surface_map_hints& hints,
+                                        Surface_map_report& report, Run_control& control, const Execution& execution)
 {
   // Landmarks are moved on levels of very few vertices. Features have brought all that is large to its place, as far as
   // their grid can tell: on coarser levels than this, the two surfaces have lost too much to be compared.
   constexpr std::size_t min_size_with_landmarks = 60, min_size = 1000;
-  constexpr double energy_of_copies = 2. + 1e-9; // which need no descent
+  constexpr double energy_of_copies = 2. + 1e-9; // the least, but for rounding: they need no descent
 
   const bool has_landmarks = !hints.landmarks.empty();
+  control.on_initialization_begin(mesh.number_of_vertices());
   const Aligned_start start = start_of_map(first, second, hints, control, execution);
+  control.on_initialization_end();
   report.agreement = start.agreement;
   report.margin = start.margin;
-  directions = start.directions;
-  std::optional<double> energy;
-  if(start.is_rotation && !has_landmarks)
-    energy = energy_between(first, directions, second, execution);
+  std::vector<Vector_3d> directions = start.directions;
+  std::optional<double> energy; // There is none once the run has been stopped, or if the refinement is too large.
+  const bool agrees_as_it_is = start.is_rotation && !has_landmarks;
+  if(agrees_as_it_is)
+    static_cast<void>(measure_energy_between(first, directions, second, energy, control, execution));
   report.seconds_for_alignment = control.lap();
   if(energy && *energy < energy_of_copies)
     report.stop_reason = CONVERGED;
   else
   {
-    std::vector<Vector_3d> lowered = mesh.in_own_order(directions);
-    if(!are_safely_positive(mesh.rings(), lowered))
-      return false;
-    const Landmark_goals goals = landmark_goals(mesh, second, hints);
-    const Feature_goals features = feature_goals(mesh, first, start, hints);
-    const Target_metric metric(second.sphere, second.points, execution);
-    const bool is_lowered = lower_on_target(
-        mesh, metric, goals, features, has_landmarks ? min_size_with_landmarks : min_size, lowered, control, execution);
-    report.stop_reason = control.is_stopped() ? control.stop_reason()
-                         : is_lowered         ? control.report().stop_reason
-                                              : OBSTRUCTED;
+    std::vector<Vector_3d> lowered = directions;
+    const bool is_lowered =
+        lower_on_target(mesh, Target_metric(second.sphere, second.points, execution),
+                        landmark_goals(second, hints, mesh.number_of_vertices()), feature_goals(first, start, hints),
+                        has_landmarks ? min_size_with_landmarks : min_size, lowered, control, execution);
+    report.stop_reason = is_lowered ? control.report().stop_reason : OBSTRUCTED;
     report.number_of_sweeps = control.report().number_of_level_iterations;
-    lowered = mesh.in_callers_order(lowered);
     report.seconds_for_descent = control.lap();
     // The averaged metric moves even the identity: only the common refinement tells whether that has helped.
-    const std::optional<double> lowered_energy = energy_between(first, lowered, second, execution);
-    if(lowered_energy && !(energy && *energy <= *lowered_energy))
+    std::optional<double> lowered_energy;
+    const Error_code error = measure_energy_between(first, lowered, second, lowered_energy, control, execution);
+    const bool is_better = !agrees_as_it_is || (energy && lowered_energy && *lowered_energy < *energy);
+    if(error != ERROR_NO_1_TO_1_MAPPING && is_better)
     {
       energy = lowered_energy;
       directions.swap(lowered);
     }
     report.seconds_for_overlay = control.lap();
   }
-  if(!energy)
-    return false;
-  report.energy = *energy;
+  if(control.is_stopped())
+    report.stop_reason = control.stop_reason();
+  report.energy = energy.value_or(0.);
   for(const auto& [v, w] : hints.landmarks)
   {
     const bool is_met = directions[v] == second.sphere.direction(w);
     report.landmark_distances.push_back(is_met ? 0. : distance_left(second, directions[v], w));
     report.number_of_missed_landmarks += !(hints.landmark_weight > 0.) && !is_met;
   }
-  return true;
+  control.on_optimization_end();
+  return directions;
 }
 
 } // namespace CGAL::Spherical_parameterization::internal

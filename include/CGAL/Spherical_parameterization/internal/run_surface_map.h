@@ -15,7 +15,6 @@
 #include <CGAL/license/Spherical_parameterization.h>
 
 #include <CGAL/Spherical_parameterization/Error_code.h>
-#include <CGAL/Spherical_parameterization/Parameterization_report.h>
 #include <CGAL/Spherical_parameterization/Surface_map_report.h>
 #include <CGAL/Spherical_parameterization/internal/Mesh_on_sphere.h>
 #include <CGAL/Spherical_parameterization/internal/check_run.h>
@@ -118,8 +117,7 @@ Error_code run_surface_map(const TriangleMesh1& tmesh1, VertexSphereMap1 vertex_
     using Arrays2 = Mesh_on_sphere<TriangleMesh2, VertexSphereMap2>;
     using K = typename Arrays1::Exact_kernel;
 
-    Parameterization_report run_report;
-    Visitor_control<NamedParameters1> control(np1, run_report);
+    Visitor_control<NamedParameters1> control(np1);
     const Execution execution = execution_of<ConcurrencyTag>();
     if(!settings.are_valid())
       return ERROR_WRONG_PARAMETER;
@@ -127,7 +125,10 @@ Error_code run_surface_map(const TriangleMesh1& tmesh1, VertexSphereMap1 vertex_
     Arrays1 arrays1;
     Arrays2 arrays2;
     if(const Error_code error =
-           read_surfaces(tmesh1, vertex_sphere_map1, arrays1, np1, tmesh2, vertex_sphere_map2, arrays2, np2, execution))
+           arrays1.read_with_points(tmesh1, vertex_sphere_map1, vertex_point_map_of(tmesh1, np1), execution))
+      return error;
+    if(const Error_code error =
+           arrays2.read_with_points(tmesh2, vertex_sphere_map2, vertex_point_map_of(tmesh2, np2), execution))
       return error;
     Surface_map_hints hints;
     if(const Error_code error = read_hints(settings, arrays1.vertices_of_mesh, arrays2.vertices_of_mesh, hints))
@@ -140,11 +141,7 @@ Error_code run_surface_map(const TriangleMesh1& tmesh1, VertexSphereMap1 vertex_
         execution, [&] { locate_surface(arrays1, first); }, [&] { locate_surface(arrays2, second); });
     report.seconds_for_reading = control.lap();
 
-    control.on_initialization_begin(mesh.number_of_vertices());
-    std::vector<Vector_3d> directions;
-    if(!find_surface_map(mesh, first, second, hints, report, directions, control, execution))
-      return ERROR_INSUFFICIENT_PRECISION;
-    control.on_optimization_end();
+    const std::vector<Vector_3d> directions = find_surface_map(mesh, first, second, hints, report, control, execution);
     return write_map(arrays1.vertices_of_mesh, mesh.callers_triangles(), directions, 1., Guarantee::ONE_TO_ONE,
                      vertex_direction_map, execution);
   }

@@ -46,7 +46,7 @@ namespace CGAL::Spherical_parameterization::internal {
 inline double dirichlet_energy(const Vertex_rings& rings, const std::vector<double>& weights,
                                const std::vector<Vector_3d>& u, std::vector<double>& shares, Execution execution)
 {
-  constexpr std::size_t block_size = 1024;
+  constexpr std::size_t block_size = 1024; // of parallel work: enough that handing it out costs nothing
   for_each_block(execution, 0, u.size(), block_size, [&](std::size_t begin, std::size_t end) {
     for(std::size_t v = begin; v < end; ++v)
     {
@@ -84,10 +84,9 @@ public:
   {}
 
   // What lower_energy() asks for.
-
   static constexpr double tolerance = 1e-9; // of the energy; positions may go on turning around the centre together
   static constexpr double max_rise = 1e-4;  // above the lowest energy so far: the transformation may cost a little
-  static constexpr int max_halvings = 8;
+  static constexpr int max_halvings = 8;    // down to 1/128 of the way to the solution
 
   const std::vector<double>& weights() const { return m_weights; }
   double energy_of(const std::vector<Vector_3d>& positions)
@@ -253,7 +252,7 @@ private:
     }
   };
 
-  static constexpr std::size_t block_size = 1024;
+  static constexpr std::size_t block_size = 1024; // of parallel work: enough that handing it out costs nothing
 
   Execution m_execution;
   std::vector<Face> m_faces;
@@ -274,10 +273,9 @@ public:
   {}
 
   // What lower_energy() asks for; the radius is in the caller's unit of length.
-
-  static constexpr double tolerance = 1e-6; // of the energy
-  static constexpr double max_rise = 0.;
-  static constexpr int max_halvings = 12;
+  static constexpr double tolerance = 1e-6; // of the energy, of which steps gain ever less
+  static constexpr double max_rise = 0.;    // both steps lower the energy, or there is nothing left to gain
+  static constexpr int max_halvings = 12;   // down to 1/2048 of the step, as for a vertex
 
   std::vector<double> weights() const
   {

@@ -57,7 +57,7 @@ inline std::vector<std::uint32_t> edge_distances(const Vertex_rings& rings, std:
 // are found one after the other, each as far as possible from those before.
 inline std::uint32_t central_vertex(const Vertex_rings& rings)
 {
-  constexpr int number_of_extremities = 8;
+  constexpr int number_of_extremities = 8; // limbs, of which a body has five, and a few more
   std::vector<std::uint32_t> nearest = edge_distances(rings, 0), farthest(rings.number_of_vertices(), 0);
   for(int k = 0; k < number_of_extremities; ++k)
   {
@@ -122,8 +122,8 @@ inline Vector_3d solve_tangential(const std::vector<Vector_3d>& points, const st
 template <class IsAdmissible>
 double center_mass(std::vector<Vector_3d>& points, const std::vector<double>& masses, const IsAdmissible& is_admissible)
 {
-  constexpr double tolerance = 1e-12, max_push = 0.5;
-  constexpr int max_pushes = 100, max_halvings = 8;
+  constexpr double tolerance = 1e-12, max_push = 0.5; // of the radius, above rounding; pushes have to be below 1
+  constexpr int max_pushes = 100, max_halvings = 8;   // a few do, more where most of the mass is in one place
 
   const double mass = std::accumulate(masses.begin(), masses.end(), 0.);
   std::vector<Vector_3d> moved(points.size());

@@ -64,7 +64,7 @@ public:
   {
     cut_at_seam(frame, images, triangles);
     // Maps whose faces are needles would take too many; those of usual surfaces take a few.
-    m_max_vertices = m_points.size() + images.size() + 1000;
+    m_max_vertices = m_points.size() + images.size() + 1000; // a thousand for small meshes
     std::vector<Index> changed;
     for(Index t = 0; t < m_triangles.size(); ++t) // further ones are added on the way
       for(changed = {t}; !changed.empty() && m_is_complete;)

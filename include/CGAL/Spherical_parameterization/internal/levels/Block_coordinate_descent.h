@@ -198,7 +198,6 @@ public:
     return n_faces;
   }
 
-  // Moves every selected vertex once, as sweep() does.
   void sweep_focus(std::vector<Vector_3d>& positions, double radius, const Face_objective& objective)
   {
     move_all(m_focus, positions, radius, objective, Step::on_few_vertices());

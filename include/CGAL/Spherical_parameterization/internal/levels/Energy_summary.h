@@ -127,7 +127,7 @@ public:
   double weighted_mean_square() const { return m_moments[2] / m_moments[0]; }
 
   // Whether the change of an energy from `last_value` is a small part of what could still be gained: of the energy, or
-  // of how far the largest is above the average, where all are near their minimum.
+  // of how far the largest is above the average, where all are near their minimum; at least a millionth of the energy.
   bool has_settled(double value, double last_value, double tolerance) const
   {
     const double spread = maximum_energy() - average();

@@ -197,7 +197,7 @@ struct Face_objective
   template <class FT>
   FT area_factor(const FT& opposite_0, const FT& opposite_1, const FT& opposite_2, const FT& doubled_area) const
   {
-    constexpr double max_correction = 4.;
+    constexpr double max_correction = 4.; // at most five times the determinant
     const FT correction = area_correction * (opposite_0 + opposite_1 + opposite_2) * doubled_area * doubled_area;
     return 1. + minimum(correction, FT(max_correction));
   }

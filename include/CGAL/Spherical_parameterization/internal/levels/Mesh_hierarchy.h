@@ -58,8 +58,8 @@ public:
   }
 
 private:
-  static constexpr std::uint64_t none = 0; // no edge leads from vertex 0 to itself
-  static constexpr std::size_t min_size = 64;
+  static constexpr std::uint64_t none = 0;    // no edge leads from vertex 0 to itself
+  static constexpr std::size_t min_size = 64; // of the table, which doubles when it is half full
 
   static std::uint64_t key_of(std::uint32_t a, std::uint32_t b)
   {
@@ -149,7 +149,6 @@ public:
   const Level& level(std::size_t k) const { return m_levels[k]; }
   const Vertex_rings& rings(std::size_t k) const { return k == 0 ? m_finest_rings : m_coarse_rings[k - 1]; }
 
-  // Gives the memory of the coarsest level back.
   void drop_coarsest()
   {
     m_levels.pop_back();
@@ -159,8 +158,8 @@ public:
 
 private:
   // the share of the vertices that one level removes at most
-  static constexpr double max_share = 0.25;
-  static constexpr std::size_t block_size = 64;
+  static constexpr double max_share = 0.25;     // octopus_16554: D_iso 8.78 / 5.89; with 0.3, 9.21 / 6.14
+  static constexpr std::size_t block_size = 64; // with 512, and 64 in Level_descent, 6475 vertices took 7 ms, not 6
 
   // Adds a level, if any vertex can be removed.
   bool coarsen(const std::vector<Vector_3d>& points, const std::vector<Vector_3d>& images,

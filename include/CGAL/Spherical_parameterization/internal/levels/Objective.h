@@ -59,7 +59,7 @@ public:
     return m_current;
   }
 
-  // The sharpness of the next sweep over a coarse level.
+  // The sharpness of a coarse level: a fifth of the dial, 3 at most, as sharp coarse levels make the end worse.
   double on_coarse_level(double max_energy) const { return relative((std::min)(0.2 * dial(), 3.), max_energy); }
 
   double dial() const { return m_rule.m_is_relative ? m_rule.m_first : 0.; }
@@ -68,8 +68,8 @@ public:
   bool is_final() const { return m_rule.m_is_relative || m_current == m_rule.m_last; }
 
 private:
-  static constexpr double min_fall_of_average = 1e-3;
-  static constexpr double growth = 1.25;
+  static constexpr double min_fall_of_average = 1e-3; // as Sharpness documents it
+  static constexpr double growth = 1.25;              // from 0.1 to 10, the paper's range, in 21 steps
 
   // An energy may be 0 at its minimum, and a map may reach it.
   static double relative(double beta, double max_energy) { return max_energy > 0. ? beta / max_energy : 0.; }
@@ -113,7 +113,7 @@ public:
   {
     m_faces.area_correction = has_radius ? 1. / 9. : 0.;
     if(m_rule.dial() > 0.)
-      m_faces.share = m_rule.dial() / (m_rule.dial() + 40.);
+      m_faces.share = m_rule.dial() / (m_rule.dial() + 40.); // half for Sharpness::lowest_worst()
   }
 
   const Face_objective& of_faces() const { return m_faces; }

@@ -71,7 +71,7 @@ public:
         middle = 0.5 * (m_offsets[j] + m_offsets[j - 2]);
       }
     }
-    const double reach = (std::min)(4. * std::sqrt(squared_reach), 10.);
+    const double reach = (std::min)(4. * std::sqrt(squared_reach), 10.); // 4 times as far as the hole, or 84 degrees
 
     m_polygon = {{-reach, -reach}, {reach, -reach}, {reach, reach}, {-reach, reach}};
     for(std::size_t j = 0; j < d; ++j)
@@ -112,7 +112,7 @@ public:
   }
 
 private:
-  static constexpr int max_halvings = 4;
+  static constexpr int max_halvings = 4; // down to an eighth of the way from the base; the middle is tried as well
   static constexpr double largest = (std::numeric_limits<double>::max)();
 
   using Point = std::array<double, 2>;

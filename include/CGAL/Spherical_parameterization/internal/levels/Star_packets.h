@@ -33,7 +33,7 @@
 namespace CGAL::Spherical_parameterization::internal {
 
 // How many stars or faces are laid out side by side, a multiple of all numbers of lanes.
-constexpr std::size_t packet_width = 8;
+constexpr std::size_t packet_width = 8; // also of those of AVX-512, which saved a tenth of the time, but fuses products
 static_assert(packet_width % Lanes<Two_lanes>::width == 0 && packet_width % Lanes<Four_lanes>::width == 0,
               "A packet is worked on lane by lane without a rest.");
 
@@ -263,7 +263,6 @@ public:
                          p.first_corner + lane, p.stride, n_rows);
   }
 
-  // Number k of the rest shape of a corner.
   double rest(std::size_t corner, std::size_t k) const { return m_rest[rest_index(corner, k)]; }
   bool has_slivers() const { return !m_is_at_sliver.empty(); }
   bool is_at_sliver(std::size_t corner) const { return has_slivers() && m_is_at_sliver[corner]; }
@@ -295,7 +294,6 @@ public:
       }
   }
 
-  // The number of these faces.
   std::size_t number_of_faces(std::size_t packet) const
   {
     std::size_t result = 0;
@@ -304,8 +302,9 @@ public:
   }
 
 private:
-  static constexpr std::size_t chunk_size = 1024; // of vertices that are ordered by their numbers of faces
-  static constexpr std::size_t max_rows = 32;     // of a packet of several stars
+  // Vertices are ordered by their numbers of faces in chunks: near in memory, but enough to fill packets of one number.
+  static constexpr std::size_t chunk_size = 1024;
+  static constexpr std::size_t max_rows = 32; // of a packet of several stars: to pad them for longer ones wastes memory
 
   // Orders vertices by their numbers of neighbors; those of the same number, or of more than max_rows, stay as they were.
   template <class DegreeOf>

@@ -68,6 +68,7 @@ public:
     });
     const auto places = images.locate(directions, execution);
     Image finest{n, std::vector<Texel>(places.size())};
+    // 1024 nodes of parallel work: enough that handing it out costs nothing
     for_each_block(execution, 0, places.size(), 1024, [&](std::size_t begin, std::size_t end) {
       for(std::size_t k = begin; k < end; ++k)
       {
@@ -107,6 +108,8 @@ public:
   }
 
 private:
+  // A vertex of the first surface has 3 to 12 nodes, a few for each of its two faces: images differ by a factor of 4.
+  // The least image, of 96 nodes, is for a tetrahedron; the largest, of 6.3 million, takes 200 MB.
   static constexpr std::size_t nodes_per_vertex = 12, min_size = 4, max_size = 1024;
 
   using Texel = std::array<float, 8>; // the numbers of a Metric_sample

@@ -94,7 +94,6 @@ public:
     m_features = nullptr;
   }
 
-  // the area of the faces
   double area() const
   {
     double result = 0.;
@@ -104,8 +103,6 @@ public:
   }
 
   double squared_shortest_edge() const { return m_squared_shortest_edge; }
-
-  // see Newton_step
   double shortest_edge() const { return std::sqrt(m_squared_shortest_edge); }
 
   double derivatives(std::array<double, 2>& gradient, std::array<double, 3>& hessian) const
@@ -163,7 +160,7 @@ public:
       value += m_goal_weight * squared_length(offset);
       gradient[0] += 2. * m_goal_weight * dot(offset, t1);
       gradient[1] += 2. * m_goal_weight * dot(offset, t2);
-      const double curvature = 2. * m_goal_weight * (std::max)(dot(m_center, *m_goal), 0.1);
+      const double curvature = 2. * m_goal_weight * (std::max)(dot(m_center, *m_goal), 0.1); // > 0 a quarter turn away
       hessian[0] += curvature;
       hessian[2] += curvature;
     }
@@ -196,7 +193,6 @@ public:
     return value;
   }
 
-  // the same at a direction
   double at(const Vector_3d& q) const
   {
     if(!(dot(q, m_center) > 0.)) // The coordinates of the other half are the same.

@@ -38,9 +38,7 @@ struct Vertex_removal
 {
   // Finds the best target of vertex v. Only targets that keep the mesh a simplicial complex are considered (the link
   // condition). Whether two vertices of high degree are neighbours is looked up only if `is_exact`; otherwise they are
-  // taken for neighbours, so that the time for a vertex is bounded.
-  //
-  // If the vertices have images on the sphere, faces that are positive there have to stay so.
+  // taken for neighbours, so that the time for a vertex is bounded. Images of faces have to stay positive.
   static Vertex_removal best(const Vertex_rings& rings, const std::vector<Vector_3d>& points, std::uint32_t v,
                              bool is_exact, const std::vector<Vector_3d>& images = {})
   {
@@ -103,11 +101,11 @@ struct Vertex_removal
 
 private:
   static constexpr std::uint32_t max_degree = 16; // of a vertex to be removed; every mesh has vertices below 6
-  static constexpr std::size_t good_degree = 9;
-  static constexpr std::size_t high_degree = 64;
-  static constexpr double edge_weight = 1e-2;
-  static constexpr double min_squared_quality = 1e-12;
-  static constexpr double min_cost = 1e-290; // where the surface says nothing, the degrees decide
+  static constexpr std::size_t good_degree = 9;  // of the target; beyond it the cost grows, as does the time for a star
+  static constexpr std::size_t high_degree = 64; // two beyond it may pass for neighbors: no long ring is searched
+  static constexpr double edge_weight = 1e-2; // of the squared edge: it decides where all distances from planes are 0
+  static constexpr double min_squared_quality = 1e-12; // a flat fan costs 1000 times as much as an equilateral one
+  static constexpr double min_cost = 1e-290;           // where the surface says nothing, the degrees decide
 
   // Much coarser than the cost: costs that differ by rounding only nearly always have the same rank, so that no choice
   // depends on how the mesh is placed in space.

@@ -200,7 +200,7 @@ public:
   // that the triangles that a query needs are in the caches since the query before.
   std::vector<Place> locate(const std::vector<Point_3>& directions, const Execution& execution) const
   {
-    constexpr std::size_t block_size = 1024;
+    constexpr std::size_t block_size = 1024;              // of parallel work: enough that handing it out costs nothing
     constexpr std::size_t min_triangles_to_sort = 100000; // Less than 5 MB are in the caches anyway.
     const Execution safe_execution = std::is_same<FT, double>::value ? execution : Execution();
     std::vector<Query> queries;
@@ -330,8 +330,8 @@ private:
   // The directions in their order along a curve: sorted into about as many buckets as they are, in linear time.
   static std::vector<Query> sorted_along_curve(const std::vector<Point_3>& directions, const Execution& execution)
   {
-    constexpr std::size_t block_size = 4096;
-    constexpr unsigned int max_bits = 24;
+    constexpr std::size_t block_size = 4096; // of parallel work: enough that handing it out costs nothing
+    constexpr unsigned int max_bits = 24;    // of the numbers of buckets, whose starts take 128 MB then
     unsigned int n_bits = 0;
     while(n_bits < max_bits && (directions.size() >> n_bits) > 1)
       ++n_bits;

@@ -95,7 +95,7 @@ struct Triangle_stretch
 
 private:
   static constexpr double infinity = std::numeric_limits<double>::infinity();
-  static constexpr double min_height = 1e-12; // in units of the longest edge
+  static constexpr double min_height = 1e-12; // of the longest edge: rounding of edges costs some 1e-3 there
 
   // A triangle in the plane whose first edge is (base, 0) and whose apex is (foot, height), seen from the corner
   // between `first`, the edge on the axis, and `second`.
@@ -213,7 +213,7 @@ std::vector<Measured_face> distortion_of_faces(const std::vector<Surface_point_3
                                                const std::vector<Image_point_3>& images,
                                                const Index_triangles& triangles, Execution execution)
 {
-  constexpr std::size_t block_size = 256;
+  constexpr std::size_t block_size = 256; // of parallel work: enough that handing it out costs nothing
   constexpr bool may_be_parallel =
       has_floating_point_coordinates<Surface_point_3> && has_floating_point_coordinates<Image_point_3>;
   const Orientation_about_origin_3<typename Selection::type> orientation;

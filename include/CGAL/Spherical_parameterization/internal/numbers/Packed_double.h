@@ -171,7 +171,10 @@ public:
     return result;
   }
 
-  CGAL_SP_INLINE void store(double* values) const { std::memcpy(values, &m_lanes, sizeof(Doubles)); }
+  static CGAL_SP_INLINE void store(const Packed_double& a, double* values)
+  {
+    std::memcpy(values, &a.m_lanes, sizeof(Doubles));
+  }
 
   // the value of lane k is f(k)
   template <class Function>
@@ -278,17 +281,14 @@ private:
 
 // The same for a single number, but for the ends of the exponential.
 
-CGAL_SP_INLINE bool lane(bool a, std::size_t)
+template <class T>
+CGAL_SP_INLINE T lane(T a, std::size_t)
 {
   return a;
 }
 CGAL_SP_INLINE bool any(bool condition)
 {
   return condition;
-}
-CGAL_SP_INLINE double lane(double a, std::size_t)
-{
-  return a;
 }
 CGAL_SP_INLINE double select(bool condition, double a, double b)
 {
@@ -315,19 +315,10 @@ CGAL_SP_INLINE double exponential(double a)
   return std::exp(a);
 }
 
-// How to make a number, be it a single one or a packed one.
+// How to make a number, be it a single one or a packed one, whose static members do it.
 template <class FT>
-struct Lanes
-{
-  static constexpr std::size_t width = FT::width;
-  static CGAL_SP_INLINE FT load(const double* values) { return FT::load(values); }
-  static CGAL_SP_INLINE void store(const FT& a, double* values) { a.store(values); }
-  template <class Function>
-  static CGAL_SP_INLINE FT generate(const Function& f)
-  {
-    return FT::generate(f);
-  }
-};
+struct Lanes : FT
+{};
 
 template <>
 struct Lanes<double>

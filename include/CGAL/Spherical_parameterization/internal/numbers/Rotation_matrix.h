@@ -61,15 +61,6 @@ inline double angle_between(const Rotation_matrix& a, const Rotation_matrix& b)
   return std::acos((std::min)((std::max)(cosine, -1.), 1.));
 }
 
-// a vector of any length, normalized without overflow; none for zero or what is not finite
-inline std::optional<Vector_3d> direction_of(const Vector_3d& p)
-{
-  const double size = (std::max)({std::abs(p[0]), std::abs(p[1]), std::abs(p[2])});
-  if(!is_finite(p) || !(size > 0.))
-    return std::nullopt;
-  return normalized(Vector_3d{p[0] / size, p[1] / size, p[2] / size});
-}
-
 // The rotation that brings directions nearest to others, by least squares: the eigenvector of Horn's symmetric matrix
 // with the largest eigenvalue, by Jacobi's rotations. None if several rotations are equally good, or nearly so.
 inline std::optional<Rotation_matrix> fitting_rotation(const std::vector<std::pair<Vector_3d, Vector_3d>>& pairs)
@@ -105,7 +96,7 @@ inline std::optional<Rotation_matrix> fitting_rotation(const std::vector<std::pa
   std::array<std::size_t, 4> order = {0, 1, 2, 3};
   std::sort(order.begin(), order.end(), [&](std::size_t i, std::size_t j) { return a[i][i] > a[j][j]; });
   const std::size_t best = order[0];
-  constexpr double min_gap = 1e-6;
+  constexpr double min_gap = 1e-6; // for each pair, of which rounding makes some 1e-16
   if(!(a[best][best] - a[order[1]][order[1]] > min_gap * static_cast<double>(pairs.size())))
     return std::nullopt;
   return rotation_matrix({v[0][best], v[1][best], v[2][best], v[3][best]});

@@ -77,11 +77,11 @@ struct Overlay_arrays
   // Returns what Sphere_overlay does.
   template <class K>
   Error_code assign(const Sphere_triangulation<K>& sphere1, const std::vector<Vector_3d>& points1,
-                    const Sphere_triangulation<K>& sphere2, const std::vector<Vector_3d>& points2,
+                    const Sphere_triangulation<K>& sphere2, const std::vector<Vector_3d>& points2, Run_control& control,
                     const Execution& execution)
   {
     Sphere_overlay<K> cells;
-    if(const Error_code error = cells.assign(sphere1, sphere2, execution))
+    if(const Error_code error = cells.assign(sphere1, sphere2, control, execution))
       return error;
     const std::size_t n = cells.number_of_vertices(), n1 = points1.size(), n2 = points2.size();
     points[0] = points1;
@@ -89,7 +89,7 @@ struct Overlay_arrays
     points[1].resize(n1);
     points[1].insert(points[1].end(), points2.begin(), points2.end());
     points[1].resize(n);
-    constexpr std::size_t block_size = 1024;
+    constexpr std::size_t block_size = 1024; // of parallel work: enough that handing it out costs nothing
     const auto locate = [&](const auto& of, const auto& places, const auto& in, const auto& values, Vector_3d* out) {
       for_each_block(execution, 0, places.size(), block_size, [&](std::size_t begin, std::size_t end) {
         for(std::size_t v = begin; v < end; ++v)

@@ -16,8 +16,9 @@
 
 #include <CGAL/Spherical_parameterization/Error_code.h>
 #include <CGAL/Spherical_parameterization/internal/overlay/Perturbed_orientation.h>
-#include <CGAL/Spherical_parameterization/internal/run/parallel.h>
 #include <CGAL/Spherical_parameterization/internal/locate/Sphere_triangulation.h>
+#include <CGAL/Spherical_parameterization/internal/run/Run_control.h>
+#include <CGAL/Spherical_parameterization/internal/run/parallel.h>
 
 #include <CGAL/enum.h>
 
@@ -87,9 +88,10 @@ public:
   {}
 
   // Returns ERROR_NO_1_TO_1_MAPPING if the certificate fails: both traces find the same crossings, every cell is one polygon,
-  // and V - E + F = 2; ERROR_TOO_LARGE_MESH if there are too many vertices. The triangulations have to be bijections, and to
-  // live longer.
-  Error_code assign(const Triangulation& first, const Triangulation& second, const Execution& execution)
+  // and V - E + F = 2; ERROR_TOO_LARGE_MESH if there are too many vertices; ERROR_STOPPED if the control has ended it. The
+  // triangulations have to be bijections, and to live longer.
+  Error_code assign(const Triangulation& first, const Triangulation& second, Run_control& control,
+                    const Execution& execution)
   {
     m_n_first = static_cast<Index>(first.points().size());
     m_n_second = static_cast<Index>(second.points().size());
@@ -100,15 +102,17 @@ public:
     if(std::count(m_places_of_first.begin(), m_places_of_first.end(), none) > 0 ||
        std::count(m_places_of_second.begin(), m_places_of_second.end(), none) > 0)
       return ERROR_NO_1_TO_1_MAPPING;
-    const Traces traces_of_first = trace_edges(first, second, m_places_of_first, of_first, execution),
-                 traces_of_second = trace_edges(second, first, m_places_of_second, of_second, execution);
+    const Traces traces_of_first = trace_edges(first, second, m_places_of_first, of_first, control, execution),
+                 traces_of_second = trace_edges(second, first, m_places_of_second, of_second, control, execution);
+    if(control.is_stopped())
+      return ERROR_STOPPED;
     if(traces_of_first.crossed.size() + m_n_first + m_n_second > m_max_vertices)
       return ERROR_TOO_LARGE_MESH;
     std::vector<Index> crossings_of_second; // in the order along the edges of the second triangulation
     const bool is_certified =
         match(traces_of_first, traces_of_second, crossings_of_second) &&
-        make_cells(first, second, traces_of_first, traces_of_second, crossings_of_second, execution);
-    return is_certified ? OK : ERROR_NO_1_TO_1_MAPPING;
+        make_cells(first, second, traces_of_first, traces_of_second, crossings_of_second, control, execution);
+    return control.is_stopped() ? ERROR_STOPPED : is_certified ? OK : ERROR_NO_1_TO_1_MAPPING;
   }
 
   std::size_t number_of_vertices() const { return std::size_t(m_n_first) + m_n_second + m_crossings.size(); }
@@ -153,12 +157,12 @@ private:
   }
 
   // An edge enters a triangle from one with which it shares a side, and leaves it by the side whose source is on its right
-  // and whose target is on its left: which one, the side of one vertex decides.
+  // and whose target is on its left: which one, the side of one vertex decides. If the control stops it, there are none.
   template <class Side>
   static Traces trace_edges(const Triangulation& of, const Triangulation& in, const std::vector<Index>& places,
-                            const Side& side, const Execution& execution)
+                            const Side& side, Run_control& control, const Execution& execution)
   {
-    constexpr std::size_t block_size = 1024;
+    constexpr std::size_t block_size = 256; // edges, of which those of hubs may have thousands of crossings each
     const Triangle_sides edges(of.triangles()), sides(in.triangles());
     Traces result;
     for(std::size_t e = 0; e < edges.size(); ++e)
@@ -171,7 +175,7 @@ private:
       std::vector<Index> triangles;
     };
     std::vector<Block> blocks((n + block_size - 1) / block_size);
-    for_each_block(execution, 0, n, block_size, [&](std::size_t begin, std::size_t end) {
+    const auto trace = [&](std::size_t begin, std::size_t end) {
       Block& block = blocks[begin / block_size];
       for(std::size_t k = begin; k < end; ++k)
       {
@@ -202,7 +206,9 @@ private:
         }
         block.counts.push_back(block.crossed.size() - old_size);
       }
-    });
+    };
+    if(!for_each_block_until_stopped(control, execution, n, block_size, trace))
+      return Traces();
     result.ends.reserve(n);
     for(const Block& block : blocks)
     {
@@ -253,7 +259,7 @@ private:
   }
 
   bool make_cells(const Triangulation& first, const Triangulation& second, const Traces& traces_of_first,
-                  const Traces& traces_of_second, const std::vector<Index>& crossings_of_second,
+                  const Traces& traces_of_second, const std::vector<Index>& crossings_of_second, Run_control& control,
                   const Execution& execution)
   {
     std::vector<Part> parts;
@@ -297,14 +303,16 @@ private:
     std::vector<Part> sorted(parts.size());
     for(const Part& part : parts)
       sorted[ends[part.parents[0]]++] = part;
-    constexpr std::size_t block_size = 256;
-    for_each_block(execution, 0, n, block_size, [&](std::size_t begin, std::size_t end) {
+    constexpr std::size_t block_size = 256; // of parallel work: enough that handing it out costs nothing
+    const auto sort = [&](std::size_t begin, std::size_t end) {
       for(std::size_t t = begin; t < end; ++t)
         std::sort(sorted.begin() + static_cast<std::ptrdiff_t>(begins[t]),
                   sorted.begin() + static_cast<std::ptrdiff_t>(begins[t + 1]), [](const Part& a, const Part& b) {
                     return a.parents[1] != b.parents[1] ? a.parents[1] < b.parents[1] : a.source < b.source;
                   });
-    });
+    };
+    if(!for_each_block_until_stopped(control, execution, n, block_size, sort))
+      return false;
     m_cells.clear();
     m_corners.clear();
     m_corners.reserve(sorted.size());

@@ -16,9 +16,11 @@
 
 #include <CGAL/Spherical_parameterization/Default_visitor.h>
 #include <CGAL/Spherical_parameterization/Parameterization_report.h>
+#include <CGAL/Spherical_parameterization/internal/run/parallel.h>
 
 #include <CGAL/Named_function_parameters.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cstddef>
 
@@ -88,6 +90,22 @@ private:
   Stop_reason m_stop_reason = NOT_RUN;
 };
 
+// Calls f(begin, end) for blocks as for_each_block() does, and asks the control after every few of them, some milliseconds of
+// work. Returns whether all has been done.
+template <class Function>
+bool for_each_block_until_stopped(Run_control& control, const Execution& execution, std::size_t n,
+                                  std::size_t block_size, const Function& f)
+{
+  const std::size_t step = 16 * block_size;
+  for(std::size_t begin = 0; begin < n; begin += step)
+  {
+    if(!control.go_further(0, 0.))
+      return false;
+    for_each_block(execution, begin, (std::min)(begin + step, n), block_size, f);
+  }
+  return control.go_further(0, 0.);
+}
+
 // The same by the named parameters of a call: its visitor, and its time limit.
 template <class NamedParameters>
 class Visitor_control : public Run_control
@@ -98,6 +116,11 @@ public:
                   report)
     , m_visitor(parameters::choose_parameter(parameters::get_parameter_reference(np, internal_np::visitor),
                                              m_default_visitor))
+  {}
+
+  // the same of a call that gives no such report
+  explicit Visitor_control(const NamedParameters& np)
+    : Visitor_control(np, m_own_report)
   {}
 
   void on_initialization_begin(std::size_t number_of_vertices) override
@@ -118,6 +141,7 @@ private:
     return m_visitor.go_further(iteration, energy);
   }
 
+  Parameterization_report m_own_report;
   Default_visitor m_default_visitor;
   typename internal_np::Lookup_named_param_def<internal_np::visitor_t, NamedParameters, Default_visitor>::reference
       m_visitor;

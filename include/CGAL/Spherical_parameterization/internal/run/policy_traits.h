@@ -51,6 +51,13 @@ bool next_phase(Policy& policy)
     return false;
 }
 
+template <class Energy, class Faces, class = void>
+constexpr bool has_optimal_scale = false;
+template <class Energy, class Faces>
+constexpr bool has_optimal_scale<
+    Energy, Faces, std::void_t<decltype(std::declval<const Energy&>().optimal_scale(std::declval<const Faces&>()))>> =
+    true;
+
 // whether faces count by their areas on the surface; if an energy does not say so, each counts the same
 template <class Energy, class = void>
 constexpr bool weighs_faces_by_area = false;

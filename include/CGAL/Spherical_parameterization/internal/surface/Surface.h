@@ -106,10 +106,12 @@ public:
   template <class T>
   std::vector<T> in_own_order(const std::vector<T>& callers) const
   {
+    const std::size_t n = callers.size() / m_originals.size(); // of each vertex
     std::vector<T> result;
-    result.reserve(m_originals.size());
-    for(const std::uint32_t v : m_originals)
-      result.push_back(callers[v]);
+    result.reserve(callers.size());
+    for(const std::size_t v : m_originals)
+      result.insert(result.end(), callers.begin() + static_cast<std::ptrdiff_t>(n * v),
+                    callers.begin() + static_cast<std::ptrdiff_t>(n * (v + 1)));
     return result;
   }
   template <class T>

@@ -55,8 +55,8 @@ inline std::vector<double> vertex_masses(const Vertex_rings& rings, const std::v
 // a bend has the same.
 inline std::vector<double> curvature_masses(const Vertex_rings& rings, const std::vector<Vector_3d>& points)
 {
-  constexpr double flat = 0.05;      // what a flat place counts, in units of the mean square of the curvature
-  constexpr double max_ratio = 100.; // of a squared edge and the area that is its own, on needles
+  constexpr double flat = 0.05;      // of the mean square of the curvature, for flat places: they get samples as well
+  constexpr double max_ratio = 100.; // of a squared edge and the area that is its own, so that needles do not get all
   std::vector<double> masses = vertex_areas(rings, points), squares(masses.size(), 0.); // integrals of k^2
   for(std::uint32_t v = 0; v < rings.number_of_vertices(); ++v)
   {
@@ -94,7 +94,7 @@ inline std::vector<double> curvature_masses(const Vertex_rings& rings, const std
 inline std::vector<double> vertex_densities(const Vertex_rings& rings, const std::vector<Vector_3d>& points,
                                             const std::vector<double>& areas)
 {
-  constexpr double max_density = 1e6;
+  constexpr double max_density = 1e6; // times its own area, as of a limb whose faces are gone; more is rounding
   std::vector<double> densities = vertex_areas(rings, points);
   for(std::size_t v = 0; v < densities.size(); ++v)
   {
@@ -105,7 +105,7 @@ inline std::vector<double> vertex_densities(const Vertex_rings& rings, const std
 }
 
 // The minimum weight of an edge where all have to be positive: an edge opposite to two right angles has 0.
-constexpr double min_positive_weight = 0.01;
+constexpr double min_positive_weight = 0.01; // little beside the 0.58 of equilateral faces
 
 // The cotangent weight of every edge, half the sum of the cotangents of the two angles opposite to it, in the order of
 // the corners of `rings`: that of the edge (v, ring[j]) at rings.offset(v) + j. No weight is below `min_weight`. The two

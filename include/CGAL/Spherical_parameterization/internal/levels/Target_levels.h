@@ -1,0 +1,128 @@
+// Copyright (c) 2026  The Spherical_parameterization authors.
+// All rights reserved.
+//
+// This file is part of the Spherical_parameterization package for CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Spherical_parameterization authors
+
+#ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_LEVELS_TARGET_LEVELS_H
+#define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_LEVELS_TARGET_LEVELS_H
+
+#include <CGAL/license/Spherical_parameterization.h>
+
+#include <CGAL/Spherical_parameterization/Face_range_3.h>
+#include <CGAL/Spherical_parameterization/internal/certificate/is_safely_positive.h>
+#include <CGAL/Spherical_parameterization/internal/levels/Energy_summary.h>
+#include <CGAL/Spherical_parameterization/internal/levels/Face_energy.h>
+#include <CGAL/Spherical_parameterization/internal/levels/Level_descent.h>
+#include <CGAL/Spherical_parameterization/internal/levels/Mesh_hierarchy.h>
+#include <CGAL/Spherical_parameterization/internal/levels/Star_kernel.h>
+#include <CGAL/Spherical_parameterization/internal/levels/Target_metric.h>
+#include <CGAL/Spherical_parameterization/internal/levels/Target_surface.h>
+#include <CGAL/Spherical_parameterization/internal/levels/Vertex_step.h>
+#include <CGAL/Spherical_parameterization/internal/numbers/Vector_3.h>
+#include <CGAL/Spherical_parameterization/internal/run/Run_control.h>
+#include <CGAL/Spherical_parameterization/internal/run/parallel.h>
+#include <CGAL/Spherical_parameterization/internal/surface/Rest_triangle.h>
+#include <CGAL/Spherical_parameterization/internal/surface/Surface.h>
+#include <CGAL/Spherical_parameterization/internal/surface/mesh_measures.h>
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+namespace CGAL::Spherical_parameterization::internal {
+
+// How a map to the sphere of another surface is lowered on the levels of a hierarchy, see Level_descent. Every state is a
+// bijection, as every level is: vertices are removed only where the images of the faces stay positive, and are put back where
+// they were in the triangles that they have left, as these have moved.
+class Target_levels
+{
+public:
+  using Space = Target_surface;
+
+  // The positions are those before all descent. All have to last as long as this.
+  Target_levels(const Target_surface& space, const std::vector<Vector_3d>& positions)
+    : m_space(space)
+    , m_positions(positions)
+  {}
+
+  const Space& space() const { return m_space; }
+
+  Level_sweeps start_level(Space& space, const Mesh_hierarchy::Level& level, bool)
+  {
+    space.start_level(level.vertices);
+    m_old = level.gathered(m_positions);
+    return {max_sweeps, settled_change, Newton_step()};
+  }
+
+  // Where a vertex is in one of the triangles of its hole, fanned out from the first vertex, and goes to along with it.
+  bool find_place(const Ring_hole& hole, const Mesh_hierarchy::Removed_vertex& removed, Vector_3d& position) const
+  {
+    const Ring_hole old = {m_old, hole.ring, hole.first};
+    const Vector_3d& p = position = m_old[removed.vertex];
+    for(std::size_t j = 1; j + 1 < old.size(); ++j)
+    {
+      const Vector_3d &a = old[0], &b = old[j], &c = old[j + 1];
+      const double u = dot(p, cross(b, c)), v = dot(p, cross(c, a)), w = dot(p, cross(a, b));
+      if(u >= 0. && v >= 0. && w >= 0.)
+      {
+        position = normalized(u * hole[0] + v * hole[j] + w * hole[j + 1]);
+        break;
+      }
+    }
+    bool is_positive = true;
+    for(std::size_t j = 0; j < hole.size(); ++j)
+      is_positive = is_positive && is_safely_positive(position, hole[j], hole[j + 1 < hole.size() ? j + 1 : 0]);
+    return is_positive;
+  }
+
+  Face_objective choose_objective(std::size_t, std::size_t, const Energy_summary&, const Face_range_3&, double&) const
+  {
+    return Face_objective();
+  }
+
+  void start_sweep(Space& space, std::size_t sweep, bool is_last) const { space.start_sweep(sweep, is_last); }
+  bool may_end(const Space& space) const { return !space.has_open_landmarks(); }
+
+private:
+  static constexpr std::size_t max_sweeps = 60;  // mean errors with 60 / 20: faust 2.55 / 2.61 %, tosca 2.61 / 2.72 %
+  static constexpr double settled_change = 1e-4; // of the mean energy, from one measurement to the next
+
+  Target_surface m_space;
+  const std::vector<Vector_3d>& m_positions;
+  std::vector<Vector_3d> m_old; // of the level
+};
+
+// Lowers the energy of the map with these positions on the unit sphere to another surface, on levels from about `min_size`
+// vertices on. Hard landmarks that have been met stay where they are. All vertices are in the order of the caller. Returns
+// false, and leaves the positions as they are, if doubles cannot hold a level, or the map that it starts from.
+inline bool lower_on_target(const Surface& mesh, const Target_metric& metric, Landmark_goals goals,
+                            Feature_goals features, std::size_t min_size, std::vector<Vector_3d>& callers_positions,
+                            Run_control& control, Execution execution)
+{
+  const std::vector<Vector_3d> positions = mesh.in_own_order(callers_positions);
+  if(!are_safely_positive(mesh.rings(), positions))
+    return false;
+  goals.directions = mesh.in_own_order(goals.directions);
+  features.values = mesh.in_own_order(features.values);
+  std::vector<char> is_fixed;
+  for(const std::optional<Vector_3d>& goal : goals.directions)
+    is_fixed.push_back(goal.has_value());
+  Mesh_hierarchy hierarchy(mesh.rings(), mesh.points(), vertex_areas(mesh.rings(), mesh.points()), execution, positions,
+                           is_fixed, min_size);
+  Target_levels plan(Target_surface(metric, goals, features), positions);
+  std::vector<Vector_3d> result = positions;
+  if(!Level_descent(hierarchy, mesh.points(), Rest_limits(), plan, control, execution).run(result))
+    return false;
+  callers_positions = mesh.in_callers_order(result);
+  return true;
+}
+
+} // namespace CGAL::Spherical_parameterization::internal
+
+#endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_LEVELS_TARGET_LEVELS_H
