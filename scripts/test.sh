@@ -2,8 +2,8 @@
 # Usage: scripts/test.sh
 #
 # Installs what is missing, checks the style of the sources, builds everything with warnings as errors and runs all
-# tests, checks that the package fits into CGAL's tree, then runs tests of the library and the program under the
-# sanitizers of Clang, and builds and checks the manual. May be run again. On two cores, it takes at most 10 minutes.
+# tests, checks that the package fits into CGAL's tree, builds and checks the manual, and runs tests under the sanitizer of
+# threads. May be run again. On two cores, it takes at most 10 minutes.
 
 # shellcheck source-path=SCRIPTDIR source=common.sh
 . "$(dirname "${BASH_SOURCE[0]}")/common.sh"
@@ -42,4 +42,4 @@ run_stage "test" ctest --test-dir "$build" --output-on-failure --no-tests=error 
 in_background manual "$root/scripts/check_documentation.sh"
 in_background tree "$root/scripts/test_in_cgal_tree.sh" --only simple_spherical_parameterization
 finish_background
-"$root/scripts/test_sanitizers.sh"
+"$root/scripts/test_sanitizers.sh" thread

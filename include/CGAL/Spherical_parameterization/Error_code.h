@@ -16,6 +16,7 @@
 
 namespace CGAL::Spherical_parameterization {
 
+// clang-format off
 /// \ingroup PkgSphericalParameterizationEnums
 ///
 /// List of the outcomes of the functions of the package; the compiler warns if one is ignored. Every value but `OK` and
@@ -51,6 +52,7 @@ enum [[nodiscard]] Error_code
   ERROR_INVALID_LANDMARK,                 ///< A landmark is no vertex of a face, or a vertex has two.
   ERROR_STOPPED                           ///< The visitor or the time limit ended the run before there was a result.
 };
+// clang-format on
 
 /// \ingroup PkgSphericalParameterizationEnums
 ///
