@@ -38,7 +38,7 @@ public:
   {}
 
   // Adds the energies of many faces, in several columns, which do not wait for each other. Which energies a column gets
-  // does not depend on the number of lanes. Faces count as much as `counts` says.
+  // does not depend on the number of lanes. Faces count as much as `counts` says, or each the same if it is null.
   template <class FT>
   void add_all(const double* energies, const double* counts, std::size_t n)
   {
@@ -48,16 +48,16 @@ public:
     const auto for_each_row = [&](std::size_t column, const auto& f) {
       std::size_t k = column;
       for(; k + Lanes<FT>::width <= n; k += n_columns)
-        f(Lanes<FT>::load(energies + k), Lanes<FT>::load(counts + k));
+        f(Lanes<FT>::load(energies + k), counts ? Lanes<FT>::load(counts + k) : FT(1.));
       if(k < n)
         f(Lanes<FT>::generate([&](std::size_t lane) { return energies[(std::min)(k + lane, n - 1)]; }),
-          Lanes<FT>::generate([&](std::size_t lane) { return k + lane < n ? counts[k + lane] : 0.; }));
+          Lanes<FT>::generate([&](std::size_t lane) { return k + lane < n ? (counts ? counts[k + lane] : 1.) : 0.; }));
     };
     using Columns = std::array<double, n_columns>;
     const auto total = [](const Columns& columns) { return std::accumulate(columns.begin(), columns.end(), 0.); };
 
     Energy_summary part(m_sharpness);
-    part.m_size = std::accumulate(counts, counts + n, 0.);
+    part.m_size = counts ? std::accumulate(counts, counts + n, 0.) : static_cast<double>(n);
     Columns sums, largest;
     for(std::size_t column = 0; column < n_columns; column += Lanes<FT>::width)
     {

@@ -254,8 +254,8 @@ private:
   void summarize(const Energy& energy, double radius, const Face_objective& objective, std::size_t block)
   {
     const auto squared = [](double x) { return x * x; };
-    const auto count_of = [&](std::size_t face) { return Energy::weighs_faces_by_area ? m_invariants[face].area : 1.; };
-    std::array<double, faces_per_block> energies, counts;
+    std::array<double, faces_per_block> energies, areas;
+    const double* const counts = Energy::weighs_faces_by_area ? areas.data() : nullptr;
     const std::size_t begin = first_face(block), n = first_face(block + 1) - begin;
     for(std::size_t k = 0; k < n; k += Lanes<FT>::width)
     {
@@ -263,23 +263,24 @@ private:
                d = scale * invariant<FT>(begin + k, &Face_invariants_3::d);
       Lanes<FT>::store(energy(i, d), energies.data() + k);
     }
-    for(std::size_t k = 0; k < n; ++k)
-      counts[k] = count_of(begin + k);
+    for(std::size_t k = 0; counts && k < n; ++k)
+      areas[k] = m_invariants[begin + k].area;
     Mesh_summary& part = m_partial[block];
     part = Mesh_summary(objective);
     const std::size_t n_slivers = number_of_slivers(block);
     remove_slivers(block, energies.data());
-    remove_slivers(block, counts.data());
-    part.ordinary.add_all<FT>(energies.data(), counts.data(), n - n_slivers);
+    if(counts)
+      remove_slivers(block, areas.data());
+    part.ordinary.add_all<FT>(energies.data(), counts, n - n_slivers);
 
     const double scale = squared((objective.sliver_radius > 0. ? objective.sliver_radius : radius) / m_radius);
     for(std::size_t k = 0; k < n_slivers; ++k)
     {
       const std::size_t face = m_slivers[m_first_sliver[block] + k];
       energies[k] = energy(scale * m_invariants[face].i, scale * m_invariants[face].d);
-      counts[k] = count_of(face);
+      areas[k] = m_invariants[face].area;
     }
-    part.slivers.add_all<FT>(energies.data(), counts.data(), n_slivers);
+    part.slivers.add_all<FT>(energies.data(), counts, n_slivers);
   }
 
   Mesh_summary total(const Face_objective& objective) const
