@@ -272,6 +272,14 @@ TEST_F(Command_line, counts_the_sweeps_of_the_schedules)
   EXPECT_EQ(json().get<double>("sharpness"), 0.1);
 }
 
+// Slivers go on changing, if only in the last digits.
+TEST_F(Command_line, ends_after_the_sweeps_that_its_help_names)
+{
+  write_off("slivers.off", test_meshes::with_slivers(test_meshes::icosphere(4), 40, 1e-4));
+  ASSERT_EQ(run("slivers.off --tolerance 0 --json result.json").status, 0);
+  EXPECT_EQ(json().get<int>("sweeps.sharp"), 250);
+}
+
 TEST_F(Command_line, writes_a_map_that_folds_and_says_so)
 {
   write_off("spiky.off", test_meshes::random_stacked_sphere(300, 7));

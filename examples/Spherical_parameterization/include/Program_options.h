@@ -142,9 +142,9 @@ none; 2, all have one, but some fold.
   bool is_unit_sphere = false;         ///< whether the radius is 1 because nothing else has chosen one
   std::string description;             ///< the method with all of its settings in words
   double energy_tolerance = 2e-4, radius_tolerance = 1e-3;
-  std::size_t max_iterations = (std::numeric_limits<std::size_t>::max)(); ///< which is the method's default
-  double max_seconds = 0.;                                                ///< 0 if there is no limit
-  unsigned int max_threads = 0;                                           ///< 0 if there is no limit
+  std::optional<std::size_t> max_iterations; ///< if not given, the method's default
+  double max_seconds = 0.;                   ///< 0 if there is no limit
+  unsigned int max_threads = 0;              ///< 0 if there is no limit
 
 private:
   inline static const Words methods = {"bld", "hierarchical", "harmonic", "conformal", "arap", "stereographic"};
@@ -602,7 +602,7 @@ private:
     {
       max_iterations = read_count("iterations", 0, is_published ? 2000 : (method == "arap" ? 500 : 100));
       if(knows("iterations"))
-        describe("at most " + std::to_string(max_iterations) + (is_bld ? " sweeps" : " global steps"));
+        describe("at most " + std::to_string(*max_iterations) + (is_bld ? " sweeps" : " global steps"));
     }
     max_seconds = read_number("time-limit", (std::numeric_limits<double>::min)(), (std::numeric_limits<double>::max)(),
                               "a number from 2.3e-308 to 1.7e308", 0.);

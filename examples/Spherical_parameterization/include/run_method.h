@@ -126,10 +126,11 @@ inline Run_result run_method(const Program_options& options, Input_mesh& input, 
     if(!options.is_batch()) // which has one for all
       guard.emplace();
     Progress_visitor visitor(!options.is_quiet && !options.is_batch());
-    const SP::Error_code error = SP::parameterize(input.mesh(), parameterizer, sphere,
-                                                  CGAL::parameters::visitor(std::ref(visitor))
-                                                      .number_of_iterations(options.max_iterations)
-                                                      .maximum_running_time(options.max_seconds));
+    const auto np = CGAL::parameters::visitor(std::ref(visitor)).maximum_running_time(options.max_seconds);
+    const SP::Error_code error =
+        options.max_iterations
+            ? SP::parameterize(input.mesh(), parameterizer, sphere, np.number_of_iterations(*options.max_iterations))
+            : SP::parameterize(input.mesh(), parameterizer, sphere, np);
     if(error != SP::OK && error != SP::ERROR_NO_1_TO_1_MAPPING)
       throw Program_error(explain_failure(error, input, options));
     return {parameterizer.report(), visitor.history(), error == SP::OK};
