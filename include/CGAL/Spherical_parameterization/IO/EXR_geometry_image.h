@@ -122,7 +122,7 @@ namespace IO {
 ///
 /// This header needs the library OpenEXR, version 3, and is not among those that `CGAL/spherical_parameterization.h` includes.
 ///
-/// The parameters are those of `write_PNG_geometry_image()`.
+/// The parameters `out`, `remesh` and `map`, of types `TriangleMesh` and `VertexMap`, are those of `write_PNG_geometry_image()`.
 ///
 /// \return what `write_PNG_geometry_image()` returns; `ERROR_NON_FINITE_COORDINATE` also of what is beyond the range of `float`
 template <class TriangleMesh, class VertexMap>
@@ -142,7 +142,7 @@ Error_code write_EXR_geometry_image(std::ostream& out, const TriangleMesh& remes
 /// adds the mesh to `tmesh` whose points a file of `write_EXR_geometry_image()` holds: closed, with the connectivity of the
 /// domain, and with the coordinates that were written, rounded to `float`.
 ///
-/// The parameters are those of `read_PNG_geometry_image()`.
+/// The parameters `in` and `tmesh`, of a type `TriangleMesh`, are those of `read_PNG_geometry_image()`.
 ///
 /// \return what `read_PNG_geometry_image()` returns; `ERROR_INVALID_IMAGE_FILE` if the file is damaged, or lacks the channels
 ///         R, G and B
