@@ -41,5 +41,5 @@ finish_background
 run_stage "test" ctest --test-dir "$build" --output-on-failure --no-tests=error -j "$jobs"
 in_background manual "$root/scripts/check_documentation.sh"
 in_background tree "$root/scripts/test_in_cgal_tree.sh" --only simple_spherical_parameterization
-finish_background
 "$root/scripts/test_sanitizers.sh" thread
+finish_background
