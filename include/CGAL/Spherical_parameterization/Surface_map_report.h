@@ -27,8 +27,8 @@ namespace CGAL::Spherical_parameterization {
 struct Surface_map_report
 {
   /// The symmetric Dirichlet energy of the map, measured on the common refinement: the mean of both directions. 2 is an
-  /// isometry, up to scale; infinite if a surface has no area; 0 if it has not been measured, as the run had been stopped, or
-  /// the refinement has more vertices than 32 bits can count.
+  /// isometry, up to scale; infinite if a surface has no area; 0 if it has not been measured: the run had been stopped, the
+  /// refinement has more vertices than 32 bits can count, or doubles could hold the start alone.
   double energy = 0.;
 
   /// How well features agree after the spheres have been aligned, a correlation, at most 1; 0 if landmarks aligned them

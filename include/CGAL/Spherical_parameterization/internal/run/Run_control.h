@@ -106,7 +106,7 @@ bool for_each_block_until_stopped(Run_control& control, const Execution& executi
   return control.go_further(0, 0.);
 }
 
-// The same by the named parameters of a call: its visitor, and its time limit.
+// A control by the named parameters of a call: its visitor, and its time limit.
 template <class NamedParameters>
 class Visitor_control : public Run_control
 {
