@@ -174,7 +174,7 @@ TEST(Setting, of_what_is_the_default_changes_nothing)
   expect_same_map(Bld().energy(energy), default_images());
   expect_same_map(Bld().sharpness(Sharpness()), default_images());
   expect_same_map(Bld().sharpness(Sharpness::balanced()), default_images());
-  expect_same_map(Bld().tolerances(2e-4, 1e-3), default_images());
+  expect_same_map(Bld().tolerances(1e-3, 2e-3), default_images());
   expect_same_map(
       Bld().initial_parameterizer(
           SP::Hierarchical_parameterizer_3().energy(energy).sharpness(Sharpness::balanced()).sweeps_per_level(14)),

@@ -84,8 +84,10 @@ void expect_no_rise(const Method& method, const Mesh& mesh)
   EXPECT_EQ(method.run(mesh, Options().visitor(recorder)).error, SP::OK);
   const std::vector<Recorder::Event> iterations = recorder.all("iteration");
   ASSERT_GT(iterations.size(), 1u);
+  // Faces that have 1e-10 of their areas are measured to five digits.
+  const auto rounding = [](double energy) { return energy < 1e15 ? 1e-12 : 1e-5; };
   for(std::size_t i = 1; i < iterations.size(); ++i)
-    ASSERT_LE(iterations[i].energy, iterations[i - 1].energy * (1. + 1e-12)) << i;
+    ASSERT_LE(iterations[i].energy, iterations[i - 1].energy * (1. + rounding(iterations[i].energy))) << i;
 }
 
 // Splits the faces above 2 in three, in their planes.

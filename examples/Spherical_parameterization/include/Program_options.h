@@ -141,7 +141,7 @@ none; 2, all have one, but some fold.
   std::optional<Radius_choice> radius; ///< if not, it is a variable of the objective
   bool is_unit_sphere = false;         ///< whether the radius is 1 because nothing else has chosen one
   std::string description;             ///< the method with all of its settings in words
-  double energy_tolerance = 2e-4, radius_tolerance = 1e-3;
+  double energy_tolerance = 1e-3, radius_tolerance = 2e-3;
   std::optional<std::size_t> max_iterations; ///< if not given, the method's default
   double max_seconds = 0.;                   ///< 0 if there is no limit
   unsigned int max_threads = 0;              ///< 0 if there is no limit
@@ -250,7 +250,7 @@ private:
       ("prefer", word("WHAT"), "the lowest average distortion, the lowest worst, or a balance of both, the default: "
                                "average, balance or worst, which is sharpness 0, 20 or 40; --method hierarchical "
                                "prefers average, if nothing is given. Or sampling: samples that are even on the sphere "
-                               "describe the surface best, with an energy of its own, sharpness 3, --radius area and --tolerance 1e-3")
+                               "describe the surface best, with an energy of its own, sharpness 3, --radius area and --tolerance 3e-3")
       ("sharpness", word("B"), "anything between: 0 or more")
       ("s-first", word("S"), "the paper's schedule instead of a sharpness: exp(s E) with s from here, 0.1 ...")
       ("s-last", word("S"), "... to here, 10; the same as --s-first for a fixed s, as in AMIPS")
@@ -260,7 +260,7 @@ private:
                                  "area at first, then balanced areas, the default of --paper; optimal: of the lowest "
                                  "energy; area: equal area; balanced: balanced areas; fixed=R: R, the default of "
                                  "--energy conformal, with R = 1")
-      ("tolerance", word("T"), "end when a sweep changes the objective by no more than this share, 2e-4; 0: when nothing "
+      ("tolerance", word("T"), "end when two sweeps change the objective by no more than this share, 1e-3; 0: when nothing "
                             "changes any more")
       ("iterations", word("N"), "most sweeps over the mesh, if not given 250, as many times more as it has fewer than "
                                 "2000 vertices, 2000 with --paper; or most global steps, if not given 100, 500 with "
@@ -594,8 +594,8 @@ private:
   {
     const bool is_bld = method == "bld";
     // Samples do not tell whether the last of the sweeps have been made.
-    energy_tolerance = read_number("tolerance", 0., 1., "a number from 0 to 1", energy == "stretch" ? 1e-3 : 2e-4);
-    radius_tolerance = energy_tolerance > 0. ? 1e-3 : 0.;
+    energy_tolerance = read_number("tolerance", 0., 1., "a number from 0 to 1", energy == "stretch" ? 3e-3 : 1e-3);
+    radius_tolerance = energy_tolerance > 0. ? 2e-3 : 0.;
     if(has("tolerance"))
       describe("tolerance " + short_text(energy_tolerance));
     if(has("iterations") || !is_bld || is_published)

@@ -37,9 +37,9 @@ namespace CGAL::Spherical_parameterization {
 ///
 /// The class `Bijective_low_distortion_parameterizer_3` implements the method BLD \cgalCite{cgal:whfl-bspld-16}. It
 /// starts from a one-to-one map onto the sphere, however distorted, and lowers one objective of the map, the radius and a
-/// level, see `Sharpness`, by block coordinate descent over the vertices (eq. 8), the radius and the level. The vertices
-/// of one colour of a graph colouring are moved in parallel. No step ever inverts a face, and, without a radius policy,
-/// none raises the objective for good: \ref SphericalParameterizationSharpness says why.
+/// level, see `Sharpness`, by block coordinate descent over the vertices (eq. 8), the radius and the level, and by smooth
+/// steps of all of them together. The vertices of one colour of a graph colouring are moved in parallel. No step ever inverts
+/// a face, and, without a radius policy, none raises the objective for good: \ref SphericalParameterizationSharpness says why.
 ///
 /// It is used with its defaults by `parameterize()`. Settings are chained, here with `SP` for the namespace:
 /// \code
@@ -58,6 +58,14 @@ namespace CGAL::Spherical_parameterization {
 /// shortened until it does not raise the objective. The last radius minimises the same sum over the flat areas of the
 /// images, by which distortion is measured.
 ///
+/// Sweeps carry what is smooth over the surface slowly, the more so the finer the mesh. From the fourth on, every other sweep
+/// is preceded by a <i>smooth step</i>: the sphere is deformed, and all images go along. The deformation is linear in the
+/// cells of a grid on the sphere with a node for 64 vertices, but no more than 20,000. It is a step of Newton's method for
+/// the objective in the nodes, the level and the radius together, whose Hessian is made positive definite cell by cell, and
+/// whose equations are solved by conjugate gradients, up to a tenth. It is halved until no face is inverted and the objective
+/// falls, up to four times, or is not made. It takes about the time of a sweep; where it gains less than one, the next one
+/// comes after twice as many sweeps, up to 16.
+///
 /// Slivers, faces whose height is below a hundredth of their longest edge, get a shape near their own in no map of low
 /// distortion, and would decide on radius and level for all. Unless they and all faces that touch them are more than a
 /// quarter of the faces, these have a level of their own, which is not lowered below that of the others. They do not move
@@ -66,7 +74,8 @@ namespace CGAL::Spherical_parameterization {
 /// Each sweep over all vertices is followed by up to 500 over those around the worst faces, whose energy is above 0.6 of
 /// the largest, with steps of 1.4 times their length. They settle slowest, and the largest distortion is theirs. All of
 /// these sweeps together move at most 0.4 times as many vertices as the mesh has. If that is not enough for two of them,
-/// there are none, nor with the next four sweeps. The report does not count them.
+/// they go over the faces above 0.8, or 0.95, of the largest energy; if it is not enough for these either, there are none,
+/// nor with the next four sweeps. The report counts neither these sweeps nor smooth steps.
 ///
 /// A one-to-one mapping is guaranteed whenever `OK` is returned, by exact predicates on the points as they have been
 /// written, for a run that was stopped early as well. A sweep takes linear time. The result is the same to the last bit
@@ -126,16 +135,16 @@ public:
     return {m_energy, m_radius, m_initial_parameterizer, sharpness, m_settings};
   }
 
-  /// sets the tolerances of the stopping rule: a run has converged when a sweep changes the objective and the average
-  /// energy by at most `energy_tolerance`, the largest energy by at most 20 times as much, and the radius by at most
-  /// `radius_tolerance`, all relative, and a schedule of the sharpness has come to its end. For meshes of
-  /// \f$ n \leq 2000 \f$ vertices, these are the changes over \f$ 1 + \lfloor 2000 / n \rfloor \f$ sweeps, but over 100 at
-  /// most. Changes of energies are relative to twice the excess of the largest over the average, if that is less than the
-  /// energy, since a nearly isometric map has hardly more energy than the best one; but no less than a millionth of the
-  /// energy. With 0, a run ends when nothing changes any more.
+  /// sets the tolerances of the stopping rule: a run has converged when two sweeps and a smooth step change the objective and
+  /// the average energy by at most `energy_tolerance`, the largest energy by at most 20 times as much, and the radius by at
+  /// most `radius_tolerance`, all relative, and a schedule of the sharpness has come to its end. For meshes of
+  /// \f$ n \leq 2000 \f$ vertices, these are the changes over \f$ 2 + \lfloor 2000 / n \rfloor \f$ sweeps, but over 100 at
+  /// most. Changes of energies are relative to what an energy is above that of an isometric map, or to twice the excess of the
+  /// largest over the average, if that is less, since a nearly isometric map has hardly more energy than the best one; but
+  /// no less than a millionth of the energy. With 0, a run ends when nothing changes any more.
   ///
-  /// \param energy_tolerance at least 0, by default 2e-4
-  /// \param radius_tolerance at least 0, by default 1e-3
+  /// \param energy_tolerance at least 0, by default 1e-3
+  /// \param radius_tolerance at least 0, by default 2e-3
   [[nodiscard]] Bijective_low_distortion_parameterizer_3 tolerances(double energy_tolerance,
                                                                     double radius_tolerance) const
   {

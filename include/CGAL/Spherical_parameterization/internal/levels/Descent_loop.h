@@ -18,9 +18,11 @@
 #include <CGAL/Spherical_parameterization/Parameterization_report.h>
 #include <CGAL/Spherical_parameterization/Sharpness.h>
 #include <CGAL/Spherical_parameterization/internal/levels/Block_coordinate_descent.h>
+#include <CGAL/Spherical_parameterization/internal/levels/Descent_state.h>
 #include <CGAL/Spherical_parameterization/internal/levels/Energy_summary.h>
 #include <CGAL/Spherical_parameterization/internal/levels/Objective.h>
 #include <CGAL/Spherical_parameterization/internal/levels/Round_sphere.h>
+#include <CGAL/Spherical_parameterization/internal/levels/Smooth_step.h>
 #include <CGAL/Spherical_parameterization/internal/surface/Surface.h>
 #include <CGAL/Spherical_parameterization/internal/surface/Rest_triangle.h>
 #include <CGAL/Spherical_parameterization/internal/run/policy_traits.h>
@@ -36,25 +38,6 @@
 #include <vector>
 
 namespace CGAL::Spherical_parameterization::internal {
-
-// When the loop ends, and whether it goes beyond what the paper describes.
-struct Descent_settings
-{
-  // A sweep that changes the energy by at most this much, relative, and the radius likewise, has converged.
-  double energy_tolerance = 2e-4, radius_tolerance = 1e-3; // 1e-4: 1.19 times the time, maxima 0.995 of these
-  // If so, extra sweeps go over the worst faces alone, the radius makes half steps, and convergence asks for more than
-  // that the sum of eq. 6 or 7 has settled.
-  bool is_accelerated = true;
-};
-
-// Sweeps over a mesh below this size cost next to nothing: it gets as many times more of them.
-constexpr std::size_t size_of_small_meshes = 2000;
-
-// As many sweeps as bring most meshes to their end.
-inline std::size_t default_number_of_sweeps(std::size_t n_vertices)
-{
-  return 250 * (1 + size_of_small_meshes / (n_vertices + 1));
-}
 
 // The method BLD once there is a bijection: sweeps over all vertices, each with the radius and the sharpness that suit
 // the map at hand, until nothing changes any more.
@@ -72,12 +55,6 @@ public:
 private:
   static constexpr std::size_t max_window = 100; // sweeps without change, of which a tetrahedron would have to make 501
   static constexpr int max_halvings = 5; // of steps of a radius, each of which sums up all faces: down to a 16th
-
-  struct State
-  {
-    double radius = 1., value = 0.; // of the objective
-    Mesh_summary summary;
-  };
 
   void start(const std::vector<Vector_3d>& positions)
   {
@@ -183,8 +160,7 @@ private:
     {
       m_objective.set_sliver_radius(k < max_halvings ? radius * std::exp(step) : radius);
       sum_up();
-      m_last_value = m_objective.value(m_state.summary);
-      if(m_last_value <= bound)
+      if(m_objective.value(m_state.summary) <= bound)
         return;
     }
   }
@@ -231,6 +207,44 @@ private:
     }
   }
 
+  void step_smoothly(std::size_t sweep, std::vector<Vector_3d>& positions)
+  {
+    if(!m_smooth_steps.is_due(sweep))
+      return;
+    const double value = m_objective.value(m_state.summary);
+    lower_by_smooth_step(positions);
+    m_smooth_steps.has_made(sweep, value, m_objective.value(m_state.summary));
+  }
+
+  // A step of all vertices at once and of the level, see Smooth_step, or a part of it that lowers the objective.
+  void lower_by_smooth_step(std::vector<Vector_3d>& positions)
+  {
+    if(!m_smooth_step.find(m_descent.measured_faces(), m_descent.stars(), positions, scaled_radius(),
+                           m_objective.of_faces(), m_execution))
+      return;
+    const double value = m_objective.value(m_state.summary), radius = m_state.radius;
+    const Objective objective = m_objective;
+    double t = 1.;
+    for(int k = 0; k < max_halvings; ++k, t *= 0.5)
+    {
+      m_smooth_step.move(positions, t, m_moved, m_execution);
+      if(!m_descent.are_safely_positive(m_moved))
+        continue;
+      m_objective = objective;
+      m_objective.move_level(m_smooth_step.level_step(t));
+      set_radius(radius * m_smooth_step.radius_factor(t));
+      measure(m_moved);
+      if(m_state.value < value)
+      {
+        positions.swap(m_moved);
+        return;
+      }
+    }
+    m_objective = objective;
+    m_state.radius = radius;
+    measure(positions);
+  }
+
   void measure(const std::vector<Vector_3d>& positions)
   {
     m_state.summary = m_descent.measure(positions, scaled_radius(), m_objective.of_faces());
@@ -239,25 +253,6 @@ private:
 
   // Sums up the map that was measured last for another objective or radius.
   void sum_up() { m_state.summary = m_descent.summary(scaled_radius(), m_objective.of_faces()); }
-
-  // Whether nothing that matters has changed: the objective, the average and the radius, and, less exactly, the largest
-  // energy, which is a matter of few faces. The paper's rule is about the sum alone, whose relative change is that of
-  // exp(s value).
-  bool has_converged(const State& last) const
-  {
-    const double tolerance = m_settings.energy_tolerance;
-    const Energy_summary now = m_state.summary.all(), before = last.summary.all();
-    if(!is_settled(m_state.radius, last.radius, m_settings.radius_tolerance))
-      return false;
-    const double s = m_objective.of_faces().ordinary.sharpness;
-    if(!m_settings.is_accelerated && s > 0.)
-      return std::abs(std::expm1(s * (m_state.value - last.value))) <= tolerance;
-    if(!m_settings.is_accelerated)
-      return is_settled(now.average(), before.average(), tolerance);
-    return now.has_settled(m_state.value, last.value, tolerance) &&
-           now.has_settled(now.average(), before.average(), tolerance) &&
-           now.has_settled(now.maximum_energy(), before.maximum_energy(), 20. * tolerance);
-  }
 
   // The energies of the report are those of the radius that is returned, in the measure of the descent.
   void finish(const std::vector<Vector_3d>& positions)
@@ -276,22 +271,22 @@ private:
     report.seconds_for_optimization = m_control.lap();
   }
 
-  static bool is_settled(double value, double last_value, double tolerance)
-  {
-    return std::abs(value - last_value) <= tolerance * last_value;
-  }
-
   // the radius in the unit of the mesh, kept where its powers are finite
   double scaled_radius() const { return (std::min)((std::max)(m_mesh.scaled_radius(m_state.radius), 1e-50), 1e50); }
 
   const Surface& m_mesh;
   Block_coordinate_descent<Round_sphere<Energy, Step>, Step> m_descent;
+  Smooth_step<Round_sphere<Energy, Step>> m_smooth_step;
+  Execution m_execution;
+  std::vector<Vector_3d> m_moved;
+  Smooth_step_schedule m_smooth_steps;
+  double m_isometric_energy; // no map has less, with most energies
   Objective m_objective;
   double m_last_value = 0.; // of the objective, before the last sweep
   Radius_chooser* m_radius_chooser;
   Descent_settings m_settings;
   Run_control& m_control;
-  State m_state;
+  Descent_state m_state;
 };
 
 // Defined out of the class and so not inline: `extern template class Descent_loop<...>` spares a program that maps in
@@ -303,6 +298,9 @@ Descent_loop<Energy, Step>::Descent_loop(const Surface& mesh, const Energy& ener
                                          const Descent_settings& settings, Run_control& control, Execution execution)
   : m_mesh(mesh)
   , m_descent(Round_sphere<Energy, Step>(Face_energy<Energy>(energy)), step, execution)
+  , m_smooth_step(Round_sphere<Energy, Step>(Face_energy<Energy>(energy)), mesh.number_of_vertices(), !radius)
+  , m_execution(execution)
+  , m_isometric_energy(Face_energy<Energy>(energy)(2., 1.))
   , m_objective(sharpness, !radius)
   , m_radius_chooser(radius)
   , m_settings(settings)
@@ -326,8 +324,11 @@ double Descent_loop<Energy, Step>::run(std::vector<Vector_3d>& positions, std::s
   report.stop_reason = ITERATION_LIMIT;
   bool has_phases = true; // whether the radius policy may have further ones
   const std::size_t window =
-      m_settings.is_accelerated ? (std::min)(1 + size_of_small_meshes / m_mesh.number_of_vertices(), max_window) : 1;
-  State last;
+      m_settings.is_accelerated
+          ? (std::min)(Smooth_step_schedule::min_interval + size_of_small_meshes / m_mesh.number_of_vertices(),
+                       max_window)
+          : 1;
+  Descent_state last;
   for(std::size_t i = 0; i < max_sweeps; ++i)
   {
     if(i % window == 0)
@@ -336,6 +337,9 @@ double Descent_loop<Energy, Step>::run(std::vector<Vector_3d>& positions, std::s
 
     choose_objective(i);
     choose_radius(i);
+    if(m_settings.is_accelerated)
+      step_smoothly(i, positions);
+    m_last_value = m_objective.value(m_state.summary);
     if(m_settings.is_accelerated)
       m_descent.sweep_with_focus(positions, scaled_radius(), m_objective.of_faces(),
                                  m_state.summary.all().maximum_energy());
@@ -346,7 +350,10 @@ double Descent_loop<Energy, Step>::run(std::vector<Vector_3d>& positions, std::s
     m_control.after_iteration(i + 1, m_state.value, m_state.radius);
     if(!m_control.go_further(i + 1, m_state.value))
       break;
-    if(was_final && (i + 1) % window == 0 && has_converged(last))
+    const bool may_end =
+        was_final && (i + 1) % window == 0 && (!m_settings.is_accelerated || m_smooth_steps.may_end(i + 1 - window));
+    if(may_end &&
+       has_converged(m_state, last, m_settings, m_objective.of_faces().ordinary.sharpness, m_isometric_energy))
     {
       has_phases = m_radius_chooser && m_radius_chooser->next_phase();
       if(!has_phases)

@@ -126,12 +126,14 @@ public:
   double weighted_mean() const { return m_moments[1] / m_moments[0]; }
   double weighted_mean_square() const { return m_moments[2] / m_moments[0]; }
 
-  // Whether the change of an energy from `last_value` is a small part of what could still be gained: of the energy, or
-  // of how far the largest is above the average, where all are near their minimum; at least a millionth of the energy.
-  bool has_settled(double value, double last_value, double tolerance) const
+  // Whether the change of an energy from `last_value` is a small part of what could still be gained: of how far it is above
+  // the lowest one, if that is known, or of how far the largest is above the average, where all are near their minimum; at
+  // least a millionth of the energy.
+  bool has_settled(double value, double last_value, double tolerance, double lowest_energy = 0.) const
   {
     const double spread = maximum_energy() - average();
-    const double scale = (std::max)((std::min)(last_value, 2. * spread), 1e-6 * last_value);
+    const double height = last_value > lowest_energy ? last_value - lowest_energy : last_value;
+    const double scale = (std::max)((std::min)(height, 2. * spread), 1e-6 * last_value);
     return std::abs(value - last_value) <= tolerance * scale;
   }
 

@@ -36,6 +36,15 @@
 
 namespace CGAL::Spherical_parameterization::internal {
 
+// Some faces side by side: their corners on the unit sphere, and their rest shapes, see Rest_triangle.
+template <class FT>
+struct Faces_in_lanes
+{
+  std::array<Vector_3<FT>, 3> corners;
+  std::array<FT, 3> opposite;
+  FT inverse_doubled_area;
+};
+
 // All faces of a mesh, each once, to be measured at any state of the map. They are laid out such that several of them
 // are measured at once: `width` faces make a packet, which ends with its first face again where there are no more.
 class Measured_faces
@@ -173,7 +182,34 @@ public:
     return result;
   }
 
+  // Calls f(part, faces, first, n) for all faces at these positions, several of them at once, where `faces` are
+  // Faces_in_lanes: those from `first` on, of which `n` count. The faces are in `n_parts` parts, each in order, and several
+  // parts run at once.
+  template <class Space, class Function>
+  void for_each_in_lanes(const Star_packets& stars, const std::vector<Vector_3d>& positions, std::size_t n_parts,
+                         Execution execution, const Function& f) const
+  {
+    for_each_block(execution, 0, n_parts, 1, [&](std::size_t part, std::size_t) {
+      const auto visit = [&](auto number_type) {
+        using FT = typename decltype(number_type)::FT;
+        for(std::size_t k = part * m_packets.size() / n_parts; k < (part + 1) * m_packets.size() / n_parts; ++k)
+        {
+          for(const std::uint32_t corner : m_packets[(std::min)(k + packets_ahead, m_packets.size() - 1)].corners)
+            stars.prefetch_rest(corner);
+          for(std::size_t lane = 0; lane < width && k * width + lane < m_number_of_faces; lane += Lanes<FT>::width)
+            f(part, in_lanes<FT>(stars, positions.data(), k, lane), k * width + lane,
+              (std::min)(Lanes<FT>::width, m_number_of_faces - k * width - lane));
+        }
+      };
+      if constexpr(Space::is_lanewise)
+        run_in_lanes(visit);
+      else
+        visit(Number_type<double>());
+    });
+  }
+
   bool has_slivers() const { return !m_slivers.empty(); }
+  const std::vector<std::uint32_t>& slivers() const { return m_slivers; }
 
   // what was measured last
   const Face_invariants_3* begin() const { return m_invariants.data(); }
@@ -224,9 +260,9 @@ private:
     });
   }
 
-  template <class FT, class Space>
-  void measure_lanes(const Space& space, const Star_packets& stars, const Vector_3d* positions, double squared_radius,
-                     const Face_objective& objective, std::size_t k, std::size_t first)
+  template <class FT>
+  Faces_in_lanes<FT> in_lanes(const Star_packets& stars, const Vector_3d* positions, std::size_t k,
+                              std::size_t first) const
   {
     const Packet& packet = m_packets[k];
     const auto point = [&](std::size_t corner) {
@@ -235,9 +271,17 @@ private:
     const auto rest = [&](std::size_t i) {
       return Lanes<FT>::generate([&](std::size_t lane) { return stars.rest(packet.corners[first + lane], i); });
     };
-    const FT doubled_area = 1. / rest(3);
-    const auto [i, d, flat_d] = space.template invariants<FT>(
-        {point(0), point(1), point(2)}, {rest(0), rest(1), rest(2)}, rest(3), doubled_area, squared_radius, objective);
+    return {{point(0), point(1), point(2)}, {rest(0), rest(1), rest(2)}, rest(3)};
+  }
+
+  template <class FT, class Space>
+  void measure_lanes(const Space& space, const Star_packets& stars, const Vector_3d* positions, double squared_radius,
+                     const Face_objective& objective, std::size_t k, std::size_t first)
+  {
+    const Faces_in_lanes<FT> faces = in_lanes<FT>(stars, positions, k, first);
+    const FT doubled_area = 1. / faces.inverse_doubled_area;
+    const auto [i, d, flat_d] = space.template invariants<FT>(faces.corners, faces.opposite, faces.inverse_doubled_area,
+                                                              doubled_area, squared_radius, objective);
     const FT area = 0.5 * doubled_area;
     for(std::size_t j = 0; j < Lanes<FT>::width; ++j)
       m_invariants[k * width + first + j] = {lane(area, j), lane(i, j), lane(d, j), lane(flat_d, j)};

@@ -144,6 +144,13 @@ public:
     return (std::max)(step, improve_level(m_faces.of_slivers, summary.slivers, size, m_faces.ordinary.level));
   }
 
+  // Moves the level of all faces but the slivers, to no less than half of what it is.
+  void move_level(double step)
+  {
+    if(m_faces.has_levels() && !m_faces.is_average())
+      m_faces.ordinary = at_level((std::max)(m_faces.ordinary.level + step, 0.5 * m_faces.ordinary.level));
+  }
+
   // Phi, or the mean of eq. 6 or 7 in the unit of the energy
   double value(const Mesh_summary& summary) const
   {

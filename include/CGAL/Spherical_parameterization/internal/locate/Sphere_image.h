@@ -68,6 +68,21 @@ public:
             m_v * du + m_u * dv};
   }
 
+  // The half of the square, cut along its diagonal, that the direction is in: its number, its corners, and the weights
+  // that interpolate linearly in it.
+  struct Half
+  {
+    std::size_t index;
+    std::array<std::size_t, 3> nodes;
+    std::array<double, 3> weights;
+  };
+  Half half() const
+  {
+    const std::size_t last = m_first + m_n + 2;
+    return m_u > m_v ? Half{2 * m_first + 1, {m_first, m_first + m_n + 1, last}, {1. - m_u, m_u - m_v, m_v}}
+                     : Half{2 * m_first, {m_first, m_first + 1, last}, {1. - m_v, m_v - m_u, m_u}};
+  }
+
   // A point of a side, with coordinates from -1 to 1.
   static Vector_3d point(std::size_t side, double u, double v)
   {
