@@ -49,8 +49,8 @@ class Sharpness_rule;
 ///
 ///   | \f$ \beta \f$ | 0 | 3 | 6 | 12 | 20 | 40 | 100 |
 ///   | :------ | -: | -: | -: | -: | -: | -: | -: |
-///   | maximum | 1 | 0.74 | 0.70 | 0.67 | 0.66 | 0.65 | 0.65 |
-///   | average | 1 | 1.01 | 1.02 | 1.03 | 1.05 | 1.06 | 1.06 |
+///   | maximum | 1 | 0.72 | 0.68 | 0.65 | 0.64 | 0.63 | 0.62 |
+///   | average | 1 | 1.01 | 1.02 | 1.03 | 1.04 | 1.06 | 1.07 |
 ///
 ///   \ref SphericalParameterizationSharpness has those of single meshes.
 /// - <b>A schedule</b> of absolute values, that of the paper: \f$ s = 0 \f$ first, then from 0.1 to 10. The paper
