@@ -40,8 +40,7 @@ int map_to_sphere(const Program_options& options)
     std::cout << report.json();
   else if(!options.is_quiet)
     report.print(std::cout);
-  if(report.match && !report.match->warnings.empty())
-    std::cerr << report.match->warnings;
+  std::cerr << (report.match ? report.match->warnings : report.remesh ? report.remesh->warnings : "");
   if(report.result.is_one_to_one)
     return EXIT_SUCCESS;
   std::cerr << "spherical_parameterization: " << report.explain_fault() << '\n';

@@ -1,5 +1,6 @@
 // The command line program, run as a user runs it: exit status, messages, and which files are written.
 
+#include "Binary_file.h"
 #include "Program_fixture.h"
 #include "decoded_images.h"
 #include "methods.h"
@@ -24,7 +25,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
-#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -396,37 +396,6 @@ TEST_F(Command_line, remeshes_through_the_sphere)
   expect_near(points_of(same), points_of(sphere));
   EXPECT_EQ(run("sphere.off --remesh map.off").status, 0); // tells the distance alone
 }
-
-// The bytes of a number, the most significant one first or last.
-template <class Bits, class Number>
-std::string bytes_of(Number number, bool is_big_endian)
-{
-  static_assert(sizeof(Bits) == sizeof(Number), "The bits are those of the number.");
-  Bits bits;
-  std::memcpy(&bits, &number, sizeof(bits));
-  std::string result;
-  for(std::size_t k = 0; k < sizeof(bits); ++k)
-    result += static_cast<char>(bits >> 8 * (is_big_endian ? sizeof(bits) - 1 - k : k) & 0xff);
-  return result;
-}
-
-// A binary PLY or STL file.
-struct Binary_file
-{
-  explicit Binary_file(bool is_big)
-    : is_big_endian(is_big)
-  {}
-
-  Binary_file& operator<<(const std::string& text) { return content += text, *this; }
-  Binary_file& operator<<(float x) { return content += bytes_of<std::uint32_t>(x, is_big_endian), *this; }
-  Binary_file& operator<<(double x) { return content += bytes_of<std::uint64_t>(x, is_big_endian), *this; }
-  Binary_file& operator<<(std::uint8_t x) { return content += static_cast<char>(x), *this; }
-  Binary_file& operator<<(std::int16_t x) { return content += bytes_of<std::uint16_t>(x, is_big_endian), *this; }
-  Binary_file& operator<<(std::uint32_t x) { return content += bytes_of<std::uint32_t>(x, is_big_endian), *this; }
-
-  bool is_big_endian;
-  std::string content;
-};
 
 // A sphere with values at its vertices, one of which can be chosen.
 std::string ply_with_values(unsigned int subdivisions, float first_height = 1.f)

@@ -99,7 +99,7 @@ public:
       if(error != SP::OK)
         throw Program_error(m_names.input, SP::get_error_message(error));
       m_report.remesh = Run_report::Remesh_figures{m_remesh->mesh().number_of_vertices(),
-                                                   m_remesh->mesh().number_of_faces(), distance};
+                                                   m_remesh->mesh().number_of_faces(), distance, m_remesh->warnings()};
     }
     if(m_options.image_size > 0)
       m_image.emplace(*m_input, m_sphere, SP::Sphere_domain_3::octahedron((m_options.image_size - 1) / 2));

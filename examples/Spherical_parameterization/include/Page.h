@@ -206,7 +206,8 @@ private:
       return sum;
     };
     const double factor = std::sqrt(area(m_left) / area(m_right));
-    Polygon_soup soup{m_left.points, {}};
+    Polygon_soup soup;
+    soup.points = m_left.points;
     for(const auto& triangle : m_triangles)
       soup.polygons.emplace_back(triangle.begin(), triangle.end());
     Input_mesh refinement(m_left.title, std::move(soup));

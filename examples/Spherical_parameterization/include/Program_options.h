@@ -210,7 +210,8 @@ private:
       ("sphere", word("SPHERE"), "with --remesh, write the sphere here; with --onto, the directions of the vertices of INPUT "
                                  "on the sphere of TARGET, and that sphere to SPHERE_target")
       ("transfer", word("VALUES"), "with --remesh, carry over the properties of the vertices and faces of a .ply file that "
-                                   "has the faces of INPUT; whole numbers are labels, which are not averaged")
+                                   "has the faces of INPUT, with a warning for each that cannot be; whole numbers are "
+                                   "labels, which are not averaged")
       ("values-sphere", word("SPHERE"), "VALUES is another surface, and this its sphere")
       ("geometry-image", word("FILE"), "write the surface as an image, .png with 16 bits or .exr with 32: an octahedron that "
                                        "is unfolded to a square, with points as colours; and its normals to FILE_normals. "

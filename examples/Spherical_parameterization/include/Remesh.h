@@ -5,6 +5,7 @@
 #include "Polygon_soup.h"
 #include "Program_error.h"
 #include "Program_options.h"
+#include "add_values.h"
 #include "mesh_files.h"
 #include "read_soup.h"
 #include "write_soup.h"
@@ -24,8 +25,8 @@
 
 #include <cstddef>
 #include <ostream>
-#include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace Program {
@@ -36,7 +37,7 @@ class Remesh
 public:
   /// \throws Program_error if the domain is not in order
   Remesh(Input_mesh& input, const Sphere_map& sphere, const SP::Sphere_domain_3& domain)
-    : m_images(m_mesh.add_property_map<Vertex_index, Point_3>("v:sphere").first)
+    : m_images(m_mesh.add_property_map<Vertex_index, Point_3>("images of vertices").first) // no name in a PLY file
     , m_normals(m_mesh.add_property_map<Vertex_index, Kernel::Vector_3>("v:normal").first)
   {
     const SP::Error_code error =
@@ -105,36 +106,33 @@ public:
 
   /// carries over the properties of a file.
   ///
-  /// The readers of this program look at positions and faces only: they make sure that the file is in order before that
-  /// of CGAL, which knows all properties, reads it.
-  ///
   /// \throws Program_error if the file, or the sphere of its surface, is not in order
-  void carry_values(const Program_options& options, Input_mesh& input, const Sphere_map& sphere)
+  void carry_values(const Program_options& options, const Input_mesh& input, const Sphere_map& sphere)
   {
     const std::string& name = options.values_file;
     const bool is_of_input = options.values_sphere.empty();
-    Input_mesh checked(name, read_soup(name));
+    Polygon_soup soup = read_soup(name, true);
+    const std::vector<Values> of_vertices = std::move(soup.values_of_vertices),
+                              of_faces = std::move(soup.values_of_faces);
+    Words left_out = std::move(soup.left_out);
+    Input_mesh values(name, std::move(soup));
     if(is_of_input)
-      input.check_faces_of(name, "has no values for this mesh", checked.mesh().number_of_vertices(),
-                           checked.triangles());
-    Mesh values;
-    std::istringstream in(read_file(name));
-    std::string comments;
-    if(!CGAL::IO::read_PLY(in, values, comments) ||
-       values.number_of_vertices() != checked.mesh().number_of_vertices() ||
-       values.number_of_faces() != checked.triangles().size())
-      throw Program_error(name, "its properties cannot be read");
-    auto normals = values.add_property_map<Vertex_index, Kernel::Vector_3>("v:normal").first;
-    values.remove_property_map(normals); // the remesh has those of the surface
+      input.check_faces_of(name, "has no values for this mesh", values.mesh().number_of_vertices(), values.triangles());
+    for(const std::string& property : add_values<Vertex_index>(values.mesh(), of_vertices))
+      left_out.push_back("the property '" + printable(property) + "' of the vertices, whose name is taken");
+    for(const std::string& property : add_values<Mesh::Face_index>(values.mesh(), of_faces))
+      left_out.push_back("the property '" + printable(property) + "' of the faces, whose name is taken");
+    for(const std::string& what : left_out)
+      m_warnings += printable(name) + ": not carried over: " + what + '\n';
 
-    const Sphere_map values_sphere = values.add_property_map<Vertex_index, Point_3>("v:sphere").first;
-    const Sphere_map images = is_of_input ? sphere : checked.read_map(options.values_sphere);
-    for(const Vertex_index v : values.vertices())
-      values_sphere[v] = images[v];
-    const SP::Error_code error = SP::transfer(values, values_sphere, m_mesh, m_images);
+    const Sphere_map values_sphere = is_of_input ? sphere : values.read_map(options.values_sphere);
+    const SP::Error_code error = SP::transfer(values.mesh(), values_sphere, m_mesh, m_images);
     if(error != SP::OK)
       throw Program_error(name, SP::get_error_message(error));
   }
+
+  /// returns what is to be said of the properties that are not carried over, a line each, empty if there is none.
+  const std::string& warnings() const { return m_warnings; }
 
 private:
   template <class Map>
@@ -155,6 +153,7 @@ private:
   Mesh m_mesh;
   Sphere_map m_images;
   Mesh::Property_map<Vertex_index, Kernel::Vector_3> m_normals;
+  std::string m_warnings;
 };
 
 } // namespace Program

@@ -60,6 +60,7 @@ public:
   {
     std::size_t number_of_vertices, number_of_faces;
     SP::Surface_distance distance;
+    std::string warnings; ///< of properties that are not carried over
   };
 
   /// What is told of a map between two surfaces.

@@ -12,7 +12,6 @@
 #include "run_method.h"
 #include "write_soup.h"
 
-#include <CGAL/IO/PLY.h>
 #include <CGAL/Spherical_parameterization/Sphere_locator_3.h>
 #include <CGAL/Spherical_parameterization/map_surface.h>
 #include <CGAL/Spherical_parameterization/measure_distortion_between.h>
@@ -283,38 +282,23 @@ private:
     return result;
   }
 
-  // The scalar properties of the vertices of a PLY file.
+  // The properties of the vertices of a PLY file of type float or double, but for normals, which turn with the surface.
   static std::map<std::string, std::vector<double>> read_scalars(const std::string& name, const Mesh& mesh)
   {
-    const Polygon_soup checked = read_soup(name); // as the reader of CGAL trusts the file
-    Mesh values;
-    std::istringstream in(read_text(name));
-    std::string comments;
-    if(!CGAL::IO::read_PLY(in, values, comments))
-      throw Program_error(name, "its properties cannot be read");
-    if(checked.points.size() != mesh.number_of_vertices() || values.number_of_vertices() != mesh.number_of_vertices())
-      throw Program_error(name, "has no features for the mesh: it has " + std::to_string(checked.points.size()) +
+    Polygon_soup soup = read_soup(name, true);
+    if(soup.points.size() != mesh.number_of_vertices())
+      throw Program_error(name, "has no features for the mesh: it has " + std::to_string(soup.points.size()) +
                                     " vertices, the mesh has " + std::to_string(mesh.number_of_vertices()));
     std::map<std::string, std::vector<double>> result;
-    for(const std::string& property : values.properties<Vertex_index>())
-    {
-      const auto add = [&](auto number) {
-        auto [map, is_new] = values.add_property_map<Vertex_index, decltype(number)>(property);
-        if(is_new) // It has another type.
-        {
-          values.remove_property_map(map);
-          return;
-        }
-        result[property].assign(map.begin(), map.end());
-        for(const Vertex_index v : values.vertices())
-          if(!std::isfinite(map[v])) // The reader writes v: in front of names.
-            throw Program_error(name, "the property " + printable(property.substr(property.find(':') + 1)) +
-                                          " of vertex " + std::to_string(v) +
+    for(Values& values : soup.values_of_vertices)
+      if(values.has_fractions() && !is_among(values.name, {"nx", "ny", "nz"}))
+      {
+        for(std::size_t v = 0; v < values.numbers.size(); ++v)
+          if(!std::isfinite(values.numbers[v]))
+            throw Program_error(name, "the property " + printable(values.name) + " of vertex " + std::to_string(v) +
                                           " is infinite or not a number. (Vertices are counted from 0.)");
-      };
-      add(0.);
-      add(0.f);
-    }
+        result[values.name] = std::move(values.numbers);
+      }
     return result;
   }
 

@@ -27,8 +27,10 @@ namespace Program {
 /// Files come from anywhere. The readers of CGAL do not say where a file is damaged, take some damaged files for other
 /// meshes than they are, and ask for any amount of memory; doc/upstreaming.md has examples. Hence the folder `readers`.
 ///
+/// \param keeps_values whether the properties of vertices and faces are wanted, which only the format PLY has
+///
 /// \throws Program_error with what is wrong, and what helps
-inline Polygon_soup parse_soup(const std::string& format, std::string content)
+inline Polygon_soup parse_soup(const std::string& format, std::string content, bool keeps_values = false)
 {
   if(content.compare(0, 2, "\x1F\x8B") == 0)
     throw Program_error("the file is compressed.\nUnpack it first.");
@@ -40,7 +42,7 @@ inline Polygon_soup parse_soup(const std::string& format, std::string content)
     if(format == ".obj")
       return read_obj(in);
     if(format == ".ply")
-      return Ply_reader(in)();
+      return Ply_reader(in, keeps_values)();
     if(format == ".stl")
       return Stl_reader(in)();
     return read_gocad(in);
@@ -86,14 +88,14 @@ inline std::string read_file(const std::string& path)
 /// reads a mesh file, whose format is that of its name.
 ///
 /// \throws Program_error with the name of the file, what is wrong with it, and what helps
-inline Polygon_soup read_soup(const std::string& path)
+inline Polygon_soup read_soup(const std::string& path, bool keeps_values = false)
 {
   const std::string format = file_format(path);
   if(!is_among(format, input_formats))
     throw Program_error(path, "the name of a mesh file has to end with one of " + list_of(input_formats));
   try
   {
-    return parse_soup(format, read_file(path));
+    return parse_soup(format, read_file(path), keeps_values);
   }
   catch(const Program_error& error)
   {

@@ -7,6 +7,7 @@
 
 #include "Input_mesh.h"
 #include "Polygon_soup.h"
+#include "add_values.h"
 #include "mesh_files.h"
 #include "read_soup.h"
 
@@ -18,6 +19,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace SP = CGAL::Spherical_parameterization;
 
@@ -49,20 +52,46 @@ void check_mesh(Program::Input_mesh& input)
   require(!defect.empty() || SP::is_bijective(mesh, sphere) == (error == SP::OK), "the map is not one-to-one");
 }
 
+// the properties of its vertices and faces, which are carried over
+void check_values(Program::Polygon_soup soup)
+{
+  const std::vector<Program::Values> of_vertices = std::move(soup.values_of_vertices),
+                                     of_faces = std::move(soup.values_of_faces);
+  for(const Program::Values& values : of_vertices)
+    require(values.numbers.size() == soup.points.size(), "a property has not as many numbers as there are vertices");
+  for(const Program::Values& values : of_faces)
+    require(values.numbers.size() == soup.polygons.size(), "a property has not as many numbers as there are faces");
+  Program::Input_mesh input("file", std::move(soup));
+  Program::add_values<Program::Vertex_index>(input.mesh(), of_vertices);
+  Program::add_values<Program::Mesh::Face_index>(input.mesh(), of_faces);
+}
+
+// calls f(), which may refuse the file
+template <class F>
+void expect_message_or_nothing(const F& f)
+{
+  try
+  {
+    f();
+  }
+  catch(const Program::Program_error& error)
+  {
+    require(is_message(error.what()), error.what());
+  }
+}
+
 } // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
 {
   Fuzzed_bytes bytes(data, size);
   const std::string format = Program::input_formats[bytes.below(Program::input_formats.size())];
-  try
-  {
-    Program::Input_mesh input("file" + format, Program::parse_soup(format, bytes.rest()));
+  const std::string content = bytes.rest();
+  expect_message_or_nothing([&] {
+    Program::Input_mesh input("file" + format, Program::parse_soup(format, content));
     check_mesh(input);
-  }
-  catch(const Program::Program_error& error)
-  {
-    require(is_message(error.what()), error.what());
-  }
+  });
+  if(format == ".ply")
+    expect_message_or_nothing([&] { check_values(Program::parse_soup(format, content, true)); });
   return 0;
 }

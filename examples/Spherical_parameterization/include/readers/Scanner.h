@@ -42,6 +42,7 @@ public:
       m_cursor = &m_content[m_next];
       m_next = (std::min)(m_next + line.size() + 1, m_content.size());
       ++m_line_number;
+      m_byte = 0;
       if(line.find('\0') != line.npos)
         fail("there is a byte that is no text");
       m_cursor[(std::min)(line.find('#'), line.size())] = '\0';
@@ -150,6 +151,7 @@ public:
     if(is_big_endian != (boost::endian::order::native == boost::endian::order::big))
       std::reverse(bytes, bytes + sizeof(Number));
     std::memcpy(&number, bytes, sizeof(Number));
+    m_byte = m_next;
     m_next += sizeof(Number);
     return true;
   }
@@ -159,12 +161,12 @@ public:
   /// returns what follows the line.
   std::string_view rest() const { return std::string_view(m_content).substr(m_next); }
 
-  /// throws a `Program_error` with the number of the line.
+  /// throws a `Program_error` with the number of the line, or of the byte where the last number begins, counted from 0.
   template <class... What>
   [[noreturn]] void fail(const What&... what) const
   {
     std::ostringstream text;
-    text << "line " << m_line_number << ": ";
+    text << (m_byte == 0 ? "line " : "byte ") << (m_byte == 0 ? m_line_number : m_byte) << ": ";
     (text << ... << what);
     throw Program_error(text.str());
   }
@@ -186,6 +188,7 @@ private:
   std::string m_content;
   std::size_t m_next = 0; // where the next line begins
   std::size_t m_line_number = 0;
+  std::size_t m_byte = 0;   // where the last number begins that was read as bytes, 0 if the last was a line
   char* m_cursor = nullptr; // in the line, which ends with 0
 };
 
