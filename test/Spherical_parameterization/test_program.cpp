@@ -485,6 +485,10 @@ TEST_F(Command_line, maps_a_surface_onto_another_one)
   EXPECT_EQ(run("--landmarks a.txt b.txt --soft-landmarks 2 " + map).status, 0);
   EXPECT_EQ(run("--quiet " + map + " --landmarks a.txt b.txt").out, "");
 
+  write("a.txt", "\xEF\xBB\xBF"
+                 "0\n1\n5\n"); // the mark that some editors put before UTF-8
+  EXPECT_EQ(run(map + " --landmarks a.txt b.txt").status, 0);
+
   write("twice.txt", "3\n4\n3\n");
   expect_refused(map + " -o result.off --landmarks twice.txt b.txt",
                  "twice.txt: line 3: vertex 3 is a landmark already, in line 1");

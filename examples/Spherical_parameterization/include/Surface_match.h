@@ -9,6 +9,7 @@
 #include "Progress_visitor.h"
 #include "mesh_files.h"
 #include "read_soup.h"
+#include "readers/Scanner.h"
 #include "run_method.h"
 #include "write_soup.h"
 
@@ -30,6 +31,7 @@
 #include <ostream>
 #include <sstream>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -219,46 +221,27 @@ private:
   {
     std::vector<Landmark> result;
     std::map<std::size_t, std::size_t> lines; // of the vertices
-    std::istringstream in(read_text(name));
-    std::string text;
-    for(std::size_t line = 1; std::getline(in, text); ++line)
-    {
-      std::istringstream words(text);
-      std::string word;
-      if(!(words >> word))
-        continue;
-      const auto fail = [&](const std::string& what) {
-        throw Program_error(name, "line " + std::to_string(line) + ": " + what);
-      };
-      const std::size_t n = mesh.number_of_vertices();
-      std::size_t v = 0;
-      for(const char c : word)
+    const std::size_t n = mesh.number_of_vertices();
+    read_named(name, [&] {
+      Scanner in(read_file(name));
+      while(in.next_line())
       {
-        if(c < '0' || c > '9')
-          fail("'" + printable(word) + "' is no number of a vertex. (Vertices are counted from 0.)");
-        v = v < n ? 10 * v + static_cast<std::size_t>(c - '0') : n;
+        const std::string_view word = in.read_word();
+        if(word.find_first_not_of("0123456789") != word.npos)
+          in.fail(Scanner::quoted(word), " is no number of a vertex. (Vertices are counted from 0.)");
+        std::size_t v = 0;
+        for(const char c : word)
+          v = v < n ? 10 * v + static_cast<std::size_t>(c - '0') : n;
+        if(v >= n)
+          in.fail("the mesh has no vertex ", word, ", but those from 0 to ", n - 1);
+        if(mesh.is_isolated(Vertex_index(static_cast<Mesh::size_type>(v))))
+          in.fail("vertex ", v, " has no face");
+        if(!lines.emplace(v, in.line_number()).second)
+          in.fail("vertex ", v, " is a landmark already, in line ", lines[v]);
+        result.push_back({in.line_number(), Vertex_index(static_cast<Mesh::size_type>(v))});
       }
-      if(v >= n)
-        fail("the mesh has no vertex " + printable(word) + ", but those from 0 to " + std::to_string(n - 1));
-      if(mesh.is_isolated(Vertex_index(static_cast<Mesh::size_type>(v))))
-        fail("vertex " + std::to_string(v) + " has no face");
-      if(!lines.emplace(v, line).second)
-        fail("vertex " + std::to_string(v) + " is a landmark already, in line " + std::to_string(lines[v]));
-      result.push_back({line, Vertex_index(static_cast<Mesh::size_type>(v))});
-    }
+    });
     return result;
-  }
-
-  static std::string read_text(const std::string& name)
-  {
-    try
-    {
-      return read_file(name);
-    }
-    catch(const Program_error& error)
-    {
-      throw Program_error(name, error.what());
-    }
   }
 
   std::vector<Mapper::Landmark> read_landmarks(const Program_options& options)

@@ -53,10 +53,24 @@ inline Polygon_soup parse_soup(const std::string& format, std::string content, b
   }
 }
 
-/// reads a file as a whole.
+/// calls `read()`, and names the file `path` in its errors.
+template <class Read>
+auto read_named(const std::string& path, const Read& read)
+{
+  try
+  {
+    return read();
+  }
+  catch(const Program_error& error)
+  {
+    throw Program_error(path, error.what());
+  }
+}
+
+/// opens a file.
 ///
 /// \throws Program_error if it is no ordinary file, or cannot be read
-inline std::string read_file(const std::string& path)
+inline std::ifstream open_file(const std::string& path)
 {
   namespace fs = std::filesystem;
   std::error_code error;
@@ -67,10 +81,21 @@ inline std::string read_file(const std::string& path)
     throw Program_error("this is a pipe or a device, not a file"); // it might never end
   errno = 0;
   std::ifstream in(path, std::ios::binary);
-  const std::string reason = std::generic_category().message(errno);
-  const std::uintmax_t size = fs::file_size(path, error);
-  if(!in || error)
-    throw Program_error(reason);
+  if(!in)
+    throw Program_error(std::generic_category().message(errno));
+  return in;
+}
+
+/// reads a file as a whole.
+///
+/// \throws Program_error if it is no ordinary file, or cannot be read
+inline std::string read_file(const std::string& path)
+{
+  std::ifstream in = open_file(path);
+  std::error_code error;
+  const std::uintmax_t size = std::filesystem::file_size(path, error);
+  if(error)
+    throw Program_error(error.message());
   std::string content;
   constexpr std::uintmax_t size_of_beginning = 4096;
   for(const std::uintmax_t end : {(std::min)(size, size_of_beginning), size})
@@ -93,14 +118,7 @@ inline Polygon_soup read_soup(const std::string& path, bool keeps_values = false
   const std::string format = file_format(path);
   if(!is_among(format, input_formats))
     throw Program_error(path, "the name of a mesh file has to end with one of " + list_of(input_formats));
-  try
-  {
-    return parse_soup(format, read_file(path), keeps_values);
-  }
-  catch(const Program_error& error)
-  {
-    throw Program_error(path, error.what());
-  }
+  return read_named(path, [&] { return parse_soup(format, read_file(path), keeps_values); });
 }
 
 } // namespace Program
