@@ -559,6 +559,19 @@ TEST_F(Command_line, carries_values_over)
   EXPECT_FALSE(fs::exists(path("result.ply")));
 }
 
+TEST_F(Command_line, opens_all_that_it_reads_before_it_maps_anything)
+{
+  write_off("torus.off", test_meshes::torus(8, 5));
+  for(const char* options :
+      {"--onto missing.ply", "--onto sphere.off --landmarks sphere.off missing.ply",
+       "--onto sphere.off --features missing.ply sphere.ply", "--remesh cube=3 --transfer missing.ply",
+       "--remesh cube=3 --transfer sphere.ply --values-sphere missing.ply"})
+  {
+    write("sphere.ply", "");
+    expect_message(std::string("torus.off ") + options, "missing.ply: No such file");
+  }
+}
+
 // The pixels, decoded by the libraries of the formats, are those of the surface over an octahedron.
 TEST_F(Command_line, writes_geometry_images)
 {

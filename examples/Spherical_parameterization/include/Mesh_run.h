@@ -37,7 +37,7 @@ inline double seconds_now()
 class Mesh_run
 {
 public:
-  /// checks that all files can be written, before any work.
+  /// checks that all files can be written, and those beside the mesh can be opened, before any work.
   ///
   /// \param options have to live longer
   ///
@@ -49,6 +49,9 @@ public:
               options.is_batch() ? Output_file::Policy::replace : Output_file::Policy::follow)
     , m_report(options, names.input)
   {
+    if(!options.is_batch()) // there, a template has been read already
+      for(const std::string& name : options.other_inputs())
+        read_named(name, [&] { open_file(name); });
     if(m_files.page)
       Page::check();
   }
