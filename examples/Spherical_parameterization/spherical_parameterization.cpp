@@ -41,10 +41,11 @@ int map_to_sphere(const Program_options& options)
   else if(!options.is_quiet)
     report.print(std::cout);
   std::cerr << (report.match ? report.match->warnings : report.remesh ? report.remesh->warnings : "");
-  if(report.result.is_one_to_one)
-    return EXIT_SUCCESS;
-  std::cerr << "spherical_parameterization: " << report.explain_fault() << '\n';
-  return Run_report::exit_status_folded;
+  if(!report.result.is_one_to_one)
+    std::cerr << "spherical_parameterization: " << report.explain_fault() << '\n';
+  if(!std::cout.flush() && !report.files.empty()) // a map may have taken hours: it is not lost with its report
+    throw Program_error("the standard output cannot be written. All files have been written nevertheless.");
+  return report.result.is_one_to_one ? EXIT_SUCCESS : Run_report::exit_status_folded;
 }
 
 // returns the exit status

@@ -786,6 +786,13 @@ TEST_F(Command_line, fails_where_its_output_cannot_be_written)
     EXPECT_EQ(outcome.status, 1) << arguments;
     EXPECT_EQ(outcome.err, "spherical_parameterization: the standard output cannot be written\n") << arguments;
   }
+  // the map is not lost
+  const Outcome full = run("sphere.off -o result.off > /dev/full");
+  EXPECT_EQ(full.status, 1);
+  EXPECT_EQ(full.err, "spherical_parameterization: the standard output cannot be written. All files have been written "
+                      "nevertheless.\n");
+  EXPECT_EQ(run("sphere.off --initial result.off --iterations 0").status, 0);
+  fs::remove(path("result.off"));
   // no file gets the place of a stream that is closed, and with it what is meant for that: the file here is a pipe
   write_off("long.off", test_meshes::icosphere(4));
   EXPECT_EQ(
