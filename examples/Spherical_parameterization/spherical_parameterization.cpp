@@ -58,6 +58,9 @@ int run_program(const Program_options& options)
   }
   // It is never deleted: TBB makes a thread as a limit ends.
   [[maybe_unused]] static const Thread_limit* const threads = new Thread_limit(options.max_threads);
+  if(const std::size_t n = Thread_limit::number_of_threads(); options.max_threads > n && !options.is_quiet)
+    std::cerr << "spherical_parameterization: --threads " << options.max_threads << ": no more than " << n
+              << " can be had here\n";
   return options.is_batch() ? Batch(options).run() : map_to_sphere(options);
 }
 

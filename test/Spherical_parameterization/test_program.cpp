@@ -35,6 +35,7 @@
 #include <set>
 #include <sstream>
 #include <string>
+#include <thread>
 #include <utility>
 #include <vector>
 
@@ -815,6 +816,12 @@ TEST(Program_messages, call_what_is_the_same_by_the_same_words)
   EXPECT_EQ(::Program::message_of(::Program::Program_error("a\nb", "c")), "a\\x0ab: c");
 }
 
+std::string too_many_threads(unsigned int n_wanted, unsigned int n_had)
+{
+  return "spherical_parameterization: --threads " + std::to_string(n_wanted) + ": no more than " +
+         std::to_string(n_had) + " can be had here\n";
+}
+
 TEST_F(Command_line, runs_on_one_thread_where_no_other_can_be_had)
 {
   // The limit does not hold for root.
@@ -822,12 +829,22 @@ TEST_F(Command_line, runs_on_one_thread_where_no_other_can_be_had)
                               "prlimit --nproc=1 ";
   if(run_script(limited + "test -r sphere.off -a -x \"$PROGRAM\"").status != 0)
     GTEST_SKIP() << "The program cannot be run by a user with a limit of processes.";
-  for(const char* threads : {"", "--threads 1", "--threads 3"})
+  for(const std::string threads : {"", "--threads 1", "--threads 3"})
   {
     const Outcome outcome = run_script(limited + "\"$PROGRAM\" sphere.off " + threads);
     EXPECT_EQ(outcome.status, 0) << threads;
-    EXPECT_TRUE(outcome.err.empty()) << outcome.err;
+    EXPECT_EQ(outcome.err, threads == "--threads 3" ? too_many_threads(3, 1) : "");
   }
+}
+
+// Each thread would have memory of its own.
+TEST_F(Command_line, uses_no_more_threads_than_there_are_cores)
+{
+  const unsigned int n_cores = (std::max)(std::thread::hardware_concurrency(), 1u);
+  const Outcome outcome = run_script("( ulimit -v 4000000; \"$PROGRAM\" sphere.off --threads 100000000 )");
+  EXPECT_EQ(outcome.status, 0);
+  EXPECT_EQ(outcome.err, too_many_threads(100000000, n_cores));
+  EXPECT_EQ(run("sphere.off --quiet --threads 100000000").err, "");
 }
 
 TEST_F(Command_line, takes_names_of_any_bytes)

@@ -293,6 +293,19 @@ TEST(Png_image, is_refused_if_it_is_none)
   });
 }
 
+// Before the pixels, which a small file may have many of.
+TEST(Png_image, is_refused_by_its_header)
+{
+  std::ostringstream out;
+  SP::internal::Geometry_image image = {40, 41, 3, {}};
+  for(std::size_t k = 0; k < 3 * image.width * image.height; ++k)
+    image.values.push_back(std::sin(static_cast<double>(k * k))); // which does not compress
+  ASSERT_TRUE(SP::internal::Png_file(out).write(image));
+  std::istringstream in(out.str().substr(0, out.str().size() / 2)); // the other half is pixels as well
+  Mesh mesh;
+  EXPECT_EQ(png.read(in, mesh), SP::ERROR_INVALID_IMAGE_SIZE);
+}
+
 // The width of the range is beyond that of numbers.
 TEST(Png_image, holds_the_largest_numbers)
 {

@@ -86,8 +86,8 @@ public:
     return m_info && is_done([&] { write_all(image); }) && m_out->good();
   }
 
-  // Returns false if the stream holds no such file.
-  bool read(Geometry_image& image)
+  // Reads a file. What its header decides is decided before any of its pixels are read.
+  Error_code read(Geometry_image& image)
   {
     const auto read_header = [&] {
       constexpr png_uint_32 max_width = 2 * max_subdivision + 1;
@@ -98,25 +98,27 @@ public:
       png_read_info(m_png, m_info);
     };
     if(!m_info || !is_done(read_header))
-      return false;
+      return ERROR_INVALID_IMAGE_FILE;
     image.width = png_get_image_width(m_png, m_info);
     image.height = png_get_image_height(m_png, m_info);
     const std::size_t n = image.number_of_components = png_get_channels(m_png, m_info);
     if(png_get_bit_depth(m_png, m_info) != 16 || png_get_interlace_type(m_png, m_info) != PNG_INTERLACE_NONE ||
        !read_range(0, n) || !read_range(1, n))
-      return false;
+      return ERROR_INVALID_IMAGE_FILE;
+    if(n != 3 || !Geometry_image_layout::is_size(image.width, image.height))
+      return ERROR_INVALID_IMAGE_SIZE;
     m_row.resize(2 * image.width * n);
     for(std::size_t row = 0; row < image.height; ++row) // so that no more is kept than there is in the stream
     {
       if(!is_done([&] { png_read_row(m_png, m_row.data(), nullptr); }))
-        return false;
+        return ERROR_INVALID_IMAGE_FILE;
       for(std::size_t k = 0; k < m_row.size(); k += 2)
       {
         const double t = (256. * m_row[k] + m_row[k + 1]) / max_code;
         image.values.push_back((1. - t) * m_ranges[0][k / 2 % n] + t * m_ranges[1][k / 2 % n]);
       }
     }
-    return true;
+    return OK;
   }
 
 private:
@@ -275,8 +277,8 @@ template <class TriangleMesh>
 Error_code read_PNG_geometry_image(std::istream& in, TriangleMesh& tmesh)
 {
   internal::Geometry_image image;
-  return internal::Png_file(in).read(image) ? internal::add_mesh_of_geometry_image(image, tmesh)
-                                            : ERROR_INVALID_IMAGE_FILE;
+  const Error_code error = internal::Png_file(in).read(image);
+  return error == OK ? internal::add_mesh_of_geometry_image(image, tmesh) : error;
 }
 
 } // namespace IO
