@@ -22,9 +22,8 @@
 
 namespace Program {
 
-/// As long as an object of this class lives, no more threads than given are used, nor more than there are cores, nor more
-/// than can be had: where a process may not have them all, the thread pool would end it. With one thread, none is made,
-/// unless the object ends.
+/// As long as an object of this class lives, no more threads than given are used, nor more than can be had: where a process
+/// may not have them all, the thread pool would end it. With one thread, none is made, unless the object ends.
 class Thread_limit
 {
 public:
@@ -34,8 +33,10 @@ public:
   {
     const std::size_t n_wanted = max_threads > 0 ? (std::min)(max_threads, number_of_threads()) : number_of_threads();
     const std::size_t n_had = 1 + number_of_other_threads(n_wanted - 1);
-    if(max_threads > 0 || n_had < n_wanted) // as many as are asked for would have memory of their own each
-      m_control.emplace(tbb::global_control::max_allowed_parallelism, n_had);
+    if(n_had < n_wanted)
+      max_threads = n_had;
+    if(max_threads > 0)
+      m_control.emplace(tbb::global_control::max_allowed_parallelism, max_threads);
   }
 
   /// returns how many threads a loop may have now: one for each core that the program may use, or the limit.
