@@ -60,8 +60,8 @@ int run_program(const Program_options& options)
 #ifdef CGAL_LINKED_WITH_TBB
   // As many threads as are asked for would have memory of their own each.
   const std::size_t n_wanted = options.max_threads, n_cores = Thread_limit::number_of_threads();
-  static const Thread_limit* const threads = new Thread_limit((std::min)(n_wanted, n_cores));
-  static_cast<void>(threads); // It is never deleted: TBB makes a thread as a limit ends.
+  // It is never deleted: TBB makes a thread as a limit ends.
+  [[maybe_unused]] static const Thread_limit* const threads = new Thread_limit((std::min)(n_wanted, n_cores));
   if(const std::size_t n = Thread_limit::number_of_threads(); n_wanted > n && !options.is_quiet)
     std::cerr << "spherical_parameterization: --threads " << n_wanted << ": no more than " << n << " can be had here\n";
 #endif

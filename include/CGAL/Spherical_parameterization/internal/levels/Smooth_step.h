@@ -75,7 +75,7 @@ public:
 private:
   using Matrix_6 = std::array<std::array<double, 6>, 6>;
 
-  // armadillo_104002, 20 sweeps: with 16, 64 and 256 vertices for a node, D_iso is 3.69, 3.56 and 3.59. Beyond a million
+  // armadillo_104002, 20 sweeps: with 16, 64 and 256 vertices for a node, D_iso is 3.58, 3.55 and 3.59. Beyond a million
   // vertices the grid would cost too much, whose equations are solved by one thread.
   static constexpr std::size_t vertices_per_node = 64, max_nodes = 20000;
 
