@@ -104,6 +104,16 @@ def read_threads(threads: Optional[int]) -> int:
     return n
 
 
+def read_max_vertices(max_vertices: Optional[int]) -> Optional[int]:
+    """Returns the largest number of vertices of a refinement, or None for the default."""
+    if max_vertices is None:
+        return None
+    n = operator.index(max_vertices)
+    if n < 0:
+        refuse(f"max_vertices is {max_vertices}; it has to be at least 0")
+    return min(n, 2**32 - 2)
+
+
 def read_run(
     threads: Optional[int], time_limit: Optional[float], callback: Callback, on_interrupt: str
 ) -> Tuple[int, float, Callback, bool]:

@@ -21,6 +21,7 @@ class ErrorCode:
     INSUFFICIENT_PRECISION: ClassVar[ErrorCode]
     WRONG_PARAMETER: ClassVar[ErrorCode]
     TOO_LARGE_MESH: ClassVar[ErrorCode]
+    TOO_LARGE_OVERLAY: ClassVar[ErrorCode]
     INVALID_DIRECTION: ClassVar[ErrorCode]
     INVALID_LANDMARK: ClassVar[ErrorCode]
     STOPPED: ClassVar[ErrorCode]
@@ -102,6 +103,7 @@ def overlay(
     vertices2: _Points,
     faces2: _Faces,
     sphere2: _Points,
+    max_vertices: Optional[int],
     threads: int,
 ) -> Tuple[_Points, _Points, _Faces, _Faces, _Faces]: ...
 def measure_distortion_between(
@@ -112,5 +114,6 @@ def measure_distortion_between(
     faces2: _Faces,
     sphere2: _Points,
     smallest_area: float,
+    max_vertices: Optional[int],
     threads: int,
 ) -> Dict[str, Any]: ...

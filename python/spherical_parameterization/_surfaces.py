@@ -7,7 +7,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _core
-from ._arguments import Features, Surface, read_features, read_run, read_threads, read_two_surfaces, refuse
+from ._arguments import Features, Surface, read_features, read_max_vertices, read_run, read_threads, read_two_surfaces, refuse
 
 
 @dataclass(frozen=True)
@@ -19,6 +19,9 @@ class SurfaceMapReport:
     energy : float
         The symmetric Dirichlet energy of the map, measured on the common refinement: the mean of both directions. 2 is an
         isometry, up to scale.
+    is_energy_sampled : bool
+        Whether it has been measured at places in each face instead, as the refinement has more vertices than `overlay` makes
+        by default. That leaves out a part of what is near vertices, some ten percent of the energy.
     agreement : float
         How well features agree after the spheres have been aligned, a correlation, at most 1; 0 if landmarks aligned them.
     margin : float
@@ -38,6 +41,7 @@ class SurfaceMapReport:
     """
 
     energy: float
+    is_energy_sampled: bool
     agreement: float
     margin: float
     landmark_distances: NDArray[np.float64]
@@ -275,7 +279,9 @@ class Overlay(NamedTuple):
     faces2: NDArray[np.int64]
 
 
-def overlay(surface1: Surface, surface2: Surface, *, threads: Optional[int] = None) -> Overlay:
+def overlay(
+    surface1: Surface, surface2: Surface, *, max_vertices: Optional[int] = None, threads: Optional[int] = None
+) -> Overlay:
     """Makes the common refinement of two surfaces that have maps to the same sphere. Its connectivity is exact.
 
     Parameters
@@ -284,6 +290,9 @@ def overlay(surface1: Surface, surface2: Surface, *, threads: Optional[int] = No
         Each surface: its points, (n, 3) numbers; its triangles, (m, 3) integers; and the images of its vertices, (n, 3)
         numbers, a one-to-one map, at any distance from the origin.
         For a map of `map_surface`, ``(vertices1, faces1, directions)`` and the second surface.
+    max_vertices : int, optional
+        The largest number of vertices of the refinement, which takes some 200 bytes each: vertices of high degree that meet
+        can have millions of crossings. By default 4,194,304, or 32 times the vertices of both surfaces, whichever is more.
     threads : int, optional
         The largest number of threads; by default all cores.
 
@@ -295,7 +304,7 @@ def overlay(surface1: Surface, surface2: Surface, *, threads: Optional[int] = No
     Raises
     ------
     Error
-        If a mesh has no map to the sphere, or a map is not one-to-one; if the refinement has too many vertices for 32 bits.
+        If a mesh has no map to the sphere, or a map is not one-to-one; if the refinement would have more than `max_vertices`.
 
     Notes
     -----
@@ -304,7 +313,7 @@ def overlay(surface1: Surface, surface2: Surface, *, threads: Optional[int] = No
     of which long and narrow faces have many.
     """
     first, second = read_two_surfaces(surface1, surface2)
-    return Overlay(*_core.overlay(*first, *second, read_threads(threads)))
+    return Overlay(*_core.overlay(*first, *second, read_max_vertices(max_vertices), read_threads(threads)))
 
 
 class MeasureBetween(NamedTuple):
@@ -352,7 +361,12 @@ class DistortionBetween:
 
 
 def measure_distortion_between(
-    surface1: Surface, surface2: Surface, *, smallest_area: float = 1e-10, threads: Optional[int] = None
+    surface1: Surface,
+    surface2: Surface,
+    *,
+    smallest_area: float = 1e-10,
+    max_vertices: Optional[int] = None,
+    threads: Optional[int] = None,
 ) -> DistortionBetween:
     """Measures how much the map between two surfaces that have maps to the same sphere distorts, in their `overlay`.
 
@@ -365,6 +379,9 @@ def measure_distortion_between(
     smallest_area : float
         Triangles of the refinement with less than this share of the area on one of the surfaces, from 0 to below 1, are left
         out and counted: of those that ties or rounding make, nothing can be said.
+    max_vertices : int, optional
+        The largest number of vertices of the refinement, which takes some 200 bytes each: vertices of high degree that meet
+        can have millions of crossings. By default 4,194,304, or 32 times the vertices of both surfaces, whichever is more.
     threads : int, optional
         The largest number of threads; by default all cores.
 
@@ -376,7 +393,8 @@ def measure_distortion_between(
     Raises
     ------
     Error
-        If a mesh has no map to the sphere, or a map is not one-to-one; if `smallest_area` is out of its range.
+        If a mesh has no map to the sphere, or a map is not one-to-one; if the refinement would have more than `max_vertices`;
+        if `smallest_area` is out of its range.
 
     Notes
     -----
@@ -385,7 +403,9 @@ def measure_distortion_between(
     if not 0 <= smallest_area < 1:
         refuse(f"smallest_area is {smallest_area}; it has to be from 0 to below 1")
     first, second = read_two_surfaces(surface1, surface2)
-    result = _core.measure_distortion_between(*first, *second, float(smallest_area), read_threads(threads))
+    result = _core.measure_distortion_between(
+        *first, *second, float(smallest_area), read_max_vertices(max_vertices), read_threads(threads)
+    )
     for name in ("isometric", "area", "angle", "energy"):
         result[name] = MeasureBetween(*result[name])
     return DistortionBetween(**result)

@@ -43,10 +43,11 @@ py::tuple align_spheres(const Points& vertices1, const Indices& faces1, const Po
                         const Indices& faces2, const Points& sphere2, const Features& features, std::size_t threads,
                         double time_limit, const py::object& callback, bool returns_on_interrupt);
 py::tuple overlay(const Points& vertices1, const Indices& faces1, const Points& sphere1, const Points& vertices2,
-                  const Indices& faces2, const Points& sphere2, std::size_t threads);
+                  const Indices& faces2, const Points& sphere2, std::optional<std::size_t> max_vertices,
+                  std::size_t threads);
 py::dict measure_distortion_between(const Points& vertices1, const Indices& faces1, const Points& sphere1,
                                     const Points& vertices2, const Indices& faces2, const Points& sphere2,
-                                    double smallest_area, std::size_t threads);
+                                    double smallest_area, std::optional<std::size_t> max_vertices, std::size_t threads);
 
 } // namespace Module
 

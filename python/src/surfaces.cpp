@@ -115,14 +115,23 @@ std::vector<std::pair<Vertex_index, Vertex_index>> read_landmarks(const Two_surf
 using Overlay = SP::Surface_overlay_3<Mesh, Mesh>;
 
 Overlay overlay_of(const Points& vertices1, const Indices& faces1, const Points& sphere1, const Points& vertices2,
-                   const Indices& faces2, const Points& sphere2, std::size_t threads)
+                   const Indices& faces2, const Points& sphere2, std::optional<std::size_t> max_vertices,
+                   std::size_t threads)
 {
+  const py::none no_callback;
   const py::gil_scoped_release unlock;
   const Two_surfaces surfaces(vertices1, faces1, sphere1, vertices2, faces2, sphere2);
   Overlay refinement;
+  Interruption interruption(no_callback, false);
+  Surface_visitor visitor(interruption);
+  const auto with_visitor = CGAL::parameters::visitor(std::ref(visitor));
   surfaces.check(run_with_threads(threads, [&] {
-    return SP::overlay(surfaces.first, rows_of(sphere1), surfaces.second, rows_of(sphere2), refinement);
+    return max_vertices ? SP::overlay(surfaces.first, rows_of(sphere1), surfaces.second, rows_of(sphere2), refinement,
+                                      with_visitor.maximum_number(*max_vertices))
+                        : SP::overlay(surfaces.first, rows_of(sphere1), surfaces.second, rows_of(sphere2), refinement,
+                                      with_visitor);
   }));
+  interruption.check();
   return refinement;
 }
 
@@ -160,7 +169,8 @@ py::tuple map_surface(const Points& vertices1, const Indices& faces1, const Poin
   }
   return py::make_tuple(
       directions,
-      py::dict("energy"_a = report.energy, "agreement"_a = report.agreement, "margin"_a = report.margin,
+      py::dict("energy"_a = report.energy, "is_energy_sampled"_a = report.is_energy_sampled,
+               "agreement"_a = report.agreement, "margin"_a = report.margin,
                "landmark_distances"_a =
                    Values(static_cast<py::ssize_t>(report.landmark_distances.size()), report.landmark_distances.data()),
                "number_of_missed_landmarks"_a = report.number_of_missed_landmarks,
@@ -202,9 +212,10 @@ py::tuple align_spheres(const Points& vertices1, const Indices& faces1, const Po
 }
 
 py::tuple overlay(const Points& vertices1, const Indices& faces1, const Points& sphere1, const Points& vertices2,
-                  const Indices& faces2, const Points& sphere2, std::size_t threads)
+                  const Indices& faces2, const Points& sphere2, std::optional<std::size_t> max_vertices,
+                  std::size_t threads)
 {
-  const Overlay refinement = overlay_of(vertices1, faces1, sphere1, vertices2, faces2, sphere2, threads);
+  const Overlay refinement = overlay_of(vertices1, faces1, sphere1, vertices2, faces2, sphere2, max_vertices, threads);
   Points points1 = new_points(refinement.points.size()), points2 = new_points(refinement.points.size());
   double *row1 = points1.mutable_data(), *row2 = points2.mutable_data();
   for(const auto& [p, q] : refinement.points)
@@ -225,10 +236,10 @@ py::tuple overlay(const Points& vertices1, const Indices& faces1, const Points& 
 
 py::dict measure_distortion_between(const Points& vertices1, const Indices& faces1, const Points& sphere1,
                                     const Points& vertices2, const Indices& faces2, const Points& sphere2,
-                                    double smallest_area, std::size_t threads)
+                                    double smallest_area, std::optional<std::size_t> max_vertices, std::size_t threads)
 {
   using namespace py::literals;
-  const Overlay refinement = overlay_of(vertices1, faces1, sphere1, vertices2, faces2, sphere2, threads);
+  const Overlay refinement = overlay_of(vertices1, faces1, sphere1, vertices2, faces2, sphere2, max_vertices, threads);
   SP::Distortion_between distortion;
   {
     const py::gil_scoped_release unlock;

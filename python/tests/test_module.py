@@ -525,6 +525,11 @@ def test_maps_and_refines_two_surfaces():
     assert soft.energy < report.energy and soft.landmark_distances.max() > 1e-6
 
     refinement = sp.overlay((*first[:2], directions), second)
+    n = len(refinement.vertices1)
+    assert len(sp.overlay((*first[:2], directions), second, max_vertices=n).vertices2) == n
+    for call in (sp.overlay, sp.measure_distortion_between):
+        refused(sp.ErrorCode.TOO_LARGE_OVERLAY, call, (*first[:2], directions), second, max_vertices=n - 1)
+        refused(sp.ErrorCode.WRONG_PARAMETER, call, first, second, max_vertices=-1)
     for points, corners, face, (vertices, faces) in (
         (refinement.vertices1, refinement.faces, refinement.faces1, first[:2]),
         (refinement.vertices2, refinement.faces, refinement.faces2, second[:2]),
@@ -542,6 +547,7 @@ def test_measures_maps_between_surfaces():
     stages = [getattr(report, "seconds_for_" + s) for s in ("reading", "alignment", "descent", "overlay")]
     assert min(stages) > 0 and seconds / 2 < sum(stages) < seconds
     between = sp.measure_distortion_between((*first[:2], directions), second)
+    assert not report.is_energy_sampled
     assert report.energy == pytest.approx(np.mean(between.energy[1:]))
     assert between.number_of_triangles == len(sp.overlay((*first[:2], directions), second).faces)
 

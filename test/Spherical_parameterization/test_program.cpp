@@ -524,6 +524,13 @@ TEST_F(Command_line, maps_a_surface_onto_another_one)
                  "--soft-landmarks has to be");
   write_off("torus.off", test_meshes::torus(8, 5));
   expect_refused("sphere.off --onto torus.off -o result.off", "genus");
+
+  write_off("hubs.off", test_meshes::suspension(3000)); // with too many crossings to be refined in common
+  const std::string hubs = "hubs.off --onto hubs.off --quiet";
+  outcome = run(hubs + " -o mapped.off --json mapped.json");
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_LT(json("mapped.json").get<double>("match.sampled_energy"), 2.1);
+  expect_refused(hubs + " -o result.off --overlay overlay.ply", "The common refinement of the two surfaces has more");
 }
 
 TEST_F(Command_line, carries_values_over)

@@ -132,6 +132,22 @@ Point_3 as_it_is(const Point_3& p)
   return p;
 }
 
+// The hubs of two double pyramids have millions of edges that cross each other: they are not needed.
+TEST(Map_surface, between_hubs_is_measured_by_samples)
+{
+  const Triangle_list list = suspension(3000);
+  const auto stretched = [](const Point_3& p) { return Point_3(p.x(), p.y(), 1.5 * p.z()); };
+  Mapped_mesh first(list, as_it_is, Rotation_3(CGAL::IDENTITY));
+  const Mapped_mesh second(list, stretched, Rotation_3(CGAL::IDENTITY));
+  auto mapper = SP::Surface_mapper_3<Mesh>();
+  const Image_map images = first.mesh.add_property_map<Vertex_index, Point_3>("v:images").first;
+  ASSERT_EQ(SP::map_surface(first.mesh, first.sphere, second.mesh, second.sphere, mapper, images), SP::OK);
+  EXPECT_TRUE(SP::is_bijective(first.mesh, images));
+  EXPECT_TRUE(mapper.report().is_energy_sampled);
+  EXPECT_GT(mapper.report().energy, 2.);
+  EXPECT_LT(mapper.report().energy, 2.2);
+}
+
 TEST(Map_surface, is_exact_onto_the_surface_itself)
 {
   Mapped_mesh a(icosphere(3), on_body, rotation(turns[0]));

@@ -10,6 +10,8 @@
 
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Spherical_parameterization/Sphere_domain_3.h>
+#include <CGAL/Spherical_parameterization/internal/measuring/energy_between.h>
+#include <CGAL/Spherical_parameterization/internal/numbers/Vector_3.h>
 #include <CGAL/Spherical_parameterization/internal/surface/Linked_triangle.h>
 #include <CGAL/Spherical_parameterization/measure_distortion_between.h>
 #include <CGAL/Spherical_parameterization/overlay.h>
@@ -275,7 +277,7 @@ TEST(Overlay, asks_in_proportion_to_its_vertices_around_vertices_of_high_degree)
                 orientations_and_vertices(suspension(200), suspension(200)));
 }
 
-TEST(Overlay, that_is_too_large_for_the_numbers_of_vertices_is_refused)
+TEST(Overlay, that_is_too_large_is_refused)
 {
   const auto small = triangulation_of<Kernel>(octahedron());
   Recording_control control;
@@ -283,8 +285,31 @@ TEST(Overlay, that_is_too_large_for_the_numbers_of_vertices_is_refused)
   ASSERT_EQ(overlay.assign(small, small, control, {}), SP::OK);
   const std::size_t n = overlay.number_of_vertices();
   SP::internal::Sphere_overlay<Kernel> large(n - 1), fitting(n);
-  EXPECT_EQ(large.assign(small, small, control, {}), SP::ERROR_TOO_LARGE_MESH);
+  EXPECT_EQ(large.assign(small, small, control, {}), SP::ERROR_TOO_LARGE_OVERLAY);
   EXPECT_EQ(fitting.assign(small, small, control, {}), SP::OK);
+
+  const Triangle_list list = octahedron();
+  const Mesh mesh = make(list);
+  const Point_map sphere(mesh, list.points);
+  Overlay result;
+  const auto with_bound = [&](std::size_t bound) {
+    return SP::overlay(mesh, sphere, mesh, sphere, result, CGAL::parameters::maximum_number(bound));
+  };
+  EXPECT_EQ(with_bound(n - 1), SP::ERROR_TOO_LARGE_OVERLAY);
+  EXPECT_TRUE(result.triangles.empty());
+  EXPECT_EQ(with_bound(n), SP::OK);
+  EXPECT_EQ(result.points.size(), n);
+}
+
+// Two hubs would fill the memory: 20,000 vertices have 200 million crossings.
+TEST(Overlay, of_hubs_is_refused_before_memory_is_taken)
+{
+  const Triangle_list list = suspension(20000);
+  const Mesh mesh = make(list);
+  const Point_map sphere(mesh, list.points);
+  Overlay result;
+  EXPECT_EQ(SP::overlay(mesh, sphere, mesh, sphere, result), SP::ERROR_TOO_LARGE_OVERLAY);
+  EXPECT_TRUE(result.triangles.empty());
 }
 
 TEST(Overlay, may_be_stopped_at_any_question)
@@ -414,6 +439,51 @@ TEST(Distortion_between, affine_images_is_that_of_the_affinity)
   EXPECT_NEAR(distortion.angle.average_over_second, 4.25, 1e-12);
   EXPECT_NEAR(distortion.energy.average_over_first, 4.25, 1e-12);
   EXPECT_EQ(distortion.number_of_triangles, 2 * (12u + 18u) - 4u); // with the crossings of each edge with its twin
+}
+
+double sampled_energy(const Mesh& mesh1, const Triangle_list& list1, const Mesh& mesh2, const Triangle_list& list2)
+{
+  const auto vectors = [](const Mesh& mesh) {
+    std::vector<SP::internal::Vector_3d> result;
+    for(const auto& p : points(mesh))
+      result.push_back({p[0], p[1], p[2]});
+    return result;
+  };
+  const auto sphere1 = triangulation_of<Kernel>(list1);
+  auto sphere2 = triangulation_of<Kernel>(list2);
+  sphere2.make_grid();
+  Recording_control control;
+  return SP::internal::mean_energy_over_first(sphere1, vectors(mesh1), sphere2, vectors(mesh2), control, {});
+}
+
+// Samples of a map find its energy: exactly where it is affine, and elsewhere near to that on the common refinement, whose
+// triangles are large here, and affine.
+TEST(Distortion_between, is_found_by_samples)
+{
+  const Triangle_list list = octahedron();
+  Mesh flat1 = make(list), flat2 = make(list);
+  for(const auto v : flat1.vertices())
+  {
+    const Coordinates p = list.points[v];
+    flat1.point(v) = Point_3(p[0], p[1], 0.);
+    flat2.point(v) = Point_3(6. * p[0], 1.5 * p[1], 0.); // three times the size, which does not count
+  }
+  EXPECT_NEAR(sampled_energy(flat1, list, flat2, list), 4.25, 1e-12);
+
+  for(const double angle : {0., 0.4, 2.})
+  {
+    const Triangle_list list1 = icosphere(2), list2 = turned(bumpy_sphere(2), angle);
+    const Mesh mesh1 = surface_of(list1, 1.), mesh2 = surface_of(list2, 3.);
+    const double expected = distortion_of(overlay_of(mesh1, list1, mesh2, list2)).energy.average_over_first;
+    for(const double size : {1e-200, 1., 1e200})
+      EXPECT_NEAR(sampled_energy(mesh1, scaled(list1, size, size, size), mesh2, list2), expected, 0.03 * expected);
+    Triangle_list uneven = list2; // directions of other lengths: another map, between the same surfaces
+    for(std::size_t v = 0; v < uneven.points.size(); ++v)
+      for(double& x : uneven.points[v])
+        x *= 1. + 0.1 * static_cast<double>(v % 3);
+    const double expected_of_uneven = distortion_of(overlay_of(mesh1, list1, mesh2, uneven)).energy.average_over_first;
+    EXPECT_NEAR(sampled_energy(mesh1, list1, mesh2, uneven), expected_of_uneven, 0.03 * expected_of_uneven);
+  }
 }
 
 // The inverse has the same distortion, with the averages exchanged, but for how cells are divided into triangles.

@@ -132,6 +132,9 @@ public:
       m_other.emplace(m_options, m_options.onto);
       m_match.emplace(m_options, *m_input, m_sphere, m_other->input, m_other->sphere);
     }
+    if(!m_match->distortion && (m_files.overlay || m_files.morph || m_files.page))
+      throw Program_error(m_names.input, std::string("no --overlay, --morph or --page can be made. ") +
+                                             SP::get_error_message(SP::ERROR_TOO_LARGE_OVERLAY));
     m_report.match = Run_report::Match_figures{model != nullptr ? m_options.template_file : m_options.onto,
                                                model != nullptr,
                                                m_other->input.mesh().number_of_vertices(),

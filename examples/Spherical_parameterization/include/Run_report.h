@@ -70,8 +70,8 @@ public:
     bool is_template;  ///< whether the other one is mapped onto the input
     std::size_t number_of_vertices;
     SP::Surface_map_report report;
-    SP::Distortion_between distortion;
-    std::string warnings; ///< of landmarks that are missed
+    std::optional<SP::Distortion_between> distortion; ///< as `Surface_match` has it
+    std::string warnings;                             ///< of landmarks that are missed
   };
 
   Run_result result;
@@ -121,7 +121,7 @@ public:
   {
     if(match)
     {
-      const SP::Distortion_between::Statistics& of = match->distortion.*of_surfaces;
+      const SP::Distortion_between::Statistics& of = (*match->distortion).*of_surfaces;
       return Json_object()
           .add("maximum", of.maximum)
           .add("average over the first", of.average_over_first)
@@ -293,21 +293,25 @@ public:
             .add("average", of.average_over_first)
             .add("average_over_target", of.average_over_second);
       };
-      all.add("match", Json_object()
-                           .add(match->is_template ? "template" : "target", match->other)
-                           .add("vertices", match->number_of_vertices)
-                           .add("agreement", match->report.agreement)
-                           .add("margin", match->report.margin)
-                           .add("stop_reason", SP::get_stop_message(match->report.stop_reason))
-                           .add("sweeps", match->report.number_of_sweeps)
-                           .add("energy", between(match->distortion.energy))
-                           .add("D_iso", between(match->distortion.isometric))
-                           .add("D_area", between(match->distortion.area))
-                           .add("D_angle", between(match->distortion.angle))
-                           .add("triangles", match->distortion.number_of_triangles)
-                           .add("slivers", match->distortion.number_of_slivers)
-                           .add("landmark_distances", match->report.landmark_distances)
-                           .add("missed_landmarks", match->report.number_of_missed_landmarks));
+      Json_object figures;
+      figures.add(match->is_template ? "template" : "target", match->other)
+          .add("vertices", match->number_of_vertices)
+          .add("agreement", match->report.agreement)
+          .add("margin", match->report.margin)
+          .add("stop_reason", SP::get_stop_message(match->report.stop_reason))
+          .add("sweeps", match->report.number_of_sweeps);
+      if(match->distortion)
+        figures.add("energy", between(match->distortion->energy))
+            .add("D_iso", between(match->distortion->isometric))
+            .add("D_area", between(match->distortion->area))
+            .add("D_angle", between(match->distortion->angle))
+            .add("triangles", match->distortion->number_of_triangles)
+            .add("slivers", match->distortion->number_of_slivers);
+      else
+        figures.add("sampled_energy", match->report.energy);
+      figures.add("landmark_distances", match->report.landmark_distances)
+          .add("missed_landmarks", match->report.number_of_missed_landmarks);
+      all.add("match", figures);
     }
     if(color_range)
       all.add("colors", Json_object()
@@ -338,11 +342,17 @@ private:
     constexpr int digits = 3;
     const auto& [other, is_template, n, report, d, warnings] = *match;
     out << (is_template ? "Template:  " : "Onto:      ") << printable(other) << ": " << n
-        << " vertices; symmetric Dirichlet energy " << fixed_text(d.energy.average_over_first, digits) << " / "
-        << fixed_text(d.energy.average_over_second, digits) << " over both surfaces, D_iso "
-        << fixed_text(d.isometric.average_over_first, digits) << " / "
-        << fixed_text(d.isometric.average_over_second, digits) << ", " << fixed_text(d.isometric.maximum, digits)
-        << " at most\nAligned:   by ";
+        << " vertices; symmetric Dirichlet energy ";
+    if(d)
+      out << fixed_text(d->energy.average_over_first, digits) << " / "
+          << fixed_text(d->energy.average_over_second, digits) << " over both surfaces, D_iso "
+          << fixed_text(d->isometric.average_over_first, digits) << " / "
+          << fixed_text(d->isometric.average_over_second, digits) << ", " << fixed_text(d->isometric.maximum, digits)
+          << " at most";
+    else
+      out << "about " << fixed_text(report.energy, digits)
+          << ", by samples: the common refinement has too many vertices to be made";
+    out << "\nAligned:   by ";
     const std::size_t n_landmarks = report.landmark_distances.size();
     if(n_landmarks == 0 || report.agreement != 0.)
     {

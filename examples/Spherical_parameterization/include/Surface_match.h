@@ -106,13 +106,13 @@ public:
       throw Program_error(first.name() + ": " + SP::get_error_message(error));
     error = SP::overlay(m_first, m_directions, m_second, m_sphere2, m_overlay);
     if(error == SP::OK)
-      error = SP::measure_distortion_between(m_overlay, distortion);
-    if(error != SP::OK)
+      error = SP::measure_distortion_between(m_overlay, distortion.emplace());
+    if(error != SP::OK && error != SP::ERROR_TOO_LARGE_OVERLAY)
       throw Program_error(first.name() + ": " + SP::get_error_message(error));
   }
 
   SP::Surface_map_report report;
-  SP::Distortion_between distortion;
+  std::optional<SP::Distortion_between> distortion; ///< There is none if the common refinement is too large to be made.
 
   const SP::Surface_overlay_3<Mesh, Mesh>& overlay() const { return m_overlay; }
 

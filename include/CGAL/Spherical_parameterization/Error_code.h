@@ -40,6 +40,7 @@ enum [[nodiscard]] Error_code
   ERROR_CANNOT_SOLVE_LINEAR_SYSTEM,       ///< The solver of a method that needs one has failed.
   ERROR_WRONG_PARAMETER,                  ///< A parameter is out of its range.
   ERROR_TOO_LARGE_MESH,                   ///< The mesh has 2<sup>31</sup> - 1 halfedges or more.
+  ERROR_TOO_LARGE_OVERLAY,                ///< The common refinement of two surfaces has more vertices than it may.
   ERROR_INVALID_DIRECTION,                ///< A direction is zero or not finite, or two are parallel.
   ERROR_INVALID_DOMAIN,                   ///< The domain is empty.
   ERROR_FOLDED_TEXTURE,                   ///< Texture triangles of extreme needles are turned over.
@@ -108,6 +109,10 @@ inline const char* get_error_message(Error_code error_code)
            "accepts.";
   case ERROR_TOO_LARGE_MESH:
     return "The mesh has more than 700 million faces, which is more than 32-bit indices can count: simplify it first.";
+  case ERROR_TOO_LARGE_OVERLAY:
+    return "The common refinement of the two surfaces has more vertices than are allowed, as where vertices of high "
+           "degree "
+           "meet, or long and narrow faces: allow more if there is memory for them, or remesh one of the surfaces.";
   case ERROR_INVALID_DIRECTION:
     return "A direction is zero, infinite or not a number, or two directions are parallel that must not be: leave it "
            "out, or repair what computes it.";

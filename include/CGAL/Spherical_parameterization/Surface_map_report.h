@@ -27,9 +27,13 @@ namespace CGAL::Spherical_parameterization {
 struct Surface_map_report
 {
   /// The symmetric Dirichlet energy of the map, measured on the common refinement: the mean of both directions. 2 is an
-  /// isometry, up to scale; infinite if a surface has no area; 0 if it has not been measured: the run had been stopped, the
-  /// refinement has more vertices than 32 bits can count, or doubles could hold the start alone.
+  /// isometry, up to scale; infinite if a surface has no area; 0 if it has not been measured: the run had been stopped, or
+  /// doubles could hold the start alone.
   double energy = 0.;
+
+  /// Whether it has been measured at places in each face instead, as the refinement has more vertices than `overlay()`
+  /// makes by default. That leaves out a part of what is near vertices, some ten percent of the energy.
+  bool is_energy_sampled = false;
 
   /// How well features agree after the spheres have been aligned, a correlation, at most 1; 0 if landmarks aligned them
   double agreement = 0.;
@@ -53,7 +57,7 @@ struct Surface_map_report
   double seconds_for_reading = 0.;   ///< to read both surfaces, and to certify their maps
   double seconds_for_alignment = 0.; ///< to turn and bend one sphere onto the other one
   double seconds_for_descent = 0.;   ///< to lower the energy
-  double seconds_for_overlay = 0.;   ///< to measure it on the common refinement
+  double seconds_for_overlay = 0.;   ///< to measure it, as a rule on the common refinement
 };
 
 } // namespace CGAL::Spherical_parameterization

@@ -76,8 +76,9 @@ struct Surface_overlay_3
 /// The result is certified: the edges of both meshes, traced through the other one, cross the same edges; the parts of edges
 /// around each cell are one polygon; and Euler's formula holds. Points of crossings are rounded.
 ///
-/// The running time is \f$ O(n \log n) \f$ for `n` faces and crossings. Long and narrow faces have many; so have vertices of
-/// high degree that coincide, \f$ d^2 / 2 \f$ for a degree of \f$ d \f$ of both.
+/// The running time is \f$ O(n \log n) \f$ for `n` faces and crossings, of which each takes some 200 bytes. Long and narrow
+/// faces have many; so have vertices of high degree that coincide, \f$ d^2 / 2 \f$ for a degree of \f$ d \f$ of both. They are
+/// counted first, and there is a bound.
 ///
 /// \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`; no result depends on it
 /// \tparam TriangleMesh1,TriangleMesh2 models of `FaceListGraph`
@@ -106,11 +107,16 @@ struct Surface_overlay_3
 ///     \cgalParamType{double}
 ///     \cgalParamDefault{no limit, as with any value that is not positive}
 ///   \cgalParamNEnd
+///   \cgalParamNBegin{maximum_number}
+///     \cgalParamDescription{of `np1`: the largest number of vertices of the refinement, at most 2<sup>32</sup> - 2}
+///     \cgalParamType{`std::size_t`}
+///     \cgalParamDefault{4,194,304, or 32 times the number of vertices of both meshes, whichever is more}
+///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
 /// \return `OK`; what is wrong with the first mesh, or else the second one, see `find_defect()`, or with its map:
-///         `ERROR_NO_1_TO_1_MAPPING` if that is no bijection; `ERROR_TOO_LARGE_MESH` if the refinement has more vertices
-///         than 32 bits can count; or `ERROR_STOPPED`. The result is as it was then.
+///         `ERROR_NO_1_TO_1_MAPPING` if that is no bijection; `ERROR_TOO_LARGE_OVERLAY` if the refinement would have more
+///         vertices than the bound; or `ERROR_STOPPED`. The result is as it was then.
 ///
 /// \sa `CGAL::Spherical_parameterization::measure_distortion_between()`
 template <class ConcurrencyTag = Parallel_if_available_tag, class TriangleMesh1, class VertexSphereMap1,
@@ -144,8 +150,12 @@ Error_code overlay(const TriangleMesh1& tmesh1, VertexSphereMap1 vertex_sphere_m
     sphere1.assign(std::move(arrays1.images), std::move(arrays1.triangles));
     sphere2.assign(std::move(arrays2.images), std::move(arrays2.triangles));
 
+    std::size_t max_vertices = internal::Sphere_overlay<K>::default_max_vertices(sphere1, sphere2);
+    if constexpr(!parameters::is_default_parameter<CGAL_NP_CLASS_1, internal_np::maximum_number_t>::value)
+      max_vertices = static_cast<std::size_t>(parameters::get_parameter(np1, internal_np::maximum_number));
     internal::Overlay_arrays arrays;
-    if(const Error_code error = arrays.assign(sphere1, arrays1.points, sphere2, arrays2.points, control, execution))
+    if(const Error_code error =
+           arrays.assign(sphere1, arrays1.points, sphere2, arrays2.points, max_vertices, control, execution))
       return error;
     Overlay overlay;
     overlay.points.reserve(arrays.points[0].size());

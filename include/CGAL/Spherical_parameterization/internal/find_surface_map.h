@@ -20,8 +20,9 @@
 #include <CGAL/Spherical_parameterization/internal/certificate/Bijectivity_certificate.h>
 #include <CGAL/Spherical_parameterization/internal/certificate/is_safely_positive.h>
 #include <CGAL/Spherical_parameterization/internal/surface/Surface.h>
-#include <CGAL/Spherical_parameterization/internal/overlay/Overlay_arrays.h>
 #include <CGAL/Spherical_parameterization/internal/measuring/distortion.h>
+#include <CGAL/Spherical_parameterization/internal/measuring/energy_between.h>
+#include <CGAL/Spherical_parameterization/internal/overlay/Overlay_arrays.h>
 #include <CGAL/Spherical_parameterization/internal/run/Run_control.h>
 #include <CGAL/Spherical_parameterization/internal/run/parallel.h>
 #include <CGAL/Spherical_parameterization/internal/locate/Sphere_triangulation.h>
@@ -63,13 +64,19 @@ double distance_left(const Located_surface<K>& surface, const Vector_3d& p, std:
                     surface.exponent);
 }
 
-// The energy of the map that puts the vertices of the first surface at these directions of the second one's sphere: the
-// mean of both ways, on the common refinement. Returns ERROR_NO_1_TO_1_MAPPING if the map is no bijection, and else what
-// Sphere_overlay does.
+// What is known of the energy of a map between surfaces: the mean of both ways.
+struct Energy_between
+{
+  std::optional<double> value; // There is none once the run has been stopped.
+  bool is_sampled = false;
+};
+
+// Measures the map that puts the vertices of the first surface at these directions of the second one's sphere: on the common
+// refinement, or by samples if that would be too large. Returns false if the map is no bijection.
 template <class K>
-Error_code measure_energy_between(const Located_surface<K>& first, const std::vector<Vector_3d>& directions,
-                                  const Located_surface<K>& second, std::optional<double>& result, Run_control& control,
-                                  const Execution& execution)
+bool measure_energy_between(const Located_surface<K>& first, const std::vector<Vector_3d>& directions,
+                            const Located_surface<K>& second, Energy_between& energy, Run_control& control,
+                            const Execution& execution)
 {
   std::vector<typename K::Point_3> images;
   for(const Vector_3d& p : directions)
@@ -77,19 +84,31 @@ Error_code measure_energy_between(const Located_surface<K>& first, const std::ve
   Sphere_triangulation<K> sphere;
   sphere.assign(std::move(images), first.sphere.triangles());
   if(!certify_bijectivity<K>(sphere.points(), sphere.triangles(), execution).is_bijective())
-    return ERROR_NO_1_TO_1_MAPPING;
+    return false;
   Overlay_arrays overlay;
-  if(const Error_code error = overlay.assign(sphere, first.points, second.sphere, second.points, control, execution))
-    return error;
-  constexpr double smallest_area = 1e-10; // as measure_distortion_between() has it
-  const Weighted_statistics energy =
-      distortion_between(overlay.triangles.size(), smallest_area, [&](std::size_t k, std::size_t surface) {
-        const auto& t = overlay.triangles[k];
-        const std::vector<Vector_3d>& points = overlay.points[surface];
-        return std::array<Vector_3d, 3>{points[t[0]], points[t[1]], points[t[2]]};
-      }).energy;
-  result = 0.5 * (energy.averages[0] + energy.averages[1]);
-  return OK;
+  const std::size_t max_vertices = Sphere_overlay<K>::default_max_vertices(sphere, second.sphere);
+  const Error_code error =
+      overlay.assign(sphere, first.points, second.sphere, second.points, max_vertices, control, execution);
+  if(error == OK)
+  {
+    constexpr double smallest_area = 1e-10; // as measure_distortion_between() has it
+    const Weighted_statistics measured =
+        distortion_between(overlay.triangles.size(), smallest_area, [&](std::size_t k, std::size_t surface) {
+          const auto& t = overlay.triangles[k];
+          const std::vector<Vector_3d>& points = overlay.points[surface];
+          return std::array<Vector_3d, 3>{points[t[0]], points[t[1]], points[t[2]]};
+        }).energy;
+    energy = {0.5 * (measured.averages[0] + measured.averages[1]), false};
+  }
+  else if(error == ERROR_TOO_LARGE_OVERLAY)
+  {
+    sphere.make_grid();
+    const double there = mean_energy_over_first(sphere, first.points, second.sphere, second.points, control, execution),
+                 back = mean_energy_over_first(second.sphere, second.points, sphere, first.points, control, execution);
+    if(!control.is_stopped())
+      energy = {0.5 * (there + back), true};
+  }
+  return error != ERROR_NO_1_TO_1_MAPPING;
 }
 
 // What is known of both surfaces beside their shapes, in the numbers of their arrays.
@@ -177,12 +196,12 @@ std::vector<Vector_3d> find_surface_map(const Surface& mesh, const Located_surfa
   report.agreement = start.agreement;
   report.margin = start.margin;
   std::vector<Vector_3d> directions = start.directions;
-  std::optional<double> energy; // There is none once the run has been stopped, or if the refinement is too large.
+  Energy_between energy;
   const bool agrees_as_it_is = start.is_rotation && !has_landmarks;
   if(agrees_as_it_is)
     static_cast<void>(measure_energy_between(first, directions, second, energy, control, execution));
   report.seconds_for_alignment = control.lap();
-  if(energy && *energy < energy_of_copies)
+  if(energy.value && *energy.value < energy_of_copies)
     report.stop_reason = CONVERGED;
   else
   {
@@ -194,11 +213,12 @@ std::vector<Vector_3d> find_surface_map(const Surface& mesh, const Located_surfa
     report.stop_reason = is_lowered ? control.report().stop_reason : OBSTRUCTED;
     report.number_of_sweeps = control.report().number_of_level_iterations;
     report.seconds_for_descent = control.lap();
-    // The averaged metric moves even the identity: only the common refinement tells whether that has helped.
-    std::optional<double> lowered_energy;
-    const Error_code error = measure_energy_between(first, lowered, second, lowered_energy, control, execution);
-    const bool is_better = !agrees_as_it_is || (energy && lowered_energy && *lowered_energy < *energy);
-    if(error != ERROR_NO_1_TO_1_MAPPING && is_better)
+    // The averaged metric moves even the identity: only the surfaces themselves tell whether that has helped.
+    Energy_between lowered_energy;
+    const bool is_bijection = measure_energy_between(first, lowered, second, lowered_energy, control, execution);
+    const bool is_better =
+        !agrees_as_it_is || (energy.value && lowered_energy.value && *lowered_energy.value < *energy.value);
+    if(is_bijection && is_better)
     {
       energy = lowered_energy;
       directions.swap(lowered);
@@ -207,7 +227,8 @@ std::vector<Vector_3d> find_surface_map(const Surface& mesh, const Located_surfa
   }
   if(control.is_stopped())
     report.stop_reason = control.stop_reason();
-  report.energy = energy.value_or(0.);
+  report.energy = energy.value.value_or(0.);
+  report.is_energy_sampled = energy.is_sampled;
   for(const auto& [v, w] : hints.landmarks)
   {
     const bool is_met = directions[v] == second.sphere.direction(w);

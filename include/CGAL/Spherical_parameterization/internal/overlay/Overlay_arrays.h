@@ -77,10 +77,10 @@ struct Overlay_arrays
   // Returns what Sphere_overlay does.
   template <class K>
   Error_code assign(const Sphere_triangulation<K>& sphere1, const std::vector<Vector_3d>& points1,
-                    const Sphere_triangulation<K>& sphere2, const std::vector<Vector_3d>& points2, Run_control& control,
-                    const Execution& execution)
+                    const Sphere_triangulation<K>& sphere2, const std::vector<Vector_3d>& points2,
+                    std::size_t max_vertices, Run_control& control, const Execution& execution)
   {
-    Sphere_overlay<K> cells;
+    Sphere_overlay<K> cells(max_vertices);
     if(const Error_code error = cells.assign(sphere1, sphere2, control, execution))
       return error;
     const std::size_t n = cells.number_of_vertices(), n1 = points1.size(), n2 = points2.size();
@@ -111,6 +111,8 @@ struct Overlay_arrays
         points[1][n1 + n2 + k] = point_on_edge(points2[v2], points2[w2], t);
       }
     });
+    if(!control.go_further(0, 0.))
+      return ERROR_STOPPED;
     std::size_t begin = 0;
     for(const auto& cell : cells.cells())
     {

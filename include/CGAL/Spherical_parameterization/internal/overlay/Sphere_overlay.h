@@ -24,6 +24,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -82,35 +83,40 @@ public:
 
   using Crossing = std::array<std::size_t, 2>; // an edge of each triangulation
 
-  // Vertices are counted in 32 bits; there may be a lower bound for them.
-  explicit Sphere_overlay(std::size_t max_vertices = (std::numeric_limits<Index>::max)() - 1)
-    : m_max_vertices(max_vertices)
+  // At most so many vertices are made, some 200 bytes each; they are counted in 32 bits.
+  explicit Sphere_overlay(std::size_t max_vertices = (std::numeric_limits<std::size_t>::max)())
+    : m_max_vertices((std::min)(max_vertices, std::size_t((std::numeric_limits<Index>::max)() - 1)))
   {}
 
+  // The bound for those who know no better. Surfaces of faces that are no needles have 4 to 6 times as many vertices in
+  // common as alone; two hubs of degree d have d^2 / 2 more.
+  static std::size_t default_max_vertices(const Triangulation& first, const Triangulation& second)
+  {
+    constexpr std::size_t always_allowed = std::size_t(1) << 22, factor = 32;
+    return (std::max)(always_allowed, factor * (first.points().size() + second.points().size()));
+  }
+
   // Returns ERROR_NO_1_TO_1_MAPPING if the certificate fails: both traces find the same crossings, every cell is one polygon,
-  // and V - E + F = 2; ERROR_TOO_LARGE_MESH if there are too many vertices; ERROR_STOPPED if the control has ended it. The
-  // triangulations have to be bijections, and to live longer.
+  // and V - E + F = 2; ERROR_TOO_LARGE_OVERLAY if there are too many vertices, before most memory is taken; ERROR_STOPPED if
+  // the control has ended it. The triangulations have to be bijections, and to live longer.
   Error_code assign(const Triangulation& first, const Triangulation& second, Run_control& control,
                     const Execution& execution)
   {
     m_n_first = static_cast<Index>(first.points().size());
     m_n_second = static_cast<Index>(second.points().size());
     const Perturbed_orientation<K> of_first(true), of_second(false); // the edges
-    m_places_of_first = locate_vertices(first, second, of_second);
-    m_places_of_second = locate_vertices(second, first, of_first);
-    constexpr Index none = Triangulation::none;
-    if(std::count(m_places_of_first.begin(), m_places_of_first.end(), none) > 0 ||
-       std::count(m_places_of_second.begin(), m_places_of_second.end(), none) > 0)
-      return ERROR_NO_1_TO_1_MAPPING;
-    const Traces traces_of_first = trace_edges(first, second, m_places_of_first, of_first, control, execution),
-                 traces_of_second = trace_edges(second, first, m_places_of_second, of_second, control, execution);
-    if(control.is_stopped())
-      return ERROR_STOPPED;
-    if(traces_of_first.crossed.size() + m_n_first + m_n_second > m_max_vertices)
-      return ERROR_TOO_LARGE_MESH;
+    m_places_of_first = locate_vertices(first, second, of_second, control);
+    m_places_of_second = locate_vertices(second, first, of_first, control);
+    Traces traces_of_first, traces_of_second;
+    if(const Error_code error =
+           trace_edges(first, second, m_places_of_first, of_first, traces_of_first, control, execution))
+      return error;
+    if(const Error_code error =
+           trace_edges(second, first, m_places_of_second, of_second, traces_of_second, control, execution))
+      return error;
     std::vector<Index> crossings_of_second; // in the order along the edges of the second triangulation
     const bool is_certified =
-        match(traces_of_first, traces_of_second, crossings_of_second) &&
+        match(traces_of_first, traces_of_second, crossings_of_second, control) &&
         make_cells(first, second, traces_of_first, traces_of_second, crossings_of_second, control, execution);
     return control.is_stopped() ? ERROR_STOPPED : is_certified ? OK : ERROR_NO_1_TO_1_MAPPING;
   }
@@ -145,26 +151,57 @@ private:
     Index source, target;
   };
 
-  // the triangles of `in` that the vertices of `of` are in, each found by a walk from that of a neighbour
-  template <class Side>
-  static std::vector<Index> locate_vertices(const Triangulation& of, const Triangulation& in, const Side& side)
+  // Asks the control once in so many calls, some milliseconds of work.
+  class Patience
   {
-    std::vector<Index> places(of.points().size());
+  public:
+    explicit Patience(Run_control& control)
+      : m_control(control)
+    {}
+
+    bool has_ended()
+    {
+      constexpr std::size_t calls = 1 << 14;
+      return m_control.is_stopped() || (++m_n_calls % calls == 0 && !m_control.go_further(0, 0.));
+    }
+
+  private:
+    Run_control& m_control;
+    std::size_t m_n_calls = 0;
+  };
+
+  // The triangles of `in` that the vertices of `of` are in, each found by a walk from that of a neighbour; none for a vertex
+  // that is in none, or once the control has ended it.
+  template <class Side>
+  static std::vector<Index> locate_vertices(const Triangulation& of, const Triangulation& in, const Side& side,
+                                            Run_control& control)
+  {
+    std::vector<Index> places(of.points().size(), Triangulation::none);
+    Patience patience(control);
     visit_from_neighbors(of.triangles(), places.size(), Triangulation::none, [&](Index v, Index w) {
-      places[v] = in.triangle_from(w == Triangulation::none ? 0 : places[w], of.points()[v], side);
+      if(!patience.has_ended())
+        places[v] = in.triangle_from(w == Triangulation::none ? 0 : places[w], of.points()[v], side);
     });
     return places;
   }
 
   // An edge enters a triangle from one with which it shares a side, and leaves it by the side whose source is on its right
-  // and whose target is on its left: which one, the side of one vertex decides. If the control stops it, there are none.
+  // and whose target is on its left: which one, the side of one vertex decides. Crossings are counted while they are found, so
+  // that no more are stored than there may be.
   template <class Side>
-  static Traces trace_edges(const Triangulation& of, const Triangulation& in, const std::vector<Index>& places,
-                            const Side& side, Run_control& control, const Execution& execution)
+  Error_code trace_edges(const Triangulation& of, const Triangulation& in, const std::vector<Index>& places,
+                         const Side& side, Traces& result, Run_control& control, const Execution& execution) const
   {
+    if(control.is_stopped())
+      return ERROR_STOPPED;
+    if(std::count(places.begin(), places.end(), Triangulation::none) > 0)
+      return ERROR_NO_1_TO_1_MAPPING;
+    if(std::size_t(m_n_first) + m_n_second > m_max_vertices)
+      return ERROR_TOO_LARGE_OVERLAY;
+    const std::size_t max_crossings = m_max_vertices - m_n_first - m_n_second;
+    std::atomic<std::size_t> n_crossings{0};
     constexpr std::size_t block_size = 256; // edges, of which those of hubs may have thousands of crossings each
     const Triangle_sides edges(of.triangles()), sides(in.triangles());
-    Traces result;
     for(std::size_t e = 0; e < edges.size(); ++e)
       if(edges.is_edge(e))
         result.edges.push_back(static_cast<Index>(e));
@@ -177,7 +214,7 @@ private:
     std::vector<Block> blocks((n + block_size - 1) / block_size);
     const auto trace = [&](std::size_t begin, std::size_t end) {
       Block& block = blocks[begin / block_size];
-      for(std::size_t k = begin; k < end; ++k)
+      for(std::size_t k = begin; k < end && n_crossings <= max_crossings; ++k)
       {
         const std::size_t e = result.edges[k];
         const Point_3 &p = of.points()[edges.source(e)], &q = of.points()[edges.target(e)];
@@ -205,10 +242,13 @@ private:
           exit = (entry % 3 + (is_left(in.triangles()[current][entry % 3]) ? 1 : 2)) % 3;
         }
         block.counts.push_back(block.crossed.size() - old_size);
+        n_crossings += block.counts.back();
       }
     };
     if(!for_each_block_until_stopped(control, execution, n, block_size, trace))
-      return Traces();
+      return ERROR_STOPPED;
+    if(n_crossings > max_crossings)
+      return ERROR_TOO_LARGE_OVERLAY;
     result.ends.reserve(n);
     for(const Block& block : blocks)
     {
@@ -217,13 +257,13 @@ private:
       result.crossed.insert(result.crossed.end(), block.crossed.begin(), block.crossed.end());
       result.triangles.insert(result.triangles.end(), block.triangles.begin(), block.triangles.end());
     }
-    return result;
+    return OK;
   }
 
   // Numbers the crossings in the order along the edges of the first triangulation, and finds the numbers of those along
   // the edges of the second one. Two arcs of less than half a circle cross once at most. Returns false if the traces
-  // differ.
-  bool match(const Traces& first, const Traces& second, std::vector<Index>& crossings_of_second)
+  // differ, or the control ends it.
+  bool match(const Traces& first, const Traces& second, std::vector<Index>& crossings_of_second, Run_control& control)
   {
     if(first.crossed.size() != second.crossed.size())
       return false;
@@ -247,6 +287,8 @@ private:
     for(const Place& place : of_first)
       m_crossings.push_back({place[0], place[1]});
     std::sort(of_first.begin(), of_first.end());
+    if(!control.go_further(0, 0.))
+      return false;
     std::sort(of_second.begin(), of_second.end());
     crossings_of_second.resize(of_second.size());
     for(std::size_t k = 0; k < of_first.size(); ++k)
@@ -255,7 +297,7 @@ private:
         return false;
       crossings_of_second[of_second[k][2]] = static_cast<Index>(of_first[k][2]);
     }
-    return true;
+    return control.go_further(0, 0.);
   }
 
   bool make_cells(const Triangulation& first, const Triangulation& second, const Traces& traces_of_first,
@@ -292,6 +334,8 @@ private:
     };
     add_parts(first, traces_of_first, 0);
     add_parts(second, traces_of_second, 1);
+    if(!control.go_further(0, 0.))
+      return false;
 
     // Buckets for the triangles of the first triangulation, sorted by those of the second
     const std::size_t n = first.triangles().size();
@@ -316,8 +360,11 @@ private:
     m_cells.clear();
     m_corners.clear();
     m_corners.reserve(sorted.size());
+    Patience patience(control);
     for(std::size_t begin = 0, end = 0; begin < sorted.size(); begin = end)
     {
+      if(patience.has_ended())
+        return false;
       while(end < sorted.size() && sorted[end].parents == sorted[begin].parents)
         ++end;
       if(!add_cell(&sorted[begin], end - begin))
