@@ -17,6 +17,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <ctime>
 #include <limits>
 #include <random>
 #include <vector>
@@ -154,11 +155,28 @@ TEST(Triangles, have_the_exact_distance)
   }
 }
 
+// All needles around a vertex reach from it to the rim, so that boxes in general have each place in common.
+TEST(Triangles, around_a_vertex_of_high_degree_are_told_apart)
+{
+  const auto seconds = [](const Triangle_list& list) {
+    const Mesh mesh = make(list), other = make(scaled(list, 1., 1., 1.01));
+    SP::Surface_distance distance;
+    const std::clock_t begin = std::clock(); // of the processor
+    EXPECT_EQ(SP::measure_distance<CGAL::Sequential_tag>(mesh, other, distance), SP::OK);
+    return static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
+  };
+  // 20,480 faces each: 60 times as long were measured with upright boxes, and 1.7 times now.
+  EXPECT_LT(seconds(tilted(suspension(10240))), 6. * seconds(icosphere(5)));
+}
+
 TEST(Triangles, have_a_tree_that_finds_the_nearest_one)
 {
+  std::vector<Triangle_list> lists = {suspension(2000), tilted(suspension(2000))};
   for(const std::size_t n : {4u, 5u, 7u, 100u, 3001u})
+    lists.push_back(random_stacked_sphere(n, 1));
+  for(const Triangle_list& list : lists)
   {
-    const Mesh mesh = make(random_stacked_sphere(n, 1));
+    const Mesh mesh = make(list);
     SP::internal::Triangle_set set;
     ASSERT_EQ(set.read(mesh, mesh.points()), SP::OK);
     set.build(0);

@@ -111,7 +111,7 @@ public:
 
   double diagonal() const
   {
-    const Box& box = m_boxes[middle(0, m_order.size())];
+    const Box box = box_of(0, m_order.size(), [](const Vector_3d& p) { return p; });
     return length(box.max - box.min);
   }
 
@@ -141,45 +141,128 @@ public:
   }
 
 private:
+  using Frame = std::array<Vector_3d, 3>;
+
+  static Vector_3d in_frame(const Frame& frame, const Vector_3d& p)
+  {
+    return {dot(frame[0], p), dot(frame[1], p), dot(frame[2], p)};
+  }
+
   struct Box
   {
     Vector_3d min, max;
+    std::size_t frame = none; // in which it is upright, if that is not the coordinate system
 
-    double squared_distance_to(const Vector_3d& p) const
+    // half the area of its surface
+    double area() const
     {
-      Vector_3d d;
-      for(std::size_t i = 0; i < 3; ++i)
-        d[i] = (std::max)({min[i] - p[i], p[i] - max[i], 0.});
-      return squared_length(d);
+      const Vector_3d size = max - min;
+      return size[0] * size[1] + size[1] * size[2] + size[2] * size[0];
     }
   };
 
+  double squared_distance_to(const Box& box, const Vector_3d& p) const
+  {
+    const Vector_3d q = box.frame == none ? p : in_frame(m_frames[box.frame], p);
+    Vector_3d d;
+    for(std::size_t i = 0; i < 3; ++i)
+      d[i] = (std::max)({box.min[i] - q[i], q[i] - box.max[i], 0.});
+    return squared_length(d);
+  }
+
   // A balanced binary tree: ranges of `m_order`, halved as long as they are longer than `leaf_size`. Its boxes have the
   // numbers of the middles of their ranges, which differ as no half has less than two elements; longer leaves took longer.
-  static constexpr std::size_t leaf_size = 4;
+  static constexpr std::size_t leaf_size = 4, none = (std::numeric_limits<std::size_t>::max)();
   static std::size_t middle(std::size_t begin, std::size_t end) { return begin + (end - begin) / 2; }
 
-  void build(std::size_t begin, std::size_t end)
+  // The box of a range, by the coordinates of its corners in some frame.
+  template <class Coordinates>
+  Box box_of(std::size_t begin, std::size_t end, const Coordinates& coordinates) const
   {
     constexpr double max = (std::numeric_limits<double>::max)();
-    Box& box = m_boxes[middle(begin, end)] = {{max, max, max}, {-max, -max, -max}};
+    Box box = {{max, max, max}, {-max, -max, -max}, none};
     for(std::size_t k = begin; k < end; ++k)
-      for(const Vector_3d& p : m_triangles[m_order[k]])
+      for(const Vector_3d& corner : m_triangles[m_order[k]])
+      {
+        const Vector_3d p = coordinates(corner);
         for(std::size_t i = 0; i < 3; ++i)
         {
           box.min[i] = (std::min)(box.min[i], p[i]);
           box.max[i] = (std::max)(box.max[i], p[i]);
         }
+      }
+    return box;
+  }
+
+  // Lays the box of a range of needles along them. The upright boxes of needles around a vertex have most places in common, so
+  // that each query would look at most of them: 2.1 s for the distance of a double pyramid of degree 20,000 and its remesh,
+  // 0.09 s with boxes along needles.
+  void lay_along_needles(std::size_t begin, std::size_t end, Box& box)
+  {
+    constexpr double min_filling = 0.1; // of the surface of a box, by triangles; where these are no needles, it is more
+    constexpr double tolerance = 0x1p-50; // of coordinates of at most sqrt(3), for their rounding
+    double area = 0., longest = 0.;
+    Frame frame = {};
+    for(std::size_t k = begin; k < end; ++k)
+    {
+      const auto& t = m_triangles[m_order[k]];
+      const Vector_3d normal = cross(t[1] - t[0], t[2] - t[0]);
+      area += 0.5 * length(normal);
+      for(std::size_t i = 0; i < 3; ++i)
+      {
+        const Vector_3d edge = t[(i + 1) % 3] - t[i];
+        if(squared_length(edge) > longest && length(normal) > 0.)
+        {
+          longest = squared_length(edge);
+          frame[0] = edge;
+          frame[2] = normal;
+        }
+      }
+    }
+    if(area > min_filling * box.area() || !(longest > 0.))
+      return;
+    frame[0] = normalized(frame[0]);
+    frame[1] = cross(normalized(frame[2]), frame[0]);
+    if(!(squared_length(frame[1]) > 0.5)) // of a triangle that is an edge but for rounding
+      return;
+    frame[1] = normalized(frame[1]);
+    frame[2] = cross(frame[0], frame[1]);
+    Box laid = box_of(begin, end, [&](const Vector_3d& p) { return in_frame(frame, p); });
+    if(laid.area() > 0.5 * box.area())
+      return;
+    for(std::size_t i = 0; i < 3; ++i)
+    {
+      laid.min[i] -= tolerance;
+      laid.max[i] += tolerance;
+    }
+    laid.frame = m_frames.size();
+    m_frames.push_back(frame);
+    box = laid;
+  }
+
+  void build(std::size_t begin, std::size_t end)
+  {
+    Box& box = m_boxes[middle(begin, end)] = box_of(begin, end, [](const Vector_3d& p) { return p; });
+    lay_along_needles(begin, end, box);
     if(end - begin <= leaf_size)
       return;
-    const Vector_3d size = box.max - box.min;
+    // Halved where the centres, not the boxes, reach farthest: needles around a vertex all reach as far.
+    const auto center = [&](std::size_t t) { return m_triangles[t][0] + m_triangles[t][1] + m_triangles[t][2]; };
+    Vector_3d min = center(m_order[begin]), max = min;
+    for(std::size_t k = begin + 1; k < end; ++k)
+    {
+      const Vector_3d p = center(m_order[k]);
+      for(std::size_t i = 0; i < 3; ++i)
+      {
+        min[i] = (std::min)(min[i], p[i]);
+        max[i] = (std::max)(max[i], p[i]);
+      }
+    }
+    const Vector_3d size = max - min;
     const std::size_t axis = static_cast<std::size_t>(std::max_element(size.begin(), size.end()) - size.begin());
-    const auto center = [&](std::size_t t) {
-      return m_triangles[t][0][axis] + m_triangles[t][1][axis] + m_triangles[t][2][axis];
-    };
     std::size_t* const order = m_order.data();
     std::nth_element(order + begin, order + middle(begin, end), order + end,
-                     [&](std::size_t s, std::size_t t) { return center(s) < center(t); });
+                     [&](std::size_t s, std::size_t t) { return center(s)[axis] < center(t)[axis]; });
     build(begin, middle(begin, end));
     build(middle(begin, end), end);
   }
@@ -194,8 +277,8 @@ private:
       return;
     }
     const std::size_t m = middle(begin, end);
-    const double left = m_boxes[middle(begin, m)].squared_distance_to(p),
-                 right = m_boxes[middle(m, end)].squared_distance_to(p);
+    const double left = squared_distance_to(m_boxes[middle(begin, m)], p),
+                 right = squared_distance_to(m_boxes[middle(m, end)], p);
     if(left <= right && left < nearest)
       find_nearest(begin, m, p, nearest);
     if(right < nearest)
@@ -208,6 +291,7 @@ private:
   std::vector<double> m_areas; // of the triangles up to each; their numbers, if no triangle has an area
   std::vector<std::size_t> m_order;
   std::vector<Box> m_boxes;
+  std::vector<Frame> m_frames; // of the boxes that are not upright
 };
 
 } // namespace CGAL::Spherical_parameterization::internal
