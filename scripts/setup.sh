@@ -1,19 +1,20 @@
 #!/usr/bin/env bash
-# Usage: scripts/setup.sh [--tests]
+# Usage: scripts/setup.sh [--tests|--long-tests]
 #
-# Makes sure that what the program needs is installed; with --tests, what the tests need as well. On Debian and Ubuntu,
-# installs the packages that are missing. Elsewhere, says what to install. Does nothing where everything is in place.
+# Makes sure that what the program needs is installed; with --tests, what the tests need as well, and with --long-tests, what
+# scripts/test_long.sh does. On Debian and Ubuntu, installs the packages that are missing. Elsewhere, says what to install.
+# Does nothing where everything is in place.
 
 # shellcheck source-path=SCRIPTDIR source=common.sh
 . "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 
-[ $# -eq 0 ] || [ "$*" = --tests ] || fail "Usage: scripts/setup.sh [--tests]"
+[[ "$*" == @(|--tests|--long-tests) ]] || fail "Usage: scripts/setup.sh [--tests|--long-tests]"
 
 packages=(g++ make cmake libcgal-dev libcgal-demo libboost-program-options-dev libtbb-dev libeigen3-dev
   libpng-dev libopenexr-dev npm)
 components=(CGAL Boost TBB Eigen3)
 wanted="a C++17 compiler, CMake 3.18, CGAL 5.5, Boost.Program_options, TBB, Eigen, libpng, OpenEXR 3, Node.js 18 and npm"
-if [ "${1-}" = --tests ]; then
+if [ $# -gt 0 ]; then
   packages+=(git libgtest-dev libbenchmark-dev clang libclang-rt-dev llvm clang-format-14)
   packages+=(python3-numpy python3-matplotlib)
   packages+=(pybind11-dev python3-dev python3-pytest python3-pip python3-venv python3-setuptools python3-wheel)
@@ -21,6 +22,10 @@ if [ "${1-}" = --tests ]; then
   components+=(GTest benchmark)
   wanted="a C++17 compiler, CMake 3.18, CGAL 5.5, Boost.Program_options, TBB, Eigen, libpng, OpenEXR 3, Node.js 18, npm, GoogleTest, Google Benchmark, Clang"
   wanted+=" with its sanitizers, clang-format 14, Python with its headers, numpy, matplotlib, pybind11, pytest and pip, doxygen 1.9.4, BibTeX, LinkChecker and Chromium"
+fi
+if [ "${1-}" = --long-tests ]; then
+  packages+=(parallel slurm-wlm munge jq)
+  wanted+=", GNU parallel, Slurm with MUNGE and jq"
 fi
 
 is_installed() {

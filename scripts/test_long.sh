@@ -3,8 +3,8 @@
 #
 # What takes too long for scripts/test.sh, which is to be run first: 20,000 random triangulations instead of 500, other
 # tests with as many more repetitions, each header on its own, compile flags and compile errors, the benchmarks, all tests
-# under the sanitizer of addresses, every program in a CGAL tree, and each fuzzer for ten minutes. Takes about two hours on
-# two cores.
+# under the sanitizer of addresses, every program in a CGAL tree, the commands of the manual for cohorts, and each fuzzer for
+# ten minutes. Takes about two hours on two cores.
 
 # shellcheck source-path=SCRIPTDIR source=common.sh
 . "$(dirname "${BASH_SOURCE[0]}")/common.sh"
@@ -14,11 +14,13 @@
 trap say_verdict EXIT
 export SPHERICAL_PARAMETERIZATION_LONG_TESTS=1
 
+"$root/scripts/setup.sh" --long-tests
 run_stage "configure" cmake "$build" -DSPHERICAL_PARAMETERIZATION_QUICK_BUILD=OFF
 run_stage "build everything with optimization" cmake --build "$build" -j "$jobs"
 run_stage "long tests" ctest --test-dir "$build" --output-on-failure --no-tests=error -j "$jobs"
 "$root/scripts/test_sanitizers.sh" --all
 "$root/scripts/test_in_cgal_tree.sh"
+"$root/scripts/test_cohorts.sh"
 
 # What a fuzzer finds that is new stays in build/fuzz/NAME, what makes it fail beside the log.
 fuzz() {
