@@ -7,7 +7,8 @@ an `Error`.
 
 Functions take the three arrays in this order, without those that they do not need: as arguments where there is one surface,
 as a tuple ``(vertices, faces, sphere)`` for each where there are two. Settings are given by name. Functions that may take
-long have `threads`, and those that can be stopped `time_limit`, `callback` and `on_interrupt`.
+long have `threads`, the largest number of them, of which there are never more than cores; and those that can be stopped
+`time_limit`, `callback` and `on_interrupt`.
 
 >>> import spherical_parameterization as sp
 >>> sphere, report = sp.parameterize(vertices, faces)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import operator
+import sys
 from typing import Any, Callable, List, NoReturn, Optional, Sequence, Tuple
 
 import numpy as np
@@ -21,31 +22,46 @@ def refuse(message: str) -> NoReturn:
     raise Error(message, ErrorCode.WRONG_PARAMETER)
 
 
-def _rows_of_three(name: str, array: NDArray[Any], what: str) -> None:
-    if array.ndim != 2 or array.shape[1] != 3:
+def to_array(name: str, value: ArrayLike, columns: Optional[int] = None) -> NDArray[Any]:
+    """Returns it as an array: an empty list, which has neither a type nor columns, as one with `columns`, if that is given."""
+    if np.ma.is_masked(value):
+        refuse(f"{name} has masked values, which cannot be left out: fill them in, for example with filled()")
+    array = np.asarray(value)
+    return np.empty((0, columns), int) if columns and array.shape == (0,) else array
+
+
+def _rows(name: str, array: NDArray[Any], columns: int, what: str) -> None:
+    if array.ndim != 2 or array.shape[1] != columns:
         refuse(f"{name} has the shape {array.shape}; it has to be {what}")
 
 
 def read_points(name: str, value: ArrayLike, n: Optional[int] = None) -> NDArray[np.float64]:
     """Returns an array with `n` rows of three coordinates, the array itself if possible."""
-    array = np.asarray(value)
+    array = to_array(name, value, 3)
     if array.dtype.kind not in "fiu":
         raise TypeError(f"{name} has the type {array.dtype}; it has to hold real numbers")
-    _rows_of_three(name, array, "(n, 3): x, y and z in each row")
+    _rows(name, array, 3, "(n, 3): x, y and z in each row")
     if n is not None and len(array) != n:
         refuse(f"{name} has {len(array)} rows; it has to have {n}, one for each vertex")
     return np.ascontiguousarray(array, dtype=np.float64)
 
 
-def read_faces(name: str, value: ArrayLike) -> NDArray[np.int64]:
-    """Returns an array with rows of three vertices, the array itself if possible."""
-    array = np.asarray(value)
+def read_vertices(name: str, value: ArrayLike, columns: int, what: str) -> NDArray[np.int64]:
+    """Returns an array with rows of vertices, the array itself if possible."""
+    array = to_array(name, value, columns)
     if array.dtype.kind not in "iu":
         raise TypeError(f"{name} has the type {array.dtype}; it has to hold integers, the rows of vertices")
-    _rows_of_three(
-        name, array, "(m, 3): the three vertices of a triangle in each row (of PyVista, faces.reshape(-1, 4)[:, 1:])"
-    )
+    _rows(name, array, columns, what)
+    too_large = np.argwhere(array > np.iinfo(np.int64).max) if array.dtype == np.uint64 else ()
+    if len(too_large):
+        row, column = too_large[0]
+        refuse(f"{name}: row {row} has the vertex {array[row, column]}, and there are not so many.\n(Rows are counted from 0.)")
     return np.ascontiguousarray(array, dtype=np.int64)
+
+
+def read_faces(name: str, value: ArrayLike) -> NDArray[np.int64]:
+    what = "(m, 3): the three vertices of a triangle in each row (of PyVista, faces.reshape(-1, 4)[:, 1:])"
+    return read_vertices(name, value, 3, what)
 
 
 def read_surface(vertices: ArrayLike, faces: ArrayLike, sphere: ArrayLike, prefix: str = "") -> SurfaceArrays:
@@ -72,7 +88,7 @@ def read_features(
     features: Features, *surfaces: SurfaceArrays
 ) -> List[Tuple[NDArray[np.float64], NDArray[np.float64]]]:
     def read(name: str, value: ArrayLike, n: int) -> NDArray[np.float64]:
-        array = np.asarray(value)
+        array = to_array(name, value)
         if array.dtype.kind not in "fiu":
             raise TypeError(f"{name} has the type {array.dtype}; it has to hold real numbers")
         if array.shape != (n,):
@@ -99,9 +115,9 @@ def read_threads(threads: Optional[int]) -> int:
     if threads is None:
         return 0
     n = operator.index(threads)
-    if not 1 <= n < 2**31:
+    if n < 1:
         refuse(f"threads is {threads}; it has to be at least 1")
-    return n
+    return min(n, sys.maxsize)
 
 
 def read_max_vertices(max_vertices: Optional[int]) -> Optional[int]:

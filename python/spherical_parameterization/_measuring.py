@@ -236,7 +236,7 @@ def measure_distance(
     """
     n = operator.index(number_of_points)
     if not 1 <= n < 2**31:
-        refuse(f"number_of_points is {n}; it has to be at least 1")
+        refuse(f"number_of_points is {n}; it has to be from 1 to {2**31 - 1}")
     arrays = []
     for name, surface in (("surface1", surface1), ("surface2", surface2)):
         vertices, faces = read_tuple(name, surface, "vertices", "faces")

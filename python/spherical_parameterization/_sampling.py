@@ -17,6 +17,7 @@ from ._arguments import (
     read_threads,
     read_tuple,
     refuse,
+    to_array,
 )
 
 MAX_SUBDIVISION = 5000
@@ -42,7 +43,8 @@ class Locator:
     Notes
     -----
     A locator is made in linear time, unless long and narrow faces are crossed by many cells of its grid, and keeps some 42
-    bytes a face. It may be used by several threads of Python at once.
+    bytes a face. It may be used by several threads of Python at once. `pickle` keeps faces
+    and images, from which a copy, such as for another process, is made anew.
     """
 
     def __init__(self, faces: ArrayLike, sphere: ArrayLike, *, threads: Optional[int] = None) -> None:
@@ -220,7 +222,7 @@ def transfer(
     surface = read_named_surface("source", source)
     target_faces, target_sphere = read_tuple("target", target, "faces", "sphere")
     sphere_mesh = read_faces("target: faces", target_faces), read_points("target: sphere", target_sphere)
-    array = np.asarray(values)
+    array = to_array("values", values)
     n = len(surface[of == "faces"])
     if array.ndim == 0 or len(array) != n:
         refuse(f"values has the shape {array.shape}; it has to have {n} rows, one for each of the {of}")

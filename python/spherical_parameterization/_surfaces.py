@@ -7,7 +7,17 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _core
-from ._arguments import Features, Surface, read_features, read_max_vertices, read_run, read_threads, read_two_surfaces, refuse
+from ._arguments import (
+    Features,
+    Surface,
+    read_features,
+    read_max_vertices,
+    read_run,
+    read_threads,
+    read_two_surfaces,
+    read_vertices,
+    refuse,
+)
 
 
 @dataclass(frozen=True)
@@ -142,11 +152,9 @@ def map_surface(
     >>> values = sp.transfer(horse, (faces1, directions), values_of_horse)
     """
     surfaces = read_two_surfaces(surface1, surface2)
-    rows = np.asarray(np.empty((0, 2), int) if landmarks is None else landmarks)
-    if rows.dtype.kind not in "iu":
-        raise TypeError(f"landmarks has the type {rows.dtype}; it has to hold integers, the rows of vertices")
-    if rows.ndim != 2 or rows.shape[1] != 2:
-        refuse(f"landmarks has the shape {rows.shape}; it has to be (k, 2): a vertex of each surface in each row")
+    rows = read_vertices(
+        "landmarks", () if landmarks is None else landmarks, 2, "(k, 2): a vertex of each surface in each row"
+    )
     if landmark_weight is not None and not 0 < landmark_weight < np.inf:
         refuse(f"landmark_weight is {landmark_weight}; it has to be positive")
     if not 0 <= feature_weight < np.inf:
@@ -154,7 +162,7 @@ def map_surface(
     directions, report = _core.map_surface(
         *surfaces[0],
         *surfaces[1],
-        np.ascontiguousarray(rows, dtype=np.int64),
+        rows,
         None if landmark_weight is None else float(landmark_weight),
         read_features(features, *surfaces),
         float(feature_weight),

@@ -8,6 +8,7 @@
 
 #include <iterator>
 #include <limits>
+#include <memory>
 
 namespace Module {
 
@@ -52,6 +53,22 @@ public:
       }
     }
     return py::make_tuple(faces, coordinates);
+  }
+
+  /// returns what the locator is made of.
+  py::tuple parts() const
+  {
+    std::vector<std::array<std::uint32_t, 3>> triangles;
+    for(const Face_index f : m_mesh.faces())
+    {
+      const Mesh::Halfedge_index h = m_mesh.next(m_mesh.halfedge(f)); // from the first corner
+      triangles.push_back({m_mesh.source(h), m_mesh.target(h), m_mesh.target(m_mesh.next(h))});
+    }
+    Points sphere = new_points(m_mesh.number_of_vertices());
+    const Row_map<double> rows(sphere.mutable_data());
+    for(const Vertex_index v : m_mesh.vertices())
+      put(rows, v, m_mesh.point(v));
+    return py::make_tuple(to_array(triangles), sphere, m_threads);
   }
 
 private:
@@ -170,7 +187,15 @@ void define_locator(py::module_& module)
 {
   py::class_<Locator>(module, "Locator")
       .def(py::init<const Indices&, const Points&, std::size_t>(), py::call_guard<py::gil_scoped_release>())
-      .def("locate", &Locator::locate);
+      .def("locate", &Locator::locate)
+      .def(py::pickle([](const Locator& locator) { return locator.parts(); },
+                      [](const py::tuple& parts) {
+                        const auto faces = parts[0].cast<Indices>();
+                        const auto sphere = parts[1].cast<Points>();
+                        const auto threads = parts[2].cast<std::size_t>();
+                        const py::gil_scoped_release unlock;
+                        return std::make_unique<Locator>(faces, sphere, threads);
+                      }));
 }
 
 py::tuple remesh(const Points& vertices, const Indices& faces, const Points& sphere, const std::string& solid,
