@@ -608,6 +608,22 @@ TEST_F(Command_line, writes_geometry_images)
 #endif
 }
 
+#ifdef TEST_EXR
+TEST_F(Command_line, writes_no_image_of_what_its_numbers_cannot_hold)
+{
+  for(const double scale : {1e-50, 1e50})
+  {
+    write_off("scaled.off", test_meshes::scaled(test_meshes::icosphere(1), scale, scale, scale));
+    const Outcome outcome = run("scaled.off --geometry-image image.exr");
+    EXPECT_EQ(outcome.status, 1);
+    EXPECT_NE(outcome.err.find("image.exr: The values are too large, or all too small"), std::string::npos)
+        << outcome.err;
+    EXPECT_FALSE(fs::exists(path("image.exr")));
+    EXPECT_EQ(run("scaled.off --geometry-image image.png").status, 0);
+  }
+}
+#endif
+
 TEST_F(Command_line, writes_a_page)
 {
   const std::string name = "a<!--b.off";

@@ -32,6 +32,8 @@
 #include <utility>
 #include <vector>
 
+#include <sys/resource.h>
+
 using namespace test;
 
 namespace {
@@ -306,6 +308,66 @@ TEST(Png_image, is_refused_by_its_header)
   EXPECT_EQ(png.read(in, mesh), SP::ERROR_INVALID_IMAGE_SIZE);
 }
 
+// A file that the functions of libpng write with three channels, each pixel the same, and the texts
+std::string any_png(int bit_depth, int color_type, int interlace, int n_more_texts = 0)
+{
+  png_structp writer = png_create_write_struct(PNG_LIBPNG_VER_STRING, nullptr, nullptr, nullptr);
+  png_infop info = png_create_info_struct(writer);
+  std::ostringstream out;
+  png_set_write_fn(
+      writer, &out,
+      [](png_structp p, png_bytep data, std::size_t n) {
+        static_cast<std::ostream*>(png_get_io_ptr(p))->write(reinterpret_cast<char*>(data), std::streamsize(n));
+      },
+      [](png_structp) {});
+  png_set_IHDR(writer, info, 3, 3, bit_depth, color_type, interlace, PNG_COMPRESSION_TYPE_DEFAULT,
+               PNG_FILTER_TYPE_DEFAULT);
+  if(color_type == PNG_COLOR_TYPE_PALETTE)
+  {
+    const png_color black = {0, 0, 0};
+    png_set_PLTE(writer, info, &black, 1);
+  }
+  char keys[2][8] = {"Minimum", "Maximum"}, range[] = "1 2 3 4";
+  std::string long_text(99000, 'x'), key = "Comment";
+  std::vector<png_text> texts(2 + static_cast<std::size_t>(n_more_texts), png_text());
+  for(std::size_t k = 0; k < texts.size(); ++k)
+  {
+    texts[k].compression = k < 2 ? PNG_TEXT_COMPRESSION_NONE : PNG_TEXT_COMPRESSION_zTXt;
+    texts[k].key = k < 2 ? keys[k] : &key[0];
+    texts[k].text = k < 2 ? range : &long_text[0];
+    texts[k].text_length = k < 2 ? 7 : long_text.size();
+  }
+  png_set_text(writer, info, texts.data(), static_cast<int>(texts.size()));
+  png_write_info(writer, info);
+  std::vector<png_byte> row(3 * 8, 0);
+  for(int pass = png_set_interlace_handling(writer); pass > 0; --pass)
+    for(int y = 0; y < 3; ++y)
+      png_write_row(writer, row.data());
+  png_write_end(writer, nullptr);
+  png_destroy_write_struct(&writer, &info);
+  return out.str();
+}
+
+// Only one kind of file is no other program's.
+TEST(Png_image, has_three_channels_of_16_bits)
+{
+  const auto read = [](const std::string& content) {
+    std::istringstream in(content);
+    Mesh mesh;
+    return png.read(in, mesh);
+  };
+  EXPECT_EQ(read(any_png(16, PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE)), SP::OK);
+  EXPECT_EQ(read(any_png(16, PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE, 20)), SP::OK);
+  EXPECT_EQ(read(any_png(8, PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE)), SP::ERROR_INVALID_IMAGE_FILE);
+  EXPECT_EQ(read(any_png(16, PNG_COLOR_TYPE_RGB, PNG_INTERLACE_ADAM7)), SP::ERROR_INVALID_IMAGE_FILE);
+  EXPECT_EQ(read(any_png(16, PNG_COLOR_TYPE_RGBA, PNG_INTERLACE_NONE)), SP::ERROR_INVALID_IMAGE_SIZE);
+  EXPECT_EQ(read(any_png(16, PNG_COLOR_TYPE_GRAY, PNG_INTERLACE_NONE)), SP::ERROR_INVALID_IMAGE_SIZE);
+  EXPECT_EQ(read(any_png(8, PNG_COLOR_TYPE_PALETTE, PNG_INTERLACE_NONE)), SP::ERROR_INVALID_IMAGE_FILE);
+  const std::string packed = any_png(16, PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE, 900); // 89 MB of texts
+  EXPECT_LT(packed.size(), 300000u);
+  EXPECT_EQ(read(packed), SP::ERROR_INVALID_IMAGE_FILE);
+}
+
 // The width of the range is beyond that of numbers.
 TEST(Png_image, holds_the_largest_numbers)
 {
@@ -322,6 +384,20 @@ TEST(Png_image, holds_the_largest_numbers)
 #endif
 
 #ifdef TEST_EXR
+// How many more bytes of memory the program has had at once by the end of f() than before it, in rough
+template <class F>
+double additional_memory(const F& f)
+{
+  const auto peak = [] {
+    rusage usage;
+    getrusage(RUSAGE_SELF, &usage);
+    return 1024. * static_cast<double>(usage.ru_maxrss); // it is in kilobytes, but on macOS, where it is more then
+  };
+  const double before = peak();
+  f();
+  return peak() - before;
+}
+
 const Format exr = {
     [](auto& out, const auto&... arguments) { return SP::IO::write_EXR_geometry_image(out, arguments...); },
     [](auto& in, Mesh& mesh) { return SP::IO::read_EXR_geometry_image(in, mesh); },
@@ -344,23 +420,63 @@ TEST(Exr_image, is_refused_if_it_is_none)
     return SP::internal::write_exr(out, image) == SP::OK;
   });
 
-  Sampled large(SP::Sphere_domain_3::octahedron(1));
-  large.remesh.point(Vertex_index(0)) = Point_3(1e39, 0., 0.); // for a float
-  std::stringstream nothing;
-  EXPECT_EQ(exr.write(nothing, large.remesh, large.remesh.points()), SP::ERROR_NON_FINITE_COORDINATE);
-
-  // A size that is only claimed costs no memory.
+  // What is only claimed costs no memory.
   const Sampled sampled(SP::Sphere_domain_3::octahedron(3));
   std::stringstream file;
   ASSERT_EQ(exr.write(file, sampled.remesh, sampled.remesh.points()), SP::OK);
+  const auto bytes = [](const std::vector<std::int32_t>& numbers) {
+    return std::string(reinterpret_cast<const char*>(numbers.data()), 4 * numbers.size());
+  };
+  const auto attribute = [&](const std::string& name, const std::string& type, std::int32_t size) {
+    return name + '\0' + type + '\0' + bytes({size});
+  };
+  const auto changed = [&](const std::string& beginning, const std::string& values) {
+    std::string content = file.str();
+    return content.replace(content.find(beginning) + beginning.size(), values.size(), values);
+  };
+  const auto with_first = [&](const std::string& more) { return file.str().insert(8, more); };
+  const auto expect_refused = [&](const std::string& content, SP::Error_code error) {
+    Mesh mesh;
+    std::istringstream in(content);
+    EXPECT_LT(additional_memory([&] { EXPECT_EQ(exr.read(in, mesh), error); }), 5e7);
+  };
+  const std::string window = attribute("dataWindow", "box2i", 16);
+  expect_refused(changed(window, bytes({0, 0, 10000, 10000})), SP::ERROR_INVALID_IMAGE_FILE);
+  expect_refused(changed(window, bytes({0, 0, 100000000, 4})), SP::ERROR_INVALID_IMAGE_SIZE);
+  expect_refused(changed(window, bytes({-2147483647, -2147483647, 2147483647, 2147483647})),
+                 SP::ERROR_INVALID_IMAGE_SIZE);
+  expect_refused(with_first(attribute("preview", "preview", 4 * 300000000 + 8) + bytes({30000, 10000})),
+                 SP::ERROR_INVALID_IMAGE_FILE);
+  expect_refused(with_first(attribute("other", "mine", 2000000000)), SP::ERROR_INVALID_IMAGE_FILE);
+  std::string channels;
+  for(const char* const name : {"A", "B", "G", "R", "Z"})
+    channels += name + ('\0' + bytes({2, 0, 1, 1}));
   std::string content = file.str();
-  const std::string key = std::string("dataWindow") + '\0' + "box2i" + '\0';
-  const std::int32_t last = 10000;
-  for(const std::size_t i : {2u, 3u}) // the largest column and row
-    std::memcpy(&content[content.find(key) + key.size() + 4 * (1 + i)], &last, 4);
-  std::istringstream in(content);
-  Mesh mesh;
-  EXPECT_EQ(exr.read(in, mesh), SP::ERROR_INVALID_IMAGE_FILE);
+  const std::string old_channels = attribute("channels", "chlist", 3 * 18 + 1);
+  content.replace(content.find(old_channels), old_channels.size() + 3 * 18,
+                  attribute("channels", "chlist", 5 * 18 + 1) + channels);
+  expect_refused(content, SP::ERROR_INVALID_IMAGE_FILE);
+  content = file.str();
+  content[5] = 2; // tiles
+  expect_refused(content, SP::ERROR_INVALID_IMAGE_FILE);
+}
+
+// Silently, the surface would become a point, or be elsewhere.
+TEST(Exr_image, has_no_values_that_a_float_cannot_hold)
+{
+  const auto write = [](double scale) {
+    Sampled sampled(SP::Sphere_domain_3::octahedron(1));
+    for(const Vertex_index v : sampled.remesh.vertices())
+      sampled.remesh.point(v) = CGAL::ORIGIN + scale * (sampled.remesh.point(v) - CGAL::ORIGIN);
+    std::stringstream file;
+    const SP::Error_code error = exr.write(file, sampled.remesh, sampled.remesh.points());
+    EXPECT_EQ(error == SP::OK, !file.str().empty());
+    return error;
+  };
+  for(const double scale : {0., 1e-39, 1e-30, 1e30, 1e36})
+    EXPECT_EQ(write(scale), SP::OK) << scale;
+  for(const double scale : {1e-300, 1e-41, 1e37, 1e300})
+    EXPECT_EQ(write(scale), SP::ERROR_OUT_OF_FLOAT_RANGE) << scale;
 }
 #endif
 

@@ -185,9 +185,8 @@ public:
           [&](std::ostream& out) { m_match->write_morph(out, file_format(m_names.morph), m_options.morph_time); });
     if(m_files.image)
     {
-      const std::string format = file_format(m_names.image);
-      m_files.image->write([&](std::ostream& out) { m_image->write_image(out, format, false); });
-      m_files.image_of_normals->write([&](std::ostream& out) { m_image->write_image(out, format, true); });
+      m_files.image->write([&](std::ostream& out) { m_image->write_image(out, m_names.image, false); });
+      m_files.image_of_normals->write([&](std::ostream& out) { m_image->write_image(out, m_names.image, true); });
     }
     if(m_files.colored_surface)
       write_colors();

@@ -70,15 +70,16 @@ public:
     write_soup(out, format, std::vector<Point_3>(m_mesh.points().begin(), m_mesh.points().end()), triangles);
   }
 
-  /// writes a geometry image of the points, or of the normals; as an OpenEXR file or a PNG file.
+  /// writes a geometry image of the points, or of the normals; as an OpenEXR file or a PNG file, as its name says.
   ///
   /// \throws Program_error if that fails
-  void write_image(std::ostream& out, const std::string& format, bool shows_normals) const
+  void write_image(std::ostream& out, const std::string& name, bool shows_normals) const
   {
+    const std::string format = file_format(name);
     const SP::Error_code error =
         shows_normals ? write_image(out, format, m_normals) : write_image(out, format, m_mesh.points());
     if(error != SP::OK)
-      throw Program_error(SP::get_error_message(error));
+      throw Program_error(name, SP::get_error_message(error));
   }
 
   /// returns the domain that the options name.

@@ -45,6 +45,7 @@ enum [[nodiscard]] Error_code
   ERROR_INVALID_DOMAIN,                   ///< The domain is empty.
   ERROR_FOLDED_TEXTURE,                   ///< Texture triangles of extreme needles are turned over.
   ERROR_NO_GEOMETRY_IMAGE_MESH,           ///< The number of vertices is that of no geometry image.
+  ERROR_OUT_OF_FLOAT_RANGE,               ///< Values are too large, or all too small, for numbers of 32 bits.
   ERROR_CANNOT_WRITE_FILE,                ///< A file could not be written.
   ERROR_INVALID_IMAGE_FILE,               ///< A file is damaged, or no geometry image.
   ERROR_INVALID_IMAGE_SIZE,               ///< An image has not as many rows, columns or channels as a geometry image.
@@ -125,6 +126,10 @@ inline const char* get_error_message(Error_code error_code)
   case ERROR_NO_GEOMETRY_IMAGE_MESH:
     return "The mesh has not the vertices of a geometry image: make it by remeshing over an octahedron or a cube "
            "whose edges are divided.";
+  case ERROR_OUT_OF_FLOAT_RANGE:
+    return "The values are too large, or all too small, for the numbers of 32 bits of an OpenEXR file, which reach "
+           "from "
+           "1.2e-38 to 3.4e38: scale the surface first, or write a PNG file, which has no such limits.";
   case ERROR_CANNOT_WRITE_FILE:
     return "The file could not be written to its end: check that its folder is there and may be written to, and that "
            "there is space left.";

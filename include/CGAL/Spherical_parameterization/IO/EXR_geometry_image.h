@@ -25,15 +25,19 @@
 #include <ImfOutputFile.h>
 #include <ImfStdIO.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <exception>
 #include <istream>
 #include <iterator>
 #include <limits>
 #include <new>
 #include <ostream>
+#include <string>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Spherical_parameterization {
@@ -57,6 +61,16 @@ catch(const std::exception&)
   return failure;
 }
 
+// Whether floats hold these values: the largest one is neither beyond their range nor so small that it would lose digits.
+inline bool are_in_range_of_float(const std::vector<double>& values)
+{
+  double largest = 0.;
+  for(const double x : values)
+    largest = (std::max)(largest, std::abs(x));
+  using Limits = std::numeric_limits<float>;
+  return largest == 0. || (largest >= (Limits::min)() && largest <= (Limits::max)());
+}
+
 inline Error_code write_exr(std::ostream& out, const Geometry_image& image)
 {
   std::vector<float> pixels(image.values.begin(), image.values.end());
@@ -78,17 +92,54 @@ inline Error_code write_exr(std::ostream& out, const Geometry_image& image)
   return (out << stream.str()).fail() ? ERROR_CANNOT_WRITE_FILE : OK;
 }
 
-// What is kept is at most what there is: a size that a file only claims costs no memory.
+// Whether this is the beginning of a file of one image in scan lines whose header ends within the file: OpenEXR makes room
+// for attributes that are as long as they claim to be, and for tiles.
+inline bool begins_as_exr(const std::string& file)
+{
+  constexpr std::size_t size_of_beginning = 8; // a number that is always the same, the version 2, and flags
+  constexpr char long_names = 4;               // is the flag of a file that is read
+  if(file.size() < size_of_beginning || file.compare(0, 5, "\x76\x2F\x31\x01\x02") != 0 || (file[5] & ~long_names) != 0)
+    return false;
+  std::size_t i = size_of_beginning;
+  while(i < file.size() && file[i] != '\0')
+  {
+    for(int k = 0; k < 2; ++k) // the name of an attribute, and its type
+      i = (std::min)(file.find('\0', i), file.size()) + 1;
+    std::uint32_t size = 0;
+    for(std::size_t k = 4; k-- > 0;)
+      size = size << 8 | (i + k < file.size() ? static_cast<unsigned char>(file[i + k]) : 255u);
+    i += 4 + std::size_t(size);
+  }
+  return i < file.size();
+}
+
+// What the header decides is decided before OpenEXR makes room for any pixels, and what is kept is at most what there is.
 inline Error_code read_exr(std::istream& in, Geometry_image& image)
 {
+  std::string content{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+  if(!begins_as_exr(content))
+    return ERROR_INVALID_IMAGE_FILE;
   Imf::StdISStream stream;
-  stream.str({std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()});
-  Imf::InputFile file(stream);
-  const Imath::Box2i window = file.header().dataWindow();
-  image.width = static_cast<std::size_t>(window.max.x - window.min.x + 1);
-  image.height = static_cast<std::size_t>(window.max.y - window.min.y + 1);
+  stream.str(std::move(content));
+  stream.seekg(8);
+  Imf::Header header;
+  int version = 2;
+  header.readFrom(stream, version);
+  const Imath::Box2i window = header.dataWindow();
+  image.width = static_cast<std::size_t>(std::int64_t(window.max.x) - window.min.x + 1);
+  image.height = static_cast<std::size_t>(std::int64_t(window.max.y) - window.min.y + 1);
   if(!Geometry_image_layout::is_size(image.width, image.height))
     return ERROR_INVALID_IMAGE_SIZE;
+  std::size_t n_channels = 0;
+  for(auto channel = header.channels().begin(); channel != header.channels().end(); ++channel)
+    ++n_channels;
+  constexpr std::size_t max_channels = 4; // each takes memory, and programs add none but the one for opacity
+  for(const char* const name : exr_channels)
+    if(n_channels > max_channels || !header.channels().findChannel(name))
+      return ERROR_INVALID_IMAGE_FILE;
+
+  stream.seekg(0);
+  Imf::InputFile file(stream);
   if(!file.isComplete())
     return ERROR_INVALID_IMAGE_FILE;
   std::vector<float> row(3 * image.width);
@@ -97,8 +148,6 @@ inline Error_code read_exr(std::istream& in, Geometry_image& image)
     Imf::FrameBuffer buffer;
     for(std::size_t i = 0; i < 3; ++i)
     {
-      if(!file.header().channels().findChannel(exr_channels[i]))
-        return ERROR_INVALID_IMAGE_FILE;
       constexpr std::size_t stride = 3 * sizeof(float);
       char* const base = reinterpret_cast<char*>(&row[i]) - window.min.x * static_cast<std::ptrdiff_t>(stride);
       buffer.insert(exr_channels[i], Imf::Slice(Imf::FLOAT, base, stride, 0));
@@ -124,16 +173,16 @@ namespace IO {
 ///
 /// The parameters `out`, `remesh` and `map`, of types `TriangleMesh` and `VertexMap`, are those of `write_PNG_geometry_image()`.
 ///
-/// \return what `write_PNG_geometry_image()` returns; `ERROR_NON_FINITE_COORDINATE` also of what is beyond the range of `float`
+/// \return what `write_PNG_geometry_image()` returns; `ERROR_OUT_OF_FLOAT_RANGE` if a value is beyond the range of `float`, or
+///         none is 0 or within it
 template <class TriangleMesh, class VertexMap>
 Error_code write_EXR_geometry_image(std::ostream& out, const TriangleMesh& remesh, VertexMap map)
 {
   internal::Geometry_image image;
   if(const Error_code error = internal::make_geometry_image(remesh, map, image))
     return error;
-  for(const double x : image.values)
-    if(std::abs(x) > (std::numeric_limits<float>::max)())
-      return ERROR_NON_FINITE_COORDINATE;
+  if(!internal::are_in_range_of_float(image.values))
+    return ERROR_OUT_OF_FLOAT_RANGE;
   return internal::without_exceptions(ERROR_CANNOT_WRITE_FILE, [&] { return internal::write_exr(out, image); });
 }
 
@@ -144,8 +193,8 @@ Error_code write_EXR_geometry_image(std::ostream& out, const TriangleMesh& remes
 ///
 /// The parameters `in` and `tmesh`, of a type `TriangleMesh`, are those of `read_PNG_geometry_image()`.
 ///
-/// \return what `read_PNG_geometry_image()` returns; `ERROR_INVALID_IMAGE_FILE` if the file is damaged, or lacks the channels
-///         R, G and B
+/// \return what `read_PNG_geometry_image()` returns; `ERROR_INVALID_IMAGE_FILE` if the file is damaged, is not an image in scan
+///         lines, lacks the channels R, G and B, or has more than one beside them
 template <class TriangleMesh>
 Error_code read_EXR_geometry_image(std::istream& in, TriangleMesh& tmesh)
 {

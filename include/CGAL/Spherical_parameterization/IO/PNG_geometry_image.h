@@ -93,8 +93,9 @@ public:
       constexpr png_uint_32 max_width = 2 * max_subdivision + 1;
       png_set_read_fn(m_png, this, get);
       png_set_user_limits(m_png, max_width, 6 * max_width);
-      png_set_chunk_malloc_max(m_png, 1000000); // bytes: the texts are short
-      png_set_benign_errors(m_png, 0);          // or that limit would be a warning
+      png_set_chunk_malloc_max(m_png, 100000); // bytes: the texts are short
+      png_set_chunk_cache_max(m_png, 100);     // texts: each may be packed to a thousandth of its size
+      png_set_benign_errors(m_png, 0);         // or these limits would be warnings
       png_read_info(m_png, m_info);
     };
     if(!m_info || !is_done(read_header))
