@@ -271,6 +271,33 @@ TEST_F(Ply_files, keep_the_properties_that_have_a_name_of_their_own)
   EXPECT_EQ(result.substr(result.size() - 4), "\x01\xff\x03\x04");
 }
 
+TEST_F(Ply_files, tell_what_is_no_feature)
+{
+  const std::vector<std::vector<double>> n(4, {3});
+  Ply_element v = vertices(), f = faces();
+  v.properties.insert(
+      v.properties.end(),
+      {{"list uchar float", "weights", n}, {"float", "nx", n}, {"uchar", "red", n}, {"double", "depth", n}});
+  write("values.ply", ply_file("binary_little_endian", {v, edges(), faces()}));
+  v = vertices();
+  v.properties.push_back({"float", "width", n});
+  write("other.ply", ply_file("ascii", {v, faces()}));
+  const Outcome outcome =
+      run("corner.off --onto corner.off --features values.ply other.ply -o result.off --method hierarchical --quiet");
+  EXPECT_EQ(outcome.status, 0);
+  std::string warnings;
+  for(const char* what :
+      {"values.ply: not compared: the list 'weights' of 'vertex'", "values.ply: not compared: the elements 'edge'",
+       "values.ply: not compared: the property 'nx' of the vertices, as normals turn with the surface",
+       "values.ply: not compared: the property 'red' of the vertices, whose type is neither float nor double",
+       "values.ply: not compared: the property 'label' of the faces",
+       "values.ply: not compared: the property 'depth' of the vertices, which other.ply has not",
+       "other.ply: not compared: the property 'label' of the faces",
+       "other.ply: not compared: the property 'width' of the vertices, which values.ply has not"})
+    warnings += what + std::string("\n");
+  EXPECT_EQ(outcome.err, warnings);
+}
+
 TEST_F(Ply_files, are_refused_with_the_place_and_the_reason)
 {
   for(const std::string& format : formats)
@@ -299,6 +326,10 @@ TEST_F(Ply_files, are_refused_with_the_place_and_the_reason)
                  "line 12: a number of 'vertex' 1 is not in the range of its type: -129");
   expect_refused(with("property int a\n", "nan"),
                  "line 12: a number of 'vertex' 1 should be a whole number, not 'nan'");
+  expect_refused(with("property float a\n", "1e39"),
+                 "line 12: a number of 'vertex' 1 is not in the range of its type: 1e+39");
+  expect_refused(with("property double a\n", "-1e309"),
+                 "line 12: a number of 'vertex' 1 is too large, beyond 1.8e308: '-1e309'");
   expect_refused(with("property float a\n", ""), "line 12: a number of 'vertex' 1 is missing");
   expect_refused(with("property float a\n", "2\ncomment here"),
                  "line 13: a number of 'vertex' 2 is not a number: 'comment'");

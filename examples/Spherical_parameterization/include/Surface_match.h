@@ -9,8 +9,8 @@
 #include "Progress_visitor.h"
 #include "mesh_files.h"
 #include "read_soup.h"
-#include "readers/Scanner.h"
 #include "run_method.h"
+#include "surface_hints.h"
 #include "write_soup.h"
 
 #include <CGAL/Spherical_parameterization/Sphere_locator_3.h>
@@ -26,12 +26,10 @@
 #include <cstring>
 #include <functional>
 #include <iterator>
-#include <map>
 #include <optional>
 #include <ostream>
 #include <sstream>
 #include <string>
-#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -116,10 +114,11 @@ public:
 
   const SP::Surface_overlay_3<Mesh, Mesh>& overlay() const { return m_overlay; }
 
-  /// returns what is to be said of the landmarks that are missed, a line each, empty if there is none.
+  /// returns what is to be said of properties that are no features, and of landmarks that are missed, a line each, empty if
+  /// there is none.
   std::string warnings() const
   {
-    std::string text;
+    std::string text = m_left_out;
     if(m_is_soft)
       return text;
     for(std::size_t k = 0; k < report.landmark_distances.size(); ++k)
@@ -209,45 +208,13 @@ private:
     out.write(bytes, sizeof(T));
   }
 
-  // A landmark, and the line where it is.
-  struct Landmark
-  {
-    std::size_t line;
-    Vertex_index vertex;
-  };
-
-  // A vertex a line, counted from 0; what follows on the line is not looked at.
-  static std::vector<Landmark> read_vertices(const std::string& name, const Mesh& mesh)
-  {
-    std::vector<Landmark> result;
-    std::map<std::size_t, std::size_t> lines; // of the vertices
-    const std::size_t n = mesh.number_of_vertices();
-    read_named(name, [&] {
-      Scanner in(read_file(name));
-      while(in.next_line())
-      {
-        const std::string_view word = in.read_word();
-        if(word.find_first_not_of("0123456789") != word.npos)
-          in.fail(Scanner::quoted(word), " is no number of a vertex. (Vertices are counted from 0.)");
-        std::size_t v = 0;
-        for(const char c : word)
-          v = v < n ? 10 * v + static_cast<std::size_t>(c - '0') : n;
-        if(v >= n)
-          in.fail("the mesh has no vertex ", word, ", but those from 0 to ", n - 1);
-        if(mesh.is_isolated(Vertex_index(static_cast<Mesh::size_type>(v))))
-          in.fail("vertex ", v, " has no face");
-        if(!lines.emplace(v, in.line_number()).second)
-          in.fail("vertex ", v, " is a landmark already, in line ", lines[v]);
-        result.push_back({in.line_number(), Vertex_index(static_cast<Mesh::size_type>(v))});
-      }
-    });
-    return result;
-  }
-
   std::vector<Mapper::Landmark> read_landmarks(const Program_options& options)
   {
-    const std::vector<Landmark> first = read_vertices(options.landmark_files[0], m_first),
-                                second = read_vertices(options.landmark_files[1], m_second);
+    const auto read = [](const std::string& name, const Mesh& mesh) {
+      return read_named(name, [&] { return parse_landmarks(read_file(name), mesh); });
+    };
+    const std::vector<Landmark> first = read(options.landmark_files[0], m_first),
+                                second = read(options.landmark_files[1], m_second);
     if(first.size() != second.size())
       throw Program_error(options.landmark_files[1], "has " + std::to_string(second.size()) + " landmarks, but " +
                                                          printable(options.landmark_files[0]) + " has " +
@@ -265,40 +232,34 @@ private:
     return result;
   }
 
-  // The properties of the vertices of a PLY file of type float or double, but for normals, which turn with the surface.
-  static std::map<std::string, std::vector<double>> read_scalars(const std::string& name, const Mesh& mesh)
+  std::vector<Mapper::Feature> read_features(const Program_options& options)
   {
-    Polygon_soup soup = read_soup(name, true);
-    if(soup.points.size() != mesh.number_of_vertices())
-      throw Program_error(name, "has no features for the mesh: it has " + std::to_string(soup.points.size()) +
-                                    " vertices, the mesh has " + std::to_string(mesh.number_of_vertices()));
-    std::map<std::string, std::vector<double>> result;
-    for(Values& values : soup.values_of_vertices)
-      if(values.has_fractions() && !is_among(values.name, {"nx", "ny", "nz"}))
-      {
-        for(std::size_t v = 0; v < values.numbers.size(); ++v)
-          if(!std::isfinite(values.numbers[v]))
-            throw Program_error(name, "the property " + printable(values.name) + " of vertex " + std::to_string(v) +
-                                          " is infinite or not a number. (Vertices are counted from 0.)");
-        result[values.name] = std::move(values.numbers);
-      }
-    return result;
-  }
-
-  std::vector<Mapper::Feature> read_features(const Program_options& options) const
-  {
+    const auto read = [](const std::string& name, const Mesh& mesh) {
+      Polygon_soup soup = read_soup(name, true);
+      return read_named(name, [&] { return features_of(std::move(soup), mesh.number_of_vertices()); });
+    };
+    const std::string &name1 = options.feature_files[0], &name2 = options.feature_files[1];
+    File_features first = read(name1, m_first), second = read(name2, m_second);
     std::vector<Mapper::Feature> result;
-    auto first = read_scalars(options.feature_files[0], m_first),
-         second = read_scalars(options.feature_files[1], m_second);
-    for(auto& [name, values] : first)
-      if(const auto other = second.find(name); other != second.end())
+    for(auto& [name, values] : first.values)
+      if(const auto other = second.values.find(name); other != second.values.end())
+      {
         result.emplace_back([values = std::move(values)](Vertex_index v) { return values[v]; },
                             [values = std::move(other->second)](Vertex_index v) { return values[v]; });
+        second.values.erase(other);
+      }
+      else
+        first.left_out.push_back("the property '" + printable(name) + "' of the vertices, which " + printable(name2) +
+                                 " has not");
+    for(const auto& property : second.values)
+      second.left_out.push_back("the property '" + printable(property.first) + "' of the vertices, which " +
+                                printable(name1) + " has not");
     if(result.empty())
-      throw Program_error(options.feature_files[1],
-                          "has no property of vertices, of type float or double, that has the "
-                          "name of one in " +
-                              printable(options.feature_files[0]));
+      throw Program_error(name2, "has no property of vertices, of type float or double, that has the name of one in " +
+                                     printable(name1));
+    for(const auto& [name, left_out] : {std::pair(name1, first.left_out), std::pair(name2, second.left_out)})
+      for(const std::string& what : left_out)
+        m_left_out += printable(name) + ": not compared: " + what + '\n';
     return result;
   }
 
@@ -309,6 +270,7 @@ private:
   Sphere_map m_directions;
   SP::Surface_overlay_3<Mesh, Mesh> m_overlay;
   std::vector<std::string> m_landmark_names;
+  std::string m_left_out; // of the files of features
   bool m_is_soft = false;
 };
 

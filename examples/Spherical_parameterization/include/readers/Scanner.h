@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <cmath>
 #include <cstddef>
 #include <cstdlib>
 #include <cstring>
@@ -88,9 +89,12 @@ public:
     if(is_at_end_of_line())
       fail(name..., " is missing");
     char* end = m_cursor;
+    errno = 0;
     const double x = std::strtod(m_cursor, &end);
     if(end == m_cursor || !is_end_of_word(*end))
       fail(name..., " is not a number: ", quoted(m_cursor));
+    if(errno == ERANGE && std::abs(x) > 1.) // or it is smaller than any number, and 0
+      fail(name..., " is too large, beyond 1.8e308: ", quoted(m_cursor));
     m_cursor = end;
     return x;
   }

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -67,7 +68,10 @@ private:
       return std::visit(
           [x](auto any) {
             using Limits = std::numeric_limits<decltype(any)>;
-            return !Limits::is_integer || (x >= double((Limits::min)()) && x <= double((Limits::max)()));
+            if constexpr(Limits::is_integer)
+              return x >= double((Limits::min)()) && x <= double((Limits::max)());
+            else
+              return !std::isfinite(x) || std::abs(x) <= double((Limits::max)());
           },
           number);
     }

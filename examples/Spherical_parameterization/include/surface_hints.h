@@ -1,0 +1,95 @@
+#ifndef CGAL_SPHERICAL_PARAMETERIZATION_EXAMPLES_SURFACE_HINTS_H
+#define CGAL_SPHERICAL_PARAMETERIZATION_EXAMPLES_SURFACE_HINTS_H
+
+#include "Input_mesh.h"
+#include "Polygon_soup.h"
+#include "Program_error.h"
+#include "mesh_files.h"
+#include "readers/Scanner.h"
+
+#include <cmath>
+#include <cstddef>
+#include <map>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace Program {
+
+/// A vertex that corresponds to one of another surface, and the line of its file where it is.
+struct Landmark
+{
+  std::size_t line;
+  Vertex_index vertex;
+};
+
+/// reads the content of a file of landmarks: a vertex a line, counted from 0; what follows on the line is not looked at.
+///
+/// \throws Program_error if one is no vertex of a face, or there twice
+inline std::vector<Landmark> parse_landmarks(std::string content, const Mesh& mesh)
+{
+  std::vector<Landmark> result;
+  std::map<std::size_t, std::size_t> lines; // of the vertices
+  const std::size_t n = mesh.number_of_vertices();
+  Scanner in(std::move(content));
+  while(in.next_line())
+  {
+    const std::string_view word = in.read_word();
+    if(word.find_first_not_of("0123456789") != word.npos)
+      in.fail(Scanner::quoted(word), " is no number of a vertex. (Vertices are counted from 0.)");
+    std::size_t v = 0;
+    for(const char c : word)
+      v = v < n ? 10 * v + static_cast<std::size_t>(c - '0') : n;
+    if(v >= n)
+      in.fail("the mesh has no vertex ", word, ", but those from 0 to ", n - 1);
+    if(mesh.is_isolated(Vertex_index(static_cast<Mesh::size_type>(v))))
+      in.fail("vertex ", v, " has no face");
+    if(!lines.emplace(v, in.line_number()).second)
+      in.fail("vertex ", v, " is a landmark already, in line ", lines[v]);
+    result.push_back({in.line_number(), Vertex_index(static_cast<Mesh::size_type>(v))});
+  }
+  return result;
+}
+
+/// What surfaces can be aligned by of all that a PLY file holds.
+struct File_features
+{
+  std::map<std::string, std::vector<double>> values; ///< of the vertices, by the name of the property
+  Words left_out;                                    ///< in words, the rest
+};
+
+/// takes the features from a file for a mesh: the properties of vertices of type float or double, but normals.
+///
+/// \throws Program_error if they are not those of as many vertices, or not finite
+inline File_features features_of(Polygon_soup soup, std::size_t n_vertices)
+{
+  if(soup.points.size() != n_vertices)
+    throw Program_error("has no features for the mesh: it has " + std::to_string(soup.points.size()) +
+                        " vertices, the mesh has " + std::to_string(n_vertices));
+  File_features result;
+  result.left_out = std::move(soup.left_out);
+  for(Values& values : soup.values_of_vertices)
+  {
+    const std::string name = "the property '" + printable(values.name) + "' of the vertices";
+    const bool is_of_normals = is_among(values.name, {"nx", "ny", "nz"});
+    if(is_of_normals || !values.has_fractions())
+    {
+      result.left_out.push_back(
+          name + (is_of_normals ? ", as normals turn with the surface" : ", whose type is neither float nor double"));
+      continue;
+    }
+    for(std::size_t v = 0; v < values.numbers.size(); ++v)
+      if(!std::isfinite(values.numbers[v]))
+        throw Program_error("the property " + printable(values.name) + " of vertex " + std::to_string(v) +
+                            " is infinite or not a number. (Vertices are counted from 0.)");
+    result.values[values.name] = std::move(values.numbers);
+  }
+  for(const Values& values : soup.values_of_faces)
+    result.left_out.push_back("the property '" + printable(values.name) + "' of the faces");
+  return result;
+}
+
+} // namespace Program
+
+#endif // CGAL_SPHERICAL_PARAMETERIZATION_EXAMPLES_SURFACE_HINTS_H
