@@ -43,8 +43,8 @@ class Locator:
     Notes
     -----
     A locator is made in linear time, unless long and narrow faces are crossed by many cells of its grid, and keeps some 42
-    bytes a face. It may be used by several threads of Python at once. `pickle` keeps faces
-    and images, from which a copy, such as for another process, is made anew.
+    bytes a face. It may be used by several threads of Python at once. `pickle` keeps faces and images, from which a
+    copy, such as for another process, is made anew.
     """
 
     def __init__(self, faces: ArrayLike, sphere: ArrayLike, *, threads: Optional[int] = None) -> None:

@@ -31,7 +31,7 @@ class SurfaceMapReport:
         isometry, up to scale.
     is_energy_sampled : bool
         Whether it has been measured at places in each face instead, as the refinement has more vertices than `overlay` makes
-        by default. That leaves out a part of what is near vertices, some ten percent of the energy.
+        by default. That misses a part of what is near vertices: 5 to 15 percent of the energy where both were measured.
     agreement : float
         How well features agree after the spheres have been aligned, a correlation, at most 1; 0 if landmarks aligned them.
     margin : float

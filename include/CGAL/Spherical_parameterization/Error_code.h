@@ -111,9 +111,9 @@ inline const char* get_error_message(Error_code error_code)
   case ERROR_TOO_LARGE_MESH:
     return "The mesh has more than 700 million faces, which is more than 32-bit indices can count: simplify it first.";
   case ERROR_TOO_LARGE_OVERLAY:
-    return "The common refinement of the two surfaces has more vertices than are allowed, as where vertices of high "
-           "degree "
-           "meet, or long and narrow faces: allow more if there is memory for them, or remesh one of the surfaces.";
+    return "The common refinement of the two surfaces has more vertices than are allowed, as where vertices of "
+           "high degree meet, or long and narrow faces: allow more if there is memory for them, or remesh one of the "
+           "surfaces.";
   case ERROR_INVALID_DIRECTION:
     return "A direction is zero, infinite or not a number, or two directions are parallel that must not be: leave it "
            "out, or repair what computes it.";
@@ -127,9 +127,8 @@ inline const char* get_error_message(Error_code error_code)
     return "The mesh has not the vertices of a geometry image: make it by remeshing over an octahedron or a cube "
            "whose edges are divided.";
   case ERROR_OUT_OF_FLOAT_RANGE:
-    return "The values are too large, or all too small, for the numbers of 32 bits of an OpenEXR file, which reach "
-           "from "
-           "1.2e-38 to 3.4e38: scale the surface first, or write a PNG file, which has no such limits.";
+    return "The values are too large, or all too small, for the numbers of 32 bits of an OpenEXR file, which "
+           "reach from 1.2e-38 to 3.4e38: scale the surface first, or write a PNG file, which has no such limits.";
   case ERROR_CANNOT_WRITE_FILE:
     return "The file could not be written to its end: check that its folder is there and may be written to, and that "
            "there is space left.";

@@ -91,9 +91,8 @@ bool measure_energy_between(const Located_surface<K>& first, const std::vector<V
       overlay.assign(sphere, first.points, second.sphere, second.points, max_vertices, control, execution);
   if(error == OK)
   {
-    constexpr double smallest_area = 1e-10; // as measure_distortion_between() has it
     const Weighted_statistics measured =
-        distortion_between(overlay.triangles.size(), smallest_area, [&](std::size_t k, std::size_t surface) {
+        distortion_between(overlay.triangles.size(), default_smallest_area, [&](std::size_t k, std::size_t surface) {
           const auto& t = overlay.triangles[k];
           const std::vector<Vector_3d>& points = overlay.points[surface];
           return std::array<Vector_3d, 3>{points[t[0]], points[t[1]], points[t[2]]};
@@ -216,8 +215,10 @@ std::vector<Vector_3d> find_surface_map(const Surface& mesh, const Located_surfa
     // The averaged metric moves even the identity: only the surfaces themselves tell whether that has helped.
     Energy_between lowered_energy;
     const bool is_bijection = measure_energy_between(first, lowered, second, lowered_energy, control, execution);
+    // Samples find less than the refinement, and cannot be compared with it.
     const bool is_better =
-        !agrees_as_it_is || (energy.value && lowered_energy.value && *lowered_energy.value < *energy.value);
+        !agrees_as_it_is || (energy.value && lowered_energy.value && energy.is_sampled == lowered_energy.is_sampled &&
+                             *lowered_energy.value < *energy.value);
     if(is_bijection && is_better)
     {
       energy = lowered_energy;

@@ -74,7 +74,7 @@ public:
       {
         const Linked_triangle& t = images.triangles()[places[k].triangle];
         const std::array<Vector_3d, 3> x = {scale * points[t[0]], scale * points[t[1]], scale * points[t[2]]};
-        const std::array<Vector_3d, 3> p = corners(images, t);
+        const std::array<Vector_3d, 3> p = images.corners(t);
         const auto& q = directions[k];
         finest.samples[k] = texel(sample_of(p, x, normalized(Vector_3d{q.x(), q.y(), q.z()})));
       }
@@ -135,26 +135,6 @@ private:
       return mixed(place.nodes(), place.weights());
     }
   };
-
-  // The images of a triangle, scaled together by a power of two: their lengths count, as they do for all that locates.
-  template <class K>
-  static std::array<Vector_3d, 3> corners(const Sphere_triangulation<K>& images, const Linked_triangle& t)
-  {
-    std::array<Vector_3d, 3> result;
-    double size = 0.;
-    for(std::size_t i = 0; i < 3; ++i)
-    {
-      const auto& p = images.points()[t[i]];
-      result[i] = {p.x(), p.y(), p.z()};
-      size = (std::max)({size, std::abs(p.x()), std::abs(p.y()), std::abs(p.z())});
-    }
-    int exponent;
-    std::frexp(size, &exponent);
-    for(Vector_3d& p : result)
-      for(double& x : p)
-        x = std::ldexp(x, -exponent);
-    return result;
-  }
 
   static Texel texel(const Metric_sample& s)
   {

@@ -200,7 +200,9 @@ private:
   void lay_along_needles(std::size_t begin, std::size_t end, Box& box)
   {
     constexpr double min_filling = 0.1; // of the surface of a box, by triangles; where these are no needles, it is more
-    constexpr double tolerance = 0x1p-50; // of coordinates of at most sqrt(3), for their rounding
+    // More than rounding changes: coordinates of a corner and of a query, each by 5.2 * 2^-53, and distances of at most 4 units,
+    // as the frame is orthonormal but for some units of 2^-53.
+    constexpr double tolerance = 0x1p-47;
     double area = 0., longest = 0.;
     Frame frame = {};
     for(std::size_t k = begin; k < end; ++k)

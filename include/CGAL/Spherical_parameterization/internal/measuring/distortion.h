@@ -258,6 +258,10 @@ struct Measured_map
   std::size_t number_of_slivers = 0;
 };
 
+// The share of the area of a surface below which a part of it is a sliver: of those that ties or rounding make, nothing can be
+// said.
+constexpr double default_smallest_area = 1e-10; // as measure_distortion_between() has it
+
 // The distortion of a map that is linear in each of n triangles: corners_of(k, surface) are those of triangle k. What has a
 // share of at most `smallest_area` of the area of a surface is a sliver and left out. If nothing is left, as where a surface
 // has no area, all measures are infinite.

@@ -30,27 +30,6 @@
 
 namespace CGAL::Spherical_parameterization::internal {
 
-// The images of the corners of a triangle, scaled by a power of two, which is exact, so that no product of their coordinates
-// overflows or underflows.
-template <class K>
-std::array<Vector_3d, 3> images_of_corners(const Sphere_triangulation<K>& sphere, const Linked_triangle& t)
-{
-  std::array<Vector_3d, 3> result;
-  double size = 0.;
-  for(std::size_t i = 0; i < 3; ++i)
-  {
-    const auto& p = sphere.points()[t[i]];
-    result[i] = {p.x(), p.y(), p.z()};
-    size = (std::max)({size, std::abs(p.x()), std::abs(p.y()), std::abs(p.z())});
-  }
-  const int exponent = std::ilogb(size);
-  if(exponent != 0 && exponent != -1) // as they are with unit vectors
-    for(Vector_3d& p : result)
-      for(double& x : p)
-        x = std::scalbn(x, -exponent);
-  return result;
-}
-
 // What a map to a surface makes of the edges of a triangle: of its corners, the directions a, at its place
 // q = w0 a0 + w1 a1 + w2 a2. The map is projective, so this is its differential there.
 //
@@ -65,7 +44,7 @@ Triangle_edges image_edges(const std::array<Vector_3d, 3>& a, const std::array<d
   const Vector_3d q = w[0] * a[0] + w[1] * a[1] + w[2] * a[2];
   const auto place = sphere.locate(typename K::Point_3(q[0], q[1], q[2]), hint);
   const Linked_triangle& t = sphere.triangles()[place.triangle];
-  const std::array<Vector_3d, 3> b = images_of_corners(sphere, t);
+  const std::array<Vector_3d, 3> b = sphere.corners(t);
   const Vector_3d p = interpolated(points, sphere.triangles(), place);
   const auto& v = place.coordinates;
   const double s = length(q) / length(v[0] * b[0] + v[1] * b[1] + v[2] * b[2]);
@@ -110,7 +89,6 @@ double mean_energy_over_first(const Sphere_triangulation<K>& sphere1, const std:
                               Run_control& control, const Execution& execution)
 {
   constexpr std::size_t min_places = 20000; // on surfaces of a few faces
-  constexpr double smallest_area = 1e-10;   // as measure_distortion_between() has it, of all parts
   constexpr std::size_t block_size = 256;   // of parallel work: enough that handing it out costs nothing
   const std::vector<Linked_triangle>& triangles = sphere1.triangles();
   const auto corners = [](const Linked_triangle& t, const std::vector<Vector_3d>& points) {
@@ -136,7 +114,7 @@ double mean_energy_over_first(const Sphere_triangulation<K>& sphere1, const std:
     {
       const Linked_triangle& t = triangles[k];
       const Triangle_edges edges = scaled_edges(corners(t, points1), 1.);
-      const std::array<Vector_3d, 3> images = images_of_corners(sphere1, t);
+      const std::array<Vector_3d, 3> images = sphere1.corners(t);
       const double weight = share * area(edges);
       for(const auto& w : places)
       {
@@ -144,8 +122,8 @@ double mean_energy_over_first(const Sphere_triangulation<K>& sphere1, const std:
         for(Vector_3d& edge : image)
           edge = scale * edge;
         const Triangle_stretch stretch(edges, image);
-        if(stretch.is_degenerate || !(weight > smallest_area * areas[0]) ||
-           !(share * area(image) > smallest_area * areas[0]))
+        if(stretch.is_degenerate || !(weight > default_smallest_area * areas[0]) ||
+           !(share * area(image) > default_smallest_area * areas[0]))
           continue;
         sums[k][0] += weight * 0.5 * stretch.angle * stretch.area; // (I / d) (d + 1 / d) / 2
         sums[k][1] += weight;
