@@ -109,8 +109,8 @@ def map_surface(
         The time in seconds after which the map reached by then is returned, certified. Landmarks may be missed then that
         more sweeps would have met.
     callback : callable, optional
-        Called every few milliseconds while the spheres are aligned, as ``callback(0, 0.0)``, and then every few sweeps over a
-        level of the hierarchy, as ``callback(number_of_vertices, energy)``: the vertices of the level before, 0 on the
+        Called every few milliseconds while the spheres are aligned, as ``callback(0, 0.0)``, and so before each level of the
+        hierarchy is made; then before every sweep over a level, as ``callback(number_of_vertices, energy)``: the vertices of the level before, 0 on the
         coarsest one, and the average energy of this one; in the end, while the energy of the map is measured, as
         ``callback(number_of_vertices, 0.0)`` with all vertices. If it returns a false value other than None, the map reached
         by then is returned. What it raises reaches the caller.

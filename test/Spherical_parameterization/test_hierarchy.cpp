@@ -88,7 +88,8 @@ TEST(Vertex_removal, prefers_what_is_flat_and_near)
 void expect_hierarchy(const Surface& mesh, bool has_area = true)
 {
   Recording_control control;
-  const Mesh_hierarchy hierarchy(mesh.rings(), mesh.points(), vertex_areas(mesh.rings(), mesh.points()), Execution());
+  const Mesh_hierarchy hierarchy(mesh.rings(), mesh.points(), vertex_areas(mesh.rings(), mesh.points()), control,
+                                 Execution());
   const std::size_t n_levels = hierarchy.number_of_levels();
   ASSERT_GE(n_levels, 1u);
   ASSERT_TRUE(have_same_rings(hierarchy.rings(0), mesh.rings()));
@@ -293,6 +294,8 @@ TEST(Hierarchical_embedding, tells_of_every_level)
     EXPECT_EQ(control.levels.back(), mesh.number_of_vertices());
     EXPECT_TRUE(std::is_sorted(control.levels.begin(), control.levels.end()));
     EXPECT_GT(report.number_of_level_iterations, report.number_of_levels);
+    // before every level is made, and before every sweep
+    EXPECT_EQ(control.number_of_questions, report.number_of_levels + report.number_of_level_iterations);
     EXPECT_EQ(report.number_of_attempts, 1u);
     EXPECT_EQ(report.stop_reason, sweeps_finest_level ? SP::ITERATION_LIMIT : SP::NOT_RUN);
     EXPECT_TRUE(judge::is_one_to_one(mesh.in_callers_order(positions), bumpy_sphere(3).triangles));

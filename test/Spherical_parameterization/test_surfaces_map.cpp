@@ -953,8 +953,10 @@ TEST(Hierarchy_on_the_sphere, keeps_all_faces_positive_and_all_fixed_vertices)
       positions.push_back(SP::internal::normalized(Vector_3d{(1. + k) * p.x(), p.y() + 0.5 * p.x(), p.z()}));
       is_fixed.push_back(random.between(0., 1.) < 0.02);
     }
-    const SP::internal::Mesh_hierarchy hierarchy(
-        mesh.rings(), mesh.points(), SP::internal::vertex_areas(mesh.rings(), mesh.points()), {}, positions, is_fixed);
+    Recording_control control;
+    const SP::internal::Mesh_hierarchy hierarchy(mesh.rings(), mesh.points(),
+                                                 SP::internal::vertex_areas(mesh.rings(), mesh.points()), control, {},
+                                                 positions, is_fixed);
     EXPECT_GT(hierarchy.number_of_levels(), 5u);
     for(std::size_t level = 0; level < hierarchy.number_of_levels(); ++level)
       EXPECT_TRUE(

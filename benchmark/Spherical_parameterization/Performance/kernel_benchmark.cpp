@@ -261,15 +261,17 @@ std::size_t cost_removals(Situation& s, Execution, benchmark::State&)
   return s.number_of_vertices();
 }
 
-internal::Mesh_hierarchy build_hierarchy(const internal::Surface& mesh, Execution execution)
+internal::Mesh_hierarchy build_hierarchy(const internal::Surface& mesh, internal::Run_control& control,
+                                         Execution execution)
 {
-  return internal::Mesh_hierarchy(mesh.rings(), mesh.points(), vertex_areas(mesh.rings(), mesh.points()), execution);
+  return internal::Mesh_hierarchy(mesh.rings(), mesh.points(), vertex_areas(mesh.rings(), mesh.points()), control,
+                                  execution);
 }
 
 std::size_t coarsen(Situation& s, Execution execution, benchmark::State&)
 {
   Unlimited_run run;
-  benchmark::DoNotOptimize(build_hierarchy(s.mesh, execution).number_of_levels());
+  benchmark::DoNotOptimize(build_hierarchy(s.mesh, run.control, execution).number_of_levels());
   return s.number_of_vertices();
 }
 
@@ -279,7 +281,7 @@ std::size_t embed(Situation& s, Execution execution, benchmark::State& state)
 
   state.PauseTiming();
   Unlimited_run run;
-  internal::Mesh_hierarchy hierarchy = build_hierarchy(s.mesh, execution);
+  internal::Mesh_hierarchy hierarchy = build_hierarchy(s.mesh, run.control, execution);
   state.ResumeTiming();
   std::vector<Vector_3d> positions(s.number_of_vertices());
   using Plan = internal::Hierarchical_embedding<Energy>;

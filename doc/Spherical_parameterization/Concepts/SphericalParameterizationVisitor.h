@@ -70,9 +70,8 @@ public:
   /// \param radius the radius of the sphere in the unit of length of the mesh
   void after_iteration(std::size_t iteration, double energy, double radius);
 
-  /// called after `after_iteration()`; on the levels of a hierarchy, every fifth sweep; and while spheres are aligned, overlaid
-  /// or measured, every few milliseconds. The clock of `maximum_running_time` is asked more often, when the hierarchy has been built and at every sweep over
-  /// a level.
+  /// called after `after_iteration()`; while a hierarchy is made, before each level, and later before each sweep over one; and while
+  /// spheres are aligned, overlaid or measured, every few milliseconds. The clock of `maximum_running_time` is asked as often.
   ///
   /// \param iteration the number of the sweep or step, from 1; 0 on the levels and where there are none
   /// \param energy as for `after_iteration()`; on the levels, the average energy of the level; 0 where there are none

@@ -188,8 +188,7 @@ bool embed_hierarchically(const Surface& mesh, const Energy& energy, const Sharp
     Mesh_hierarchy hierarchy(mesh.rings(), mesh.points(),
                              follows_curvature<Energy> ? curvature_masses(mesh.rings(), mesh.points())
                                                        : vertex_areas(mesh.rings(), mesh.points()),
-                             execution);
-    control.check_clock();
+                             control, execution);
     if(++report.number_of_attempts == 1)
     {
       report.number_of_levels = hierarchy.number_of_levels();

@@ -129,7 +129,7 @@ private:
     sets = Independent_sets();
     Face_objective objective;
     double last_average = 0.;
-    for(std::size_t i = 0; i < sweeps.maximum && (i == 0 || !m_control.is_stopped()); ++i)
+    for(std::size_t i = 0; i < sweeps.maximum; ++i)
     {
       if(i % sweeps_per_measurement == 0)
       {
@@ -139,13 +139,12 @@ private:
            m_plan.may_end(m_descent.space()))
           return true;
         last_average = summary.average();
-        if(!m_control.go_further(0, summary.average()) && i > 0)
-          break;
       }
+      if(!m_control.go_further(0, last_average) && i > 0)
+        break;
       m_plan.start_sweep(m_descent.space(), i, i + 1 == sweeps.maximum);
       m_descent.sweep(local, m_radius, objective);
       ++m_control.report().number_of_level_iterations;
-      m_control.check_clock();
     }
     return false;
   }

@@ -16,6 +16,7 @@
 
 #include <CGAL/Spherical_parameterization/internal/levels/Vertex_removal.h>
 #include <CGAL/Spherical_parameterization/internal/surface/Vertex_rings.h>
+#include <CGAL/Spherical_parameterization/internal/run/Run_control.h>
 #include <CGAL/Spherical_parameterization/internal/run/parallel.h>
 #include <CGAL/Spherical_parameterization/internal/numbers/Vector_3.h>
 
@@ -129,10 +130,11 @@ public:
 
   // `areas` are those that the vertices of the mesh stand for. If these have images on the sphere, whose faces are
   // positive, the faces stay so. No vertex that is marked as fixed is removed. The coarsest level has about `min_size`
-  // vertices, or is where no more can be removed.
+  // vertices, or is where no more can be removed. The control is asked before each level, so that the caller's visitor may
+  // throw; a hierarchy is made in any case.
   Mesh_hierarchy(const Vertex_rings& rings, const std::vector<Vector_3d>& points, std::vector<double> areas,
-                 Execution execution, const std::vector<Vector_3d>& images = {}, const std::vector<char>& is_fixed = {},
-                 std::size_t min_size = 4)
+                 Run_control& control, Execution execution, const std::vector<Vector_3d>& images = {},
+                 const std::vector<char>& is_fixed = {}, std::size_t min_size = 4)
     : m_finest_rings(rings)
     , m_execution(execution)
     , m_levels(1)
@@ -141,8 +143,9 @@ public:
     finest.vertices.resize(rings.number_of_vertices());
     std::iota(finest.vertices.begin(), finest.vertices.end(), 0u);
     finest.areas = std::move(areas);
-    while(m_levels.back().vertices.size() > min_size && coarsen(points, images, is_fixed))
-      ;
+    do
+      control.go_further(0, 0.);
+    while(m_levels.back().vertices.size() > min_size && coarsen(points, images, is_fixed));
   }
 
   std::size_t number_of_levels() const { return m_levels.size(); }

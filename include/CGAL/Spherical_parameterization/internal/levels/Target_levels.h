@@ -113,8 +113,8 @@ inline bool lower_on_target(const Surface& mesh, const Target_metric& metric, La
   std::vector<char> is_fixed;
   for(const std::optional<Vector_3d>& goal : goals.directions)
     is_fixed.push_back(goal.has_value());
-  Mesh_hierarchy hierarchy(mesh.rings(), mesh.points(), vertex_areas(mesh.rings(), mesh.points()), execution, positions,
-                           is_fixed, min_size);
+  Mesh_hierarchy hierarchy(mesh.rings(), mesh.points(), vertex_areas(mesh.rings(), mesh.points()), control, execution,
+                           positions, is_fixed, min_size);
   Target_levels plan(Target_surface(metric, goals, features), positions);
   std::vector<Vector_3d> result = positions;
   if(!Level_descent(hierarchy, mesh.points(), Rest_limits(), plan, control, execution).run(result))
