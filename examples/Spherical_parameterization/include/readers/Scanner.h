@@ -151,7 +151,7 @@ public:
     if(rest().size() < sizeof(Number))
       return false;
     char bytes[sizeof(Number)];
-    rest().copy(bytes, sizeof(Number));
+    std::memcpy(bytes, rest().data(), sizeof(Number));
     if(is_big_endian != (boost::endian::order::native == boost::endian::order::big))
       std::reverse(bytes, bytes + sizeof(Number));
     std::memcpy(&number, bytes, sizeof(Number));
