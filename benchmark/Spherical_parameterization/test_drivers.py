@@ -294,7 +294,8 @@ class Pictures(WithFolder):
         for _ in range(4):
             mesh = subdivide_smoothly(mesh)
         mesh, scale = self.write("mesh.ply", mesh), 0.25
-        arguments = ["--program", PROGRAM, "--mesh", mesh, "--scale", scale, "--runs", self.folder / "runs"]
+        arguments = ["--program", PROGRAM, "--meshes", self.folder, "--mesh", mesh, "--scale", scale]
+        arguments += ["--runs", self.folder / "runs"]
         answer = run_driver("Figures/draw_figures.py", *arguments, "--output", self.folder / "first")
         self.assertEqual(answer.returncode, 0, answer.stderr)
         for file, _ in FIGURES.values():

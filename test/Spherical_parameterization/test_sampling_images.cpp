@@ -435,19 +435,27 @@ TEST(Exr_image, is_refused_if_it_is_none)
     return content.replace(content.find(beginning) + beginning.size(), values.size(), values);
   };
   const auto with_first = [&](const std::string& more) { return file.str().insert(8, more); };
-  const auto expect_refused = [&](const std::string& content, SP::Error_code error) {
+  const auto expect_read = [&](const std::string& content, SP::Error_code error) {
     Mesh mesh;
     std::istringstream in(content);
     EXPECT_LT(additional_memory([&] { EXPECT_EQ(exr.read(in, mesh), error); }), 5e7);
   };
+  // OpenEXR reads four bytes of this attribute, whatever its length, and would take the others for one of 1.9 GB.
+  const std::string hidden = attribute("b", "unknown", 1900000000);
+  const std::string longer =
+      attribute("a", "float", static_cast<std::int32_t>(4 + hidden.size())) + bytes({0}) + hidden;
+  std::string prepared = with_first(longer);
+  EXPECT_TRUE(SP::internal::prepare_exr(prepared));
+  EXPECT_EQ(prepared.substr(8, 8), std::string("a\0xxxxx\0", 8));
+  expect_read(changed("pixelAspectRatio" + std::string(1, '\0'), "v2f" + std::string(3, '\0')),
+              SP::ERROR_INVALID_IMAGE_FILE);
   const std::string window = attribute("dataWindow", "box2i", 16);
-  expect_refused(changed(window, bytes({0, 0, 10000, 10000})), SP::ERROR_INVALID_IMAGE_FILE);
-  expect_refused(changed(window, bytes({0, 0, 100000000, 4})), SP::ERROR_INVALID_IMAGE_SIZE);
-  expect_refused(changed(window, bytes({-2147483647, -2147483647, 2147483647, 2147483647})),
-                 SP::ERROR_INVALID_IMAGE_SIZE);
-  expect_refused(with_first(attribute("preview", "preview", 4 * 300000000 + 8) + bytes({30000, 10000})),
-                 SP::ERROR_INVALID_IMAGE_FILE);
-  expect_refused(with_first(attribute("other", "mine", 2000000000)), SP::ERROR_INVALID_IMAGE_FILE);
+  expect_read(changed(window, bytes({0, 0, 10000, 10000})), SP::ERROR_INVALID_IMAGE_FILE);
+  expect_read(changed(window, bytes({0, 0, 100000000, 4})), SP::ERROR_INVALID_IMAGE_SIZE);
+  expect_read(changed(window, bytes({-2147483647, -2147483647, 2147483647, 2147483647})), SP::ERROR_INVALID_IMAGE_SIZE);
+  expect_read(with_first(attribute("preview", "preview", 4 * 300000000 + 8) + bytes({30000, 10000})),
+              SP::ERROR_INVALID_IMAGE_FILE);
+  expect_read(with_first(attribute("other", "mine", 2000000000)), SP::ERROR_INVALID_IMAGE_FILE);
   std::string channels;
   for(const char* const name : {"A", "B", "G", "R", "Z"})
     channels += name + ('\0' + bytes({2, 0, 1, 1}));
@@ -455,10 +463,10 @@ TEST(Exr_image, is_refused_if_it_is_none)
   const std::string old_channels = attribute("channels", "chlist", 3 * 18 + 1);
   content.replace(content.find(old_channels), old_channels.size() + 3 * 18,
                   attribute("channels", "chlist", 5 * 18 + 1) + channels);
-  expect_refused(content, SP::ERROR_INVALID_IMAGE_FILE);
+  expect_read(content, SP::ERROR_INVALID_IMAGE_FILE);
   content = file.str();
   content[5] = 2; // tiles
-  expect_refused(content, SP::ERROR_INVALID_IMAGE_FILE);
+  expect_read(content, SP::ERROR_INVALID_IMAGE_FILE);
 }
 
 // Silently, the surface would become a point, or be elsewhere.

@@ -97,9 +97,8 @@ void check(SP::Error_code error)
 // A run without a visitor and a limit.
 struct Unlimited_run
 {
-  SP::Parameterization_report report;
-  internal::Visitor_control<std::decay_t<decltype(CGAL::parameters::default_values())>> control = {
-      CGAL::parameters::default_values(), report};
+  internal::Visitor_control<std::decay_t<decltype(CGAL::parameters::default_values())>> control{
+      CGAL::parameters::default_values()};
 };
 
 template <class Step>

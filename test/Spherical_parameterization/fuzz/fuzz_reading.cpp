@@ -4,6 +4,7 @@
 
 #include "Fuzzed_bytes.h"
 #include "require.h"
+#include "require_message.h"
 
 #include "Input_mesh.h"
 #include "Polygon_soup.h"
@@ -15,7 +16,6 @@
 #include <CGAL/spherical_parameterization.h>
 #include <CGAL/tags.h>
 
-#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -25,14 +25,6 @@
 namespace SP = CGAL::Spherical_parameterization;
 
 namespace {
-
-// what a terminal shows as it is, and not too much of it
-bool is_message(const std::string& text)
-{
-  constexpr std::size_t max_size = 700;
-  return !text.empty() && text.size() <= max_size &&
-         std::all_of(text.begin(), text.end(), [](char c) { return c == '\n' || (c >= ' ' && c <= '~'); });
-}
 
 void check_mesh(Program::Input_mesh& input)
 {
@@ -66,20 +58,6 @@ void check_values(Program::Polygon_soup soup)
   Program::add_values<Program::Mesh::Face_index>(input.mesh(), of_faces);
 }
 
-// calls f(), which may refuse the file
-template <class F>
-void expect_message_or_nothing(const F& f)
-{
-  try
-  {
-    f();
-  }
-  catch(const Program::Program_error& error)
-  {
-    require(is_message(error.what()), error.what());
-  }
-}
-
 } // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
@@ -87,11 +65,11 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   Fuzzed_bytes bytes(data, size);
   const std::string format = Program::input_formats[bytes.below(Program::input_formats.size())];
   const std::string content = bytes.rest();
-  expect_message_or_nothing([&] {
+  require_message_or_nothing([&] {
     Program::Input_mesh input("file" + format, Program::parse_soup(format, content));
     check_mesh(input);
   });
   if(format == ".ply")
-    expect_message_or_nothing([&] { check_values(Program::parse_soup(format, content, true)); });
+    require_message_or_nothing([&] { check_values(Program::parse_soup(format, content, true)); });
   return 0;
 }

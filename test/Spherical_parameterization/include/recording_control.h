@@ -13,7 +13,6 @@
 // What accompanies a run of the package's inner parts: a visitor that stores what it is told, and may say no after a number
 // of questions, no time limit, and a report.
 
-#include <CGAL/Spherical_parameterization/Parameterization_report.h>
 #include <CGAL/Spherical_parameterization/internal/run/Run_control.h>
 
 #include <cstddef>
@@ -22,16 +21,11 @@
 
 namespace test {
 
-struct Report_of_control
-{
-  CGAL::Spherical_parameterization::Parameterization_report report_of_control;
-};
-
-class Recording_control : private Report_of_control, public CGAL::Spherical_parameterization::internal::Run_control
+class Recording_control : public CGAL::Spherical_parameterization::internal::Run_control
 {
 public:
   Recording_control()
-    : Run_control(0., report_of_control)
+    : Run_control(0.)
   {}
 
   void on_initialization_begin(std::size_t) override {}

@@ -92,10 +92,34 @@ inline Error_code write_exr(std::ostream& out, const Geometry_image& image)
   return (out << stream.str()).fail() ? ERROR_CANNOT_WRITE_FILE : OK;
 }
 
-// Whether this is the beginning of a file of one image in scan lines whose header ends within the file: OpenEXR makes room
-// for attributes that are as long as they claim to be, and for tiles.
-inline bool begins_as_exr(const std::string& file)
+// Whether a list of channels of this format ends where these bytes do.
+inline bool is_list_of_channels(const std::string& bytes)
 {
+  constexpr std::size_t size_of_channel = 16; // beside its name, which is not empty and ends with 0
+  std::size_t i = 0;
+  while(i < bytes.size() && bytes[i] != '\0')
+    i = (std::min)(bytes.find('\0', i), bytes.size()) + 1 + size_of_channel;
+  return i + 1 == bytes.size();
+}
+
+// Prepares a file for OpenEXR. Returns false unless it begins as one of a single image in scan lines, with a header that ends
+// within it. OpenEXR makes room for attributes that are as long as they claim to be, and for tiles and previews; and it reads
+// attributes of the types that it knows without regard to that length. So those that an image needs must have the right one,
+// and all others are given a type that OpenEXR does not know, as it skips what is of such a type.
+inline bool prepare_exr(std::string& file)
+{
+  struct Attribute
+  {
+    const char *name, *type;
+    std::size_t size;
+  };
+  constexpr std::array<Attribute, 7> attributes = {{{"compression", "compression", 1},
+                                                    {"dataWindow", "box2i", 16},
+                                                    {"displayWindow", "box2i", 16},
+                                                    {"lineOrder", "lineOrder", 1},
+                                                    {"pixelAspectRatio", "float", 4},
+                                                    {"screenWindowCenter", "v2f", 8},
+                                                    {"screenWindowWidth", "float", 4}}};
   constexpr std::size_t size_of_beginning = 8; // a number that is always the same, the version 2, and flags
   constexpr char long_names = 4;               // is the flag of a file that is read
   if(file.size() < size_of_beginning || file.compare(0, 5, "\x76\x2F\x31\x01\x02") != 0 || (file[5] & ~long_names) != 0)
@@ -103,12 +127,26 @@ inline bool begins_as_exr(const std::string& file)
   std::size_t i = size_of_beginning;
   while(i < file.size() && file[i] != '\0')
   {
-    for(int k = 0; k < 2; ++k) // the name of an attribute, and its type
-      i = (std::min)(file.find('\0', i), file.size()) + 1;
-    std::uint32_t size = 0;
-    for(std::size_t k = 4; k-- > 0;)
-      size = size << 8 | (i + k < file.size() ? static_cast<unsigned char>(file[i + k]) : 255u);
-    i += 4 + std::size_t(size);
+    const std::size_t end_of_name = file.find('\0', i),
+                      end_of_type = file.find('\0', (std::min)(end_of_name, file.size() - 1) + 1);
+    if(end_of_type >= file.size() || file.size() - end_of_type < 5)
+      return false;
+    const std::string name = file.substr(i, end_of_name - i),
+                      type = file.substr(end_of_name + 1, end_of_type - end_of_name - 1);
+    std::size_t size = 0;
+    for(std::size_t k = 4; k > 0; --k)
+      size = size << 8 | static_cast<unsigned char>(file[end_of_type + k]);
+    i = end_of_type + 5;
+    if(size > file.size() - i)
+      return false;
+    const auto needed =
+        std::find_if(attributes.begin(), attributes.end(), [&](const Attribute& a) { return a.name == name; });
+    if(name == "channels" ? type != "chlist" || !is_list_of_channels(file.substr(i, size))
+                          : needed != attributes.end() && (type != needed->type || size != needed->size))
+      return false;
+    if(name != "channels" && needed == attributes.end())
+      std::fill_n(file.begin() + static_cast<std::ptrdiff_t>(end_of_name + 1), type.size(), 'x');
+    i += size;
   }
   return i < file.size();
 }
@@ -117,7 +155,7 @@ inline bool begins_as_exr(const std::string& file)
 inline Error_code read_exr(std::istream& in, Geometry_image& image)
 {
   std::string content{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
-  if(!begins_as_exr(content))
+  if(!prepare_exr(content))
     return ERROR_INVALID_IMAGE_FILE;
   Imf::StdISStream stream;
   stream.str(std::move(content));

@@ -35,6 +35,12 @@ public:
     : m_max_seconds(max_seconds)
     , m_report(report)
   {}
+
+  // the same of a run whose report is not given away
+  explicit Run_control(double max_seconds)
+    : m_max_seconds(max_seconds)
+    , m_report(m_own_report)
+  {}
   virtual ~Run_control() = default;
   Run_control(const Run_control&) = delete;
   Run_control& operator=(const Run_control&) = delete;
@@ -84,6 +90,7 @@ private:
   double seconds() const { return std::chrono::duration<double>(Clock::now() - m_start).count(); }
 
   double m_max_seconds;
+  Parameterization_report m_own_report;
   Parameterization_report& m_report;
   Clock::time_point m_start = Clock::now();
   double m_last_lap = 0.;
@@ -111,16 +118,13 @@ template <class NamedParameters>
 class Visitor_control : public Run_control
 {
 public:
-  Visitor_control(const NamedParameters& np, Parameterization_report& report)
+  // `report` is a `Parameterization_report`, if the call gives one.
+  template <class... Report>
+  explicit Visitor_control(const NamedParameters& np, Report&... report)
     : Run_control(parameters::choose_parameter(parameters::get_parameter(np, internal_np::maximum_running_time), 0.),
-                  report)
+                  report...)
     , m_visitor(parameters::choose_parameter(parameters::get_parameter_reference(np, internal_np::visitor),
                                              m_default_visitor))
-  {}
-
-  // the same of a call that gives no such report
-  explicit Visitor_control(const NamedParameters& np)
-    : Visitor_control(np, m_own_report)
   {}
 
   void on_initialization_begin(std::size_t number_of_vertices) override
@@ -141,7 +145,6 @@ private:
     return m_visitor.go_further(iteration, energy);
   }
 
-  Parameterization_report m_own_report;
   Default_visitor m_default_visitor;
   typename internal_np::Lookup_named_param_def<internal_np::visitor_t, NamedParameters, Default_visitor>::reference
       m_visitor;
