@@ -40,6 +40,7 @@
 #include <CGAL/Spherical_parameterization/Parameterization_report.h>
 #include <CGAL/Spherical_parameterization/Precomputed_parameterizer_3.h>
 #include <CGAL/Spherical_parameterization/Published_low_distortion_parameterizer_3.h>
+#include <CGAL/Spherical_parameterization/Schnyder_parameterizer_3.h>
 #include <CGAL/Spherical_parameterization/Sharpness.h>
 #include <CGAL/Spherical_parameterization/Sphere_domain_3.h>
 #include <CGAL/Spherical_parameterization/Sphere_locator_3.h>

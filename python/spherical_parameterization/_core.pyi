@@ -44,6 +44,7 @@ def parameterize(
     prefer: str,
     energy: str,
     initial: Optional[_Points],
+    starts_from_drawing: bool,
     threads: int,
     time_limit: float,
     callback: Optional[Callable[[int, float, float], Any]],

@@ -1,7 +1,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any, Callable, Optional, Tuple
+from typing import Any, Callable, Optional, Tuple, Union
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -29,6 +29,8 @@ class Report:
         interruption) or "no acceptable step left".
     number_of_levels : int
         Levels of the hierarchy that the first map was made by.
+    used_last_resort : bool
+        Whether the hierarchy has found no map, so that the first one is Schnyder's, which always exists.
     number_of_iterations : int
         Sweeps over the mesh.
     initial_energy, average_energy, largest_energy : float
@@ -44,6 +46,7 @@ class Report:
     radius: float
     stop_reason: str
     number_of_levels: int
+    used_last_resort: bool
     number_of_iterations: int
     initial_energy: float
     average_energy: float
@@ -57,7 +60,7 @@ def parameterize(
     *,
     prefer: str = "balance",
     energy: str = "symmetric-dirichlet",
-    initial: Optional[ArrayLike] = None,
+    initial: Union[ArrayLike, str, None] = None,
     threads: Optional[int] = None,
     time_limit: Optional[float] = None,
     callback: Optional[Callable[[int, float, float], Any]] = None,
@@ -66,7 +69,7 @@ def parameterize(
     """Maps a closed triangle mesh without handles one-to-one to a sphere around the origin, with low distortion.
 
     The map is certified by exact arithmetic, also if it was stopped early. Every closed triangle mesh without handles has
-    one, but for what double precision cannot hold.
+    one, also in double precision: up to 10,000,000 vertices, this is a theorem.
 
     Parameters
     ----------
@@ -80,8 +83,9 @@ def parameterize(
     energy : {"symmetric-dirichlet", "isometric", "conformal", "stretch"}
         What is lowered. "conformal" keeps angles, and its sphere has the radius 1. ``prefer="sampling"`` has an energy
         of its own, "stretch".
-    initial : (n, 3) array_like of numbers, optional
-        The map to start from, one-to-one, at any distance from the origin.
+    initial : (n, 3) array_like of numbers or "schnyder", optional
+        The map to start from, one-to-one, at any distance from the origin; or Schnyder's, which the connectivity decides, and which
+        is one-to-one by a theorem. By default, a hierarchy finds one.
     threads : int, optional
         The largest number of threads; by default all cores. The map has the same bits with any number.
     time_limit : float, optional
@@ -124,6 +128,12 @@ def parameterize(
         energy = "stretch"
     run = read_run(threads, time_limit, callback, on_interrupt)
     points = read_points("vertices", vertices)
-    first_images = None if initial is None else read_points("initial", initial, len(points))
-    sphere, report = _core.parameterize(points, read_faces("faces", faces), prefer, energy, first_images, *run)
+    first_images = None
+    if isinstance(initial, str):
+        check_word("initial", initial, ("schnyder",))
+    elif initial is not None:
+        first_images = read_points("initial", initial, len(points))
+    sphere, report = _core.parameterize(
+        points, read_faces("faces", faces), prefer, energy, first_images, isinstance(initial, str), *run
+    )
     return sphere, Report(**report)

@@ -16,8 +16,8 @@ namespace Module {
 // What the Python part calls, once it has checked words, shapes and ranges; it documents them as well.
 
 py::tuple parameterize(const Points& vertices, const Indices& faces, const std::string& prefer,
-                       const std::string& energy, const std::optional<Points>& initial, std::size_t threads,
-                       double time_limit, const py::object& callback, bool returns_on_interrupt);
+                       const std::string& energy, const std::optional<Points>& initial, bool starts_from_drawing,
+                       std::size_t threads, double time_limit, const py::object& callback, bool returns_on_interrupt);
 
 void find_defect(const Points& vertices, const Indices& faces); // throws it
 bool is_bijective(const Indices& faces, const Points& sphere, std::size_t threads);

@@ -8,6 +8,7 @@
 #include <CGAL/Spherical_parameterization/Fixed_radius_3.h>
 #include <CGAL/Spherical_parameterization/Isometric_energy_3.h>
 #include <CGAL/Spherical_parameterization/Precomputed_parameterizer_3.h>
+#include <CGAL/Spherical_parameterization/Schnyder_parameterizer_3.h>
 #include <CGAL/Spherical_parameterization/Sharpness.h>
 #include <CGAL/Spherical_parameterization/Stretch_energy_3.h>
 #include <CGAL/Spherical_parameterization/parameterize.h>
@@ -66,7 +67,7 @@ py::dict to_dict(const SP::Parameterization_report& report)
                   "number_of_isolated_vertices"_a = report.number_of_isolated_vertices,
                   "number_of_flat_faces"_a = report.number_of_flat_faces, "radius"_a = report.radius,
                   "stop_reason"_a = SP::get_stop_message(report.stop_reason),
-                  "number_of_levels"_a = report.number_of_levels,
+                  "number_of_levels"_a = report.number_of_levels, "used_last_resort"_a = report.used_last_resort,
                   "number_of_iterations"_a = report.number_of_iterations(), "initial_energy"_a = report.initial_energy,
                   "average_energy"_a = report.average_energy, "largest_energy"_a = report.largest_energy,
                   "seconds"_a = report.seconds());
@@ -75,8 +76,8 @@ py::dict to_dict(const SP::Parameterization_report& report)
 } // namespace
 
 py::tuple parameterize(const Points& vertices, const Indices& faces, const std::string& prefer,
-                       const std::string& energy, const std::optional<Points>& initial, std::size_t threads,
-                       double time_limit, const py::object& callback, bool returns_on_interrupt)
+                       const std::string& energy, const std::optional<Points>& initial, bool starts_from_drawing,
+                       std::size_t threads, double time_limit, const py::object& callback, bool returns_on_interrupt)
 {
   const std::size_t n = number_of_rows(vertices);
   Points sphere = new_points(n);
@@ -104,6 +105,8 @@ py::tuple parameterize(const Points& vertices, const Indices& faces, const std::
     const auto run_from_start = [&](const auto& bld) {
       if(initial)
         run(bld.initial_parameterizer(SP::Precomputed_parameterizer_3(rows_of(*initial))));
+      else if(starts_from_drawing)
+        run(bld.initial_parameterizer(SP::Schnyder_parameterizer_3()));
       else
         run(bld);
     };

@@ -297,6 +297,9 @@ def test_goes_on_from_a_map():
     assert sp.parameterize(vertices, faces, initial=2 * sphere)[1].initial_energy == pytest.approx(
         sp.parameterize(vertices, faces)[1].average_energy, rel=1e-3
     )
+    sphere, report = sp.parameterize(vertices, faces, initial="schnyder")
+    assert sp.is_bijective(faces, sphere) and report.number_of_levels == 0 and not report.used_last_resort
+    refused(sp.ErrorCode.WRONG_PARAMETER, sp.parameterize, vertices, faces, initial="tutte")
     sphere[7] *= -1
     error = refused(sp.ErrorCode.NO_1_TO_1_MAPPING, sp.parameterize, vertices, faces, initial=sphere)
     assert 7 in faces[error.face] and str(error).startswith("initial is not one-to-one")

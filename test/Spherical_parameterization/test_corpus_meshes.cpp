@@ -100,6 +100,11 @@ TEST(Random_meshes, are_mapped)
   EXPECT_EQ(number_of_refusals(bijective(), n_parallel, 3000000, Options().iterations(10)), 0u);
 }
 
+TEST(Random_meshes, are_drawn_by_their_connectivity)
+{
+  EXPECT_EQ(number_of_refusals(schnyder(), test_scale::number_of(500, 20000), 4000000, Options().sequential()), 0u);
+}
+
 // Other methods that promise a bijection may say that they have found none, but not for the most of them.
 TEST(Random_meshes, are_mapped_or_refused_by_other_methods)
 {

@@ -28,7 +28,7 @@ constexpr std::size_t stop_stride = test_scale::is_slow ? 11 : 1;
 // These have no sweeps over the finest mesh, or none at all.
 bool has_iterations(const Method& method)
 {
-  return method.name() != "hierarchical" && method.name() != "stereographic";
+  return method.name() != "hierarchical" && method.name() != "stereographic" && method.name() != "schnyder";
 }
 
 bool has_levels(const Method& method)

@@ -205,7 +205,7 @@ TEST_F(Command_line, takes_every_setting_and_ignores_none)
                                        "--iterations 3",
                                        "--iterations 0"};
   for(const char* energy : {"symmetric-dirichlet", "isometric", "conformal"})
-    for(const char* start : {"hierarchical", "stereographic", "harmonic", "conformal"})
+    for(const char* start : {"hierarchical", "stereographic", "harmonic", "conformal", "schnyder"})
       settings.push_back(std::string("--energy ") + energy + " --initial " + start);
   for(const std::string& arguments : settings)
   {
@@ -217,6 +217,8 @@ TEST_F(Command_line, takes_every_setting_and_ignores_none)
     const auto [other, is_new] = arguments_of.emplace(content(path("result.off")), arguments);
     EXPECT_TRUE(is_new) << "the same map as " << other->second;
   }
+  EXPECT_EQ(run("long.off -o result.off --method schnyder").status, 0); // whose angles are any
+  EXPECT_TRUE(arguments_of.emplace(content(path("result.off")), "--method schnyder").second);
   for(const char* arguments :
       {"", "--method bld", "--energy symmetric-dirichlet", "--initial hierarchical", "--prefer balance",
        "--sharpness 20", "--radius objective", "--tolerance 1e-3", "--time-limit 100"})
@@ -234,7 +236,7 @@ TEST_F(Command_line, tells_the_history_of_the_sweeps)
   write_off("bumpy.off", test_meshes::bumpy_sphere(2));
   for(const char* arguments :
       {"", "--iterations 7", "--iterations 0", "--prefer average", "--paper --iterations 120", "--method harmonic",
-       "--method conformal", "--method arap", "--method hierarchical", "--method stereographic"})
+       "--method conformal", "--method arap", "--method hierarchical", "--method stereographic", "--method schnyder"})
   {
     SCOPED_TRACE(arguments);
     ASSERT_NE(run(std::string("bumpy.off --json result.json ") + arguments).status, 1);
@@ -677,10 +679,10 @@ TEST_F(Command_line, samples_by_spheres_only)
 TEST_F(Command_line, refuses_bad_values_with_the_good_ones)
 {
   const std::vector<std::pair<const char*, const char*>> table = {
-      {"--method tutte", "bld, hierarchical, harmonic, conformal, arap or stereographic"},
+      {"--method tutte", "bld, hierarchical, harmonic, conformal, arap, stereographic or schnyder"},
       {"--energy elastic", "symmetric-dirichlet, isometric or conformal"},
       {"--prefer best", "average, balance, worst or sampling"},
-      {"--initial spherical", "hierarchical, stereographic, harmonic or conformal, or the name of a file"},
+      {"--initial spherical", "hierarchical, stereographic, harmonic, conformal or schnyder, or the name of a file"},
       {"--radius 2", "objective, two-phase, optimal, area, balanced or fixed=R"},
       {"--paper --radius objective", "has to be two-phase, optimal, area, balanced or fixed=R"},
       {"--tolerance -1", "a number from 0 to 1"},

@@ -43,7 +43,7 @@ OPTIONS = {
     "isometric": ["--energy", "isometric"],
     "isometric_0": ["--energy", "isometric", "--prefer", "average"],
     "conformal": ["--energy", "conformal"],
-    **{f"only_{m}": ["--method", m] for m in ("hierarchical", "harmonic", "stereographic", "conformal", "arap")},
+    **{f"only_{m}": ["--method", m] for m in ("hierarchical", "harmonic", "stereographic", "schnyder", "conformal", "arap")},
     **{f"radius_{rule}": ["--radius", rule] for rule in ("two-phase", "balanced", "optimal", "area", "fixed=1")},
     **{f"sweeps_{n}": ["--iterations", n] for n in ("0", "25", "2000")},
     "to_the_end": ["--iterations", "2000", "--tolerance", "0"],
@@ -69,6 +69,7 @@ TABLES = {
 | any one-to-one map, as soon as possible | the default with `number_of_iterations(0)` | one-to-one | @hand sweeps_0 time@ | @hand sweeps_0 D_iso@ |
 | the average of angles and areas, on every level of a hierarchy | `Hierarchical_parameterizer_3` | one-to-one | @hand only_hierarchical time@ | @hand only_hierarchical D_iso@ |
 | Tutte's planar map, wrapped around the sphere | `Stereographic_parameterizer_3` | one-to-one or an error code | @hand only_stereographic time@ | @hand only_stereographic D_iso@ |
+| a map by the connectivity alone, by a theorem | `Schnyder_parameterizer_3` | one-to-one | @hand only_schnyder time@ | @hand only_schnyder D_iso@ |
 | as-rigid-as-possible, for comparison | `ARAP_parameterizer_3` | may fold, and says so | @hand only_arap time@ | @hand only_arap D_iso@ |
 | the published method, for comparison | `Published_low_distortion_parameterizer_3` | one-to-one or an error code | @hand paper time@ | @hand paper D_iso@ |
 | a map that one has | `Precomputed_parameterizer_3` | refused if it folds | | |

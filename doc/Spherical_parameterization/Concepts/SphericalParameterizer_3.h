@@ -14,6 +14,7 @@ called with the named parameters `vertex_point_map` and `visitor`, and what it h
 \cgalHasModels{CGAL::Spherical_parameterization::Published_low_distortion_parameterizer_3<Radius, InitialParameterizer>}
 \cgalHasModels{CGAL::Spherical_parameterization::Hierarchical_parameterizer_3<Energy>}
 \cgalHasModels{CGAL::Spherical_parameterization::Stereographic_parameterizer_3<SolverTraits>}
+\cgalHasModels{CGAL::Spherical_parameterization::Schnyder_parameterizer_3}
 \cgalHasModels{CGAL::Spherical_parameterization::Harmonic_parameterizer_3<SolverTraits>}
 \cgalHasModels{CGAL::Spherical_parameterization::Conformal_parameterizer_3<SolverTraits>}
 \cgalHasModels{CGAL::Spherical_parameterization::ARAP_parameterizer_3<InitialParameterizer, SolverTraits>}

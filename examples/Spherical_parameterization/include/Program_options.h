@@ -147,8 +147,9 @@ none; 2, all have one, but some fold.
   unsigned int max_threads = 0;              ///< 0 if there is no limit
 
 private:
-  inline static const Words methods = {"bld", "hierarchical", "harmonic", "conformal", "arap", "stereographic"};
-  inline static const Words starts = {"hierarchical", "stereographic", "harmonic", "conformal"};
+  inline static const Words methods = {"bld",  "hierarchical",  "harmonic", "conformal",
+                                       "arap", "stereographic", "schnyder"};
+  inline static const Words starts = {"hierarchical", "stereographic", "harmonic", "conformal", "schnyder"};
   inline static const Words energies = {"symmetric-dirichlet", "isometric", "conformal"};
 
   // Which methods an option goes with; options that are not listed go with all.
@@ -238,14 +239,14 @@ private:
       ("resume", "leave out the meshes whose sphere and report are there, made by the same version of the program from "
                  "the same file with the same options")
       ("method", word("METHOD"), "bld: lowest distortion, the default; or one of the methods that it can start from or "
-                                 "is compared with, alone: hierarchical, harmonic or stereographic, which are "
-                                 "one-to-one; conformal or arap, which may fold")
+                                 "is compared with, alone: hierarchical, harmonic, stereographic or schnyder, "
+                                 "which are one-to-one; conformal or arap, which may fold")
       ("paper", "the published method with all of its settings: harmonic start, isometric energy with the flat areas "
                 "of images, gradient steps, 100 sweeps of the energy's sum, then s from 0.1 to 10, two-phase radius, "
                 "at most 2000 sweeps. --initial, --s-first, --s-last, --average-sweeps, --radius and --iterations may "
                 "change it")
       ("initial", word("START"), "what bld and arap start from: hierarchical, the default; stereographic; harmonic; "
-                                 "conformal, which must not fold; or FILE: a map written before for the same mesh")
+                                 "schnyder; conformal, which must not fold; or FILE: a map written before for the same mesh")
       ("energy", word("ENERGY"), "symmetric-dirichlet: lengths and areas, the default; isometric: the paper's, default "
                                  "of --method hierarchical; conformal: angles only")
       ("prefer", word("WHAT"), "the lowest average distortion, the lowest worst, or a balance of both, the default: "

@@ -162,7 +162,7 @@ public:
     out << "\nMethod    " << m_options.description << '\n';
     if(m_options.method == "hierarchical")
       out << "Sweeps    " << run.number_of_level_iterations << " over " << run.number_of_levels << " levels\n";
-    else if(m_options.method != "stereographic")
+    else if(!is_among(m_options.method, {"stereographic", "schnyder"}))
       out << (m_options.method == "bld" ? "Sweeps    " : "Steps     ") << run.number_of_iterations() << " ("
           << stop_reason() << ")\n";
     out << "Radius    " << fixed_text(run.radius, 10, false) << "\nSeconds   " << fixed_text(seconds(), 2) << " = "
@@ -236,6 +236,7 @@ public:
         .add("stop_reason", stop_reason())
         .add("levels", run.number_of_levels)
         .add("attempts", run.number_of_attempts)
+        .add("used_last_resort", run.used_last_resort)
         .add("sweeps", Json_object()
                            .add("levels", run.number_of_level_iterations)
                            .add("average", run.number_of_average_iterations)

@@ -62,7 +62,7 @@ private:
 struct Chosen_parameterizer
 {
   std::variant<SP::Stereographic_parameterizer_3<>, SP::Harmonic_parameterizer_3<>, SP::Conformal_parameterizer_3<>,
-               SP::Precomputed_parameterizer_3<Sphere_map>>
+               SP::Schnyder_parameterizer_3, SP::Precomputed_parameterizer_3<Sphere_map>>
       parameterizer;
 
   template <class ConcurrencyTag = CGAL::Parallel_if_available_tag, class VertexSphereMap,
@@ -86,7 +86,7 @@ inline std::string explain_failure(SP::Error_code error, Input_mesh& input, cons
   if(!defect.empty())
     return defect;
   const std::string text = input.name() + ": " + SP::get_error_message(error);
-  const bool is_alone = is_among(options.method, {"stereographic", "harmonic", "conformal"});
+  const bool is_alone = is_among(options.method, {"stereographic", "harmonic", "conformal", "schnyder"});
   if(options.start.empty() && error == SP::ERROR_INVALID_INITIAL_PARAMETERIZATION)
     return printable(options.start_file) + ": " + SP::get_error_message(error);
   if(options.start.empty() || (options.start == "hierarchical" && !is_alone))
@@ -143,6 +143,8 @@ inline Run_result run_method(const Program_options& options, Input_mesh& input, 
       return {SP::Harmonic_parameterizer_3<>()};
     if(name == "conformal")
       return {SP::Conformal_parameterizer_3<>()};
+    if(name == "schnyder")
+      return {SP::Schnyder_parameterizer_3()};
     return {SP::Precomputed_parameterizer_3<Sphere_map>(input.read_map(options.start_file))};
   };
   const bool starts_hierarchically = options.start == "hierarchical";

@@ -218,7 +218,8 @@ private:
       // Where the radius is free, the areas are right from the beginning. Else they may have far to go, which they do on
       // coarse levels.
       constexpr std::size_t sweeps_per_level = std::is_same<Radius, Default>::value ? 14 : 20;
-      return internal::embed_surface(m_energy, m_sharpness, sweeps_per_level, false, run);
+      internal::embed_surface(m_energy, m_sharpness, sweeps_per_level, false, run);
+      return OK;
     }
     else
       return internal::make_initial_map(m_initial_parameterizer, run);

@@ -42,12 +42,15 @@ namespace CGAL::Spherical_parameterization {
 ///
 /// A one-to-one mapping is guaranteed whenever `OK` is returned, because the map is certified as it has been written. A
 /// kernel is never empty, but it may be too small for double precision numbers; in this case the map is computed anew
-/// with a guard against small faces, and `ERROR_INSUFFICIENT_PRECISION` is returned only if that fails several times.
+/// with a guard against small faces, and if that fails several times, it is the one of `Schnyder_parameterizer_3`, and
+/// `Parameterization_report::used_last_resort` is set.
 /// Time and memory are linear in the number of vertices, but for the sorting of the candidates for a removal.
 ///
 /// \cgalModels{SphericalParameterizer_3}
 ///
 /// \tparam Energy must be a model of `DistortionEnergy_3`.
+///
+/// \sa `Schnyder_parameterizer_3`
 template <class Energy = Isometric_energy_3>
 class Hierarchical_parameterizer_3
 {
@@ -99,7 +102,7 @@ public:
   /// sweep each, the minimum, before the map is certified and returned.
   ///
   /// \return `OK`, or what is wrong with the mesh, see `find_defect()`; `ERROR_WRONG_PARAMETER` if `is_valid()` is
-  ///         `false`; `ERROR_INSUFFICIENT_PRECISION`
+  ///         `false`; `ERROR_INSUFFICIENT_PRECISION` if the map cannot be held by the coordinates of `vertex_sphere_map`
   template <class ConcurrencyTag = Parallel_if_available_tag, class TriangleMesh, class VertexSphereMap,
             typename CGAL_NP_TEMPLATE_PARAMETERS>
   Error_code parameterize(const TriangleMesh& tmesh, VertexSphereMap vertex_sphere_map,
@@ -126,7 +129,8 @@ public:
   template <class Run>
   Error_code embed(Run& run, bool sweeps_finest_level) const
   {
-    return internal::embed_surface(m_energy, m_sharpness, m_sweeps_per_level, sweeps_finest_level, run);
+    internal::embed_surface(m_energy, m_sharpness, m_sweeps_per_level, sweeps_finest_level, run);
+    return OK;
   }
 #endif
 

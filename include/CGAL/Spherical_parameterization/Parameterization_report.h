@@ -74,6 +74,8 @@ struct Parameterization_report
   Stop_reason stop_reason = NOT_RUN;  ///< why the last phase ended
   std::size_t number_of_levels = 0;   ///< levels of the hierarchy
   std::size_t number_of_attempts = 0; ///< times that the hierarchy was mapped; above 1, the first attempts failed
+  bool used_last_resort =
+      false; ///< whether no attempt was successful: the first map is that of `Schnyder_parameterizer_3`
   std::size_t number_of_level_iterations = 0;   ///< sweeps over levels of the hierarchy
   std::size_t number_of_average_iterations = 0; ///< sweeps over the finest mesh with sharpness 0, or global steps
   std::size_t number_of_sharp_iterations = 0;   ///< sweeps over the finest mesh with a positive sharpness

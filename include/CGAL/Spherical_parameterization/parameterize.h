@@ -46,13 +46,13 @@ namespace CGAL::Spherical_parameterization {
 /// `float` are certified by integer arithmetic, and exact kernels do not compile.
 ///
 /// The default method returns `OK` for every mesh that `find_defect()` finds nothing wrong with, whatever its shape:
-/// faces without area, needles, vertices in one place, self-intersections and any orientation included. There is one
-/// limit, that of all maps to a sphere whose points are stored as floating-point numbers: these are about
-/// 10<sup>-16</sup> radii apart, and a vertex at the tip of many nested triangles must be mapped into all of them. The
-/// method spends the area of the sphere such that chains of tens of thousands fit, and starts again with more room for
-/// the smallest faces if doubles do not hold a map. If none of this helped, `ERROR_INSUFFICIENT_PRECISION` would be
-/// returned; no mesh is known for which it is. If the coordinates in `vertex_sphere_map` are of type `float`, whose
-/// numbers are 10<sup>-7</sup> radii apart, it is returned where the rounding to them turns a face over.
+/// faces without area, needles, vertices in one place, self-intersections and any orientation included. Up to 10,000,000
+/// vertices this is a theorem. The points of a sphere that are stored as floating-point numbers are about 10<sup>-16</sup> radii
+/// apart, and a vertex at the tip of many nested triangles must be mapped into all of them. The method spends the area of the
+/// sphere such that chains of tens of thousands fit, and starts again with more room for the smallest faces if doubles do not
+/// hold a map; if none of this helped, it would start from the map of `Schnyder_parameterizer_3`, which exists for every mesh
+/// and whose determinants are above rounding. If the coordinates in `vertex_sphere_map` are of type `float`, whose numbers are
+/// 10<sup>-7</sup> radii apart, `ERROR_INSUFFICIENT_PRECISION` is returned where the rounding to them turns a face over.
 ///
 /// <b>Stopping early.</b> Once the first map is there, which is completed in any case, with minimum effort, the run may be
 /// stopped at any time, and `OK` means the same.

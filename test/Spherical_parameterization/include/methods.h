@@ -242,6 +242,7 @@ Method bijective();
 Method hierarchical();
 Method published();
 Method stereographic();
+Method schnyder();
 Method harmonic();
 Method conformal(); // the linear one, which may fold
 Method arap();

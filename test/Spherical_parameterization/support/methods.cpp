@@ -91,6 +91,11 @@ Method stereographic()
   return Method("stereographic", SP::Stereographic_parameterizer_3());
 }
 
+Method schnyder()
+{
+  return Method("schnyder", SP::Schnyder_parameterizer_3());
+}
+
 Method harmonic()
 {
   return Method("harmonic", SP::Harmonic_parameterizer_3());
@@ -108,7 +113,7 @@ Method arap()
 
 std::vector<Method> all_methods()
 {
-  return {bijective(), hierarchical(), published(), stereographic(), harmonic(), conformal(), arap()};
+  return {bijective(), hierarchical(), published(), stereographic(), schnyder(), harmonic(), conformal(), arap()};
 }
 
 Method bijective_conformal()

@@ -14,12 +14,14 @@
 
 #include <CGAL/license/Spherical_parameterization.h>
 
-#include <CGAL/Spherical_parameterization/Error_code.h>
 #include <CGAL/Spherical_parameterization/Face_range_3.h>
+#include <CGAL/Spherical_parameterization/Parameterization_report.h>
 #include <CGAL/Spherical_parameterization/Sharpness.h>
+#include <CGAL/Spherical_parameterization/internal/baselines/Schnyder_drawing.h>
+#include <CGAL/Spherical_parameterization/internal/certificate/is_safely_positive.h>
 #include <CGAL/Spherical_parameterization/internal/levels/Descent_loop.h>
-#include <CGAL/Spherical_parameterization/internal/run/policy_traits.h>
 #include <CGAL/Spherical_parameterization/internal/levels/Hierarchical_embedding.h>
+#include <CGAL/Spherical_parameterization/internal/run/policy_traits.h>
 
 #include <CGAL/Default.h>
 
@@ -48,28 +50,42 @@ private:
   Energy m_energy;
 };
 
-// Makes the first map by the hierarchy, and tells the visitor of it.
+// Makes a map of the connectivity alone, which never fails.
+template <class Run>
+void draw_surface(Run& run)
+{
+  run.positions = Schnyder_drawing(run.surface.rings()).positions();
+  run.control.report().seconds_for_embedding += run.control.lap();
+}
+
+// Makes the first map, by the hierarchy unless that fails, and tells the visitor of it.
 template <class Energy, class Run>
-Error_code embed_surface(const Energy& energy, const Sharpness& sharpness, std::size_t sweeps_per_level,
-                         bool sweeps_finest_level, Run& run)
+void embed_surface(const Energy& energy, const Sharpness& sharpness, std::size_t sweeps_per_level,
+                   bool sweeps_finest_level, Run& run)
 {
   run.control.on_initialization_begin(run.surface.number_of_vertices());
   if(!embed_hierarchically(run.surface, energy, sharpness, sweeps_per_level, sweeps_finest_level, run.positions,
                            run.control, run.execution))
-    return ERROR_INSUFFICIENT_PRECISION;
+  {
+    draw_surface(run);
+    run.control.report().used_last_resort = true;
+    run.control.report().stop_reason = OBSTRUCTED;
+  }
   run.control.on_initialization_end();
-  return OK;
 }
 
-// Lowers the energy of a bijection by sweeps.
+// Lowers the energy of a bijection by sweeps. Faces that rounding might turn over on the way, as the last resort has some above two
+// million vertices, stay as they are.
 template <class Step, class Energy, class Radius, class Run>
 void run_descent(const Energy& energy, const Radius& radius, const Sharpness& sharpness,
                  const Descent_settings& settings, std::size_t max_sweeps, Run& run)
 {
+  Parameterization_report& report = run.control.report();
+  const bool can_be_swept = !report.used_last_resort || are_safely_positive(run.surface.rings(), run.positions);
   const auto descend = [&](Radius_chooser* chooser) {
     Descent_loop<Energy, Step> loop(run.surface, energy, Step(), sharpness, chooser, settings, run.control,
                                     run.execution);
-    run.radius = loop.run(run.positions, max_sweeps);
+    run.radius = loop.run(run.positions, can_be_swept ? max_sweeps : 0);
   };
   if constexpr(std::is_same<Radius, Default>::value)
     descend(nullptr);
@@ -78,6 +94,8 @@ void run_descent(const Energy& energy, const Radius& radius, const Sharpness& sh
     Radius_policy_chooser<Radius, Energy> chooser(radius, energy);
     descend(&chooser);
   }
+  if(!can_be_swept)
+    report.stop_reason = OBSTRUCTED;
   run.control.on_optimization_end();
 }
 

@@ -1,0 +1,172 @@
+// The map of the connectivity alone is one-to-one for every triangulation, with determinants as large as its proof says; and it
+// is what the default method starts from if the hierarchy has found no map.
+
+#include <CGAL/Spherical_parameterization/Symmetric_Dirichlet_energy_3.h>
+#include <CGAL/Spherical_parameterization/internal/baselines/Schnyder_drawing.h>
+#include <CGAL/Spherical_parameterization/internal/run_descent.h>
+
+#include "indexed_meshes.h"
+#include "judge.h"
+#include "methods.h"
+#include "random_meshes.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+using namespace test;
+
+namespace {
+
+// An energy for which the hierarchy finds no map
+struct Unmappable_energy : SP::Symmetric_Dirichlet_energy_3
+{};
+
+} // namespace
+
+template <>
+bool SP::internal::embed_hierarchically(const Surface&, const Unmappable_energy&, const Sharpness&, std::size_t, bool,
+                                        std::vector<Vector_3d>& positions, Run_control& control, Execution)
+{
+  positions.clear();
+  control.report().number_of_attempts = 9;
+  return false;
+}
+
+namespace {
+
+// Expects the map of a triangulation to be one-to-one, and returns the smallest determinant of its faces times that of which the
+// proof says that none is smaller.
+double smallest_determinant(const Triangle_list& list)
+{
+  const SP::internal::Surface surface = surface_of(list);
+  const Images images = surface.in_callers_order(SP::internal::Schnyder_drawing(surface.rings()).positions());
+  EXPECT_TRUE(judge::is_one_to_one(images, list.triangles));
+  double result = HUGE_VAL;
+  for(const Triangle& t : list.triangles)
+    result = (std::min)(result, SP::internal::dot(images[t[0]], SP::internal::cross(images[t[1]], images[t[2]])));
+  const double n_faces = 2. * static_cast<double>(list.points.size()) - 7.;
+  return 2. * n_faces * n_faces * result;
+}
+
+std::size_t smallest_degree(const Triangle_list& list)
+{
+  std::vector<std::size_t> degrees(list.points.size(), 0);
+  for(const Triangle& t : list.triangles)
+    for(const std::size_t v : t)
+      ++degrees[v];
+  return *std::min_element(degrees.begin(), degrees.end());
+}
+
+TEST(Schnyder_drawing, is_one_to_one_for_the_smallest_triangulations)
+{
+  EXPECT_GE(smallest_determinant(tetrahedron()), 1.);
+  EXPECT_GE(smallest_determinant(octahedron()), 1.);
+  EXPECT_GE(smallest_determinant(icosphere(0)), 1.);
+  for(std::size_t n = 3; n < 12; ++n)
+    EXPECT_GE(smallest_determinant(suspension(n)), 1.) << n;
+}
+
+// The open end has three neighbours, four with either diagonal on the other side, or five with each of the diagonals there.
+TEST(Schnyder_drawing, is_one_to_one_for_all_degrees_and_edges_across_the_hole)
+{
+  std::array<std::size_t, 6> n_of_degree{};
+  for(std::uint64_t seed = 0; seed < 400; ++seed)
+  {
+    Random_mesh mesh = random_mesh(6000000 + seed);
+    SCOPED_TRACE(mesh.kind);
+    ++n_of_degree.at(smallest_degree(mesh.list));
+    EXPECT_GE(smallest_determinant(mesh.list), 1. - 1e-6);
+  }
+  EXPECT_GE(n_of_degree[3], 50u);
+  EXPECT_GE(n_of_degree[4], 20u);
+  // Five neighbours, and edges between some of them outside: two icosahedra, glued at a face, have vertices of degree 5, 8 and
+  // 5; any order of the vertices makes another one the first.
+  Triangle_list list = icosphere(0);
+  const Triangle_list ico = list;
+  const Triangle glued = list.triangles.front();
+  list.triangles.erase(list.triangles.begin());
+  std::vector<std::size_t> number(ico.points.size());
+  for(std::size_t v = 0, next = ico.points.size(); v < number.size(); ++v)
+  {
+    const bool is_shared = std::find(glued.begin(), glued.end(), v) != glued.end();
+    number[v] = is_shared ? v : next++;
+    if(!is_shared)
+      list.points.push_back({2. * ico.points[v][0], 2. * ico.points[v][1], 2. * ico.points[v][2]});
+  }
+  for(std::size_t f = 1; f < ico.triangles.size(); ++f)
+  {
+    const Triangle t = ico.triangles[f];
+    list.triangles.push_back({number[t[0]], number[t[2]], number[t[1]]});
+  }
+  for(std::size_t k = 0; k < list.points.size(); ++k)
+  {
+    std::vector<std::size_t> turned(list.points.size());
+    for(std::size_t v = 0; v < turned.size(); ++v)
+      turned[v] = (v + k) % turned.size();
+    const Triangle_list other = renumbered(list, turned, static_cast<std::uint32_t>(k));
+    EXPECT_EQ(smallest_degree(other), 5u);
+    EXPECT_GE(smallest_determinant(other), 1.);
+  }
+  EXPECT_GE(smallest_determinant(icosphere(3)), 1.);
+}
+
+TEST(Schnyder_drawing, is_one_to_one_for_hubs_and_nested_triangles)
+{
+  EXPECT_GE(smallest_determinant(suspension(20000)), 1. - 1e-6);
+  EXPECT_GE(smallest_determinant(random_stacked_sphere(20000, 1)), 1. - 1e-6);
+  // each new vertex in one of the newest faces
+  Triangle_list list = tetrahedron();
+  for(std::size_t k = 0; k < 5000; ++k)
+  {
+    const Triangle t = list.triangles.back();
+    const std::size_t v = list.points.size();
+    list.points.push_back({0., 0., 0.});
+    list.triangles.back() = {t[0], t[1], v};
+    list.triangles.push_back({t[2], t[0], v});
+    list.triangles.push_back({t[1], t[2], v});
+  }
+  EXPECT_GE(smallest_determinant(list), 1. - 1e-6);
+}
+
+TEST(Schnyder_parameterizer, needs_no_points)
+{
+  Triangle_list list = bumpy_sphere(3);
+  const Result result = schnyder().run(list);
+  EXPECT_EQ(result.error, SP::OK);
+  for(Coordinates& p : list.points)
+    p = {1., 2., 3.};
+  EXPECT_EQ(schnyder().run(list).error, SP::OK);
+  EXPECT_EQ(result.report.stop_reason, SP::CONVERGED);
+  EXPECT_EQ(result.report.radius, 1.);
+  EXPECT_FALSE(result.report.used_last_resort);
+}
+
+TEST(Last_resort, is_where_the_descent_starts_from)
+{
+  const auto bld = SP::Bijective_low_distortion_parameterizer_3().energy(Unmappable_energy());
+  const Method method("from the last resort", bld),
+      from_schnyder("from Schnyder's drawing", bld.initial_parameterizer(SP::Schnyder_parameterizer_3()));
+  for(const Triangle_list& list : {tetrahedron(), bumpy_sphere(2), with_tentacle(20, 3.), suspension(500)})
+  {
+    const Result result = method.run(list, Options().iterations(40));
+    EXPECT_EQ(result.error, SP::OK);
+    EXPECT_TRUE(result.report.used_last_resort);
+    EXPECT_EQ(result.report.number_of_attempts, 9u);
+    EXPECT_LE(result.report.average_energy, result.report.initial_energy);
+    const SP::Parameterization_report other = from_schnyder.run(list, Options().iterations(40)).report;
+    EXPECT_NEAR(result.report.initial_energy / other.initial_energy, 1., 1e-9);
+  }
+  EXPECT_FALSE(bijective().run(bumpy_sphere(2)).report.used_last_resort);
+  const Result hierarchical =
+      Method("hierarchical", SP::Hierarchical_parameterizer_3().energy(Unmappable_energy())).run(bumpy_sphere(2));
+  EXPECT_EQ(hierarchical.error, SP::OK);
+  EXPECT_TRUE(hierarchical.report.used_last_resort);
+  EXPECT_TRUE(have_same_bits(hierarchical.images, schnyder().run(bumpy_sphere(2)).images));
+}
+
+} // namespace
