@@ -1,14 +1,15 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/connected_components.h>
 #include <CGAL/Polygon_mesh_processing/triangulate_faces.h>
+#include <CGAL/Spherical_parameterization/fill_holes.h>
 #include <CGAL/Surface_mesh.h>
-#include <CGAL/boost/graph/Euler_operations.h>
 #include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 #include <CGAL/spherical_parameterization.h>
 
 #include <cstdlib>
 #include <iostream>
 #include <string>
+#include <vector>
 
 namespace PMP = CGAL::Polygon_mesh_processing;
 namespace SP = CGAL::Spherical_parameterization;
@@ -25,11 +26,10 @@ bool repair(Mesh& mesh, const SP::Mesh_defect<Mesh>& defect)
   case SP::ERROR_SEVERAL_COMPONENTS:
     PMP::keep_largest_connected_components(mesh, 1);
     return true;
-  case SP::ERROR_NON_CLOSED_MESH: // a hole becomes a face with many corners, which is triangulated next
+  case SP::ERROR_NON_CLOSED_MESH:
   {
-    const Mesh::Halfedge_index h = halfedge(defect.vertex, defect.other_vertex, mesh).first;
-    CGAL::Euler::fill_hole(is_border(h, mesh) ? h : opposite(h, mesh), mesh);
-    return true;
+    std::vector<SP::Filled_hole<Mesh>> holes;
+    return SP::fill_holes(mesh, holes) == SP::OK && !holes.empty();
   }
   default:
     return false;

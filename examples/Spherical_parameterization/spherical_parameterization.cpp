@@ -3,13 +3,17 @@
 
 #include "include/Batch.h"
 #include "include/Batch_scheduler.h"
+#include "include/Components.h"
 #include "include/Mesh_run.h"
 #include "include/Program_error.h"
 #include "include/Program_options.h"
 #include "include/Run_report.h"
+#include "include/mesh_files.h"
+#include "include/read_soup.h"
 
 #include <algorithm>
 #include <csignal>
+#include <cstddef>
 #include <cstdlib>
 #include <exception>
 #include <iostream>
@@ -21,9 +25,9 @@
 using namespace Program;
 
 // returns the exit status
-int map_to_sphere(const Program_options& options)
+int map_to_sphere(const Program_options& options, const File_names& names, std::size_t component)
 {
-  Mesh_run run(options, options.file_names);
+  Mesh_run run(options, names, component);
   try
   {
     run.map();
@@ -41,12 +45,34 @@ int map_to_sphere(const Program_options& options)
     std::cout << report.json();
   else if(!options.is_quiet)
     report.print(std::cout);
-  std::cerr << (report.match ? report.match->warnings : report.remesh ? report.remesh->warnings : "");
+  std::cerr << report.warning_of_filler()
+            << (report.match    ? report.match->warnings
+                : report.remesh ? report.remesh->warnings
+                                : "");
   if(!report.result.is_one_to_one)
     std::cerr << "spherical_parameterization: " << report.explain_fault() << '\n';
   if(!std::cout.flush() && !report.files.empty()) // a map may have taken hours: it is not lost with its report
     throw Program_error("the standard output cannot be written. All files have been written nevertheless.");
   return report.result.is_one_to_one ? EXIT_SUCCESS : Run_report::exit_status_folded;
+}
+
+// Maps each part of a surface; what fails with one of them does not stop the others. Returns the exit status.
+int map_components(const Program_options& options)
+{
+  const std::size_t n = Components(read_soup(options.file_names.input).polygons).sizes().size();
+  int status = EXIT_SUCCESS;
+  for(std::size_t k = 0; k < (std::max)(n, std::size_t(1)); ++k)
+    try
+    {
+      const int status_of_part = map_to_sphere(options, options.file_names.of_part(k), k);
+      status = status == EXIT_FAILURE ? status : (std::max)(status, status_of_part);
+    }
+    catch(const std::exception& error)
+    {
+      std::cerr << "spherical_parameterization: part " << k + 1 << " of " << n << ": " << message_of(error) << '\n';
+      status = EXIT_FAILURE;
+    }
+  return status;
 }
 
 // returns the exit status
@@ -65,7 +91,9 @@ int run_program(const Program_options& options)
   if(const std::size_t n = Thread_limit::number_of_threads(); n_wanted > n && !options.is_quiet)
     std::cerr << "spherical_parameterization: --threads " << n_wanted << ": no more than " << n << " can be had here\n";
 #endif
-  return options.is_batch() ? Batch(options).run() : map_to_sphere(options);
+  if(options.is_batch())
+    return Batch(options).run();
+  return options.takes_each_component ? map_components(options) : map_to_sphere(options, options.file_names, 0);
 }
 
 // What is written to a standard stream that is closed would go to the file that is opened next. Now it fails.

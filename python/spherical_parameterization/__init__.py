@@ -29,6 +29,7 @@ from ._measuring import (
     measure_distortion,
 )
 from ._parameterization import Report, parameterize
+from ._repair import FilledSurface, Hole, fill_holes
 from ._sampling import Locator, Remesh, remesh, transfer
 from ._surfaces import (
     DistortionBetween,
@@ -47,6 +48,8 @@ __all__ = [
     "DistortionBetween",
     "Error",
     "ErrorCode",
+    "FilledSurface",
+    "Hole",
     "Locator",
     "Measure",
     "MeasureBetween",
@@ -59,6 +62,7 @@ __all__ = [
     "SurfaceMapReport",
     "__version__",
     "align_spheres",
+    "fill_holes",
     "find_defect",
     "is_bijective",
     "map_surface",

@@ -69,7 +69,7 @@ def parameterize(
     """Maps a closed triangle mesh without handles one-to-one to a sphere around the origin, with low distortion.
 
     The map is certified by exact arithmetic, also if it was stopped early. Every closed triangle mesh without handles has
-    one, also in double precision: up to 10,000,000 vertices, this is a theorem.
+    one, also in double precision, by a theorem up to 10,000,000 vertices.
 
     Parameters
     ----------

@@ -19,6 +19,7 @@ py::tuple parameterize(const Points& vertices, const Indices& faces, const std::
                        const std::string& energy, const std::optional<Points>& initial, bool starts_from_drawing,
                        std::size_t threads, double time_limit, const py::object& callback, bool returns_on_interrupt);
 
+py::tuple fill_holes(const Points& vertices, const Indices& faces, std::size_t max_edges);
 void find_defect(const Points& vertices, const Indices& faces); // throws it
 bool is_bijective(const Indices& faces, const Points& sphere, std::size_t threads);
 py::dict measure_distortion(const Points& vertices, const Indices& faces, const Points& sphere, std::size_t threads);

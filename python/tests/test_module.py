@@ -292,6 +292,31 @@ def test_measures_distances():
         sp.measure_distance(long, (square, faces))
 
 
+def test_fills_holes():
+    vertices, faces, _ = map_of(8)
+    n = len(vertices)
+    at_first = np.any(faces == 0, axis=1)
+    opened = faces[~at_first]
+    assert "fill_holes" in str(refused(sp.ErrorCode.NON_CLOSED_MESH, sp.parameterize, vertices, opened))
+    filled = sp.fill_holes(vertices, opened)
+    (hole,) = filled.holes
+    assert hole.number_of_edges == at_first.sum() and 0 < hole.share < 0.2 and hole.perimeter > 0
+    assert hole.number_of_faces == len(filled.faces) - len(opened) > 0
+    assert (filled.vertices[:n] == vertices).all() and (filled.faces[: len(opened)] == opened).all()
+    sphere, _ = sp.parameterize(filled.vertices, filled.faces)
+    assert np.isnan(sphere[0]).all() and sp.is_bijective(filled.faces, sphere)
+    untouched = sp.fill_holes(vertices, opened, max_edges=3)
+    assert untouched.holes[0].number_of_faces == 0 and len(untouched.faces) == len(opened)
+    assert sp.fill_holes(vertices, faces).holes == []
+    for edges in (2, -1):
+        refused(sp.ErrorCode.WRONG_PARAMETER, sp.fill_holes, vertices, opened, max_edges=edges)
+    broken = np.where(np.arange(3 * n).reshape(n, 3) == 6, np.nan, vertices)
+    assert refused(sp.ErrorCode.NON_FINITE_COORDINATE, sp.fill_holes, broken, opened).vertex == 2
+    touching = [[0, 1, 2], [0, 3, 4]]
+    error = refused(sp.ErrorCode.NO_SIMPLICIAL_COMPLEX, sp.fill_holes, vertices, touching)
+    assert error.vertex == 0 and "vertex 0" in str(error)
+
+
 def test_goes_on_from_a_map():
     vertices, faces, sphere = map_of(8)
     assert sp.parameterize(vertices, faces, initial=2 * sphere)[1].initial_energy == pytest.approx(

@@ -1,6 +1,9 @@
 // The map of the connectivity alone is one-to-one for every triangulation, with determinants as large as its proof says; and it
 // is what the default method starts from if the hierarchy has found no map.
 
+#include <CGAL/Spherical_parameterization/Bijective_low_distortion_parameterizer_3.h>
+#include <CGAL/Spherical_parameterization/Hierarchical_parameterizer_3.h>
+#include <CGAL/Spherical_parameterization/Schnyder_parameterizer_3.h>
 #include <CGAL/Spherical_parameterization/Symmetric_Dirichlet_energy_3.h>
 #include <CGAL/Spherical_parameterization/internal/baselines/Schnyder_drawing.h>
 #include <CGAL/Spherical_parameterization/internal/run_descent.h>
@@ -16,6 +19,8 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
+#include <utility>
 #include <vector>
 
 using namespace test;
@@ -71,48 +76,107 @@ TEST(Schnyder_drawing, is_one_to_one_for_the_smallest_triangulations)
     EXPECT_GE(smallest_determinant(suspension(n)), 1.) << n;
 }
 
-// The open end has three neighbours, four with either diagonal on the other side, or five with each of the diagonals there.
-TEST(Schnyder_drawing, is_one_to_one_for_all_degrees_and_edges_across_the_hole)
+TEST(Schnyder_drawing, is_one_to_one_for_random_triangulations)
 {
   std::array<std::size_t, 6> n_of_degree{};
   for(std::uint64_t seed = 0; seed < 400; ++seed)
   {
-    Random_mesh mesh = random_mesh(6000000 + seed);
+    const Random_mesh mesh = random_mesh(6000000 + seed);
     SCOPED_TRACE(mesh.kind);
     ++n_of_degree.at(smallest_degree(mesh.list));
     EXPECT_GE(smallest_determinant(mesh.list), 1. - 1e-6);
   }
   EXPECT_GE(n_of_degree[3], 50u);
   EXPECT_GE(n_of_degree[4], 20u);
-  // Five neighbours, and edges between some of them outside: two icosahedra, glued at a face, have vertices of degree 5, 8 and
-  // 5; any order of the vertices makes another one the first.
-  Triangle_list list = icosphere(0);
-  const Triangle_list ico = list;
-  const Triangle glued = list.triangles.front();
-  list.triangles.erase(list.triangles.begin());
-  std::vector<std::size_t> number(ico.points.size());
-  for(std::size_t v = 0, next = ico.points.size(); v < number.size(); ++v)
-  {
-    const bool is_shared = std::find(glued.begin(), glued.end(), v) != glued.end();
-    number[v] = is_shared ? v : next++;
-    if(!is_shared)
-      list.points.push_back({2. * ico.points[v][0], 2. * ico.points[v][1], 2. * ico.points[v][2]});
-  }
-  for(std::size_t f = 1; f < ico.triangles.size(); ++f)
-  {
-    const Triangle t = ico.triangles[f];
-    list.triangles.push_back({number[t[0]], number[t[2]], number[t[1]]});
-  }
-  for(std::size_t k = 0; k < list.points.size(); ++k)
-  {
-    std::vector<std::size_t> turned(list.points.size());
-    for(std::size_t v = 0; v < turned.size(); ++v)
-      turned[v] = (v + k) % turned.size();
-    const Triangle_list other = renumbered(list, turned, static_cast<std::uint32_t>(k));
-    EXPECT_EQ(smallest_degree(other), 5u);
-    EXPECT_GE(smallest_determinant(other), 1.);
-  }
   EXPECT_GE(smallest_determinant(icosphere(3)), 1.);
+}
+
+// Removes the face f of a list and the face g of another one, and joins them there: the first corner of f becomes that of g.
+void glue(Triangle_list& list, std::size_t f, const Triangle_list& other, std::size_t g)
+{
+  const Triangle a = list.triangles[f], b = other.triangles[g];
+  std::vector<std::size_t> number;
+  for(std::size_t v = 0; v < other.points.size(); ++v)
+  {
+    const auto corner = std::find(b.begin(), b.end(), v) - b.begin();
+    number.push_back(corner < 3 ? a[static_cast<std::size_t>((3 - corner) % 3)] : list.points.size());
+    if(corner == 3)
+      list.points.push_back(other.points[v]);
+  }
+  list.triangles.erase(list.triangles.begin() + static_cast<std::ptrdiff_t>(f));
+  for(std::size_t k = 0; k < other.triangles.size(); ++k)
+    if(k != g)
+    {
+      const Triangle t = other.triangles[k];
+      list.triangles.push_back({number[t[0]], number[t[1]], number[t[2]]});
+    }
+}
+
+// An icosahedron, and a vertex in its last face: the last three faces begin with it.
+Triangle_list icosahedron_with_a_vertex_more()
+{
+  Triangle_list list = icosphere(0);
+  const Triangle t = list.triangles.back();
+  const std::size_t v = list.points.size();
+  list.points.push_back({1., 2., 3.});
+  list.triangles.pop_back();
+  for(std::size_t i = 0; i < 3; ++i)
+    list.triangles.push_back({v, t[i], t[(i + 1) % 3]});
+  return list;
+}
+
+// The first vertex is the open end, its ring begins anywhere, and an edge outside joins two or three of its neighbours.
+TEST(Schnyder_drawing, is_one_to_one_for_edges_across_the_hole)
+{
+  Triangle_list four; // as few vertices as there can be, if none has three neighbours
+  four.points.resize(11);
+  four.triangles = {{0, 1, 2}, {0, 2, 3},  {0, 3, 4},  {0, 4, 1}, {1, 4, 5},  {1, 5, 2},
+                    {2, 5, 3}, {3, 5, 6},  {3, 6, 4},  {4, 6, 7}, {4, 7, 8},  {4, 8, 9},
+                    {4, 9, 5}, {5, 9, 10}, {5, 10, 7}, {5, 7, 6}, {7, 10, 8}, {8, 10, 9}};
+  Triangle_list five = icosahedron_with_a_vertex_more();
+  const std::size_t n_faces = five.triangles.size();
+  glue(five, n_faces - 1, icosahedron_with_a_vertex_more(), n_faces - 1);
+  glue(five, n_faces - 3, icosahedron_with_a_vertex_more(), n_faces - 1);
+  for(const auto& [list, s] : {std::pair<Triangle_list, std::size_t>(four, 6), {five, 12}})
+    for(const bool is_mirrored : {false, true})
+    {
+      // the vertices with s first, and their rings, each from its first triangle on
+      std::vector<Triangle> faces = list.triangles;
+      for(Triangle& t : faces)
+      {
+        for(std::size_t& v : t)
+          v = v == s ? 0 : v == 0 ? s : v;
+        if(is_mirrored)
+          std::swap(t[0], t[1]);
+      }
+      const auto after = [&](std::size_t v, std::size_t w) {
+        for(const Triangle& t : faces)
+          for(std::size_t i = 0; i < 3; ++i)
+            if(t[i] == v && t[(i + 1) % 3] == w)
+              return t[(i + 2) % 3];
+        return v;
+      };
+      std::vector<std::vector<std::size_t>> all(list.points.size());
+      for(std::size_t v = 0; v < all.size(); ++v)
+        for(const Triangle& t : faces)
+          for(std::size_t i = 0; i < 3; ++i)
+            if(t[i] == v && all[v].empty())
+              for(std::size_t w = t[(i + 1) % 3]; all[v].empty() || w != all[v].front(); w = after(v, w))
+                all[v].push_back(w);
+      for(std::size_t turn = 0; turn < all[0].size(); ++turn)
+      {
+        std::rotate(all[0].begin(), all[0].begin() + 1, all[0].end());
+        SP::internal::Vertex_rings rings;
+        for(const auto& ring : all)
+        {
+          for(const std::size_t w : ring)
+            rings.push_neighbor(static_cast<std::uint32_t>(w));
+          rings.end_ring();
+        }
+        EXPECT_TRUE(judge::is_one_to_one(SP::internal::Schnyder_drawing(rings).positions(), faces)) << turn;
+      }
+      EXPECT_EQ(smallest_degree({list.points, faces}), all[0].size());
+    }
 }
 
 TEST(Schnyder_drawing, is_one_to_one_for_hubs_and_nested_triangles)

@@ -1,6 +1,7 @@
 // The descent of a whole mesh: independent sets, all faces measured at once, the sharpness of the sweeps and the loop over
 // them, which with the settings of the paper is the published method.
 
+#include <CGAL/Spherical_parameterization/Two_phase_radius_3.h>
 #include <CGAL/Spherical_parameterization/internal/levels/Block_coordinate_descent.h>
 #include <CGAL/Spherical_parameterization/internal/levels/Descent_loop.h>
 #include <CGAL/Spherical_parameterization/internal/levels/Measured_faces.h>

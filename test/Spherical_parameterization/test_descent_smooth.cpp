@@ -113,7 +113,9 @@ void expect_sums_of_faces(const Energy& energy, double beta, bool has_slivers)
 {
   const Triangle_list list = has_slivers ? with_slivers(bumpy_sphere(3), 6, 1e-4) : bumpy_sphere(3);
   Mapped_surface<Energy> map(list, directions_of(list.points), energy);
-  auto& [mesh, positions, space, descent] = map;
+  const auto& positions = map.positions; // no decomposition, whose names lambdas cannot use in Clang
+  const auto& space = map.space;
+  auto& descent = map.descent;
   using Space = typename Mapped_surface<Energy>::Space;
   ASSERT_EQ(descent.has_slivers(), has_slivers);
   Objective objective(Sharpness::relative(beta), true);
@@ -125,9 +127,9 @@ void expect_sums_of_faces(const Energy& energy, double beta, bool has_slivers)
   sums.sum_up(grid, descent.measured_faces(), descent.stars(), positions, 1.1, of_faces, Execution());
 
   const std::vector<char> slivers = map.slivers();
-  const auto& points = mesh.points();
+  const auto& points = map.mesh.points();
   std::vector<std::vector<Index_triangle>> faces(grid.cells().size());
-  mesh.rings().for_each_face([&](std::uint32_t u, std::uint32_t v, std::uint32_t w) {
+  map.mesh.rings().for_each_face([&](std::uint32_t u, std::uint32_t v, std::uint32_t w) {
     if(slivers.empty() || !(slivers[u] || slivers[v] || slivers[w]))
       faces[grid.cell_at(combination(1., combination(1., positions[u], 1., positions[v]), 1., positions[w]))].push_back(
           {u, v, w});
@@ -249,7 +251,9 @@ TEST(Smooth_step, takes_away_what_sweeps_are_slow_with)
     p = normalized(Coordinates{p[0], p[1], p[2] + 0.4});
   const SP::Symmetric_Dirichlet_energy_3 energy;
   Mapped_surface<SP::Symmetric_Dirichlet_energy_3> map(round, images, energy);
-  auto& [mesh, positions, space, descent] = map;
+  const auto& positions = map.positions; // no decomposition, whose names lambdas cannot use in Clang
+  const auto& space = map.space;
+  auto& descent = map.descent;
   for(const double beta : {0., 20.})
   {
     Objective objective(Sharpness::relative(beta), true);

@@ -538,6 +538,78 @@ TEST_F(Command_line, maps_a_surface_onto_another_one)
   expect_refused(hubs + " -o result.off --overlay overlay.ply", "The common refinement of the two surfaces has more");
 }
 
+// What is written and measured is what the file has, and the filler is told.
+TEST_F(Command_line, fills_holes)
+{
+  const test_meshes::Triangle_list list = test_meshes::bumpy_sphere(2);
+  test_meshes::Triangle_list opened = list;
+  opened.triangles.clear();
+  for(const test_meshes::Triangle& t : list.triangles)
+    if(std::count(t.begin(), t.end(), 20u) + std::count(t.begin(), t.end(), 100u) == 0)
+      opened.triangles.push_back(t);
+  write_off("opened.off", opened);
+  const Outcome refused = run("opened.off -o sphere.off");
+  EXPECT_EQ(refused.status, 1);
+  EXPECT_NE(refused.err.find("--fill-holes all"), std::string::npos) << refused.err;
+
+  const Outcome outcome = run("opened.off --fill-holes all -o sphere.off --filled filled.ply --json result.json "
+                              "--colored colored --page page.html");
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_NE(outcome.out.find("Holes     2 filled"), std::string::npos) << outcome.out;
+  EXPECT_EQ(outcome.err, "");
+  EXPECT_EQ(json().get_child("holes").size(), 2u);
+  EXPECT_GT(json().get_child("holes").front().second.get<double>("share_of_area"), 0.);
+  const std::string counts = std::to_string(opened.points.size()) + ' ' + std::to_string(opened.triangles.size());
+  EXPECT_EQ(content(path("sphere.off")).substr(4, counts.size()), counts);
+  // The closed surface is a mesh as others, with the same map.
+  EXPECT_EQ(run("filled.ply -o again.off").status, 0);
+  EXPECT_NE(content(path("filled.ply")).find("filler"), std::string::npos);
+  const Outcome remesh = run("opened.off --fill-holes all --remesh octahedron=4 -o remesh.ply");
+  EXPECT_EQ(remesh.status, 0) << remesh.err;
+  EXPECT_NE(content(path("remesh.ply")).find("filler"), std::string::npos);
+  EXPECT_EQ(run("opened.off --fill-holes 4 -o sphere.off").status, 1);
+
+  test_meshes::Triangle_list sheet;
+  sheet.points = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0.5, 0.5, 0.1}};
+  sheet.triangles = {{0, 1, 4}, {1, 2, 4}, {2, 3, 4}};
+  write_off("sheet.off", sheet);
+  const Outcome warned = run("sheet.off --fill-holes all -o sphere.off");
+  EXPECT_EQ(warned.status, 0) << warned.err;
+  EXPECT_NE(warned.err.find("more than half"), std::string::npos) << warned.err;
+  sheet.triangles = {{0, 1, 4}, {2, 3, 4}};
+  write_off("sheet.off", sheet);
+  const Outcome touching = run("sheet.off --fill-holes all -o sphere.off");
+  EXPECT_EQ(touching.status, 1);
+  EXPECT_NE(touching.err.find("touches itself in vertex 4"), std::string::npos) << touching.err;
+  for(const char* options :
+      {"--fill-holes 2", "--fill-holes some", "--filled a.ply", "--fill-holes all --filled a.off",
+       "--fill-holes all --initial filled.ply", "--fill-holes all --remesh cube=2 --transfer filled.ply",
+       "--components all", "--components each --output-folder folder"})
+    EXPECT_EQ(run(std::string("opened.off ") + options).status, 1) << options;
+}
+
+TEST_F(Command_line, maps_one_part_or_each)
+{
+  const test_meshes::Triangle_list two =
+      test_meshes::disjoint_union(test_meshes::octahedron(), test_meshes::bumpy_sphere(2));
+  write_off("two.off", test_meshes::disjoint_union(two, test_meshes::tetrahedron()));
+  const Outcome refused = run("two.off -o sphere.off");
+  EXPECT_EQ(refused.status, 1);
+  EXPECT_NE(refused.err.find("--components largest"), std::string::npos) << refused.err;
+  const Outcome outcome = run("two.off -o sphere.off --components largest --json result.json");
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_NE(outcome.out.find("Part      1 of 3, with 320 faces; the others have 8 and 4"), std::string::npos)
+      << outcome.out;
+  EXPECT_EQ(json().get<std::size_t>("faces"), 320u);
+  EXPECT_EQ(json().get<std::size_t>("component"), 1u);
+  EXPECT_EQ(json().get_child("faces_of_components").size(), 3u);
+  EXPECT_EQ(run("two.off -o sphere.off --components each --json each.json").status, 0);
+  for(const auto& [name, n_faces] : {std::pair("sphere_1.off", "320"), {"sphere_2.off", "8"}, {"sphere_3.off", "4"}})
+    EXPECT_EQ(content(path(name)).substr(4, 5 + std::string(n_faces).size()), "172 " + std::string(n_faces) + " ")
+        << name;
+  EXPECT_TRUE(std::filesystem::exists(path("each_3.json")));
+}
+
 TEST_F(Command_line, carries_values_over)
 {
   write("values.ply", ply_with_values(2));

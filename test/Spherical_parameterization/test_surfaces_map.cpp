@@ -4,6 +4,7 @@
 #include "judge.h"
 #include "methods.h"
 #include "random_meshes.h"
+#include "recording_control.h"
 #include "surfaces.h"
 #include "test_meshes.h"
 

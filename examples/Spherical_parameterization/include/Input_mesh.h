@@ -6,16 +6,22 @@
 #include "Program_error.h"
 #include "read_soup.h"
 
+#include <CGAL/Spherical_parameterization/fill_holes.h>
 #include <CGAL/Spherical_parameterization/measure_distortion.h>
 
 #include <CGAL/Surface_mesh.h>
+#include <CGAL/Surface_mesh/IO/PLY.h>
 #include <CGAL/boost/graph/Euler_operations.h>
+#include <CGAL/boost/graph/iterator.h>
 
 #include <boost/container/small_vector.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <ostream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -75,14 +81,82 @@ public:
   std::string find_defect() const
   {
     const auto defect = find_defect_of_mesh(m_mesh);
-    return defect ? m_name + ": " + defect->message : "";
+    if(!defect)
+      return "";
+    const char* const cure = defect->error == SP::ERROR_NON_CLOSED_MESH ? "\n--fill-holes all fills them."
+                             : defect->error == SP::ERROR_SEVERAL_COMPONENTS
+                                 ? "\n--components largest maps the largest one, --components each all of them."
+                                 : "";
+    return m_name + ": " + defect->message + cure;
+  }
+
+  /// fills the holes with at most so many edges; see `SP::fill_holes()`. New vertices and faces come behind those of the file.
+  ///
+  /// \throws Program_error if a border touches itself or another one
+  std::vector<SP::Filled_hole<Mesh>> fill_holes(std::size_t max_edges)
+  {
+    m_unfilled = m_mesh;
+    std::vector<SP::Filled_hole<Mesh>> holes;
+    const SP::Error_code error = SP::fill_holes(m_mesh, holes, CGAL::parameters::maximum_number(max_edges));
+    if(error == SP::ERROR_NO_SIMPLICIAL_COMPLEX)
+      throw Program_error(
+          m_name + ": the border touches itself in vertex " + std::to_string(holes.back().vertex) +
+          ", so that it is not clear what its holes are.\nSplit the vertex, for example with "
+          "CGAL::Polygon_mesh_processing::duplicate_non_manifold_vertices(). (Vertices are counted from 0.)");
+    if(error != SP::OK)
+      throw Program_error(find_defect());
+    return holes;
   }
 
   /// returns the name of the file for a message.
   const std::string& name() const { return m_name; }
 
   Mesh& mesh() { return m_mesh; }
+
+  /// returns the mesh without what holes have been filled with. Its vertices and faces have the same indices.
+  Mesh& mesh_of_file() { return m_unfilled ? *m_unfilled : m_mesh; }
+
+  bool is_filler(Mesh::Face_index f) const { return f.idx() >= m_polygons.size(); }
+
+  /// returns the triangles of the file.
   const std::vector<Polygon>& triangles() const { return m_polygons; }
+
+  /// returns what vertices have in a property map, but those that holes have been filled with.
+  template <class Map>
+  std::vector<Point_3> points_of(const Map& map)
+  {
+    const auto n = static_cast<std::ptrdiff_t>(mesh_of_file().number_of_vertices());
+    return std::vector<Point_3>(map.begin(), map.begin() + n);
+  }
+
+  /// writes the closed surface as a PLY file. The property `filler` of its faces is 1 for those that holes have been filled
+  /// with.
+  void write_filled(std::ostream& out) const
+  {
+    Mesh filled;
+    filled.reserve(m_mesh.number_of_vertices(), m_mesh.number_of_edges(), m_mesh.number_of_faces());
+    for(const Vertex_index v : m_mesh.vertices())
+      filled.add_vertex(m_mesh.point(v));
+    const auto label = filled.add_property_map<Mesh::Face_index, std::uint8_t>("f:filler", 1).first;
+    std::vector<boost::container::small_vector<Vertex_index, 3>> faces;
+    for(const Polygon& polygon : m_polygons)
+    {
+      faces.emplace_back();
+      for(const std::size_t v : polygon)
+        faces.back().emplace_back(static_cast<Mesh::size_type>(v));
+    }
+    for(const Mesh::Face_index f : m_mesh.faces())
+      if(is_filler(f))
+      {
+        const auto corners = CGAL::vertices_around_face(m_mesh.halfedge(f), m_mesh);
+        faces.emplace_back(corners.begin(), corners.end());
+      }
+    CGAL::Euler::add_faces(faces, filled);
+    for(const Mesh::Face_index f : filled.faces())
+      label[f] = is_filler(f) ? 1 : 0;
+    CGAL::IO::set_binary_mode(out);
+    CGAL::IO::write_PLY(out, filled, CGAL::parameters::stream_precision(17));
+  }
 
   /// reads a map of this mesh from a file.
   ///
@@ -128,7 +202,7 @@ public:
         throw Program_error(path, is + ": it has " + std::to_string(count) + " " + what + ", the mesh has " +
                                       std::to_string(expected));
     };
-    compare("vertices", n_vertices, m_mesh.number_of_vertices());
+    compare("vertices", n_vertices, (m_unfilled ? *m_unfilled : m_mesh).number_of_vertices());
     compare("faces", polygons.size(), m_polygons.size());
     for(std::size_t f = 0; f < m_polygons.size(); ++f)
       if(!is_same(polygons[f], m_polygons[f]))
@@ -152,6 +226,7 @@ private:
 
   std::string m_name;
   Mesh m_mesh;
+  std::optional<Mesh> m_unfilled; // if holes have been filled
   std::vector<Polygon> m_polygons;
 };
 

@@ -61,8 +61,11 @@ private:
     return list_of(values, ", ", "");
   }
 
-  static std::string text_of(const std::vector<double>& values) { return list_of(values, ", ", ""); }
-  static std::string text_of(const std::vector<std::string>& values) { return list_of(values, ", ", ""); }
+  template <class Value>
+  static std::string text_of(const std::vector<Value>& values)
+  {
+    return list_of(values, ", ", "");
+  }
 
   // a row on each line
   static std::string text_of(const std::vector<std::array<double, 3>>& rows)

@@ -2,6 +2,7 @@
 #define CGAL_SPHERICAL_PARAMETERIZATION_EXAMPLES_MESH_RUN_H
 
 #include "Colored_mesh.h"
+#include "Components.h"
 #include "Input_mesh.h"
 #include "Output_file.h"
 #include "Output_files.h"
@@ -20,6 +21,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <cstddef>
 #include <optional>
 #include <ostream>
 #include <string>
@@ -42,9 +44,12 @@ public:
   /// \param options have to live longer
   ///
   /// \throws Program_error if one cannot, or the program was built without what it takes
-  Mesh_run(const Program_options& options, const File_names& names)
+  ///
+  /// \param component the part of the surface that is mapped, if the options ask for one: 0 is the largest
+  Mesh_run(const Program_options& options, const File_names& names, std::size_t component = 0)
     : m_options(options)
     , m_names(names)
+    , m_component(component)
     , m_files(names, options.other_inputs(),
               options.is_batch() ? Output_file::Policy::replace : Output_file::Policy::follow)
     , m_report(options, names.input)
@@ -70,7 +75,18 @@ public:
     m_report.input_stamp = File_stamp(m_names.input);
     if(!m_options.start_or_template().empty())
       m_report.start_stamp = File_stamp(m_options.start_or_template());
-    m_input.emplace(m_names.input, read_soup(m_names.input));
+    Polygon_soup soup = read_soup(m_names.input);
+    if(m_options.picks_component)
+    {
+      const Components components(soup.polygons);
+      m_report.components = components.sizes();
+      if(m_component < components.sizes().size())
+        components.keep(m_component, soup.polygons);
+      m_report.component = m_component;
+    }
+    m_input.emplace(m_names.input, std::move(soup));
+    if(m_options.max_hole_edges > 0)
+      m_report.holes = m_input->fill_holes(m_options.max_hole_edges);
     m_report.seconds_for_input = seconds_now() - start;
 
     // A vertex without a face stays at the origin.
@@ -95,6 +111,8 @@ public:
     if(!m_options.domain.empty())
     {
       m_remesh.emplace(*m_input, m_sphere, Remesh::find_domain(m_options));
+      if(m_options.max_hole_edges > 0)
+        m_remesh->mark_filler(*m_input, m_sphere);
       if(!m_options.values_file.empty())
         m_remesh->carry_values(m_options, *m_input, m_sphere);
       SP::Surface_distance distance;
@@ -152,8 +170,9 @@ public:
   void write()
   {
     const double start = seconds_now();
-    m_distortions = mesh().add_property_map<Mesh::Face_index, SP::Face_distortion>("f:distortion").first;
-    m_report.distortion = measured_distortion(mesh(), m_sphere, m_distortions);
+    m_distortions =
+        m_input->mesh_of_file().add_property_map<Mesh::Face_index, SP::Face_distortion>("f:distortion").first;
+    m_report.distortion = measured_distortion(m_input->mesh_of_file(), m_sphere, m_distortions);
     if(m_options.is_unit_sphere)
       m_report.balanced = measure_balanced(m_report.distortion.radius);
     m_report.seconds_for_measuring = seconds_now() - start;
@@ -166,17 +185,20 @@ public:
         else if(m_match)
           m_match->write_directions(out, format);
         else
-          write_soup(out, format, points_of(m_sphere), m_input->triangles());
+          write_soup(out, format, m_input->points_of(m_sphere), m_input->triangles());
       });
       m_report.sphere_checksum = m_files.sphere->checksum();
     }
+    if(m_files.filled)
+      m_files.filled->write([&](std::ostream& out) { m_input->write_filled(out); });
     if(m_files.remesh)
       m_files.remesh->write([&](std::ostream& out) { m_remesh->write(out, file_format(m_names.remesh)); });
     if(m_files.onto)
       m_files.onto->write([&](std::ostream& out) { m_match->write_positions(out, file_format(m_names.onto)); });
     if(m_files.target_sphere)
       m_files.target_sphere->write([&](std::ostream& out) {
-        write_soup(out, file_format(m_names.target_sphere), points_of(m_other->sphere), m_other->input.triangles());
+        write_soup(out, file_format(m_names.target_sphere), m_other->input.points_of(m_other->sphere),
+                   m_other->input.triangles());
       });
     if(m_files.overlay)
       m_files.overlay->write([&](std::ostream& out) { m_match->write_overlay(out); });
@@ -208,12 +230,6 @@ public:
 private:
   Mesh& mesh() { return m_input->mesh(); }
 
-  template <class Map>
-  static std::vector<Point_3> points_of(const Map& map)
-  {
-    return std::vector<Point_3>(map.begin(), map.end());
-  }
-
   // Measures the map, and each face, with the radius that balances the areas (eq. 11), at which maps are usually compared;
   // does nothing if no number holds that radius. Faces where distortions are infinite are left out.
   std::optional<SP::Distortion_summary> measure_balanced(double radius)
@@ -221,26 +237,27 @@ private:
     // Scaling by a power of two is exact, and keeps all products away from infinity and 0.
     const auto exponent_of = [&](const auto& points) {
       double max = 0.;
-      for(const Vertex_index v : mesh().vertices())
-        if(!mesh().is_isolated(v))
+      for(const Vertex_index v : m_input->mesh_of_file().vertices())
+        if(!m_input->mesh_of_file().is_isolated(v))
           for(int k = 0; k < 3; ++k)
             max = (std::max)(max, std::abs(points[v][k]));
       return max > 0. ? std::ilogb(max) : 0;
     };
     const auto area = [&](const auto& points, Mesh::Face_index f, int exponent) {
       const auto point = [&](Mesh::Halfedge_index h) {
-        const Point_3& p = points[mesh().target(h)];
+        const Point_3& p = points[m_input->mesh_of_file().target(h)];
         return Point_3(std::scalbn(p.x(), -exponent), std::scalbn(p.y(), -exponent), std::scalbn(p.z(), -exponent));
       };
-      const Mesh::Halfedge_index h = mesh().halfedge(f);
-      return std::sqrt(CGAL::squared_area(point(h), point(mesh().next(h)), point(mesh().prev(h))));
+      const Mesh::Halfedge_index h = m_input->mesh_of_file().halfedge(f);
+      return std::sqrt(
+          CGAL::squared_area(point(h), point(m_input->mesh_of_file().next(h)), point(m_input->mesh_of_file().prev(h))));
     };
-    const int exponent = exponent_of(mesh().points()), exponent_of_sphere = exponent_of(m_sphere);
+    const int exponent = exponent_of(m_input->mesh_of_file().points()), exponent_of_sphere = exponent_of(m_sphere);
     double sum = 0., sum_of_inverses = 0.;
-    for(const Mesh::Face_index f : mesh().faces())
+    for(const Mesh::Face_index f : m_input->mesh_of_file().faces())
       if(std::isfinite(m_distortions[f].isometric))
       {
-        const double d = area(m_sphere, f, exponent_of_sphere) / area(mesh().points(), f, exponent);
+        const double d = area(m_sphere, f, exponent_of_sphere) / area(m_input->mesh_of_file().points(), f, exponent);
         sum += d;
         sum_of_inverses += 1. / d;
       }
@@ -249,11 +266,12 @@ private:
     if(!(balanced > 0. && std::isfinite(balanced)))
       return std::nullopt;
 
-    const Sphere_map scaled = mesh().add_property_map<Vertex_index, Point_3>("v:balanced", Point_3(0, 0, 0)).first;
-    for(const Vertex_index v : mesh().vertices())
+    const Sphere_map scaled =
+        m_input->mesh_of_file().add_property_map<Vertex_index, Point_3>("v:balanced", Point_3(0, 0, 0)).first;
+    for(const Vertex_index v : m_input->mesh_of_file().vertices())
       scaled[v] = Point_3(balanced * (m_sphere[v].x() / radius), balanced * (m_sphere[v].y() / radius),
                           balanced * (m_sphere[v].z() / radius));
-    return measured_distortion(mesh(), scaled, m_distortions);
+    return measured_distortion(m_input->mesh_of_file(), scaled, m_distortions);
   }
 
   void write_colors()
@@ -262,14 +280,17 @@ private:
     std::vector<double> values;
     for(const SP::Face_distortion& distortion : m_distortions)
       values.push_back(is_conformal ? distortion.angle : distortion.isometric);
-    const Colored_mesh colored(mesh().number_of_vertices(), m_input->triangles(), values, is_conformal ? 2. : 1.);
+    const Colored_mesh colored(m_input->mesh_of_file().number_of_vertices(), m_input->triangles(), values,
+                               is_conformal ? 2. : 1.);
     m_report.color_range = colored.range();
-    m_files.colored_surface->write([&](std::ostream& out) { colored.write(out, points_of(mesh().points())); });
-    m_files.colored_sphere->write([&](std::ostream& out) { colored.write(out, points_of(m_sphere)); });
+    m_files.colored_surface->write(
+        [&](std::ostream& out) { colored.write(out, m_input->points_of(m_input->mesh_of_file().points())); });
+    m_files.colored_sphere->write([&](std::ostream& out) { colored.write(out, m_input->points_of(m_sphere)); });
   }
 
   const Program_options& m_options;
   File_names m_names;
+  std::size_t m_component;
   Output_files m_files;
   Run_report m_report;
   std::optional<Input_mesh> m_input;

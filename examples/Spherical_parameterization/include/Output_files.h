@@ -29,6 +29,8 @@ public:
     };
     if(!names.sphere.empty())
       add(sphere, names.sphere);
+    if(!names.filled.empty())
+      add(filled, names.filled);
     if(!names.remesh.empty())
       add(remesh, names.remesh);
     if(!names.image.empty())
@@ -94,7 +96,7 @@ public:
     return result;
   }
 
-  std::optional<Output_file> sphere, remesh, image, image_of_normals, colored_surface, colored_sphere, onto,
+  std::optional<Output_file> sphere, filled, remesh, image, image_of_normals, colored_surface, colored_sphere, onto,
       target_sphere, overlay, morph, page, json;
 
 private:

@@ -62,7 +62,7 @@ public:
     : m_report(report)
     , m_distortions(distortions.begin(), distortions.end())
   {
-    const Mesh& mesh = input.mesh();
+    const Mesh& mesh = input.mesh_of_file();
     for(const Polygon& triangle : input.triangles())
       m_triangles.push_back({std::uint32_t(triangle[0]), std::uint32_t(triangle[1]), std::uint32_t(triangle[2])});
     m_left.title = name_of(report.input());

@@ -60,6 +60,7 @@ public:
     read_limits();
     read_match();
     read_outputs();
+    read_repair();
   }
 
   /// returns the explanation of all options.
@@ -129,6 +130,9 @@ none; 2, all have one, but some fold.
   Words landmark_files, feature_files; ///< of both surfaces, or none
   double landmark_weight = 0.;         ///< 0 if landmarks are met exactly
   double morph_time = 0.;
+  std::size_t max_hole_edges = 0; ///< of holes that are filled; 0 if none is
+  bool picks_component = false;   ///< whether one part of the surface is mapped
+  bool takes_each_component = false;
   std::string output_folder; ///< of the many, empty otherwise
   std::string format;        ///< of all maps, empty if each has that of its input
   bool is_resumed = false;   ///< whether meshes that are done are left out
@@ -203,6 +207,12 @@ private:
     options.add_options()
       ("output,o", word("SPHERE"), "write the sphere: the faces of INPUT, with the images of its vertices in the same "
                                    "order (0 0 0 for a vertex without a face) and 17 digits; .off, .obj, .ply or .ts")
+      ("fill-holes", word("N"), "fill the holes of the surface that have at most N edges, or all of them by the word all; each is told. "
+                                "What is measured and written is that of the faces of INPUT")
+      ("filled", word("FILE"), "with --fill-holes, write the closed surface, whose first vertices and faces are those of INPUT; "
+                               "a .ply file, where the property filler of the other faces is 1")
+      ("components", word("WHICH"), "of a surface of several parts, map the largest one; or each, with files numbered by size, "
+                                    "NAME_1.off, say, for the largest")
       ("remesh", word("DOMAIN=N"), "write the surface to -o instead, with other faces: those of an octahedron, a cube or an "
                                    "icosahedron whose edges are divided into N, say octahedron=64, 4 N^2 + 2, "
                                    "6 N^2 + 2 or 10 N^2 + 2 vertices; or FILE: those of a mesh of the sphere, such as "
@@ -693,6 +703,42 @@ private:
       if(!is_among(format, output_formats))
         refuse("format", "one of " + list_of(output_formats));
     }
+  }
+
+  // what is done to a surface before it is mapped
+  void read_repair()
+  {
+    if(has("fill-holes"))
+    {
+      max_hole_edges =
+          text("fill-holes") == "all"
+              ? std::numeric_limits<std::size_t>::max()
+              : static_cast<std::size_t>(read_number("fill-holes", 3, 1e9, "a number of edges from 3 on, or all", 0.));
+      describe("holes filled: " + text("fill-holes"));
+      for(const char* option : {"transfer", "features"})
+        if(has(option))
+          fail("--" + std::string(option) +
+               " and --fill-holes cannot be combined, as the filler has no values: write the closed " +
+               "surface by --filled, and map that");
+      if(!start_file.empty())
+        fail("--initial with a file and --fill-holes cannot be combined, as the file has no images of the filler: "
+             "write the closed "
+             "surface by --filled, and map that");
+    }
+    file_names.filled = text("filled");
+    if(has("filled") && !has("fill-holes"))
+      fail("--filled goes with --fill-holes");
+    if(has("filled") && has("output-folder"))
+      fail("--filled is for one mesh: leave out --output-folder");
+    if(has("filled") && file_format(file_names.filled) != ".ply")
+      refuse("filled", "the name of a .ply file, which can hold properties");
+    const std::string component = read_word("components", {"largest", "each"}, "");
+    picks_component = has("components");
+    takes_each_component = component == "each";
+    if(takes_each_component && has("output-folder"))
+      fail("--components each is for one mesh: leave out --output-folder");
+    if(picks_component)
+      describe(component + " component");
   }
 
   static constexpr double max_sharpness = 1e6;

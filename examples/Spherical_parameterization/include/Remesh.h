@@ -24,6 +24,7 @@
 #include <CGAL/Spherical_parameterization/transfer.h>
 
 #include <cstddef>
+#include <cstdint>
 #include <ostream>
 #include <string>
 #include <utility>
@@ -130,6 +131,20 @@ public:
     const SP::Error_code error = SP::transfer(values.mesh(), values_sphere, m_mesh, m_images);
     if(error != SP::OK)
       throw Program_error(name, SP::get_error_message(error));
+  }
+
+  /// gives the faces the property `filler`: 1 where most of a face is what a hole has been filled with.
+  ///
+  /// \throws Program_error if that fails
+  void mark_filler(Input_mesh& input, const Sphere_map& sphere)
+  {
+    const auto of_input = input.mesh().add_property_map<Mesh::Face_index, std::uint8_t>("f:filler", 0).first,
+               of_remesh = m_mesh.add_property_map<Mesh::Face_index, std::uint8_t>("f:filler", 0).first;
+    for(const Mesh::Face_index f : input.mesh().faces())
+      of_input[f] = input.is_filler(f) ? 1 : 0;
+    const SP::Error_code error = SP::transfer(input.mesh(), sphere, m_mesh, m_images, std::pair(of_input, of_remesh));
+    if(error != SP::OK)
+      throw Program_error(input.name() + ": " + SP::get_error_message(error));
   }
 
   /// returns what is to be said of the properties that are not carried over, a line each, empty if there is none.

@@ -10,6 +10,7 @@
 #include "run_method.h"
 
 #include <CGAL/Spherical_parameterization/Parameterization_report.h>
+#include <CGAL/Spherical_parameterization/fill_holes.h>
 #include <CGAL/Spherical_parameterization/measure_distance.h>
 #include <CGAL/Spherical_parameterization/Surface_map_report.h>
 #include <CGAL/Spherical_parameterization/measure_distortion.h>
@@ -25,6 +26,7 @@
 #include <ostream>
 #include <sstream>
 #include <string>
+#include <vector>
 
 namespace Program {
 
@@ -81,12 +83,15 @@ public:
   double seconds_for_input = 0.; ///< reading and checking the file
   double seconds_for_measuring = 0.;
   double seconds_for_sampling = 0.;
-  double seconds_for_matching = 0.;        ///< the other surface, and the map between both
-  double seconds_for_output = 0.;          ///< writing all files but that with this report
-  Words files;                             ///< that were written
-  File_stamp input_stamp;                  ///< of the file, before it was read
-  File_stamp start_stamp;                  ///< of the file with the map to start from; empty if there is none
-  std::optional<Checksum> sphere_checksum; ///< if it was written, and to an ordinary file
+  double seconds_for_matching = 0.;         ///< the other surface, and the map between both
+  double seconds_for_output = 0.;           ///< writing all files but that with this report
+  Words files;                              ///< that were written
+  File_stamp input_stamp;                   ///< of the file, before it was read
+  File_stamp start_stamp;                   ///< of the file with the map to start from; empty if there is none
+  std::optional<Checksum> sphere_checksum;  ///< if it was written, and to an ordinary file
+  std::vector<std::size_t> components;      ///< the numbers of their faces, if one was picked
+  std::size_t component = 0;                ///< which
+  std::vector<SP::Filled_hole<Mesh>> holes; ///< if they were to be filled
   std::optional<Remesh_figures> remesh;
   std::optional<Match_figures> match;
   /// the distortion with the darkest colour, and that with the lightest, if colours were written
@@ -159,7 +164,13 @@ public:
     if(run.number_of_flat_faces > 0)
       out << "; " << run.number_of_flat_faces << (run.number_of_flat_faces == 1 ? " face is" : " faces are")
           << " nearly flat";
-    out << "\nMethod    " << m_options.description << '\n';
+    out << '\n';
+    if(!components.empty())
+      out << "Part      " << component + 1 << " of " << components.size() << ", with " << components[component]
+          << " faces" << sizes_of_others() << '\n';
+    if(!holes.empty())
+      out << "Holes     " << describe_holes() << '\n';
+    out << "Method    " << m_options.description << '\n';
     if(m_options.method == "hierarchical")
       out << "Sweeps    " << run.number_of_level_iterations << " over " << run.number_of_levels << " levels\n";
     else if(!is_among(m_options.method, {"stereographic", "schnyder"}))
@@ -205,6 +216,14 @@ public:
     return std::to_string(result.report.number_of_vertices) + " vertices, D_iso " +
            fixed_text(isometric.maximum, digits, false) + " / " + fixed_text(isometric.average, digits, false) + ", " +
            fixed_text(seconds(), 2) + " s" + (result.is_one_to_one ? "" : ", folds: " + fault());
+  }
+
+  /// returns what is to be said of filler, a line, empty if there is nothing.
+  std::string warning_of_filler() const
+  {
+    return share_of_filler() > 0.5 ? printable(m_input) + ": more than half of the area that is mapped is filler: the "
+                                                          "surface has little to say of its sphere\n"
+                                   : "";
   }
 
   /// returns what is wrong with a map that is not one-to-one, and what helps.
@@ -254,6 +273,20 @@ public:
                                .add("D_angle", statistics(distortion.angle))
                                .add("inverted_faces", distortion.number_of_inverted_faces)
                                .add("degenerate_faces", distortion.number_of_degenerate_faces));
+    if(!components.empty())
+      all.add("component", component + 1).add("faces_of_components", components);
+    if(m_options.max_hole_edges > 0)
+    {
+      std::vector<Json_object> figures;
+      for(const SP::Filled_hole<Mesh>& hole : holes)
+        figures.push_back(Json_object()
+                              .add("vertex", std::size_t(hole.vertex))
+                              .add("edges", hole.number_of_edges)
+                              .add("perimeter", hole.perimeter)
+                              .add("faces", hole.faces.size())
+                              .add("share_of_area", hole.share));
+      all.add("holes", figures);
+    }
     if(!start_stamp.is_empty())
       all.add("start_stamp", stamp_of(start_stamp));
     if(balanced)
@@ -338,6 +371,51 @@ public:
   static constexpr const char* seal = ",\n  \"crc32\": ";
 
 private:
+  double share_of_filler() const
+  {
+    double share = 0.;
+    for(const SP::Filled_hole<Mesh>& hole : holes)
+      share += hole.share;
+    return share;
+  }
+
+  std::string sizes_of_others() const
+  {
+    constexpr std::size_t max_named = 5;
+    std::vector<std::string> sizes;
+    for(std::size_t k = 0; k < components.size() && sizes.size() < max_named; ++k)
+      if(k != component)
+        sizes.push_back(std::to_string(components[k]));
+    if(sizes.empty())
+      return "";
+    return std::string("; the others have ") + list_of(sizes, " and ") +
+           (components.size() > max_named + 1 ? ", and " + std::to_string(components.size() - 1 - max_named) + " less"
+                                              : "");
+  }
+
+  // the largest ones, and how many there are
+  std::string describe_holes() const
+  {
+    constexpr std::size_t max_named = 5;
+    constexpr int digits = 2;
+    std::vector<SP::Filled_hole<Mesh>> sorted = holes;
+    std::stable_sort(sorted.begin(), sorted.end(),
+                     [](const auto& a, const auto& b) { return a.number_of_edges > b.number_of_edges; });
+    std::size_t n_filled = 0;
+    for(const SP::Filled_hole<Mesh>& hole : sorted)
+      n_filled += !hole.faces.empty();
+    std::string text =
+        std::to_string(n_filled) + " filled, " + fixed_text(100. * share_of_filler(), digits) + " % of the area";
+    for(std::size_t k = 0; k < sorted.size() && k < max_named; ++k)
+      text += (k == 0 ? ": " : "; ") + std::to_string(sorted[k].number_of_edges) + " edges at vertex " +
+              std::to_string(std::size_t(sorted[k].vertex)) + ", perimeter " +
+              fixed_text(sorted[k].perimeter, 6, false) +
+              (sorted[k].faces.empty() ? ", left open" : ", " + fixed_text(100. * sorted[k].share, digits) + " %");
+    return text + (sorted.size() > max_named
+                       ? "; and " + std::to_string(sorted.size() - max_named) + " with fewer edges"
+                       : "");
+  }
+
   void print_match(std::ostream& out) const
   {
     constexpr int digits = 3;

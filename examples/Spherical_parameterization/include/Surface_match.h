@@ -82,6 +82,7 @@ public:
     : m_first(first.mesh())
     , m_second(second.mesh())
     , m_sphere2(sphere2)
+    , m_n_written(first.mesh_of_file().number_of_vertices())
     , m_triangles(first.triangles())
     , m_directions(m_first.add_property_map<Vertex_index, Point_3>("v:directions", Point_3(0, 0, 0)).first)
   {
@@ -136,10 +137,10 @@ public:
   void write_positions(std::ostream& out, const std::string& format) const
   {
     const SP::Sphere_locator_3 locator(m_second, m_sphere2, true);
-    std::vector<Point_3> points(m_first.number_of_vertices(), Point_3(0, 0, 0));
+    std::vector<Point_3> points(m_n_written, Point_3(0, 0, 0));
     typename decltype(locator)::Hint hint;
     for(const Vertex_index v : m_first.vertices())
-      if(!m_first.is_isolated(v))
+      if(!m_first.is_isolated(v) && v.idx() < m_n_written)
       {
         const auto [face, weights] = locator.locate(m_directions[v], hint);
         const Mesh::Halfedge_index h = m_second.halfedge(face);
@@ -153,7 +154,8 @@ public:
   /// writes the faces of the first surface, with the directions of its vertices.
   void write_directions(std::ostream& out, const std::string& format) const
   {
-    write_soup(out, format, std::vector<Point_3>(m_directions.begin(), m_directions.end()), m_triangles);
+    const auto n = static_cast<std::ptrdiff_t>(m_n_written);
+    write_soup(out, format, std::vector<Point_3>(m_directions.begin(), m_directions.begin() + n), m_triangles);
   }
 
   /// writes the common refinement as a PLY file: with the places on the first surface, and as properties those on the
@@ -266,6 +268,7 @@ private:
   Mesh& m_first;
   Mesh& m_second;
   Sphere_map m_sphere2;
+  std::size_t m_n_written; // vertices of the first surface, but those that holes have been filled with
   const std::vector<Polygon>& m_triangles;
   Sphere_map m_directions;
   SP::Surface_overlay_3<Mesh, Mesh> m_overlay;

@@ -47,9 +47,26 @@ inline std::string list_of(const Words& words, const std::string& last_separator
 struct File_names
 {
   std::string input;
-  std::string sphere, remesh, image, page, json;   ///< empty if not wanted
-  std::string onto, target_sphere, overlay, morph; ///< of a map onto another surface, empty if not wanted
+  std::string sphere, filled, remesh, image, page, json; ///< empty if not wanted
+  std::string onto, target_sphere, overlay, morph;       ///< of a map onto another surface, empty if not wanted
   std::string colored; ///< what the names of the coloured meshes begin with, empty if they are not wanted
+
+  /// returns the names for a part of a surface: all that are written get its number, from 1 on.
+  File_names of_part(std::size_t part) const
+  {
+    const std::string number = "_" + std::to_string(part + 1);
+    File_names result = *this;
+    for(std::string* name : {&result.sphere, &result.filled, &result.remesh, &result.image, &result.page, &result.json,
+                             &result.onto, &result.target_sphere, &result.overlay, &result.morph})
+      if(!name->empty())
+      {
+        const std::filesystem::path path(*name);
+        *name = (path.parent_path() / path.stem()).string() + number + path.extension().string();
+      }
+    if(!result.colored.empty())
+      result.colored += number;
+    return result;
+  }
 };
 
 /// The size of a file and when it was last changed: what tells, as for many build tools, whether it is as it was.

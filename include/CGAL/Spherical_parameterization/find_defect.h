@@ -71,8 +71,7 @@ struct Mesh_defect
 /// \ingroup PkgSphericalParameterizationMeasuring
 ///
 /// finds what keeps a mesh from being parameterized, and where it is, by the checks of `parameterize()` itself: if no
-/// defect is found, that with default parameters returns `OK`, but for a mesh whose map double precision numbers cannot
-/// hold. The running time is linear in the size of the mesh.
+/// defect is found, that with default parameters returns `OK`; see there for its limits. The running time is linear in the size of the mesh.
 ///
 /// \tparam TriangleMesh a model of `FaceListGraph`
 /// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"

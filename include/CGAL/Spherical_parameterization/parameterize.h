@@ -47,7 +47,7 @@ namespace CGAL::Spherical_parameterization {
 ///
 /// The default method returns `OK` for every mesh that `find_defect()` finds nothing wrong with, whatever its shape:
 /// faces without area, needles, vertices in one place, self-intersections and any orientation included. Up to 10,000,000
-/// vertices this is a theorem. The points of a sphere that are stored as floating-point numbers are about 10<sup>-16</sup> radii
+/// vertices there is a theorem behind this, unless the sphere is smaller than 1e-289. The points of a sphere that are stored as floating-point numbers are about 10<sup>-16</sup> radii
 /// apart, and a vertex at the tip of many nested triangles must be mapped into all of them. The method spends the area of the
 /// sphere such that chains of tens of thousands fit, and starts again with more room for the smallest faces if doubles do not
 /// hold a map; if none of this helped, it would start from the map of `Schnyder_parameterizer_3`, which exists for every mesh

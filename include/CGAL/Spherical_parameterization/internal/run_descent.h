@@ -74,8 +74,8 @@ void embed_surface(const Energy& energy, const Sharpness& sharpness, std::size_t
   run.control.on_initialization_end();
 }
 
-// Lowers the energy of a bijection by sweeps. Faces that rounding might turn over on the way, as the last resort has some above two
-// million vertices, stay as they are.
+// Lowers the energy of a bijection by sweeps. Faces that rounding might turn over on the way, as the last resort may have some
+// above 1.7 million vertices, stay as they are.
 template <class Step, class Energy, class Radius, class Run>
 void run_descent(const Energy& energy, const Radius& radius, const Sharpness& sharpness,
                  const Descent_settings& settings, std::size_t max_sweeps, Run& run)
@@ -94,7 +94,7 @@ void run_descent(const Energy& energy, const Radius& radius, const Sharpness& sh
     Radius_policy_chooser<Radius, Energy> chooser(radius, energy);
     descend(&chooser);
   }
-  if(!can_be_swept)
+  if(!can_be_swept && report.stop_reason == ITERATION_LIMIT)
     report.stop_reason = OBSTRUCTED;
   run.control.on_optimization_end();
 }

@@ -27,15 +27,17 @@
 namespace CGAL::Spherical_parameterization::internal {
 
 // Theorem. Every simple triangulation T of the sphere with n >= 4 vertices has a one-to-one map to the sphere whose vertices
-// lie in integer directions, with coordinates of size at most 2 N, where N = 2 n - 7. With 10^7 vertices or less, the unit
-// vectors that doubles round these directions to are one-to-one as well, and so are these times a radius.
+// lie in integer directions, with coordinates of absolute value at most 2 N, where N = 2 n - 7. With 10^7 vertices or less, the
+// unit vectors that doubles round these directions to, to nearest, are one-to-one as well, and so are these times a radius of at
+// least 2^-960.
 //
 // Proof. (1) The open end. By Euler's formula the mean degree is below 6, so there is a vertex s with a ring of d = 3, 4 or 5
 // vertices l1, ..., ld, counterclockwise. Remove s, and fill the hole by d - 2 triangles from l1. The new edges are not in T
-// already, if l1 is chosen well: T has no two edges outside the hole that cross, so it lacks a diagonal of a hole of four, and
-// of one of five it has at most two, which have a vertex in common; either neighbour of that has none. What results is a
-// simple triangulation T' with n - 1 vertices. Let its outer face be (l1, l2, l3) for d = 3, or else (l1, l3, l4), and call the
-// corners A = l1, B = ld or l4, and C = l2 or l3: seen from within, they are counterclockwise. There are N inner faces.
+// already, if l1 is chosen well. For T has no two edges outside the hole that cross. So it lacks a diagonal of a hole of four; and
+// of one of five it has at most two, which have an end in common if they are two, and then a neighbour of that end has none; if
+// there is one, the vertex between its ends has none. What results is a simple triangulation T' with n - 1 vertices. Let its outer
+// face be (l1, l2, l3) for d = 3, or else (l1, l3, l4), and call the corners A = l1, B = ld or l4, and C = l2 or l3, so that the
+// inner faces, of which there are N, are to the left of the way from A to B and C.
 //
 // (2) The drawing. A Schnyder wood of T' [Schnyder, Embedding planar graphs on the grid, 1990] gives each inner vertex three
 // paths, to A, B and C, which share only that vertex. They cut the triangle in three regions; let v1, v2 and v3 be the
@@ -45,21 +47,23 @@ namespace CGAL::Spherical_parameterization::internal {
 // of at least 1. Seen from the origin, the inner faces tile the positive octant once.
 //
 // (3) The closing. Faces inside the hole that are no faces of T are left out, and s is placed at -c. The face (s, p, q) with
-// the edge from p to q of the hole is positive if det(c, q, p) is. With c as below, these determinants are, for x = l2 and
-// y = l5, up to positive factors:
+// the edge from p to q of the hole is positive if det(c, q, p) is. With c as below, these determinants are, for the inner vertices
+// x = l2 and y = l5, which differ, up to factors of N or N^2:
 //   d = 3, c = (1, 1, 1):                  1, 1, 1;
 //   d = 4, c = x + B:                      x3, x1, x1, x3;
 //   d = 5, c = (1, x2 + y2, x3 + y3):      c2 x3 - c3 x2 = y2 x3 - y3 x2,  c2 x1 - x2,  1,  c3 y1 - y3,  c3 y2 - c2 y3 = y2 x3 - y3 x2.
 // These are positive integers, as x1, x3, y1 and y2 are at least 1, and y2 x3 > y3 x2: seen from A, the edge to x comes before
-// the edge to y on the way from C to B. So the faces of T without s are star-shaped about c: each half of a great circle
-// from c to -c leaves them once, and goes on in a face of s. All faces are positive, and cover each direction once.
+// the edge to y on the way from C to B. The faces of T without s are a polygon in the octant, with c inside, all of whose sides turn
+// around c in one sense: each half of a great circle from c to -c leaves them once, and goes on in a face of s. So all faces
+// are positive, and cover each direction once.
 //
 // (4) Rounding. As coordinates are not negative, no corner of an inner face is longer than N, and no c longer than 2 N. So the
 // determinant of the unit vectors is at least N / N^3 for a face of T', and for one of s at least N / (2 N N^2), which is
-// 1 / (2 N^2) > 1.25e-15 for n <= 10^7. Squares of lengths are at most 4 N^2 < 2^53, and exact, a common factor of three
-// coordinates does not matter, and the rounding of a quotient, of the product with a radius, and of one more such step moves a
-// unit vector by 3 * 2^-53 at most. That changes the determinant by no more than three times as much, 9 * 2^-53 < 1e-15, but
-// for terms of second order, which are below 1e-30.
+// 1 / (2 N^2) > 1.25e-15 for n <= 10^7. The coordinates themselves are exact, and the length that they are divided by is a common
+// factor, which does not matter. The rounding of the quotient, of the product with the radius, and of one more product moves a unit
+// vector by 3 * 2^-53 at most. That changes the determinant by no more than three times as much, 9 * 2^-53 < 1e-15, but
+// for terms of second order, which are below 1e-30. On the straight way from the exact vectors to the rounded ones, all determinants
+// stay positive, so that each direction stays covered once.
 //
 // That is a start where nothing else is, and no good one: areas follow the numbers of faces, and most of them are near to B or A.
 class Schnyder_drawing
@@ -128,7 +132,7 @@ private:
     std::vector<Index> candidates;
     m_order.reserve(n - 4);
 
-    const auto [a, b, c] = m_outer;
+    const Index a = m_outer[0], b = m_outer[1], c = m_outer[2];
     const auto take_off = [&](Index v, Index first, Index last) {
       const Vertex_rings::Ring ring = m_rings.ring(v);
       is_on_path[v] = 0;

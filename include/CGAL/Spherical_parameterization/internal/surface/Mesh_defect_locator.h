@@ -152,8 +152,8 @@ private:
     say("the mesh has a border: " + name_of_edge() + " belongs to " +
             (m_defect.face == Traits::null_face() ? "no face" : "one face only, " + name(m_defect.face)) +
             in_total("edges"),
-        "Close the holes first, for example with CGAL::Polygon_mesh_processing::triangulate_hole(). If the faces "
-        "do not share their vertices, join them with CGAL::Polygon_mesh_processing::stitch_borders().");
+        "Fill the holes first, with fill_holes(). If the faces do not share their vertices, join them with "
+        "CGAL::Polygon_mesh_processing::stitch_borders().");
   }
 
   template <class VertexPointMap>

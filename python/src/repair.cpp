@@ -1,0 +1,54 @@
+#include "functions.h"
+
+#include <CGAL/Spherical_parameterization/fill_holes.h>
+
+#include <CGAL/boost/graph/iterator.h>
+
+#include <algorithm>
+#include <cstdint>
+
+namespace Module {
+
+py::tuple fill_holes(const Points& vertices, const Indices& faces, std::size_t max_edges)
+{
+  std::vector<SP::Filled_hole<Mesh>> holes;
+  std::vector<std::array<std::uint32_t, 3>> triangles;
+  std::vector<Point_3> new_points;
+  {
+    const py::gil_scoped_release unlock;
+    Mesh mesh = make_mesh("", vertices, faces);
+    const std::size_t n_vertices = mesh.number_of_vertices(), n_faces = mesh.number_of_faces();
+    const SP::Error_code error = SP::fill_holes(mesh, holes, CGAL::parameters::maximum_number(max_edges));
+    if(error == SP::ERROR_NO_SIMPLICIAL_COMPLEX)
+      throw Error{{error,
+                   "the border touches itself in vertex " + std::to_string(holes.back().vertex) +
+                       ", so that it is not clear what its holes are.\nGive each of its parts a vertex of its own. "
+                       "(Vertices are counted from 0.)",
+                   std::size_t(holes.back().vertex),
+                   {},
+                   {}}};
+    check_points("", mesh, "vertices", vertices);
+    for(const Face_index f : mesh.faces())
+      if(f.idx() >= n_faces)
+      {
+        triangles.emplace_back();
+        std::size_t k = 0;
+        for(const Vertex_index v : CGAL::vertices_around_face(mesh.halfedge(f), mesh))
+          triangles.back()[k++] = v;
+      }
+    for(const Vertex_index v : mesh.vertices())
+      if(v.idx() >= n_vertices)
+        new_points.push_back(mesh.point(v));
+  }
+  Points points({static_cast<py::ssize_t>(new_points.size()), py::ssize_t(3)});
+  double* row = points.mutable_data();
+  for(const Point_3& p : new_points)
+    row = std::copy(p.cartesian_begin(), p.cartesian_end(), row);
+  py::list list;
+  for(const auto& hole : holes)
+    list.append(
+        py::make_tuple(std::size_t(hole.vertex), hole.number_of_edges, hole.perimeter, hole.faces.size(), hole.share));
+  return py::make_tuple(points, to_array(triangles), list);
+}
+
+} // namespace Module
