@@ -1,7 +1,6 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/connected_components.h>
 #include <CGAL/Polygon_mesh_processing/triangulate_faces.h>
-#include <CGAL/Spherical_parameterization/fill_holes.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 #include <CGAL/spherical_parameterization.h>
@@ -26,8 +25,7 @@ bool repair(Mesh& mesh, const SP::Mesh_defect<Mesh>& defect)
   case SP::ERROR_SEVERAL_COMPONENTS:
     PMP::keep_largest_connected_components(mesh, 1);
     return true;
-  case SP::ERROR_NON_CLOSED_MESH:
-  {
+  case SP::ERROR_NON_CLOSED_MESH: {
     std::vector<SP::Filled_hole<Mesh>> holes;
     return SP::fill_holes(mesh, holes) == SP::OK && !holes.empty();
   }

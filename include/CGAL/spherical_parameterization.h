@@ -52,6 +52,7 @@
 #include <CGAL/Spherical_parameterization/Two_phase_radius_3.h>
 #include <CGAL/Spherical_parameterization/align_spheres.h>
 #include <CGAL/Spherical_parameterization/compute_texture_coordinates.h>
+#include <CGAL/Spherical_parameterization/fill_holes.h>
 #include <CGAL/Spherical_parameterization/find_defect.h>
 #include <CGAL/Spherical_parameterization/is_bijective.h>
 #include <CGAL/Spherical_parameterization/map_surface.h>

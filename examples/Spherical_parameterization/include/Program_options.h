@@ -712,7 +712,7 @@ private:
     {
       max_hole_edges =
           text("fill-holes") == "all"
-              ? std::numeric_limits<std::size_t>::max()
+              ? (std::numeric_limits<std::size_t>::max)()
               : static_cast<std::size_t>(read_number("fill-holes", 3, 1e9, "a number of edges from 3 on, or all", 0.));
       describe("holes filled: " + text("fill-holes"));
       for(const char* option : {"transfer", "features"})

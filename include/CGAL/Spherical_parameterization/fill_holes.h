@@ -282,8 +282,6 @@ private:
 ///
 /// What the map of the closed surface says of the vertices that were there before is a one-to-one map of the surface with holes.
 ///
-/// This header is not among those that `CGAL/spherical_parameterization.h` includes, as it takes some seconds to compile.
-///
 /// It takes time linear in the size of the mesh, and for each hole of \f$ k \f$ edges about that of a Delaunay triangulation of
 /// \f$ k \f$ points.
 ///
