@@ -54,6 +54,7 @@
 #include <CGAL/Spherical_parameterization/compute_texture_coordinates.h>
 #include <CGAL/Spherical_parameterization/fill_holes.h>
 #include <CGAL/Spherical_parameterization/find_defect.h>
+#include <CGAL/Spherical_parameterization/find_handles.h>
 #include <CGAL/Spherical_parameterization/is_bijective.h>
 #include <CGAL/Spherical_parameterization/map_surface.h>
 #include <CGAL/Spherical_parameterization/measure_distance.h>

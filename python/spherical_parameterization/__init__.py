@@ -29,7 +29,7 @@ from ._measuring import (
     measure_distortion,
 )
 from ._parameterization import Report, parameterize
-from ._repair import FilledSurface, Hole, fill_holes
+from ._repair import FilledSurface, Handle, Hole, fill_holes, find_handles
 from ._sampling import Locator, Remesh, remesh, transfer
 from ._surfaces import (
     DistortionBetween,
@@ -49,6 +49,7 @@ __all__ = [
     "Error",
     "ErrorCode",
     "FilledSurface",
+    "Handle",
     "Hole",
     "Locator",
     "Measure",
@@ -64,6 +65,7 @@ __all__ = [
     "align_spheres",
     "fill_holes",
     "find_defect",
+    "find_handles",
     "is_bijective",
     "map_surface",
     "measure_distance",

@@ -92,3 +92,48 @@ def fill_holes(vertices: ArrayLike, faces: ArrayLike, *, max_edges: Optional[int
     return FilledSurface(
         np.concatenate([points, new_points]), np.concatenate([triangles, new_triangles]), [Hole(*hole) for hole in holes]
     )
+
+
+class Handle(NamedTuple):
+    """A handle of a surface, which keeps it from being mapped to a sphere.
+
+    Attributes
+    ----------
+    path : (k,) ndarray of int64
+        The vertices of a short closed path around it, or through it: each is joined to the next one by an edge, and the last one
+        to the first. Where the surface is cut along it, and both sides are filled, there is one handle less.
+    length : float
+        The length of the path.
+    """
+
+    path: NDArray[np.int64]
+    length: float
+
+
+def find_handles(vertices: ArrayLike, faces: ArrayLike, *, max_handles: Optional[int] = None) -> List[Handle]:
+    """Finds the handles of a surface, tiny ones first as far as that is easily found.
+
+    Parameters
+    ----------
+    vertices : (n, 3) array_like of numbers
+        The points of the surface.
+    faces : (m, 3) array_like of integers
+        The vertices of each triangle.
+    max_handles : int, optional
+        The largest number of handles that are looked for, at least 1; by default any. Each takes 0.2 s on 100,000 vertices.
+
+    Returns
+    -------
+    list of Handle
+        All handles, none if the surface has the topology of a sphere.
+
+    Raises
+    ------
+    Error
+        If anything else is wrong with the surface, see `find_defect`.
+    """
+    most = np.iinfo(np.uint32).max if max_handles is None else operator.index(max_handles)
+    if most < 1:
+        refuse(f"max_handles is {most}; it has to be at least 1")
+    points, triangles = read_points("vertices", vertices), read_faces("faces", faces)
+    return [Handle(*handle) for handle in _core.find_handles(points, triangles, min(most, np.iinfo(np.uint32).max))]

@@ -20,6 +20,7 @@ py::tuple parameterize(const Points& vertices, const Indices& faces, const std::
                        std::size_t threads, double time_limit, const py::object& callback, bool returns_on_interrupt);
 
 py::tuple fill_holes(const Points& vertices, const Indices& faces, std::size_t max_edges);
+py::list find_handles(const Points& vertices, const Indices& faces, std::size_t max_handles);
 void find_defect(const Points& vertices, const Indices& faces); // throws it
 bool is_bijective(const Indices& faces, const Points& sphere, std::size_t threads);
 py::dict measure_distortion(const Points& vertices, const Indices& faces, const Points& sphere, std::size_t threads);

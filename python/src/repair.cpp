@@ -1,6 +1,7 @@
 #include "functions.h"
 
 #include <CGAL/Spherical_parameterization/fill_holes.h>
+#include <CGAL/Spherical_parameterization/find_handles.h>
 
 #include <CGAL/boost/graph/iterator.h>
 
@@ -49,6 +50,31 @@ py::tuple fill_holes(const Points& vertices, const Indices& faces, std::size_t m
     list.append(
         py::make_tuple(std::size_t(hole.vertex), hole.number_of_edges, hole.perimeter, hole.faces.size(), hole.share));
   return py::make_tuple(points, to_array(triangles), list);
+}
+
+py::list find_handles(const Points& vertices, const Indices& faces, std::size_t max_handles)
+{
+  std::vector<SP::Handle<Mesh>> handles;
+  {
+    const py::gil_scoped_release unlock;
+    const Mesh mesh = make_mesh("", vertices, faces);
+    const SP::Error_code error = SP::find_handles(
+        mesh, handles, CGAL::parameters::vertex_point_map(rows_of(vertices)).maximum_number(max_handles));
+    if(error != SP::OK)
+    {
+      check_surface("", mesh);
+      fail(error, SP::get_error_message(error));
+    }
+  }
+  py::list result;
+  for(const auto& handle : handles)
+  {
+    py::array_t<std::int64_t> path(static_cast<py::ssize_t>(handle.path.size()));
+    std::transform(handle.path.begin(), handle.path.end(), path.mutable_data(),
+                   [](Vertex_index v) { return static_cast<std::int64_t>(v.idx()); });
+    result.append(py::make_tuple(path, handle.length));
+  }
+  return result;
 }
 
 } // namespace Module

@@ -317,6 +317,23 @@ def test_fills_holes():
     assert error.vertex == 0 and "vertex 0" in str(error)
 
 
+def test_finds_handles():
+    vertices, faces, _ = map_of(8)
+    assert sp.find_handles(vertices, faces) == []
+    m, n = 20, 6
+    i, j = np.divmod(np.arange(m * n), n)
+    corner = lambda a, b: (i + a) % m * n + (j + b) % n  # noqa: E731
+    torus = np.stack([np.stack([corner(0, 0), corner(1, 0), corner(1, 1)]), np.stack([corner(0, 0), corner(1, 1), corner(0, 1)])])
+    torus = torus.transpose(0, 2, 1).reshape(-1, 3)
+    u, v = 2 * np.pi * i / m, 2 * np.pi * j / n
+    points = np.stack([(2 + np.cos(v)) * np.cos(u), (2 + np.cos(v)) * np.sin(u), np.sin(v)], axis=1)
+    (handle,) = sp.find_handles(points, torus)
+    assert handle.path.shape == (n,) and handle.length == pytest.approx(2 * n * np.sin(np.pi / n))
+    assert "find_handles" in str(refused(sp.ErrorCode.NO_TOPOLOGICAL_SPHERE, sp.parameterize, points, torus))
+    refused(sp.ErrorCode.NON_CLOSED_MESH, sp.find_handles, points, torus[1:])
+    refused(sp.ErrorCode.WRONG_PARAMETER, sp.find_handles, points, torus, max_handles=0)
+
+
 def test_goes_on_from_a_map():
     vertices, faces, sphere = map_of(8)
     assert sp.parameterize(vertices, faces, initial=2 * sphere)[1].initial_energy == pytest.approx(

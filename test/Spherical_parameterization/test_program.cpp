@@ -588,6 +588,20 @@ TEST_F(Command_line, fills_holes)
     EXPECT_EQ(run(std::string("opened.off ") + options).status, 1) << options;
 }
 
+TEST_F(Command_line, tells_of_handles)
+{
+  write_off("torus.off", test_meshes::torus(20, 6));
+  const Outcome outcome = run("torus.off -o sphere.off --handles handles.ply");
+  EXPECT_EQ(outcome.status, 1);
+  EXPECT_NE(outcome.err.find("A path of 6 edges around a handle, of length 6, at vertex"), std::string::npos)
+      << outcome.err;
+  EXPECT_FALSE(std::filesystem::exists(path("sphere.off")));
+  EXPECT_NE(content(path("handles.ply")).find("element edge 6\n"), std::string::npos);
+  write_off("sphere.off", test_meshes::icosphere(1));
+  EXPECT_EQ(run("sphere.off --handles handles.ply").status, 0);
+  EXPECT_NE(content(path("handles.ply")).find("element edge 0\n"), std::string::npos);
+}
+
 TEST_F(Command_line, maps_one_part_or_each)
 {
   const test_meshes::Triangle_list two =

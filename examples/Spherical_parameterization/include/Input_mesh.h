@@ -7,6 +7,7 @@
 #include "read_soup.h"
 
 #include <CGAL/Spherical_parameterization/fill_holes.h>
+#include <CGAL/Spherical_parameterization/find_handles.h>
 #include <CGAL/Spherical_parameterization/measure_distortion.h>
 
 #include <CGAL/Surface_mesh.h>
@@ -22,6 +23,7 @@
 #include <cstdint>
 #include <optional>
 #include <ostream>
+#include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -87,7 +89,41 @@ public:
                              : defect->error == SP::ERROR_SEVERAL_COMPONENTS
                                  ? "\n--components largest maps the largest one, --components each all of them."
                                  : "";
-    return m_name + ": " + defect->message + cure;
+    return m_name + ": " + defect->message + cure +
+           (defect->error == SP::ERROR_NO_TOPOLOGICAL_SPHERE ? describe_handles() : "");
+  }
+
+  /// returns a closed path around each handle, at most so many; see `SP::find_handles()`. There are none if anything else is wrong.
+  std::vector<SP::Handle<Mesh>> find_handles(std::size_t max_handles) const
+  {
+    std::vector<SP::Handle<Mesh>> handles;
+    if(SP::find_handles(m_mesh, handles, CGAL::parameters::maximum_number(max_handles)) != SP::OK)
+      handles.clear();
+    return handles;
+  }
+
+  /// writes paths around handles as a PLY file of lines: their vertices with the number that each has in the mesh, and edges
+  /// with the number of the handle.
+  void write_handles(std::ostream& out, const std::vector<SP::Handle<Mesh>>& handles) const
+  {
+    std::size_t n = 0;
+    for(const SP::Handle<Mesh>& handle : handles)
+      n += handle.path.size();
+    out << "ply\nformat ascii 1.0\nelement vertex " << n
+        << "\nproperty double x\nproperty double y\nproperty double z\nproperty int vertex\nelement edge " << n
+        << "\nproperty int vertex1\nproperty int vertex2\nproperty int handle\nend_header\n";
+    out.precision(17);
+    for(const SP::Handle<Mesh>& handle : handles)
+      for(const Vertex_index v : handle.path)
+        out << m_mesh.point(v) << ' ' << v.idx() << '\n';
+    std::size_t first = 0;
+    for(std::size_t k = 0; k < handles.size(); ++k)
+    {
+      const std::size_t size = handles[k].path.size();
+      for(std::size_t i = 0; i < size; ++i)
+        out << first + i << ' ' << first + (i + 1) % size << ' ' << k << '\n';
+      first += size;
+    }
   }
 
   /// fills the holes with at most so many edges; see `SP::fill_holes()`. New vertices and faces come behind those of the file.
@@ -211,6 +247,17 @@ public:
   }
 
 private:
+  std::string describe_handles() const
+  {
+    constexpr std::size_t max_named = 5; // each takes time
+    std::ostringstream text;
+    for(const SP::Handle<Mesh>& handle : find_handles(max_named))
+      text << "\nA path of " << handle.path.size() << " edges around a handle, of length " << handle.length
+           << ", at vertex " << handle.path.front().idx() << '.';
+    text << "\n--handles FILE writes such a path for each. (Vertices are counted from 0.)";
+    return text.str();
+  }
+
   static bool is_finite(const Point_3& p)
   {
     return std::isfinite(p.x()) && std::isfinite(p.y()) && std::isfinite(p.z());

@@ -22,6 +22,7 @@
 #include <chrono>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <ostream>
 #include <string>
@@ -87,6 +88,13 @@ public:
     m_input.emplace(m_names.input, std::move(soup));
     if(m_options.max_hole_edges > 0)
       m_report.holes = m_input->fill_holes(m_options.max_hole_edges);
+    if(m_files.handles)
+    {
+      const std::vector<SP::Handle<Mesh>> handles = m_input->find_handles((std::numeric_limits<std::size_t>::max)());
+      m_files.handles->write([&](std::ostream& out) { m_input->write_handles(out, handles); });
+      if(!handles.empty())
+        m_files.handles->commit(); // as there is nothing else to wait for
+    }
     m_report.seconds_for_input = seconds_now() - start;
 
     // A vertex without a face stays at the origin.

@@ -29,6 +29,8 @@ public:
     };
     if(!names.sphere.empty())
       add(sphere, names.sphere);
+    if(!names.handles.empty())
+      add(handles, names.handles);
     if(!names.filled.empty())
       add(filled, names.filled);
     if(!names.remesh.empty())
@@ -96,8 +98,8 @@ public:
     return result;
   }
 
-  std::optional<Output_file> sphere, filled, remesh, image, image_of_normals, colored_surface, colored_sphere, onto,
-      target_sphere, overlay, morph, page, json;
+  std::optional<Output_file> sphere, handles, filled, remesh, image, image_of_normals, colored_surface, colored_sphere,
+      onto, target_sphere, overlay, morph, page, json;
 
 private:
   std::vector<Output_file*> m_wanted;

@@ -211,6 +211,8 @@ private:
                                 "What is measured and written is that of the faces of INPUT")
       ("filled", word("FILE"), "with --fill-holes, write the closed surface, whose first vertices and faces are those of INPUT; "
                                "a .ply file, where the property filler of the other faces is 1")
+      ("handles", word("FILE"), "write a short closed path around each handle, which keeps a surface from being mapped, as lines; a .ply "
+                                "file, with the numbers of the vertices")
       ("components", word("WHICH"), "of a surface of several parts, map the largest one; or each, with files numbered by size, "
                                     "NAME_1.off, say, for the largest")
       ("remesh", word("DOMAIN=N"), "write the surface to -o instead, with other faces: those of an octahedron, a cube or an "
@@ -732,6 +734,11 @@ private:
       fail("--filled is for one mesh: leave out --output-folder");
     if(has("filled") && file_format(file_names.filled) != ".ply")
       refuse("filled", "the name of a .ply file, which can hold properties");
+    file_names.handles = text("handles");
+    if(has("handles") && has("output-folder"))
+      fail("--handles is for one mesh: leave out --output-folder");
+    if(has("handles") && file_format(file_names.handles) != ".ply")
+      refuse("handles", "the name of a .ply file");
     const std::string component = read_word("components", {"largest", "each"}, "");
     picks_component = has("components");
     takes_each_component = component == "each";

@@ -47,8 +47,8 @@ inline std::string list_of(const Words& words, const std::string& last_separator
 struct File_names
 {
   std::string input;
-  std::string sphere, filled, remesh, image, page, json; ///< empty if not wanted
-  std::string onto, target_sphere, overlay, morph;       ///< of a map onto another surface, empty if not wanted
+  std::string sphere, handles, filled, remesh, image, page, json; ///< empty if not wanted
+  std::string onto, target_sphere, overlay, morph; ///< of a map onto another surface, empty if not wanted
   std::string colored; ///< what the names of the coloured meshes begin with, empty if they are not wanted
 
   /// returns the names for a part of a surface: all that are written get its number, from 1 on.
@@ -56,8 +56,9 @@ struct File_names
   {
     const std::string number = "_" + std::to_string(part + 1);
     File_names result = *this;
-    for(std::string* name : {&result.sphere, &result.filled, &result.remesh, &result.image, &result.page, &result.json,
-                             &result.onto, &result.target_sphere, &result.overlay, &result.morph})
+    for(std::string* name :
+        {&result.sphere, &result.handles, &result.filled, &result.remesh, &result.image, &result.page, &result.json,
+         &result.onto, &result.target_sphere, &result.overlay, &result.morph})
       if(!name->empty())
       {
         const std::filesystem::path path(*name);

@@ -278,7 +278,8 @@ private:
             (g == 1 ? " handle" : " handles") + ", as on a torus (Euler characteristic " +
             (g == 1 ? "0" : "-" + std::to_string(2 * g - 2)) + ": " + std::to_string(v) + " vertices, " +
             std::to_string(e) + " edges, " + std::to_string(f) + " faces); a sphere has none",
-        "Cut and fill the handles, or wrap the surface, for example with CGAL::alpha_wrap_3().");
+        "Cut and fill the handles, of which find_handles() finds the places, or wrap the surface, for example with "
+        "CGAL::alpha_wrap_3().");
   }
 
   const TriangleMesh& m_mesh;
