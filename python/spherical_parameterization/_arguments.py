@@ -24,7 +24,8 @@ def refuse(message: str) -> NoReturn:
 
 def to_array(name: str, value: ArrayLike, columns: Optional[int] = None) -> NDArray[Any]:
     """Returns it as an array: an empty list, which has neither a type nor columns, as one with `columns`, if that is given."""
-    if np.ma.is_masked(value):
+    is_nested = isinstance(value, (list, tuple))
+    if np.ma.is_masked(value) or (is_nested and any(np.ma.is_masked(row) for row in value)):  # type: ignore[union-attr]
         refuse(f"{name} has masked values, which cannot be left out: fill them in, for example with filled()")
     array = np.asarray(value)
     return np.empty((0, columns), int) if columns and array.shape == (0,) else array

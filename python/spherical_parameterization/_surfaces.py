@@ -155,6 +155,8 @@ def map_surface(
     rows = read_vertices(
         "landmarks", () if landmarks is None else landmarks, 2, "(k, 2): a vertex of each surface in each row"
     )
+    if landmark_weight is not None and landmarks is None:
+        refuse("landmark_weight goes with landmarks")
     if landmark_weight is not None and not 0 < landmark_weight < np.inf:
         refuse(f"landmark_weight is {landmark_weight}; it has to be positive")
     if not 0 <= feature_weight < np.inf:

@@ -1,9 +1,12 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_PYTHON_INTERRUPTION_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_PYTHON_INTERRUPTION_H
 
+#include <CGAL/Spherical_parameterization/Default_visitor.h>
+
 #include <pybind11/pybind11.h>
 
 #include <chrono>
+#include <cstddef>
 
 namespace Module {
 
@@ -80,6 +83,21 @@ private:
   bool m_returns_on_interrupt;
   bool m_is_stopped = false;
   Clock::time_point m_next = Clock::now();
+};
+
+/// A visitor of functions that nothing but signals can stop. It is made with the lock of the interpreter.
+class Signal_visitor : public CGAL::Spherical_parameterization::Default_visitor
+{
+public:
+  bool go_further(std::size_t, double)
+  {
+    m_interruption.check_now_and_then();
+    return true;
+  }
+
+private:
+  const py::none m_no_callback;
+  Interruption m_interruption{m_no_callback, false};
 };
 
 } // namespace Module

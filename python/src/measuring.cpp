@@ -1,9 +1,12 @@
+#include "Interruption.h"
 #include "functions.h"
 #include "threads.h"
 
 #include <CGAL/Spherical_parameterization/is_bijective.h>
 #include <CGAL/Spherical_parameterization/measure_distance.h>
 #include <CGAL/Spherical_parameterization/measure_distortion.h>
+
+#include <functional>
 
 namespace Module {
 
@@ -83,13 +86,14 @@ py::tuple measure_distance(const Points& vertices1, const Indices& faces1, const
                            const Indices& faces2, std::size_t number_of_points, std::size_t threads)
 {
   SP::Surface_distance distance;
+  Signal_visitor visitor;
   {
     const py::gil_scoped_release unlock;
     const std::string name1 = "surface1: ", name2 = "surface2: ";
     const Mesh first = make_mesh(name1, vertices1, faces1), second = make_mesh(name2, vertices2, faces2);
     const auto n = CGAL::parameters::number_of_points_on_faces(number_of_points);
-    const SP::Error_code error =
-        run_with_threads(threads, [&] { return SP::measure_distance(first, second, distance, n, n); });
+    const SP::Error_code error = run_with_threads(
+        threads, [&] { return SP::measure_distance(first, second, distance, n.visitor(std::ref(visitor)), n); });
     if(error != SP::OK)
     {
       const bool is_first = error != SP::ERROR_EMPTY_MESH || first.number_of_faces() == 0;

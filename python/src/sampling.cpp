@@ -1,3 +1,4 @@
+#include "Interruption.h"
 #include "functions.h"
 #include "threads.h"
 
@@ -6,6 +7,7 @@
 #include <CGAL/Spherical_parameterization/remesh_through_sphere.h>
 #include <CGAL/Spherical_parameterization/transfer.h>
 
+#include <functional>
 #include <iterator>
 #include <limits>
 #include <memory>
@@ -101,13 +103,14 @@ std::pair<Points, Points> remesh_over(const Points& vertices, const Indices& fac
   const std::size_t n = domain.directions().size();
   Points points = new_points(n), directions = new_points(n);
   const Row_map<double> point_map(points.mutable_data()), direction_map(directions.mutable_data());
+  Signal_visitor visitor;
   {
     const py::gil_scoped_release unlock;
     const Mesh mesh = make_mesh("", vertices, faces);
     Mesh result; // its vertices and faces are those of the domain
     const SP::Error_code error = run_with_threads(threads, [&] {
       return SP::remesh_through_sphere(mesh, rows_of(sphere), domain, result, direction_map,
-                                       CGAL::parameters::default_values(),
+                                       CGAL::parameters::visitor(std::ref(visitor)),
                                        CGAL::parameters::vertex_point_map(point_map));
     });
     if(error != SP::OK)
@@ -161,6 +164,7 @@ py::array transfer_values(const py::array_t<Number, py::array::c_style>& values,
   const Number* const sources = values.data();
   std::fill_n(results, result.size(), missing);
 
+  Signal_visitor visitor;
   const py::gil_scoped_release unlock;
   const Mesh source = make_mesh("source: ", vertices, faces),
              target = make_mesh("target: ", target_sphere, target_faces);
@@ -168,7 +172,8 @@ py::array transfer_values(const py::array_t<Number, py::array::c_style>& values,
     using Index = decltype(index);
     return SP::transfer(
         source, rows_of(sphere), target, rows_of(target_sphere),
-        std::pair(Table_map<Index, const Number>{sources, n_columns}, Table_map<Index, Number>{results, n_columns}));
+        std::pair(Table_map<Index, const Number>{sources, n_columns}, Table_map<Index, Number>{results, n_columns}),
+        CGAL::parameters::visitor(std::ref(visitor)));
   };
   const SP::Error_code error =
       run_with_threads(threads, [&] { return is_of_faces ? carry(Face_index()) : carry(Vertex_index()); });

@@ -122,6 +122,7 @@ def test_refuses_what_is_no_mesh():
     masked = np.ma.masked_equal(TETRAHEDRON, -1)
     for call in (
         lambda: sp.parameterize(masked, FACES),
+        lambda: sp.parameterize(list(masked), FACES),
         lambda: sp.parameterize(TETRAHEDRON, np.ma.masked_equal(FACES, 3)),
         lambda: sp.transfer((TETRAHEDRON, FACES, TETRAHEDRON), (FACES, TETRAHEDRON), masked),
     ):
@@ -497,6 +498,9 @@ def test_an_interruption_stops_maps_between_surfaces():
         with pytest.raises(KeyboardInterrupt):
             call(first, second)
     signal.setitimer(signal.ITIMER_VIRTUAL, 0.1)
+    with pytest.raises(KeyboardInterrupt):  # it would take minutes
+        sp.measure_distance(first[:2], second[:2], number_of_points=100_000_000)
+    signal.setitimer(signal.ITIMER_VIRTUAL, 0.1)
     directions, _ = sp.map_surface(first, first, on_interrupt="return")  # which may be in the alignment
     assert sp.is_bijective(first[1], directions)
     signal.signal(signal.SIGVTALRM, previous)
@@ -678,6 +682,7 @@ def test_says_what_is_wrong_with_two_surfaces():
     for settings in (
         {"landmarks": [0, 1]},
         {"landmark_weight": 0},
+        {"landmark_weight": 1.0},
         {"features": [values]},
         {"feature_weight": -1},
         {"features": [values[::-1]]},

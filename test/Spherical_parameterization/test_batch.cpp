@@ -230,6 +230,7 @@ TEST_F(Batch, refuses_to_start)
   write("file", "");
   fs::create_directories(path("linked"));
   fs::create_symlink("../in/a.off", path("linked/a.off"));
+  fs::create_symlink("in/a.off", path("bare.off"));
   const std::vector<std::pair<const char*, const char*>> table = {
       {"in other/a.off --output-folder out", "out/a.json: would be written for both in/a.off and other/a.off"},
       {"in other/b.obj --output-folder out", "out/b.json: would be written for both in/b.off and other/b.obj"},
@@ -244,6 +245,7 @@ TEST_F(Batch, refuses_to_start)
       {"in --output-folder ./in/../in --format ply", "the results would be among the meshes"},
       {"in/a.off --output-folder in", "in/a.off: would replace an input"},
       {"linked/a.off --output-folder linked", "linked/a.off: would replace an input"},
+      {"bare.off --output-folder .", "bare.off: would replace an input"},
       {"other/c.obj --format off --output-folder in --initial in/c.off", "in/c.off: would replace an input"},
       {"in --output-folder file", "file: cannot be made"},
       {"in --output-folder file/out", "file/out: cannot be made"},

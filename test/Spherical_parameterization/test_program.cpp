@@ -497,7 +497,7 @@ TEST_F(Command_line, maps_a_surface_onto_another_one)
                  "twice.txt: line 3: vertex 3 is a landmark already, in line 1");
   write("outside.txt", "3\n42\n");
   expect_refused(map + " -o result.off --landmarks outside.txt outside.txt",
-                 "outside.txt: line 2: the mesh has no vertex 42");
+                 "outside.txt: line 2: the mesh has no vertex '42'");
   write("word.txt", "one\n");
   expect_refused(map + " -o result.off --landmarks word.txt b.txt", "word.txt: line 1: 'one' is no number");
   expect_refused(map + " -o result.off --landmarks word.txt missing.txt", "");
@@ -591,11 +591,11 @@ TEST_F(Command_line, fills_holes)
 TEST_F(Command_line, tells_of_handles)
 {
   write_off("torus.off", test_meshes::torus(20, 6));
-  const Outcome outcome = run("torus.off -o sphere.off --handles handles.ply");
+  const Outcome outcome = run("torus.off -o of_torus.off --handles handles.ply");
   EXPECT_EQ(outcome.status, 1);
   EXPECT_NE(outcome.err.find("A path of 6 edges around a handle, of length 6, at vertex"), std::string::npos)
       << outcome.err;
-  EXPECT_FALSE(std::filesystem::exists(path("sphere.off")));
+  EXPECT_FALSE(std::filesystem::exists(path("of_torus.off")));
   EXPECT_NE(content(path("handles.ply")).find("element edge 6\n"), std::string::npos);
   write_off("sphere.off", test_meshes::icosphere(1));
   EXPECT_EQ(run("sphere.off --handles handles.ply").status, 0);
@@ -861,6 +861,28 @@ TEST_F(Command_line, refuses_what_it_cannot_read_or_write)
   expect_refused("'' -o result.off", "has to end with one of .off");
 }
 
+TEST_F(Command_line, writes_no_file_twice)
+{
+  for(const char* options : {"-o twice.off --json ./twice.off", "-o ./twice.off --json twice.off",
+                             "-o twice_sphere.ply --colored ./twice", "-o twice.off --json twice.off"})
+  {
+    const Outcome outcome = run(std::string("sphere.off ") + options);
+    EXPECT_EQ(outcome.status, 1) << options;
+    EXPECT_NE(outcome.err.find("would be written twice"), std::string::npos) << outcome.err;
+    EXPECT_FALSE(fs::exists(path("twice.off")));
+  }
+}
+
+TEST_F(Command_line, reads_landmarks_with_any_ends_of_lines)
+{
+  for(const char* ends : {"0\n5\n9\n", "0\r5\r9\r", "0\r\n5\r\n9", "0\r5 a\n9"})
+  {
+    write("ends.txt", ends);
+    EXPECT_EQ(run("sphere.off --onto sphere.off --landmarks ends.txt ends.txt --json result.json").status, 0);
+    EXPECT_EQ(json().get_child("match.landmark_distances").size(), 3u);
+  }
+}
+
 TEST_F(Command_line, writes_through_a_link_or_a_pipe_that_is_named)
 {
   fs::create_directory(path("elsewhere"));
@@ -873,6 +895,13 @@ TEST_F(Command_line, writes_through_a_link_or_a_pipe_that_is_named)
   const std::string expected = content(path("result.off"));
   EXPECT_EQ(content(path("elsewhere/target.off")), expected);
   EXPECT_EQ(fs::status(path("elsewhere/target.off")).permissions(), fs::perms::owner_read | fs::perms::owner_write);
+
+  fs::create_symlink("elsewhere/new.off", path("dangling.off"));
+  ASSERT_EQ(run("sphere.off -o dangling.off --quiet").status, 0);
+  EXPECT_TRUE(fs::is_symlink(path("dangling.off")));
+  EXPECT_EQ(content(path("elsewhere/new.off")), expected);
+  fs::create_symlink("nowhere/new.off", path("lost.off"));
+  EXPECT_EQ(run("sphere.off -o lost.off --quiet").status, 1);
 
   // the reader of the pipe gets all of it, and not its end before
   EXPECT_EQ(run_script("mkfifo pipe.off; timeout 60 cat pipe.off > read.off & timeout 60 \"$PROGRAM\" sphere.off -o "
@@ -941,8 +970,8 @@ TEST_F(Command_line, runs_on_one_thread_where_no_other_can_be_had)
   // The limit does not hold for root.
   const std::string limited = "$([ \"$(id -u)\" != 0 ] || echo setpriv --reuid=65534 --regid=65534 --clear-groups) "
                               "prlimit --nproc=1 ";
-  if(run_script(limited + "test -r sphere.off -a -x \"$PROGRAM\"").status != 0)
-    GTEST_SKIP() << "The program cannot be run by a user with a limit of processes.";
+  if(run_script(limited + "\"$PROGRAM\" --version").status != 0)
+    GTEST_SKIP() << "The program cannot be run by a user with a limit of processes, or under a sanitizer.";
   for(const std::string threads : {"", "--threads 1", "--threads 3"})
   {
     const Outcome outcome = run_script(limited + "\"$PROGRAM\" sphere.off " + threads);
@@ -955,7 +984,10 @@ TEST_F(Command_line, runs_on_one_thread_where_no_other_can_be_had)
 TEST_F(Command_line, uses_no_more_threads_than_there_are_cores)
 {
   const unsigned int n_cores = (std::max)(std::thread::hardware_concurrency(), 1u);
-  const Outcome outcome = run_script("( ulimit -v 4000000; \"$PROGRAM\" sphere.off --threads 100000000 )");
+  const std::string limited = "( ulimit -v 4000000; \"$PROGRAM\" ";
+  if(run_script(limited + "--version )").status != 0)
+    GTEST_SKIP() << "The program cannot be run with a limit of memory, as under a sanitizer.";
+  const Outcome outcome = run_script(limited + "sphere.off --threads 100000000 )");
   EXPECT_EQ(outcome.status, 0);
   EXPECT_EQ(outcome.err, too_many_threads(100000000, n_cores));
   EXPECT_EQ(run("sphere.off --quiet --threads 100000000").err, "");

@@ -3,6 +3,7 @@
 
 #include "Program_error.h"
 #include "Temporary_name.h"
+#include "mesh_files.h"
 
 #include <boost/crc.hpp>
 
@@ -74,7 +75,7 @@ public:
     }
     if(follows)
     {
-      m_path = fs::weakly_canonical(m_path, m_error);
+      m_path = place_of(m_path, m_error);
       if(m_error)
         fail(m_error.message());
       Temporary_name::sweep(fs::absolute(m_path).parent_path());

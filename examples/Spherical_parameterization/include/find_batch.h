@@ -21,7 +21,7 @@ namespace Program {
 inline std::filesystem::path canonical_place(const std::filesystem::path& path)
 {
   std::error_code error;
-  const std::filesystem::path result = std::filesystem::weakly_canonical(path.parent_path(), error) / path.filename();
+  const std::filesystem::path result = place_of(std::filesystem::absolute(path).parent_path(), error) / path.filename();
   return error ? path : result;
 }
 
@@ -29,7 +29,7 @@ inline std::filesystem::path canonical_place(const std::filesystem::path& path)
 inline std::filesystem::path canonical(const std::filesystem::path& path)
 {
   std::error_code error;
-  const std::filesystem::path result = std::filesystem::weakly_canonical(path, error);
+  const std::filesystem::path result = place_of(path, error);
   return error ? path : result;
 }
 

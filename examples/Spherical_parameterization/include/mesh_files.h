@@ -70,6 +70,19 @@ struct File_names
   }
 };
 
+/// returns the absolute path behind dots and links, those that lead to nothing yet included, which `weakly_canonical()` takes as
+/// they are; and so it does with paths that are not absolute, if they begin with what is not there.
+inline std::filesystem::path place_of(std::filesystem::path path, std::error_code& error)
+{
+  namespace fs = std::filesystem;
+  constexpr int max_links = 40; // as the system does
+  for(int k = 0; k < max_links && fs::is_symlink(fs::symlink_status(path, error)); ++k)
+    path = path.parent_path() / fs::read_symlink(path, error);
+  error.clear();
+  path = fs::absolute(path, error);
+  return error ? path : fs::weakly_canonical(path, error);
+}
+
 /// The size of a file and when it was last changed: what tells, as for many build tools, whether it is as it was.
 struct File_stamp
 {

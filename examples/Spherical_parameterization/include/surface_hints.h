@@ -24,7 +24,8 @@ struct Landmark
   Vertex_index vertex;
 };
 
-/// reads the content of a file of landmarks: a vertex a line, counted from 0; what follows on the line is not looked at.
+/// reads the content of a file of landmarks: a vertex a line, counted from 0; what follows on the line is not looked at. Lines may
+/// end with a carriage return alone.
 ///
 /// \throws Program_error if one is no vertex of a face, or there twice
 inline std::vector<Landmark> parse_landmarks(std::string content, const Mesh& mesh)
@@ -32,6 +33,9 @@ inline std::vector<Landmark> parse_landmarks(std::string content, const Mesh& me
   std::vector<Landmark> result;
   std::map<std::size_t, std::size_t> lines; // of the vertices
   const std::size_t n = mesh.number_of_vertices();
+  for(std::size_t k = 0; k < content.size(); ++k)
+    if(content[k] == '\r' && (k + 1 == content.size() || content[k + 1] != '\n'))
+      content[k] = '\n';
   Scanner in(std::move(content));
   while(in.next_line())
   {
@@ -42,7 +46,7 @@ inline std::vector<Landmark> parse_landmarks(std::string content, const Mesh& me
     for(const char c : word)
       v = v < n ? 10 * v + static_cast<std::size_t>(c - '0') : n;
     if(v >= n)
-      in.fail("the mesh has no vertex ", word, ", but those from 0 to ", n - 1);
+      in.fail("the mesh has no vertex ", Scanner::quoted(word), ", but those from 0 to ", n - 1);
     if(mesh.is_isolated(Vertex_index(static_cast<Mesh::size_type>(v))))
       in.fail("vertex ", v, " has no face");
     if(!lines.emplace(v, in.line_number()).second)

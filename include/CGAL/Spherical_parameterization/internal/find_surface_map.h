@@ -163,7 +163,8 @@ template <class K>
 Feature_goals feature_goals(const Located_surface<K>& first, const Aligned_start& start, const Surface_map_hints& hints)
 {
   Feature_goals result;
-  if(start.features.empty() || !(hints.feature_weight > 0.))
+  // A run that is stopped early may have no channels yet.
+  if(start.features.empty() || start.features[0].number_of_channels() == 0 || !(hints.feature_weight > 0.))
     return result;
   result.image = start.features[1];
   // Those of the package count the less, the less they agree: on bodies without limbs they are noise.

@@ -252,12 +252,23 @@ private:
   {
     // One is enough where vertices are farther apart than the rotation is off; of dense copies, more meet in each further one.
     constexpr int n_rounds = 8;
-    for(int round = 0; round < n_rounds && goes_on(); ++round)
+    constexpr std::size_t block_size =
+        4096; // that is located until the control is asked: exact signs take long on copies
+    for(int round = 0; round < n_rounds; ++round)
     {
-      const auto places = sphere2.locate(points_of<K>(rotated_directions(rotation, sphere1)), m_execution);
+      const auto points = points_of<K>(rotated_directions(rotation, sphere1));
       std::vector<std::pair<Vector_3d, Vector_3d>> pairs;
-      for(std::size_t v = 0; v < places.size(); ++v)
-        pairs.emplace_back(sphere1.direction(v), sphere2.direction(nearest_vertex(sphere2.triangles(), places[v])));
+      for(std::size_t begin = 0; begin < points.size(); begin += block_size)
+      {
+        if(!goes_on())
+          return rotation;
+        const auto end = static_cast<std::ptrdiff_t>((std::min)(begin + block_size, points.size()));
+        const std::vector<typename K::Point_3> block(points.begin() + static_cast<std::ptrdiff_t>(begin),
+                                                     points.begin() + end);
+        for(const auto& place : sphere2.locate(block, m_execution))
+          pairs.emplace_back(sphere1.direction(pairs.size()),
+                             sphere2.direction(nearest_vertex(sphere2.triangles(), place)));
+      }
       if(const std::optional<Rotation_matrix> next = fitting_rotation(pairs))
         rotation = *next;
     }
