@@ -8,6 +8,8 @@
 #include <CGAL/Spherical_parameterization/fill_holes.h>
 #include <CGAL/Spherical_parameterization/find_defect.h>
 
+#include <CGAL/boost/graph/IO/polygon_mesh_io.h>
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -15,6 +17,7 @@
 #include <cstddef>
 #include <limits>
 #include <set>
+#include <string>
 #include <vector>
 
 using namespace test;
@@ -83,6 +86,21 @@ TEST(Fill_holes, leaves_a_surface_that_can_be_mapped)
     if(list.points[v][0] > 0.5)
       one_side.insert(v);
   EXPECT_EQ(expect_filled(without_stars(list, one_side)).size(), 1u);
+}
+
+// Scans and models as people have them: with necks, and with holes below
+TEST(Fill_holes, closes_the_open_surfaces_of_CGAL)
+{
+  for(const char* name :
+      {"head", "lion", "mannequin-devil", "nefertiti", "mech-holes-shark", "ChineseDragon-10kv", "blade"})
+  {
+    SCOPED_TRACE(name);
+    Mesh mesh;
+    if(!CGAL::IO::read_polygon_mesh(CGAL::data_file_path(std::string("meshes/") + name + ".off"), mesh))
+      GTEST_SKIP() << "There are no meshes of CGAL here.";
+    EXPECT_EQ(SP::find_defect(mesh).error, SP::ERROR_NON_CLOSED_MESH);
+    EXPECT_FALSE(expect_filled({points(mesh), triangles(mesh)}).empty());
+  }
 }
 
 TEST(Fill_holes, fills_hundreds)
