@@ -436,14 +436,16 @@ TEST_F(Batch, sweeps_what_killed_runs_have_left)
 {
   write_meshes({"a.off"});
   fs::create_directory(path("out"));
-  // of a process that is no more, of one that is, and of another computer
-  const Outcome outcome = run_script("name=.spherical_parameterization.$(uname -n); sh -c : & wait $!; "
-                                     "touch out/$name.$!.1 out/$name.$$.2 out/.spherical_parameterization.other.$!.3; "
+  // of a process that is no more, of one that is, of another computer, and of another container on this one
+  const Outcome outcome = run_script("host=.spherical_parameterization.$(uname -n); "
+                                     "name=$host.$(stat -L -c %i /proc/self/ns/pid || echo 0); sh -c : & wait $!; "
+                                     "touch out/$name.$!.1 out/$name.$$.2 out/.spherical_parameterization.other.1.$!.3 "
+                                     "out/$host.1.$!.4; "
                                      "\"$PROGRAM\" in --output-folder out; cd out && \"$PROGRAM\" a.off -o b.off");
   EXPECT_EQ(outcome.status, 0) << outcome.err;
-  EXPECT_EQ(names_of_files("out").size(), 5u); // two maps, a report, and what may still be written
+  EXPECT_EQ(names_of_files("out").size(), 6u); // two maps, a report, and what may still be written
   ASSERT_EQ(run("out/a.off -o out/b.off").status, 0);
-  EXPECT_EQ(names_of_files("out").size(), 4u); // the shell of the first run is no more
+  EXPECT_EQ(names_of_files("out").size(), 5u); // the shell of the first run is no more
 }
 
 TEST_F(Batch, keeps_no_result_of_a_mesh_that_fails)

@@ -21,6 +21,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -1116,6 +1117,13 @@ std::string binary_stl(const std::string& title, std::uint32_t number_of_facets,
   return file.content;
 }
 
+std::string in_capitals(std::string text)
+{
+  for(char& c : text)
+    c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+  return text;
+}
+
 std::string replaced(std::string text, const std::string& from, const std::string& to)
 {
   for(std::size_t i = text.find(from); i != std::string::npos; i = text.find(from, i + to.size()))
@@ -1173,8 +1181,8 @@ TEST_F(Command_line, reads_every_format_alike)
   write("other.off", replaced(replaced(replaced(corner_off, "1 0 0\n0 1 0", "0 1 0\n1 0 0"), "3 0 2 1", "3 0 1 2"),
                               "3 0 1 3\n3 1 2 3\n3 2 0 3", "3 0 2 3\n3 2 1 3\n3 1 0 3"));
   ASSERT_EQ(run("other.off -o expected.off --quiet").status, 0);
-  for(const std::string& text :
-      {corner_stl, replaced(corner_stl, "\n", "\r\n"), binary_stl("a corner", 4), binary_stl("solid corner", 4)})
+  for(const std::string& text : {corner_stl, replaced(corner_stl, "\n", "\r\n"), in_capitals(corner_stl),
+                                 binary_stl("a corner", 4), binary_stl("solid corner", 4)})
   {
     write("variant.stl", text);
     const Outcome outcome = run("variant.stl -o result.off --quiet");

@@ -4,11 +4,13 @@
 #include <cerrno>
 #include <charconv>
 #include <csignal>
+#include <cstdint>
 #include <filesystem>
 #include <random>
 #include <string>
 #include <system_error>
 
+#include <sys/stat.h>
 #include <sys/types.h>
 #include <unistd.h>
 
@@ -45,9 +47,13 @@ public:
 private:
   static std::string prefix()
   {
-    char host[65] = {}; // a folder may be shared with other computers, whose processes have numbers of their own
+    // A folder may be shared with other computers and containers, whose processes have numbers of their own.
+    char host[65] = {};
     gethostname(host, sizeof host - 1);
-    return std::string(".spherical_parameterization.") + host + '.';
+    struct stat processes;
+    const bool is_known = stat("/proc/self/ns/pid", &processes) == 0;
+    return std::string(".spherical_parameterization.") + host + '.' +
+           std::to_string(is_known ? std::uintmax_t(processes.st_ino) : 0) + '.';
   }
 };
 

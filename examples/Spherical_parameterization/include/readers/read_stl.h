@@ -72,7 +72,9 @@ private:
     bool is_within_facet = false, is_within_solid = false;
     while(m_in.next_line())
     {
-      const std::string_view statement = m_in.read_word();
+      std::string statement(m_in.read_word()); // some programs write capitals
+      std::transform(statement.begin(), statement.end(), statement.begin(),
+                     [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
       const std::size_t i = m_soup.polygons.size();
       if(statement == "vertex")
       {
