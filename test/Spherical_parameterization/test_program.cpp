@@ -569,6 +569,11 @@ TEST_F(Command_line, fills_holes)
   EXPECT_EQ(remesh.status, 0) << remesh.err;
   EXPECT_NE(content(path("remesh.ply")).find("filler"), std::string::npos);
   EXPECT_EQ(run("opened.off --fill-holes 4 -o sphere.off").status, 1);
+  opened.points[3][1] = std::numeric_limits<double>::quiet_NaN();
+  write_off("broken.off", opened);
+  const Outcome broken = run("broken.off --fill-holes all -o sphere.off");
+  EXPECT_EQ(broken.status, 1);
+  EXPECT_NE(broken.err.find("vertex 3 has a coordinate that is"), std::string::npos) << broken.err;
 
   test_meshes::Triangle_list sheet;
   sheet.points = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0.5, 0.5, 0.1}};

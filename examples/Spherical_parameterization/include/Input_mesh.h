@@ -128,7 +128,7 @@ public:
 
   /// fills the holes with at most so many edges; see `SP::fill_holes()`. New vertices and faces come behind those of the file.
   ///
-  /// \throws Program_error if a border touches itself or another one
+  /// \throws Program_error if a border touches itself or another one, or a coordinate is not finite
   std::vector<SP::Filled_hole<Mesh>> fill_holes(std::size_t max_edges)
   {
     m_unfilled = m_mesh;
@@ -139,8 +139,13 @@ public:
           m_name + ": the border touches itself in vertex " + std::to_string(holes.back().vertex) +
           ", so that it is not clear what its holes are.\nSplit the vertex, for example with "
           "CGAL::Polygon_mesh_processing::duplicate_non_manifold_vertices(). (Vertices are counted from 0.)");
-    if(error != SP::OK)
-      throw Program_error(find_defect());
+    if(error == SP::ERROR_NON_FINITE_COORDINATE)
+    {
+      const auto is_wrong = [&](Vertex_index v) { return !m_mesh.is_isolated(v) && !is_finite(m_mesh.point(v)); };
+      const Vertex_index v = *std::find_if(m_mesh.vertices().begin(), m_mesh.vertices().end(), is_wrong);
+      throw Program_error(m_name + ": vertex " + std::to_string(v) +
+                          " has a coordinate that is infinite or not a number. (Vertices are counted from 0.)");
+    }
     return holes;
   }
 

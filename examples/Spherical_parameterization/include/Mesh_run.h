@@ -178,9 +178,8 @@ public:
   void write()
   {
     const double start = seconds_now();
-    m_distortions =
-        m_input->mesh_of_file().add_property_map<Mesh::Face_index, SP::Face_distortion>("f:distortion").first;
-    m_report.distortion = measured_distortion(m_input->mesh_of_file(), m_sphere, m_distortions);
+    m_distortions = mesh_of_file().add_property_map<Mesh::Face_index, SP::Face_distortion>("f:distortion").first;
+    m_report.distortion = measured_distortion(mesh_of_file(), m_sphere, m_distortions);
     if(m_options.is_unit_sphere)
       m_report.balanced = measure_balanced(m_report.distortion.radius);
     m_report.seconds_for_measuring = seconds_now() - start;
@@ -237,6 +236,7 @@ public:
 
 private:
   Mesh& mesh() { return m_input->mesh(); }
+  Mesh& mesh_of_file() { return m_input->mesh_of_file(); }
 
   // Measures the map, and each face, with the radius that balances the areas (eq. 11), at which maps are usually compared;
   // does nothing if no number holds that radius. Faces where distortions are infinite are left out.
@@ -245,27 +245,26 @@ private:
     // Scaling by a power of two is exact, and keeps all products away from infinity and 0.
     const auto exponent_of = [&](const auto& points) {
       double max = 0.;
-      for(const Vertex_index v : m_input->mesh_of_file().vertices())
-        if(!m_input->mesh_of_file().is_isolated(v))
+      for(const Vertex_index v : mesh_of_file().vertices())
+        if(!mesh_of_file().is_isolated(v))
           for(int k = 0; k < 3; ++k)
             max = (std::max)(max, std::abs(points[v][k]));
       return max > 0. ? std::ilogb(max) : 0;
     };
     const auto area = [&](const auto& points, Mesh::Face_index f, int exponent) {
       const auto point = [&](Mesh::Halfedge_index h) {
-        const Point_3& p = points[m_input->mesh_of_file().target(h)];
+        const Point_3& p = points[mesh_of_file().target(h)];
         return Point_3(std::scalbn(p.x(), -exponent), std::scalbn(p.y(), -exponent), std::scalbn(p.z(), -exponent));
       };
-      const Mesh::Halfedge_index h = m_input->mesh_of_file().halfedge(f);
-      return std::sqrt(
-          CGAL::squared_area(point(h), point(m_input->mesh_of_file().next(h)), point(m_input->mesh_of_file().prev(h))));
+      const Mesh::Halfedge_index h = mesh_of_file().halfedge(f);
+      return std::sqrt(CGAL::squared_area(point(h), point(mesh_of_file().next(h)), point(mesh_of_file().prev(h))));
     };
-    const int exponent = exponent_of(m_input->mesh_of_file().points()), exponent_of_sphere = exponent_of(m_sphere);
+    const int exponent = exponent_of(mesh_of_file().points()), exponent_of_sphere = exponent_of(m_sphere);
     double sum = 0., sum_of_inverses = 0.;
-    for(const Mesh::Face_index f : m_input->mesh_of_file().faces())
+    for(const Mesh::Face_index f : mesh_of_file().faces())
       if(std::isfinite(m_distortions[f].isometric))
       {
-        const double d = area(m_sphere, f, exponent_of_sphere) / area(m_input->mesh_of_file().points(), f, exponent);
+        const double d = area(m_sphere, f, exponent_of_sphere) / area(mesh_of_file().points(), f, exponent);
         sum += d;
         sum_of_inverses += 1. / d;
       }
@@ -275,11 +274,11 @@ private:
       return std::nullopt;
 
     const Sphere_map scaled =
-        m_input->mesh_of_file().add_property_map<Vertex_index, Point_3>("v:balanced", Point_3(0, 0, 0)).first;
-    for(const Vertex_index v : m_input->mesh_of_file().vertices())
+        mesh_of_file().add_property_map<Vertex_index, Point_3>("v:balanced", Point_3(0, 0, 0)).first;
+    for(const Vertex_index v : mesh_of_file().vertices())
       scaled[v] = Point_3(balanced * (m_sphere[v].x() / radius), balanced * (m_sphere[v].y() / radius),
                           balanced * (m_sphere[v].z() / radius));
-    return measured_distortion(m_input->mesh_of_file(), scaled, m_distortions);
+    return measured_distortion(mesh_of_file(), scaled, m_distortions);
   }
 
   void write_colors()
@@ -288,11 +287,11 @@ private:
     std::vector<double> values;
     for(const SP::Face_distortion& distortion : m_distortions)
       values.push_back(is_conformal ? distortion.angle : distortion.isometric);
-    const Colored_mesh colored(m_input->mesh_of_file().number_of_vertices(), m_input->triangles(), values,
+    const Colored_mesh colored(mesh_of_file().number_of_vertices(), m_input->triangles(), values,
                                is_conformal ? 2. : 1.);
     m_report.color_range = colored.range();
     m_files.colored_surface->write(
-        [&](std::ostream& out) { colored.write(out, m_input->points_of(m_input->mesh_of_file().points())); });
+        [&](std::ostream& out) { colored.write(out, m_input->points_of(mesh_of_file().points())); });
     m_files.colored_sphere->write([&](std::ostream& out) { colored.write(out, m_input->points_of(m_sphere)); });
   }
 

@@ -717,15 +717,14 @@ private:
               ? (std::numeric_limits<std::size_t>::max)()
               : static_cast<std::size_t>(read_number("fill-holes", 3, 1e9, "a number of edges from 3 on, or all", 0.));
       describe("holes filled: " + text("fill-holes"));
+      const std::string advice = "write the closed surface by --filled, and map that";
       for(const char* option : {"transfer", "features"})
         if(has(option))
-          fail("--" + std::string(option) +
-               " and --fill-holes cannot be combined, as the filler has no values: write the closed " +
-               "surface by --filled, and map that");
+          fail("--" + std::string(option) + " and --fill-holes cannot be combined, as the filler has no values; " +
+               advice);
       if(!start_file.empty())
-        fail("--initial with a file and --fill-holes cannot be combined, as the file has no images of the filler: "
-             "write the closed "
-             "surface by --filled, and map that");
+        fail("--initial with a file and --fill-holes cannot be combined, as the file has no images of the filler; " +
+             advice);
     }
     file_names.filled = text("filled");
     if(has("filled") && !has("fill-holes"))

@@ -122,7 +122,13 @@ private:
   }
 
   // the same in a unit for which squares are in the range of doubles
-  Vector_3d scaled_point(vertex_descriptor v) const { return m_unit > 0. ? (1. / m_unit) * point(v) : point(v); }
+  Vector_3d scaled_point(vertex_descriptor v) const
+  {
+    Vector_3d p = point(v);
+    if(m_unit > 0.)
+      p = {p[0] / m_unit, p[1] / m_unit, p[2] / m_unit}; // the inverse of a subnormal unit is infinite
+    return p;
+  }
 
   template <class Faces>
   double total_area(const Faces& range) const
