@@ -159,6 +159,7 @@ function showSummary() {
   );
   byId("distortion").append(row("th", ["", ...Object.keys(measures[0].statistics)]), ...rows);
   fill(byId("summary"), facts.summary);
+  morph.closest("label").hidden = !facts.morphs;
 }
 
 painter = makePainter();

@@ -4,7 +4,7 @@
 // is where make_page.mjs has installed what that takes.
 
 import assert from "node:assert/strict";
-import { execFileSync } from "node:child_process";
+import { execFileSync, spawnSync } from "node:child_process";
 import { existsSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { createRequire } from "node:module";
 import { tmpdir } from "node:os";
@@ -45,6 +45,20 @@ function makeMesh(rows, columns, radiusOf) {
     for (let i = 0; i < rows - 2; ++i)
       faces.push([at(i, j), at(i, j + 1), at(i + 1, j)], [at(i, j + 1), at(i + 1, j + 1), at(i + 1, j)]);
   }
+  return { points, faces };
+}
+
+function makeTorus(rows, columns) {
+  const angle = (k, n) => (2 * Math.PI * k) / n;
+  const points = [];
+  const faces = [];
+  for (let i = 0; i < rows; ++i)
+    for (let j = 0; j < columns; ++j) {
+      const radius = 3 + Math.cos(angle(j, columns));
+      points.push([radius * Math.cos(angle(i, rows)), radius * Math.sin(angle(i, rows)), Math.sin(angle(j, columns))]);
+      const at = (k, l) => (k % rows) * columns + (l % columns);
+      faces.push([at(i, j), at(i + 1, j), at(i, j + 1)], [at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)]);
+    }
   return { points, faces };
 }
 
@@ -241,6 +255,12 @@ try {
 
   execFileSync(program, [file("body.off"), "--onto", file("directions.off"), "--page", file("two.html"), "--quiet"]);
 
+  const torus = makeTorus(24, 8);
+  writeOff("torus.off", torus);
+  const { status, stderr } = spawnSync(program, [file("torus.off"), "--page", file("torus.html")]);
+  assert.equal(status, 1);
+  assert.match(String(stderr), /A path of 8 edges around a handle/);
+
   // A processor draws where there is no other device.
   await withBrowser(["--use-angle=swiftshader", "--enable-unsafe-swiftshader"], {
     "page.html": async (page) => {
@@ -259,6 +279,11 @@ try {
       const before = await look(page, "#view-right");
       await page.select("#colour", "pattern");
       assert.ok(!(await isSame(page, await look(page, "#view-right"), before)), "the grid is not drawn");
+    },
+    "torus.html": async (page) => {
+      await checkDrawing(page);
+      assert.match(await page.$eval("#certificate", (text) => text.textContent), /^A handle keeps/);
+      assert.ok(await page.$eval("#morph", (slider) => slider.closest("label").hidden));
     },
   });
   await withBrowser(["--disable-gpu", "--disable-3d-apis"], {

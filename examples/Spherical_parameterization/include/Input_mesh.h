@@ -102,6 +102,15 @@ public:
     return handles;
   }
 
+  /// returns the length of a path around a handle, and where it is.
+  static std::string describe(const SP::Handle<Mesh>& handle)
+  {
+    std::ostringstream text;
+    text << handle.path.size() << " edges around a handle, of length " << handle.length << ", at vertex "
+         << handle.path.front().idx();
+    return text.str();
+  }
+
   /// writes paths around handles as a PLY file of lines: their vertices with the number that each has in the mesh, and edges
   /// with the number of the handle.
   void write_handles(std::ostream& out, const std::vector<SP::Handle<Mesh>>& handles) const
@@ -257,9 +266,9 @@ private:
     constexpr std::size_t max_named = 5; // each takes time
     std::ostringstream text;
     for(const SP::Handle<Mesh>& handle : find_handles(max_named))
-      text << "\nA path of " << handle.path.size() << " edges around a handle, of length " << handle.length
-           << ", at vertex " << handle.path.front().idx() << '.';
-    text << "\n--handles FILE writes such a path for each. (Vertices are counted from 0.)";
+      text << "\nA path of " << describe(handle) << '.';
+    text << "\n--handles FILE writes such a path for each, --page FILE shows where they are. (Vertices are counted "
+            "from 0.)";
     return text.str();
   }
 

@@ -19,7 +19,7 @@ class Json_object
 {
 public:
   template <class Value>
-  Json_object& add(const char* name, const Value& value)
+  Json_object& add(const std::string& name, const Value& value)
   {
     m_members += (m_members.empty() ? "\n" : ",\n") + quote(name) + ": " + text_of(value);
     return *this;

@@ -88,13 +88,8 @@ public:
     m_input.emplace(m_names.input, std::move(soup));
     if(m_options.max_hole_edges > 0)
       m_report.holes = m_input->fill_holes(m_options.max_hole_edges);
-    if(m_files.handles)
-    {
-      const std::vector<SP::Handle<Mesh>> handles = m_input->find_handles((std::numeric_limits<std::size_t>::max)());
-      m_files.handles->write([&](std::ostream& out) { m_input->write_handles(out, handles); });
-      if(!handles.empty())
-        m_files.handles->commit(); // as there is nothing else to wait for
-    }
+    if(m_files.handles || m_files.page)
+      show_handles();
     m_report.seconds_for_input = seconds_now() - start;
 
     // A vertex without a face stays at the origin.
@@ -237,6 +232,23 @@ public:
 private:
   Mesh& mesh() { return m_input->mesh(); }
   Mesh& mesh_of_file() { return m_input->mesh_of_file(); }
+
+  // Writes where the handles are. Their files appear at once if there are any, as there is nothing else to wait for.
+  void show_handles()
+  {
+    const std::vector<SP::Handle<Mesh>> handles = m_input->find_handles((std::numeric_limits<std::size_t>::max)());
+    if(m_files.handles)
+    {
+      m_files.handles->write([&](std::ostream& out) { m_input->write_handles(out, handles); });
+      if(!handles.empty())
+        m_files.handles->commit();
+    }
+    if(m_files.page && !handles.empty())
+    {
+      m_files.page->write([&](std::ostream& out) { Page(*m_input, handles).write(out); });
+      m_files.page->commit();
+    }
+  }
 
   // Measures the map, and each face, with the radius that balances the areas (eq. 11), at which maps are usually compared;
   // does nothing if no number holds that radius. Faces where distortions are infinite are left out.

@@ -36,7 +36,7 @@ namespace Program {
 /// A page for web browsers with two surfaces side by side, or a surface and its sphere, and all that it needs.
 ///
 /// The scripts of the folder page/ read its data: two sides, `left` and `right`, which place the vertices of the same faces,
-/// and measures of these faces.
+/// measures of these faces, and texts.
 class Page
 {
 public:
@@ -57,18 +57,16 @@ public:
   /// shows a surface and its sphere.
   ///
   /// \param distortions of the faces, as the report tells them
-  /// \param report has to live longer
   Page(Input_mesh& input, const Sphere_map& sphere, const Distortion_map& distortions, const Run_report& report)
-    : m_report(report)
-    , m_distortions(distortions.begin(), distortions.end())
   {
     const Mesh& mesh = input.mesh_of_file();
-    for(const Polygon& triangle : input.triangles())
-      m_triangles.push_back({std::uint32_t(triangle[0]), std::uint32_t(triangle[1]), std::uint32_t(triangle[2])});
-    m_left.title = name_of(report.input());
+    place_surface(input, mesh);
     m_right.title = "its sphere";
-    m_left.points.assign(mesh.points().begin(), mesh.points().end());
-    place(m_left);
+    tell(report);
+    add_distortions({distortions.begin(), distortions.end()}, report);
+    for(const Mesh::Face_index f : mesh.faces())
+      if(distortions[f].is_inverted)
+        m_folded.push_back(f);
     for(const Vertex_index v : mesh.vertices())
       m_right.points.push_back(direction_of(sphere[v]));
     m_right.scale = report.result.report.radius;
@@ -76,11 +74,8 @@ public:
   }
 
   /// shows two surfaces by their common refinement.
-  ///
-  /// \param report has to live longer
   Page(const SP::Surface_overlay_3<Mesh, Mesh>& overlay, const Run_report& report)
-    : m_report(report)
-    , m_triangles(overlay.triangles)
+    : m_triangles(overlay.triangles)
     , m_has_numbers(true)
   {
     m_left.title = name_of(report.input());
@@ -97,8 +92,35 @@ public:
     }
     place(m_left);
     place(m_right);
-    measure_between();
+    tell(report);
+    add_distortions(distortions_between(), report);
     turn_like_left(m_right);
+  }
+
+  /// shows a surface that has no map from two sides, and how far each face is from the handles.
+  Page(Input_mesh& input, const std::vector<SP::Handle<Mesh>>& handles)
+    : m_is_one_to_one(false)
+    , m_morphs(false)
+  {
+    const Mesh& mesh = input.mesh();
+    place_surface(input, mesh);
+    m_right = m_left;
+    m_right.title = "from behind";
+    m_right.rotation = {-1., 0., 0., 0., 1., 0., 0., 0., -1.};
+    m_verdict = handles.size() == 1 ? "A handle keeps the surface from being mapped."
+                                    : std::to_string(handles.size()) + " handles keep the surface from being mapped.";
+    m_summary.add("Mesh", std::to_string(mesh.number_of_vertices()) + " vertices, " +
+                              std::to_string(mesh.number_of_faces()) + " faces");
+    for(std::size_t k = 0; k < handles.size(); ++k)
+      m_summary.add("Handle " + std::to_string(k + 1), Input_mesh::describe(handles[k]));
+    Measure measure{"near handles",
+                    "1 at a short path around a handle; grows by 1 for each face between",
+                    1.,
+                    Json_object().add("handles", handles.size()),
+                    {}};
+    for(const std::size_t steps : steps_from(mesh, handles))
+      measure.values.push_back(1.f + static_cast<float>(steps));
+    m_measures.push_back(std::move(measure));
   }
 
   void write([[maybe_unused]] std::ostream& out) const
@@ -112,13 +134,16 @@ public:
       write_corners<std::uint32_t>(out);
     write_side(out, "left", m_left);
     write_side(out, "right", m_right);
-    write_measure(out, "D_iso", &SP::Face_distortion::isometric);
-    write_measure(out, "D_area", &SP::Face_distortion::area);
-    write_measure(out, "D_angle", &SP::Face_distortion::angle);
+    for(const Measure& measure : m_measures)
+    {
+      std::string bytes;
+      for(const float value : measure.values)
+        append(bytes, value);
+      write_array(out, measure.name, bytes);
+    }
     std::string folded;
-    for(std::size_t f = 0; f < m_distortions.size(); ++f)
-      if(m_distortions[f].is_inverted)
-        append(folded, static_cast<std::uint32_t>(f));
+    for(const std::uint32_t f : m_folded)
+      append(folded, f);
     write_array(out, "folded", folded);
     write_pieces(out, page_tail);
 #endif
@@ -137,9 +162,27 @@ private:
     std::array<double, 9> rotation = identity; ///< for the page; the numbers that are told are those of the file
   };
 
+  struct Measure
+  {
+    std::string name, meaning;
+    double minimum;         ///< positive: colours are for ratios
+    Json_object statistics; ///< numbers by their names
+    std::vector<float> values;
+  };
+
   static std::string name_of(const std::string& path)
   {
     return printable(std::filesystem::path(path).filename().string());
+  }
+
+  // Makes a surface the left side, with all its faces.
+  void place_surface(const Input_mesh& input, const Mesh& mesh)
+  {
+    for(const Polygon& triangle : input.triangles())
+      m_triangles.push_back({std::uint32_t(triangle[0]), std::uint32_t(triangle[1]), std::uint32_t(triangle[2])});
+    m_left.title = name_of(input.name());
+    m_left.points.assign(mesh.points().begin(), mesh.points().end());
+    place(m_left);
   }
 
   // calls `visit(v)` for each corner of a face: other vertices may be anywhere
@@ -196,8 +239,29 @@ private:
         side.rotation[static_cast<std::size_t>(3 * i + j)] = rotation.m(i, j);
   }
 
+  // The number of faces between each face and the nearest of the paths.
+  static std::vector<std::size_t> steps_from(const Mesh& mesh, const std::vector<SP::Handle<Mesh>>& handles)
+  {
+    std::vector<std::size_t> steps(mesh.number_of_faces(), mesh.number_of_faces());
+    std::vector<Mesh::Face_index> queue;
+    const auto reach = [&](Mesh::Face_index f, std::size_t n) {
+      if(n >= steps[f])
+        return;
+      steps[f] = n;
+      queue.push_back(f);
+    };
+    for(const SP::Handle<Mesh>& handle : handles)
+      for(const Vertex_index v : handle.path)
+        for(const Mesh::Face_index f : faces_around_target(mesh.halfedge(v), mesh))
+          reach(f, 0);
+    for(std::size_t i = 0; i < queue.size(); ++i)
+      for(const Mesh::Face_index f : faces_around_face(mesh.halfedge(queue[i]), mesh))
+        reach(f, steps[queue[i]] + 1);
+    return steps;
+  }
+
   // Measures each face, with both surfaces scaled to the same area.
-  void measure_between()
+  std::vector<SP::Face_distortion> distortions_between() const
   {
     const auto area = [&](const Side& side) {
       double sum = 0.;
@@ -220,9 +284,36 @@ private:
     const Distortion_map distortions =
         refinement.mesh().add_property_map<Mesh::Face_index, SP::Face_distortion>("f:between").first;
     measured_distortion(refinement.mesh(), map, distortions);
-    m_distortions.assign(distortions.begin(), distortions.end());
-    for(SP::Face_distortion& distortion : m_distortions)
-      distortion.is_inverted = false; // which is about a sphere
+    return {distortions.begin(), distortions.end()};
+  }
+
+  void tell(const Run_report& report)
+  {
+    m_is_one_to_one = report.result.is_one_to_one;
+    m_verdict = report.verdict();
+    m_summary = report.summary();
+    m_shown = report.shows_angles() ? 2 : 0;
+  }
+
+  void add_distortions(const std::vector<SP::Face_distortion>& distortions, const Run_report& report)
+  {
+    const auto add = [&](const char* name, const char* meaning, double minimum, double SP::Face_distortion::*of_face,
+                         const Json_object& statistics) {
+      Measure measure{name, meaning, minimum, statistics, {}};
+      for(const SP::Face_distortion& distortion : distortions)
+      {
+        const double value = distortion.*of_face;
+        measure.values.push_back(value <= (std::numeric_limits<float>::max)() ? static_cast<float>(value)
+                                                                              : std::numeric_limits<float>::infinity());
+      }
+      m_measures.push_back(std::move(measure));
+    };
+    add("D_iso", "the largest factor by which a length is wrong", 1., &SP::Face_distortion::isometric,
+        report.statistics(&SP::Distortion_summary::isometric, &SP::Distortion_between::isometric));
+    add("D_area", "how areas change; 2 is best", 2., &SP::Face_distortion::area,
+        report.statistics(&SP::Distortion_summary::area, &SP::Distortion_between::area));
+    add("D_angle", "how angles change; 2 is best", 2., &SP::Face_distortion::angle,
+        report.statistics(&SP::Distortion_summary::angle, &SP::Distortion_between::angle));
   }
 
   std::string facts() const
@@ -234,29 +325,23 @@ private:
           .add("scale", of.scale)
           .add("rotation", of.rotation);
     };
-    const auto measure = [](const char* meaning, double minimum, const Json_object& statistics) {
-      return Json_object().add("meaning", meaning).add("minimum", minimum).add("statistics", statistics);
-    };
+    Json_object measures;
+    for(const Measure& measure : m_measures)
+      measures.add(measure.name, Json_object()
+                                     .add("meaning", measure.meaning)
+                                     .add("minimum", measure.minimum)
+                                     .add("statistics", measure.statistics));
     return Json_object()
         .add("vertices", m_left.points.size())
         .add("left", side(m_left))
         .add("right", side(m_right))
         .add("has_numbers", m_has_numbers)
-        .add("measure", m_report.shows_angles() ? "D_angle" : "D_iso")
-        .add("measures",
-             Json_object()
-                 .add("D_iso", measure("the largest factor by which a length is wrong", 1.,
-                                       m_report.statistics(&SP::Distortion_summary::isometric,
-                                                           &SP::Distortion_between::isometric)))
-                 .add("D_area",
-                      measure("how areas change; 2 is best", 2.,
-                              m_report.statistics(&SP::Distortion_summary::area, &SP::Distortion_between::area)))
-                 .add("D_angle",
-                      measure("how angles change; 2 is best", 2.,
-                              m_report.statistics(&SP::Distortion_summary::angle, &SP::Distortion_between::angle))))
-        .add("one_to_one", m_report.result.is_one_to_one)
-        .add("certificate", m_report.verdict())
-        .add("summary", m_report.summary())
+        .add("morphs", m_morphs)
+        .add("measure", m_measures[m_shown].name)
+        .add("measures", measures)
+        .add("one_to_one", m_is_one_to_one)
+        .add("certificate", m_verdict)
+        .add("summary", m_summary)
         .text();
   }
 
@@ -309,18 +394,6 @@ private:
     write_array(out, id + "_faces", bytes);
   }
 
-  void write_measure(std::ostream& out, const char* id, double SP::Face_distortion::*measure) const
-  {
-    std::string bytes;
-    for(const SP::Face_distortion& distortion : m_distortions)
-    {
-      const double value = distortion.*measure;
-      append(bytes, value <= (std::numeric_limits<float>::max)() ? static_cast<float>(value)
-                                                                 : std::numeric_limits<float>::infinity());
-    }
-    write_array(out, id, bytes);
-  }
-
   // The lowest byte comes first, as browsers have it.
   template <class Unsigned>
   static void append(std::string& bytes, Unsigned value)
@@ -348,11 +421,16 @@ private:
     out << R"(<script type="text/plain" id=")" << id << "\">" << text << "</script>\n";
   }
 
-  const Run_report& m_report;
   std::vector<std::array<std::uint32_t, 3>> m_triangles;
   Side m_left, m_right;
-  std::vector<SP::Face_distortion> m_distortions;
+  std::vector<Measure> m_measures;
+  std::size_t m_shown = 0; // the number of the measure that is shown first
+  std::vector<std::uint32_t> m_folded;
+  std::string m_verdict;
+  Json_object m_summary;
+  bool m_is_one_to_one = true;
   bool m_has_numbers = false; // of faces, which the triangles are parts of
+  bool m_morphs = true;       // from the left side to the right one
 };
 
 } // namespace Program

@@ -284,7 +284,8 @@ private:
       ("json", word("FILE"), "write the report and the distortions as JSON; - prints them instead of the report")
       ("colored", word("PREFIX"), "write PREFIX_surface.ply and PREFIX_sphere.ply, with the distortion as colour")
       ("page", word("FILE"), "write a page for web browsers, which needs no network: the surface and its sphere, or "
-                             "with --onto both surfaces, side by side, coloured, with the distortion of the place that is pointed at; .html")
+                             "with --onto both surfaces, side by side, coloured, with the distortion of the place that is pointed at; "
+                             "of a surface with handles, where these are; .html")
       ("quiet", "print nothing but errors")
       ("help,h", "print this")
       ("version", "print the version");
