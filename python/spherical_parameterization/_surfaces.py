@@ -33,10 +33,11 @@ class SurfaceMapReport:
         Whether it has been measured at places in each face instead, as the refinement has more vertices than `overlay` makes
         by default. That misses a part of what is near vertices: 5 to 15 percent of the energy where both were measured.
     agreement : float
-        How well features agree after the spheres have been aligned, a correlation, at most 1; 0 if landmarks aligned them.
+        How well features agree after the surfaces have been aligned on coarse levels, a correlation, at most 1; 0 if
+        landmarks aligned them.
     margin : float
-        How much better they agree than by the next best way to turn the spheres. Below 0.1 or so, the surface has a
-        symmetry, or nearly, and the map may have exchanged its sides.
+        How much better the alignment is than the next best one that differs from it: in agreement, less the mean logarithm of
+        how much is stretched. Below 0.1 or so, the surface has a symmetry, or nearly, and the map may have exchanged its sides.
     landmark_distances : (k,) ndarray of float64
         How far the image of each landmark is from where it should be, in the unit of length of the second surface.
     number_of_missed_landmarks : int
@@ -46,8 +47,8 @@ class SurfaceMapReport:
     number_of_sweeps : int
         Sweeps over levels of the first surface.
     seconds_for_reading, seconds_for_alignment, seconds_for_descent, seconds_for_overlay : float
-        The time to read and certify both surfaces with their maps, to turn and bend one sphere onto the other one, to lower
-        the energy, and to measure it.
+        The time to read and certify both surfaces with their maps, to find out how the surfaces lie on each other, to
+        lower the energy, and to measure it.
     """
 
     energy: float
@@ -132,8 +133,9 @@ def map_surface(
 
     Notes
     -----
-    The spheres are turned against each other by landmarks, or else by features, see `align_spheres`, and bent until these
-    agree. From there the symmetric Dirichlet energy of the map, over both surfaces, is lowered on the levels of a hierarchy;
+    Landmarks turn the spheres against each other, or else features, see `align_spheres`, and limbs that may be the same, by how
+    far their ends are from each other along the surfaces; several such starts are taken through the descent on coarse levels,
+    and the best one to the finest level. The symmetric Dirichlet energy of the map, over both surfaces, is lowered on the levels of a hierarchy;
     Schmidt et al. [1]_ optimize maps between surfaces of genus 0 on the sphere, too. The time is nearly linear: for 26,000
     vertices each, some 2.5 seconds on two cores.
 
@@ -248,7 +250,7 @@ def align_spheres(
 
     Notes
     -----
-    12,000 rotations are tried [2]_ at the 4002 directions of a grid, and the best ones refined to about 0.2 degrees. None
+    12,000 rotations are tried [2]_ at 492 directions, and the best ones refined to about 0.2 degrees. None
     exchanges a surface and its mirror image. The result has the same bits for any number of threads. The time is linear in
     the size of the meshes, and for less than 100,000 vertices, that of the comparison.
 

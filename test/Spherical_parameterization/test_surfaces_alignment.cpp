@@ -9,8 +9,8 @@
 
 #include <CGAL/Spherical_parameterization/Surface_mapper_3.h>
 #include <CGAL/Spherical_parameterization/align_spheres.h>
-#include <CGAL/Spherical_parameterization/internal/align/Sphere_bending.h>
-#include <CGAL/Spherical_parameterization/is_bijective.h>
+#include <CGAL/Spherical_parameterization/internal/align/Limb_search.h>
+#include <CGAL/Spherical_parameterization/map_surface.h>
 
 #include <gtest/gtest.h>
 
@@ -205,171 +205,159 @@ TEST(Alignment, tells_what_is_wrong)
   EXPECT_EQ(result.margin(), 0.);
 }
 
-// The spheres of two meshes as a run between surfaces has them.
-struct Aligned_spheres
+// A body with arms in these directions, straight or bent, of a length each, and a bump by which front and back differ.
+struct Arms
 {
-  using Triangulation = SP::internal::Sphere_triangulation<Kernel>;
-  using Features = std::vector<std::vector<double>>;
+  std::vector<CGAL::Vector_3<Kernel>> directions;
+  std::vector<double> lengths;
+  double bend; // what the ends are turned about the z axis by, in radians
 
-  Aligned_spheres(const SP::internal::Sphere_grid& grid, const Mapped_mesh& a, const Mapped_mesh& b,
-                  const std::array<Features, 2>& features, SP::internal::Run_control& control,
-                  const SP::internal::Execution& execution)
-    : alignment(grid, sampled(grid, a, features[0], execution, first), sampled(grid, b, features[1], execution, second),
-                control, execution)
-  {}
-
-  static SP::internal::Sampled_surface sampled(const SP::internal::Sphere_grid& grid, const Mapped_mesh& mesh,
-                                               const Features& features, const SP::internal::Execution& execution,
-                                               Triangulation& sphere)
+  Point_3 operator()(const Point_3& q) const
   {
-    SP::internal::Mesh_on_sphere<Mesh, Mesh::Property_map<Vertex_index, Point_3>> arrays;
-    EXPECT_EQ(arrays.read_with_points(mesh.mesh, mesh.sphere, mesh.mesh.points(), execution), SP::OK);
-    sphere.assign(arrays.images, arrays.triangles);
-    sphere.make_grid();
-    return SP::internal::Sampled_surface(grid, sphere, arrays.points, features, execution);
+    double radius = 1. + 0.15 * std::exp(-8. * (1. - q.z()));
+    for(std::size_t k = 0; k < lengths.size(); ++k)
+      radius += lengths[k] * std::exp(-30. * (1. - (q - CGAL::ORIGIN) * directions[k]));
+    const double angle = bend * (std::max)(radius - 1.5, 0.), s = std::sin(angle), c = std::cos(angle);
+    return Point_3(radius * (c * q.x() - s * q.y()), radius * (s * q.x() + c * q.y()), radius * q.z());
   }
-
-  Triangulation first, second;
-  SP::internal::Surface_alignment alignment;
 };
 
-Point_3 point(const SP::internal::Vector_3d& p)
+const Arms straight_arms = {
+    {{1., 0., 0.}, {0., 1., 0.}, {-0.6, -0.8, 0.}, {0., 0.6, -0.8}, {0.6, -0.64, -0.48}}, {3.2, 2., 2.6, 1.6, 4.}, 0.};
+const Arms bent_arms = {straight_arms.directions, straight_arms.lengths, 0.35};
+
+template <class Result>
+Result with_levels(const Mapped_mesh& mesh, const std::vector<std::vector<double>>& features,
+                   const std::function<Result(SP::internal::Coarse_surface&&)>& f)
 {
-  return Point_3(p[0], p[1], p[2]);
+  using Arrays = SP::internal::Mesh_on_sphere<Mesh, Mesh::Property_map<Vertex_index, Point_3>>;
+  Arrays arrays;
+  Recording_control control;
+  EXPECT_EQ(arrays.read_with_points(mesh.mesh, mesh.sphere, mesh.mesh.points(), {}), SP::OK);
+  SP::internal::Located_surface<Arrays::Exact_kernel> surface;
+  EXPECT_EQ(SP::internal::locate_surface(arrays, surface), SP::OK);
+  return f(SP::internal::Surface_levels(surface, control, {}).coarse_surface(features));
 }
 
-void expect_bijective(const Mapped_mesh& original, const std::vector<SP::internal::Vector_3d>& directions)
+SP::internal::Coarse_surface coarse(const Mapped_mesh& mesh, const std::vector<std::vector<double>>& features = {})
 {
-  Mesh mesh = original.mesh;
-  ASSERT_EQ(directions.size(), mesh.number_of_vertices());
-  for(const Vertex_index v : mesh.vertices())
-    mesh.point(v) = point(directions[v]);
-  EXPECT_TRUE(SP::is_bijective(mesh, mesh.points()));
+  return with_levels<SP::internal::Coarse_surface>(
+      mesh, features, [](SP::internal::Coarse_surface&& surface) { return std::move(surface); });
 }
 
-// Another sphere of the same body: its map differs from the first one by a smooth bijection, which a rotation is not.
-TEST(Bending, comes_nearer_to_a_smooth_map_and_stays_a_bijection)
+TEST(Coarse_surface, has_the_ranks_of_features_by_area)
 {
-  const auto warped = [](const Point_3& p) {
-    const CGAL::Vector_3<Kernel> q(p.x() + 0.35 * p.y() * p.y(), p.y() - 0.3 * p.z(), p.z() * (1. + 0.3 * p.x()));
+  const Mapped_mesh mesh(icosphere(5), on_body, rotation(turns[0]));
+  std::vector<double> height, constant(mesh.mesh.number_of_vertices(), 3.);
+  for(const Vertex_index v : mesh.mesh.vertices())
+    height.push_back(std::exp(mesh.mesh.point(v).z()));
+  const SP::internal::Coarse_surface surface = coarse(mesh, {height, constant});
+  EXPECT_LE(surface.size(), SP::internal::Coarse_surface::max_size);
+  ASSERT_TRUE(surface.is_bijective());
+  double sum = 0., squares = 0., area = 0.;
+  for(std::size_t v = 0; v < surface.size(); ++v)
+  {
+    const double rank = surface.features()[0][v];
+    sum += surface.areas()[v] * rank;
+    squares += surface.areas()[v] * rank * rank;
+    area += surface.areas()[v];
+    EXPECT_NEAR(surface.features()[1][v], 0., 1e-12);
+  }
+  EXPECT_NEAR(area, 1., 1e-9);
+  EXPECT_NEAR(sum, 0., 1e-9);          // Ranks are spread evenly
+  EXPECT_NEAR(squares, 1. / 3., 1e-3); // from -1 to 1.
+}
+
+TEST(Limbs, are_found_on_the_ends_of_arms_and_matched_whatever_the_pose)
+{
+  const Mapped_mesh a(icosphere(4), straight_arms, rotation(turns[0])), b(icosphere(4), bent_arms, rotation(turns[1]));
+  SP::internal::Coarse_surface first = coarse(a), second = coarse(b);
+  const auto limbs1 = first.limbs(), limbs2 = second.limbs();
+  ASSERT_EQ(limbs1.size(), 5u);
+  ASSERT_EQ(limbs2.size(), 5u);
+  SP::internal::Limb_search search(limbs1, limbs2);
+  const auto matchings = search.best(4, first.directions(), second.directions());
+  ASSERT_FALSE(matchings.empty());
+  EXPECT_EQ(matchings[0].pairs.size(), 5u);
+  const Rotation_3 found = SP::internal::as_transformation(matchings[0].rotation);
+  EXPECT_LT(angle(found, rotation(turns[1]) * rotation(turns[0]).inverse()), 12.);
+  for(std::size_t i = 1; i < matchings.size(); ++i)
+    EXPECT_LE(matchings[i].score, matchings[i - 1].score);
+}
+
+TEST(Limbs, are_not_matched_if_they_are_too_few)
+{
+  const Mapped_mesh a(icosphere(4), on_body, rotation(turns[0]));
+  SP::internal::Coarse_surface surface = coarse(a);
+  auto limbs = surface.limbs();
+  limbs.resize((std::min<std::size_t>)(limbs.size(), 2));
+  EXPECT_TRUE(SP::internal::Limb_search(limbs, limbs).best(4, surface.directions(), surface.directions()).empty());
+  EXPECT_TRUE(SP::internal::Limb_search({}, limbs).best(4, surface.directions(), surface.directions()).empty());
+}
+
+double mean_distance(const Mapped_mesh& a, const Mesh::Property_map<Vertex_index, Point_3>& directions,
+                     const Mapped_mesh& b)
+{
+  double sum = 0.;
+  for(const Vertex_index v : a.mesh.vertices())
+    sum += std::sqrt(CGAL::squared_distance(directions[v], b.sphere[v]));
+  return sum / static_cast<double>(a.mesh.number_of_vertices());
+}
+
+// The spheres lean to opposite sides, by much more than the arms are wide on them, as those of two poses may.
+TEST(Alignment, brings_arms_to_theirs_on_spheres_that_lean_to_different_sides)
+{
+  const auto leaning = [](const Point_3& p, double share) {
+    const CGAL::Vector_3<Kernel> q(p.x(), p.y(), p.z() + share);
     return CGAL::ORIGIN + q / std::sqrt(q.squared_length());
   };
-  const Mapped_mesh a(icosphere(4), on_body, rotation(turns[0]));
-  Mapped_mesh b(icosphere(4), on_body, rotation(turns[0]));
-  for(const Vertex_index v : b.mesh.vertices())
-    b.sphere[v] = rotation(turns[1]).transform(warped(a.sphere[v]));
-
-  const SP::internal::Sphere_grid grid({});
-  std::vector<SP::internal::Vector_3d> results[2];
-  double turned_error = 0., bent_error = 0.;
-  for(const bool is_parallel : {false, true})
-  {
-    const SP::internal::Execution execution =
-        is_parallel ? SP::internal::execution_of<CGAL::Parallel_if_available_tag>() : SP::internal::Execution();
-    Recording_control control;
-    Aligned_spheres spheres(grid, a, b, {}, control, execution);
-    const auto start = spheres.alignment.best_rotations(1);
-    const auto bent_grids = spheres.alignment.bent(start);
-    ASSERT_EQ(bent_grids.size(), 1u);
-    EXPECT_GT(bent_grids[0].score, start[0].score);
-    EXPECT_EQ(spheres.alignment.margin(bent_grids), bent_grids[0].score);
-
-    const auto directions =
-        SP::internal::bent_directions(spheres.first, grid, bent_grids[0].directions, control, execution);
-    ASSERT_TRUE(directions);
-    results[is_parallel] = *directions;
-    const Rotation_3 rotation = SP::internal::as_transformation(start[0].rotation);
-    turned_error = bent_error = 0.;
-    for(const Vertex_index v : a.mesh.vertices())
-    {
-      turned_error += std::sqrt(CGAL::squared_distance(rotation.transform(a.sphere[v]), b.sphere[v]));
-      bent_error += std::sqrt(CGAL::squared_distance(point((*directions)[v]), b.sphere[v]));
-    }
-    expect_bijective(a, *directions);
-  }
-  EXPECT_EQ(results[0], results[1]);
-  EXPECT_LT(bent_error, 0.75 * turned_error); // The body is smooth: it has few features to go by.
-}
-
-// The features of the caller do not agree, and the start that is bent is the only one.
-TEST(Bending, starts_from_a_single_rotation_however_bad_it_is)
-{
-  const Mapped_mesh a(icosphere(3), on_body, rotation(turns[0]));
-  const SP::internal::Sphere_grid grid({});
-  std::array<std::vector<double>, 2> features;
+  Mapped_mesh a(icosphere(4), straight_arms, rotation(turns[0])), b(icosphere(4), bent_arms, rotation(turns[1]));
   for(const Vertex_index v : a.mesh.vertices())
   {
-    features[0].push_back(a.sphere[v].z());
-    features[1].push_back(-a.sphere[v].z());
+    a.sphere[v] = rotation(turns[0]).transform(leaning(rotation(turns[0]).inverse().transform(a.sphere[v]), 0.45));
+    b.sphere[v] = rotation(turns[1]).transform(leaning(rotation(turns[1]).inverse().transform(b.sphere[v]), -0.45));
   }
-  Recording_control control;
-  Aligned_spheres spheres(grid, a, a, {{{features[0]}, {features[1]}}}, control, {});
-  const auto bent = spheres.alignment.bent({{SP::internal::rotation_matrix(turns[0]), -1.}});
-  ASSERT_EQ(bent.size(), 1u);
-  EXPECT_LT(bent[0].score, 0.);
-  EXPECT_EQ(spheres.alignment.margin(bent), bent[0].score);
+  auto directions = a.mesh.add_property_map<Vertex_index, Point_3>("v:directions").first;
+  auto others = a.mesh.add_property_map<Vertex_index, Point_3>("v:others").first;
+  SP::Surface_mapper_3<Mesh, Mesh> mapper;
+  ASSERT_EQ(SP::map_surface<CGAL::Sequential_tag>(a.mesh, a.sphere, b.mesh, b.sphere, mapper, directions), SP::OK);
+  const SP::Surface_map_report& report = mapper.report();
+  EXPECT_LT(mean_distance(a, directions, b), 0.06);
+  EXPECT_GT(report.agreement, 0.8);
+  EXPECT_GT(report.margin, 0.1);
+  ASSERT_EQ(SP::map_surface<CGAL::Parallel_if_available_tag>(a.mesh, a.sphere, b.mesh, b.sphere, others), SP::OK);
+  for(const Vertex_index v : a.mesh.vertices())
+    EXPECT_EQ(directions[v], others[v]);
 }
 
-// Whenever the control says no, there is a start, and it is a bijection.
-TEST(Bending, stops_when_it_is_told_to)
+// Whenever the control says no, there is an alignment.
+TEST(Alignment, of_surfaces_stops_when_it_is_told_to)
 {
-  const Mapped_mesh a(icosphere(3), on_body, rotation(turns[0]));
-  Mapped_mesh b(
-      icosphere(3), [](const Point_3& p) { return Point_3(p.x(), p.y(), 2. * p.z()); }, rotation(turns[1]));
-  const SP::internal::Sphere_grid grid({});
+  const Mapped_mesh a(icosphere(3), straight_arms, rotation(turns[0])), b(icosphere(3), bent_arms, rotation(turns[1]));
+  using Arrays = SP::internal::Mesh_on_sphere<Mesh, Mesh::Property_map<Vertex_index, Point_3>>;
+  using Surface = SP::internal::Located_surface<Arrays::Exact_kernel>;
+  const auto read = [](const Mapped_mesh& mesh, Surface& surface) {
+    Arrays arrays;
+    EXPECT_EQ(arrays.read_with_points(mesh.mesh, mesh.sphere, mesh.mesh.points(), {}), SP::OK);
+    EXPECT_EQ(SP::internal::locate_surface(arrays, surface), SP::OK);
+  };
+  Surface first, second;
+  read(a, first);
+  read(b, second);
+  const SP::internal::Target_metric metric(second.sphere, second.points, {});
   std::size_t n_questions = 0;
-  for(const std::size_t max_questions : {1000u, 0u, 3u, 12u, 40u})
+  for(const std::size_t max_questions : {1000u, 0u, 3u, 8u, 14u, 18u})
   {
     Recording_control control;
     control.max_questions = max_questions;
-    Aligned_spheres spheres(grid, a, b, {}, control, {});
-    const SP::internal::Aligned_start start = spheres.alignment.start(spheres.first, spheres.second);
-    expect_bijective(a, start.directions);
+    SP::internal::Surface_alignment surfaces(coarse(a), coarse(b), control, {});
+    const auto best = surfaces.best(metric, 4., first.sphere, second.sphere);
+    ASSERT_FALSE(best.empty());
     EXPECT_EQ(control.is_stopped(), max_questions < 1000u);
     EXPECT_LE(control.number_of_questions, max_questions + 1);
     n_questions = (std::max)(n_questions, control.number_of_questions);
   }
-  EXPECT_GT(n_questions, 100u);
-}
-
-// A grid that is bent so much that triangles of a mesh, whose edges stay straight, turn over.
-TEST(Bending, repairs_what_straight_edges_turn_over)
-{
-  const SP::internal::Sphere_grid grid({});
-  std::vector<SP::internal::Vector_3d> bent_grid;
-  for(const SP::internal::Vector_3d& q : grid.directions())
-  {
-    const double angle = 2. * std::sin(9. * q[2]); // whirls
-    bent_grid.push_back(
-        {std::cos(angle) * q[0] - std::sin(angle) * q[1], std::sin(angle) * q[0] + std::cos(angle) * q[1], q[2]});
-  }
-  const Mapped_mesh a(icosphere(2), on_body, rotation(turns[0]));
-  SP::internal::Mesh_on_sphere<Mesh, Mesh::Property_map<Vertex_index, Point_3>> arrays;
-  ASSERT_EQ(arrays.read(a.mesh, a.sphere, false, {}), SP::OK);
-  SP::internal::Sphere_triangulation<Kernel> images;
-  images.assign(arrays.images, arrays.triangles);
-  Recording_control control;
-  const auto directions = SP::internal::bent_directions(images, grid, bent_grid, control, {});
-  ASSERT_TRUE(directions);
-  const SP::internal::Orientation_about_origin_3<Kernel> orientation;
-  const auto count = [&](const auto& point_of) {
-    std::size_t n = 0;
-    for(const auto& t : arrays.triangles)
-      n += orientation(point_of(t[0]), point_of(t[1]), point_of(t[2])) != CGAL::POSITIVE;
-    return n;
-  };
-  EXPECT_EQ(count([&](std::uint32_t v) {
-              const auto& p = (*directions)[v];
-              return Point_3(p[0], p[1], p[2]);
-            }),
-            0u);
-  const std::size_t n_turned_over = count([&](std::uint32_t v) {
-    const Point_3& q = arrays.images[v];
-    const double angle = 2. * std::sin(9. * q.z());
-    return Point_3(std::cos(angle) * q.x() - std::sin(angle) * q.y(), std::sin(angle) * q.x() + std::cos(angle) * q.y(),
-                   q.z());
-  });
-  EXPECT_GT(n_turned_over, 10u);
+  EXPECT_GT(n_questions, 10u);
 }
 
 TEST(Landmarks, give_their_rotation)

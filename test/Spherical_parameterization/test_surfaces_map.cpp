@@ -8,7 +8,7 @@
 #include "surfaces.h"
 #include "test_meshes.h"
 
-#include <CGAL/Spherical_parameterization/internal/align/Sampled_surface.h>
+#include <CGAL/Spherical_parameterization/internal/align/Coarse_surface.h>
 #include <CGAL/Spherical_parameterization/internal/locate/Sphere_image.h>
 #include <CGAL/Spherical_parameterization/internal/certificate/is_safely_positive.h>
 #include <CGAL/Spherical_parameterization/internal/levels/Mesh_hierarchy.h>
@@ -873,14 +873,15 @@ TEST(Target_star, has_the_gradient_of_its_value)
   SP::internal::Target_star star(metric);
   const std::size_t level = metric.level_for(200);
   const Vector_3d goal = SP::internal::normalized(Vector_3d{1., 2., 3.});
-  const SP::internal::Sphere_grid grid({});
   std::vector<std::vector<double>> channels(2);
-  for(const Vector_3d& q : grid.directions())
+  for(std::size_t v = 0; v < images.points().size(); ++v)
   {
+    const Vector_3d q = images.direction(v);
     channels[0].push_back(q[0] * q[1]);
     channels[1].push_back(q[2]);
   }
-  const SP::internal::Sphere_image features = grid.image(channels);
+  const SP::internal::Sphere_image features(SP::internal::Sphere_image::places_of_nodes(images, {}), images.triangles(),
+                                            channels);
   const std::array<double, 2> feature_values = {0.2, -0.3};
   std::size_t n_right = 0;
   for(std::uint32_t v = 0; v < mesh.number_of_vertices(); ++v)

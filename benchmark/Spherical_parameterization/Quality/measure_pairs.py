@@ -1,10 +1,11 @@
 #!/usr/bin/env python3
 """Maps pairs of surfaces onto each other, in both directions, and prints the table of the user manual.
 
-FOLDER has pairs.txt, with two names and a kind in each line. The meshes are NAME.off.gz or NAME.obj.gz. Of the kind `corres`, the
+FOLDER has pairs.txt, with two names and a kind in each line, and perhaps pairs_wide.txt, with pairs drawn at random, which are
+mapped in one direction. The meshes are NAME.off.gz or NAME.obj.gz. Of the kind `corres`, the
 files NAME.vts of both have the vertices that correspond, line by line, counted from 1, and NAME.sym.vts their mirror images. Of the kind
-`landmarks`, NAME.vts, or for NAME/input0 and NAME/input1 the files NAME/landmarks0.txt and so on, have landmarks, counted from 0. Takes five
-minutes; needs numpy and scipy.
+`landmarks`, NAME.vts, or for NAME/input0 and NAME/input1 the files NAME/landmarks0.txt and so on, have landmarks, counted from 0; those of .vts files are
+hidden once more, and tell how good a map without them is. Takes ten minutes; needs numpy and scipy.
 
 With --bounds FILE, the pairs of that file are mapped, those of which there are files, and compared with the bounds there. It needs no
 scipy, as the error is then that of straight distances. Fails if one is above its bound.
@@ -117,15 +118,16 @@ class Pairs:
             arguments += ["--landmarks", self.landmarks(first), self.landmarks(second)]
         return self.execute(arguments), read_mesh(paths[1]), read_mesh(result).vertices
 
-    def run(self, first: str, second: str, kind: str) -> None:
-        """maps one surface onto another one, for the table"""
+    def run(self, first: str, second: str, kind: str, row: str) -> None:
+        """maps one surface onto another one, for a row of the table"""
         facts, target, images = self.map_pair(first, second, kind)
         facts["error"], facts["is_swapped"] = 0.0, False
-        if kind == "corres":
+        if kind != "landmarks":
             from scipy.spatial import cKDTree
 
-            places = numbers_in(self.folder / (first + ".vts"), 1)
-            true = numbers_in(self.folder / (second + ".vts"), 1)
+            base = 1 if kind == "corres" else 0
+            places = numbers_in(self.folder / (first + ".vts"), base)
+            true = numbers_in(self.folder / (second + ".vts"), base)
             sources, inverse = np.unique(true, return_inverse=True)
             found = cKDTree(target.vertices).query(images[places])[1]
             facts["error"] = float(distances(target, sources)[inverse, found].mean())
@@ -134,7 +136,7 @@ class Pairs:
                 sources, inverse = np.unique(numbers_in(mirror, 1), return_inverse=True)
                 facts["is_swapped"] = float(distances(target, sources)[inverse, found].mean()) < facts["error"]
         print(first, second, f"{facts['error']:.2f}", file=sys.stderr)
-        self.results.setdefault(first.split("/", maxsplit=1)[0], []).append(facts)
+        self.results.setdefault(row, []).append(facts)
 
     def figures(self, pair: Bounds) -> Bounds | None:
         """returns what is bounded of a pair, or nothing if there are no files of it"""
@@ -181,6 +183,7 @@ class Pairs:
                 name,
                 str(len(runs)),
                 f"{statistics.mean(errors):.2f} ({max(errors):.2f})" if any(errors) else "",
+                str(sum(error > 8.0 for error in errors)) if any(errors) else "",
                 str(sum(run["is_swapped"] for run in runs)) if any(errors) else "",
                 f"{sum(m['missed_landmarks'] for m in match)} of {n_landmarks}" if n_landmarks else "",
                 f"{statistics.mean(self.energy(run) for run in runs):.2f}",
@@ -204,10 +207,20 @@ def main() -> None:
         pairs = Pairs(arguments.program, arguments.pairs, arguments.cgal_meshes, Path(work))
         if arguments.bounds:
             pairs.check(read_bounds(arguments.bounds))
-        for line in (arguments.pairs / "pairs.txt").read_text().splitlines():
-            first, second, kind = line.split()
-            pairs.run(first, second, kind)
-            pairs.run(second, first, kind)
+        for name in ("pairs.txt", "pairs_wide.txt"):
+            path = arguments.pairs / name
+            if not path.exists():
+                continue
+            for line in path.read_text().splitlines():
+                first, second, kind = line.split()
+                row = first.split("/", maxsplit=1)[0]
+                if name == "pairs_wide.txt":
+                    pairs.run(first, second, kind, f"{row}, random")
+                    continue
+                for one, other in ((first, second), (second, first)):
+                    pairs.run(one, other, kind, row)
+                    if kind == "landmarks" and (arguments.pairs / (one + ".vts")).exists():
+                        pairs.run(one, other, "hidden", f"{row}, landmarks hidden")
         pairs.print_table()
 
 

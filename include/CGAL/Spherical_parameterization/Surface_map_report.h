@@ -35,11 +35,12 @@ struct Surface_map_report
   /// makes by default. That misses a part of what is near vertices: 5 to 15 percent of the energy where both were measured.
   bool is_energy_sampled = false;
 
-  /// How well features agree after the spheres have been aligned, a correlation, at most 1; 0 if landmarks aligned them
+  /// How well features agree after the surfaces have been aligned on coarse levels, a correlation, at most 1; 0 if landmarks
+  /// aligned them
   double agreement = 0.;
 
-  /// How much better they agree than by the next best way to turn the spheres. Below 0.1 or so, the surface has a symmetry,
-  /// or nearly, and the map may have exchanged its sides.
+  /// How much better the alignment is than the next best one that differs from it: in agreement, less the mean logarithm of how
+  /// much is stretched. Below 0.1 or so, the surface has a symmetry, or nearly, and the map may have exchanged its sides.
   double margin = 0.;
 
   /// For each landmark, how far its image is from where it should be, in the unit of length of the second surface; 0 if
@@ -55,7 +56,7 @@ struct Surface_map_report
 
   std::size_t number_of_sweeps = 0;  ///< over levels of the first surface
   double seconds_for_reading = 0.;   ///< to read both surfaces, and to certify their maps
-  double seconds_for_alignment = 0.; ///< to turn and bend one sphere onto the other one
+  double seconds_for_alignment = 0.; ///< to find out how the surfaces lie on each other
   double seconds_for_descent = 0.;   ///< to lower the energy
   double seconds_for_overlay = 0.;   ///< to measure it, as a rule on the common refinement
 };

@@ -73,8 +73,7 @@ public:
     return result;
   }
 
-  /// sets features of the surfaces that are to agree. Only the order of their values counts, and they are seen through a grid
-  /// of 4002 directions. By default the package has its own, unless landmarks turn the spheres.
+  /// sets features of the surfaces that are to agree. Only the order of their values counts. By default the package has its own, unless landmarks turn the spheres.
   [[nodiscard]] Surface_mapper_3 features(std::vector<Feature> features) const
   {
     Surface_mapper_3 result = *this;

@@ -16,11 +16,11 @@
 
 #include <CGAL/Spherical_parameterization/Error_code.h>
 #include <CGAL/Spherical_parameterization/internal/Mesh_on_sphere.h>
+#include <CGAL/Spherical_parameterization/internal/align/Coarse_surface.h>
 #include <CGAL/Spherical_parameterization/internal/align/Rotation_search.h>
-#include <CGAL/Spherical_parameterization/internal/align/Sampled_surface.h>
 #include <CGAL/Spherical_parameterization/internal/align/Surface_alignment.h>
 #include <CGAL/Spherical_parameterization/internal/check_run.h>
-#include <CGAL/Spherical_parameterization/internal/locate/Sphere_triangulation.h>
+#include <CGAL/Spherical_parameterization/internal/find_surface_map.h>
 #include <CGAL/Spherical_parameterization/internal/numbers/Rotation_matrix.h>
 #include <CGAL/Spherical_parameterization/internal/numbers/Vector_3.h>
 #include <CGAL/Spherical_parameterization/internal/run/Run_control.h>
@@ -81,15 +81,16 @@ inline Sphere_alignment_3::Rotation_3 as_transformation(const Rotation_matrix& r
   return {r[0][0], r[0][1], r[0][2], r[1][0], r[1][1], r[1][2], r[2][0], r[2][1], r[2][2]};
 }
 
-// Samples a surface that has been read.
+// Simplifies a surface that has been read, with the values of features at its vertices.
 template <class Arrays>
-Sampled_surface sampled_surface(const Sphere_grid& grid, Arrays& arrays, const std::vector<Channel>& features,
-                                const Execution& execution)
+Error_code simplify(Arrays& arrays, const std::vector<Channel>& features, std::optional<Coarse_surface>& coarse,
+                    Run_control& control, const Execution& execution)
 {
-  Sphere_triangulation<typename Arrays::Exact_kernel> images;
-  images.assign(std::move(arrays.images), std::move(arrays.triangles));
-  images.make_grid();
-  return Sampled_surface(grid, images, arrays.points, features, execution);
+  Located_surface<typename Arrays::Exact_kernel> surface;
+  if(const Error_code error = locate_surface(arrays, surface))
+    return error;
+  coarse.emplace(Surface_levels(surface, control, execution).coarse_surface(features));
+  return coarse->is_bijective() ? OK : ERROR_INSUFFICIENT_PRECISION;
 }
 
 } // namespace internal
@@ -102,8 +103,8 @@ Sampled_surface sampled_surface(const Sphere_grid& grid, Arrays& arrays, const s
 /// \cgalCite{cgal:hskk-tmfase-01}; and the mean curvature, with its sign, at two scales, which tells front from back where a
 /// half turn would exchange both sides of a body. Instead, the caller may give any features.
 ///
-/// Both surfaces are sampled at the same 4002 directions. Only the order of the values of a feature counts, so that scales
-/// and outliers do not matter. The score of a rotation is the correlation of all features, evenly over the sphere. 12,000
+/// Both surfaces are simplified to at most 1000 vertices. Only the order of the values of a feature counts, so that scales and
+/// outliers do not matter. The score of a rotation is the correlation of all features, evenly over the sphere. 12,000
 /// rotations are tried \cgalCite{cgal:a-sfs-22}, and the best ones refined to about 0.2 degrees.
 ///
 /// It is meant for surfaces that are nearly isometric, such as poses of a body, with maps made in the same way. Between
@@ -179,10 +180,12 @@ Error_code align_spheres(const TriangleMesh1& tmesh1, VertexSphereMap1 vertex_sp
     if(!internal::read_features<0>(features, arrays1.vertices_of_mesh, features1) ||
        !internal::read_features<1>(features, arrays2.vertices_of_mesh, features2))
       return ERROR_WRONG_PARAMETER;
-    const internal::Sphere_grid grid(execution);
-    const internal::Surface_alignment surfaces(grid, internal::sampled_surface(grid, arrays1, features1, execution),
-                                               internal::sampled_surface(grid, arrays2, features2, execution), control,
-                                               execution);
+    std::optional<internal::Coarse_surface> coarse1, coarse2;
+    if(const Error_code error = internal::simplify(arrays1, features1, coarse1, control, execution))
+      return error;
+    if(const Error_code error = internal::simplify(arrays2, features2, coarse2, control, execution))
+      return error;
+    const internal::Surface_alignment surfaces(std::move(*coarse1), std::move(*coarse2), control, execution);
     constexpr std::size_t n_candidates = 4; // to choose from, where a surface is nearly symmetric
     alignment.candidates.clear();
     for(const internal::Scored_rotation& candidate : surfaces.best_rotations(n_candidates))

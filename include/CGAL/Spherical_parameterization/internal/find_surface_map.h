@@ -15,7 +15,7 @@
 #include <CGAL/license/Spherical_parameterization.h>
 
 #include <CGAL/Spherical_parameterization/Surface_map_report.h>
-#include <CGAL/Spherical_parameterization/internal/align/Sampled_surface.h>
+#include <CGAL/Spherical_parameterization/internal/align/Coarse_surface.h>
 #include <CGAL/Spherical_parameterization/internal/align/Surface_alignment.h>
 #include <CGAL/Spherical_parameterization/internal/certificate/Bijectivity_certificate.h>
 #include <CGAL/Spherical_parameterization/internal/certificate/is_safely_positive.h>
@@ -28,6 +28,7 @@
 #include <CGAL/Spherical_parameterization/internal/locate/Sphere_triangulation.h>
 #include <CGAL/Spherical_parameterization/internal/numbers/Rotation_matrix.h>
 #include <CGAL/Spherical_parameterization/internal/numbers/Vector_3.h>
+#include <CGAL/Spherical_parameterization/internal/levels/Mesh_hierarchy.h>
 #include <CGAL/Spherical_parameterization/internal/levels/Target_levels.h>
 #include <CGAL/Spherical_parameterization/internal/levels/Target_metric.h>
 
@@ -49,10 +50,24 @@ namespace CGAL::Spherical_parameterization::internal {
 template <class K>
 struct Located_surface
 {
+  Surface mesh; // the same surface; all else is in the order of the caller
   Sphere_triangulation<K> sphere;
   std::vector<Vector_3d> points;
   int exponent = 0;
 };
+
+// Takes over the arrays of a surface, and makes the grid of its sphere.
+template <class Arrays, class K>
+Error_code locate_surface(Arrays& arrays, Located_surface<K>& surface)
+{
+  if(const Error_code error = surface.mesh.assign(arrays.points, arrays.triangles))
+    return error;
+  surface.points = std::move(arrays.points);
+  surface.exponent = normalize(surface.points);
+  surface.sphere.assign(std::move(arrays.images), std::move(arrays.triangles));
+  surface.sphere.make_grid();
+  return OK;
+}
 
 // How far what lies in a direction is from a vertex.
 template <class K>
@@ -119,85 +134,174 @@ struct Surface_map_hints
   double feature_weight = 0.;
 };
 
-// The start of the map: from landmarks if they determine a rotation, or else from features. These are asked for on the
-// way as well, but those of the package only where they have led to the start.
+// The levels of a surface on its sphere, down to that by which it is compared with others.
 template <class K>
-Aligned_start start_of_map(const Located_surface<K>& first, const Located_surface<K>& second,
-                           const Surface_map_hints& hints, Run_control& control, const Execution& execution)
+class Surface_levels
 {
-  std::vector<std::pair<Vector_3d, Vector_3d>> pairs;
-  for(const auto& [v, w] : hints.landmarks)
-    pairs.emplace_back(first.sphere.direction(v), second.sphere.direction(w));
-  const std::optional<Rotation_matrix> rotation = fitting_rotation(pairs);
-  Aligned_start result;
-  if(rotation)
-    result.directions = rotated_directions(*rotation, first.sphere);
-  if(rotation && (hints.features[0].empty() || !(hints.feature_weight > 0.)))
+public:
+  Surface_levels(const Located_surface<K>& surface, Run_control& control, const Execution& execution)
+    : m_surface(surface)
+    , m_images(surface.mesh.in_own_order(rotated_directions(rotation_matrix({1., 0., 0., 0.}), surface.sphere)))
+    , m_hierarchy(surface.mesh.rings(), surface.mesh.points(),
+                  vertex_areas(surface.mesh.rings(), surface.mesh.points()), control, execution, m_images, {},
+                  Coarse_surface::max_size)
+  {}
+
+  Coarse_surface coarse_surface(const std::vector<Channel>& features) const
+  {
+    std::vector<Channel> in_own_order;
+    for(const Channel& feature : features)
+      in_own_order.push_back(m_surface.mesh.in_own_order(feature));
+    return Coarse_surface(m_hierarchy, m_surface.mesh, m_images, in_own_order);
+  }
+
+  // Takes a map of the coarsest level to the finest one; `positions` receives it. Returns false if doubles cannot hold it. The
+  // levels are used up.
+  bool refine(const std::vector<Vector_3d>& coarse, const Target_goals& goals, std::vector<Vector_3d>& positions,
+              Run_control& control, const Execution& execution)
+  {
+    const Mesh_hierarchy::Level& level = m_hierarchy.level(m_hierarchy.number_of_levels() - 1);
+    positions = m_images;
+    for(std::size_t v = 0; v < coarse.size(); ++v)
+      positions[level.vertices[v]] = coarse[v];
+    return lower_on_levels(m_hierarchy, m_surface.mesh.points(), m_images, goals, Target_sweeps(), positions, control,
+                           execution);
+  }
+
+private:
+  const Located_surface<K>& m_surface;
+  std::vector<Vector_3d> m_images; // in the order of the mesh
+  Mesh_hierarchy m_hierarchy;
+};
+
+// What features tell of how two surfaces lie on each other. They are asked for on the way as well.
+struct Surface_start
+{
+  Alignment alignment;
+  double margin = 0.;
+  std::vector<Sphere_image> features; // of both surfaces, if these could be compared
+};
+
+// Compares two surfaces; if `wants_alignment` is false, only their features are found.
+template <class K>
+Surface_start compare_surfaces(const Located_surface<K>& first, const Located_surface<K>& second,
+                               const std::array<Surface_levels<K>*, 2>& levels, const Target_metric& metric,
+                               const Surface_map_hints& hints, bool wants_alignment, Run_control& control,
+                               const Execution& execution)
+{
+  Surface_start result;
+  Coarse_surface coarse1 = levels[0]->coarse_surface(hints.features[0]),
+                 coarse2 = levels[1]->coarse_surface(hints.features[1]);
+  if(!coarse1.is_bijective() || !coarse2.is_bijective())
     return result;
-  const Sphere_grid grid(execution);
-  const auto samples = [&](const Located_surface<K>& surface, std::size_t k) {
-    return Sampled_surface(grid, surface.sphere, surface.points, hints.features[k], execution);
-  };
-  Surface_alignment alignment(grid, samples(first, 0), samples(second, 1), control, execution);
-  if(!rotation)
-    result = alignment.start(first.sphere, second.sphere);
-  result.features = {alignment.features(0), alignment.features(1)};
+  Surface_alignment surfaces(std::move(coarse1), std::move(coarse2), control, execution);
+  result.features = {surfaces.features(0), surfaces.features(1)};
+  if(!wants_alignment)
+    return result;
+  const std::vector<Alignment> best = surfaces.best(metric, hints.feature_weight, first.sphere, second.sphere);
+  result.alignment = best[0];
+  result.margin = best[0].score - (best.size() > 1 ? best[1].score : 0.);
   return result;
 }
 
 template <class K>
-Landmark_goals landmark_goals(const Located_surface<K>& second, const Surface_map_hints& hints, std::size_t n_vertices)
+Landmark_goals landmark_goals(const Located_surface<K>& first, const Located_surface<K>& second,
+                              const Surface_map_hints& hints)
 {
   Landmark_goals goals;
   if(hints.landmarks.empty())
     return goals;
   // The sum over the faces is 8 pi times the mean energy.
   goals.weight = 8. * CGAL_PI * hints.landmark_weight / static_cast<double>(hints.landmarks.size());
-  goals.directions.resize(n_vertices);
+  goals.directions.resize(first.points.size());
   for(const auto& [v, w] : hints.landmarks)
     goals.directions[v] = second.sphere.direction(w);
+  goals.directions = first.mesh.in_own_order(goals.directions);
   return goals;
 }
 
+// The features of the package are those of the coarse surfaces; a caller's are taken at full resolution.
 template <class K>
-Feature_goals feature_goals(const Located_surface<K>& first, const Aligned_start& start, const Surface_map_hints& hints)
+Feature_goals feature_goals(const Located_surface<K>& first, const Located_surface<K>& second,
+                            const Surface_start& start, const Surface_map_hints& hints, const Execution& execution)
 {
+  // Between nodes of an image it is about as far as between vertices, up to 1.6 million nodes, 13 MB for each feature.
+  constexpr std::size_t max_steps = 512;
   Feature_goals result;
-  // A run that is stopped early may have no channels yet.
-  if(start.features.empty() || start.features[0].number_of_channels() == 0 || !(hints.feature_weight > 0.))
+  if(!(hints.feature_weight > 0.))
     return result;
-  result.image = start.features[1];
-  // Those of the package count the less, the less they agree: on bodies without limbs they are noise.
-  const double trust = std::clamp(start.agreement, 0., 1.);
-  result.weight = hints.feature_weight * (hints.features[0].empty() ? trust * trust * trust * trust : 1.);
-  const std::size_t n_channels = start.features[0].number_of_channels();
-  result.values.resize(first.points.size() * n_channels);
-  for(std::size_t v = 0; v < first.points.size(); ++v)
-    start.features[0].interpolate(first.sphere.direction(v), &result.values[v * n_channels]);
+  result.weight = hints.feature_weight;
+  if(!hints.features[0].empty())
+  {
+    const auto ranks = [&](const Located_surface<K>& surface, const std::vector<Channel>& features) {
+      const Channel areas = surface.mesh.in_callers_order(vertex_areas(surface.mesh.rings(), surface.mesh.points()));
+      std::vector<Channel> all;
+      for(const Channel& feature : features)
+        all.push_back(ranks_by_area(feature, areas));
+      return all;
+    };
+    const auto n_steps =
+        (std::min)((std::max)(static_cast<std::size_t>(std::sqrt(static_cast<double>(second.points.size()) / 6.)),
+                              Sphere_image::default_steps),
+                   max_steps);
+    result.image.emplace(Sphere_image::places_of_nodes(second.sphere, execution, n_steps), second.sphere.triangles(),
+                         ranks(second, hints.features[1]), n_steps);
+    const std::vector<Channel> values = ranks(first, hints.features[0]);
+    for(std::size_t v = 0; v < first.points.size(); ++v)
+      for(const Channel& channel : values)
+        result.values.push_back(channel[v]);
+  }
+  else if(!start.features.empty() && start.features[0].number_of_channels() > 0)
+  {
+    // They count the less, the less they agree: on bodies without limbs they are noise.
+    const double trust = std::clamp(start.alignment.agreement, 0., 1.);
+    result.weight *= trust * trust * trust * trust;
+    result.image = start.features[1];
+    const std::size_t n_channels = start.features[0].number_of_channels();
+    result.values.resize(first.points.size() * n_channels);
+    for(std::size_t v = 0; v < first.points.size(); ++v)
+      start.features[0].interpolate(first.sphere.direction(v), &result.values[v * n_channels]);
+  }
+  result.values = first.mesh.in_own_order(result.values);
   return result;
 }
 
-// Finds the map of the first surface, which is `mesh` as well, onto the second one: a start, and the descent from it. It is
-// yet to be certified.
+// Finds the map of the first surface onto the second one: a start, and the descent from it. It is yet to be certified.
 template <class K>
-std::vector<Vector_3d> find_surface_map(const Surface& mesh, const Located_surface<K>& first,
-                                        const Located_surface<K>& second, const Surface_map_hints& hints,
-                                        Surface_map_report& report, Run_control& control, const Execution& execution)
+std::vector<Vector_3d> find_surface_map(const Located_surface<K>& first, const Located_surface<K>& second,
+                                        const Surface_map_hints& hints, Surface_map_report& report,
+                                        Run_control& control, const Execution& execution)
 {
-  // Landmarks are moved on levels of very few vertices. Features have brought all that is large to its place, as far as
-  // their grid can tell: on coarser levels than this, the two surfaces have lost too much to be compared.
+  // Landmarks are moved on levels of very few vertices. Surfaces that lie well already have lost too much to be compared
+  // on coarser levels than the other one.
   constexpr std::size_t min_size_with_landmarks = 60, min_size = 1000;
   constexpr double energy_of_copies = 2. + 1e-9; // the least, but for rounding: they need no descent
 
   const bool has_landmarks = !hints.landmarks.empty();
-  control.on_initialization_begin(mesh.number_of_vertices());
-  const Aligned_start start = start_of_map(first, second, hints, control, execution);
+  control.on_initialization_begin(first.points.size());
+  std::vector<std::pair<Vector_3d, Vector_3d>> pairs;
+  for(const auto& [v, w] : hints.landmarks)
+    pairs.emplace_back(first.sphere.direction(v), second.sphere.direction(w));
+  const std::optional<Rotation_matrix> rotation = fitting_rotation(pairs);
+  const Target_metric metric(second.sphere, second.points, execution);
+  std::optional<Surface_levels<K>> levels;
+  Surface_start start;
+  if(!rotation || (!hints.features[0].empty() && hints.feature_weight > 0.))
+  {
+    std::optional<Surface_levels<K>> levels_of_second;
+    levels.emplace(first, control, execution);
+    levels_of_second.emplace(second, control, execution);
+    start = compare_surfaces<K>(first, second, {&*levels, &*levels_of_second}, metric, hints, !rotation, control,
+                                execution);
+  }
+  if(rotation)
+    start.alignment.rotation = *rotation;
   control.on_initialization_end();
-  report.agreement = start.agreement;
+  report.agreement = start.alignment.agreement;
   report.margin = start.margin;
-  std::vector<Vector_3d> directions = start.directions;
+  std::vector<Vector_3d> directions = rotated_directions(start.alignment.rotation, first.sphere);
   Energy_between energy;
-  const bool agrees_as_it_is = start.is_rotation && !has_landmarks;
+  const bool is_rotation = start.alignment.directions.empty(), agrees_as_it_is = is_rotation && !has_landmarks;
   if(agrees_as_it_is)
     static_cast<void>(measure_energy_between(first, directions, second, energy, control, execution));
   report.seconds_for_alignment = control.lap();
@@ -205,16 +309,23 @@ std::vector<Vector_3d> find_surface_map(const Surface& mesh, const Located_surfa
     report.stop_reason = CONVERGED;
   else
   {
-    std::vector<Vector_3d> lowered = directions;
-    const bool is_lowered =
-        lower_on_target(mesh, Target_metric(second.sphere, second.points, execution),
-                        landmark_goals(second, hints, mesh.number_of_vertices()), feature_goals(first, start, hints),
-                        has_landmarks ? min_size_with_landmarks : min_size, lowered, control, execution);
+    const Target_goals goals = {metric, landmark_goals(first, second, hints),
+                                feature_goals(first, second, start, hints, execution)};
+    std::vector<Vector_3d> lowered;
+    bool is_lowered = is_rotation || levels->refine(start.alignment.directions, {metric, {}, goals.features}, lowered,
+                                                    control, execution);
+    if(is_rotation)
+      lowered = first.mesh.in_own_order(directions);
+    if(is_lowered && (is_rotation || has_landmarks))
+      is_lowered = lower_on_target(first.mesh.rings(), first.mesh.points(), goals,
+                                   has_landmarks ? min_size_with_landmarks : min_size, Target_sweeps(), lowered,
+                                   control, execution);
     report.stop_reason = is_lowered ? control.report().stop_reason : OBSTRUCTED;
     report.number_of_sweeps = control.report().number_of_level_iterations;
     report.seconds_for_descent = control.lap();
     // The averaged metric moves even the identity: only the surfaces themselves tell whether that has helped.
     Energy_between lowered_energy;
+    lowered = is_lowered ? first.mesh.in_callers_order(lowered) : directions;
     const bool is_bijection = measure_energy_between(first, lowered, second, lowered_energy, control, execution);
     // Samples find less than the refinement, and cannot be compared with it.
     const bool is_better =

@@ -90,16 +90,6 @@ Error_code read_hints(const Settings& settings, const Vertices1& vertices1, cons
   return OK;
 }
 
-// Takes over the arrays of a surface, and makes the grid of its sphere.
-template <class Arrays, class K>
-void locate_surface(Arrays& arrays, Located_surface<K>& surface)
-{
-  surface.points = std::move(arrays.points);
-  surface.exponent = normalize(surface.points);
-  surface.sphere.assign(std::move(arrays.images), std::move(arrays.triangles));
-  surface.sphere.make_grid();
-}
-
 // A run between surfaces, from the caller's meshes and maps to the caller's map: reads, finds the map, certifies and writes.
 template <class ConcurrencyTag, class TriangleMesh1, class VertexSphereMap1, class TriangleMesh2,
           class VertexSphereMap2, class Settings, class VertexDirectionMap, class NamedParameters1,
@@ -133,16 +123,16 @@ Error_code run_surface_map(const TriangleMesh1& tmesh1, VertexSphereMap1 vertex_
     Surface_map_hints hints;
     if(const Error_code error = read_hints(settings, arrays1.vertices_of_mesh, arrays2.vertices_of_mesh, hints))
       return error;
-    Surface mesh;
-    if(const Error_code error = mesh.assign(arrays1.points, arrays1.triangles))
-      return error;
     Located_surface<K> first, second;
+    Error_code error1 = OK, error2 = OK;
     run_both(
-        execution, [&] { locate_surface(arrays1, first); }, [&] { locate_surface(arrays2, second); });
+        execution, [&] { error1 = locate_surface(arrays1, first); }, [&] { error2 = locate_surface(arrays2, second); });
+    if(error1 != OK || error2 != OK)
+      return error1 != OK ? error1 : error2;
     report.seconds_for_reading = control.lap();
 
-    const std::vector<Vector_3d> directions = find_surface_map(mesh, first, second, hints, report, control, execution);
-    return write_map(arrays1.vertices_of_mesh, mesh.callers_triangles(), directions, 1., Guarantee::ONE_TO_ONE,
+    const std::vector<Vector_3d> directions = find_surface_map(first, second, hints, report, control, execution);
+    return write_map(arrays1.vertices_of_mesh, first.mesh.callers_triangles(), directions, 1., Guarantee::ONE_TO_ONE,
                      vertex_direction_map, execution);
   }
   else

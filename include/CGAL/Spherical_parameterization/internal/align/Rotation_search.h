@@ -15,7 +15,7 @@
 #include <CGAL/license/Spherical_parameterization.h>
 
 #include <CGAL/Spherical_parameterization/internal/numbers/Rotation_matrix.h>
-#include <CGAL/Spherical_parameterization/internal/align/Sampled_surface.h>
+#include <CGAL/Spherical_parameterization/internal/align/Coarse_surface.h>
 #include <CGAL/Spherical_parameterization/internal/locate/Sphere_image.h>
 #include <CGAL/Spherical_parameterization/internal/numbers/Vector_3.h>
 #include <CGAL/Spherical_parameterization/internal/run/Run_control.h>
@@ -68,25 +68,16 @@ struct Scored_rotation
 class Rotation_search
 {
 public:
-  // `a` has the channels of one image at the vertices of the grid; all channels consist of ranks.
-  Rotation_search(const Sphere_grid& grid, const std::vector<Channel>& a, const Sphere_image& b,
-                  const Execution& execution)
-    : m_grid(grid)
-    , m_b(b)
-    , m_n(a.size())
+  // The second surface is given by the image of its features.
+  Rotation_search(const Coarse_surface& first, const Sphere_image& second, const Execution& execution)
+    : m_b(second)
+    , m_n(first.features().size())
     , m_execution(execution)
-  {
-    for(std::size_t v = 0; v < grid.size(); ++v)
-      for(const Channel& channel : a)
-        m_a.push_back(channel[v]);
-    // Every k-th vertex of a grid is next to others that are left out; those of a coarser grid are spread evenly. These 492 are
-    // 9 degrees apart, as far as the rotations that are tried: fewer take less time, but leave more of that to chance.
-    for(const auto& place :
-        grid.triangulation().locate(points_of<Sphere_grid::Kernel>(subdivided_icosahedron(7).directions), execution))
-      m_few.push_back(nearest_vertex(grid.triangles(), place));
-    m_all.resize(grid.size());
-    std::iota(m_all.begin(), m_all.end(), std::uint32_t(0));
-  }
+    // Along an edge of the icosahedron: 492 directions that are 9 degrees apart, as far as the rotations that are tried, and
+    // 4002 that are 3 degrees apart. Fewer take less time, but leave more to chance.
+    , m_few(first, 7, execution)
+    , m_all(first, 20, execution)
+  {}
 
   // The best rotations that are at least 20 degrees apart, the best one first. Once the control has said no, they are the
   // best of those that have been tried, or the identity.
@@ -172,33 +163,48 @@ private:
     return found;
   }
 
-  double score(const Rotation_matrix& r, const std::vector<std::uint32_t>& vertices) const
+  // The features of the first surface in directions that cover the sphere evenly.
+  struct Samples
+  {
+    Samples(const Coarse_surface& surface, std::uint32_t n_steps, const Execution& execution)
+      : directions(subdivided_icosahedron(n_steps).directions)
+    {
+      for(const auto& place : surface.sphere().locate(points_of<Coarse_surface::Kernel>(directions), execution))
+        for(const Channel& channel : surface.features())
+          values.push_back(interpolated(channel, surface.sphere().triangles(), place));
+    }
+
+    std::vector<Vector_3d> directions;
+    std::vector<double> values; // those of a direction side by side
+  };
+
+  double score(const Rotation_matrix& r, const Samples& samples) const
   {
     Correlation result;
-    for(const std::uint32_t v : vertices)
+    for(std::size_t i = 0; i < samples.directions.size(); ++i)
     {
-      const double* const a = &m_a[v * m_n];
-      const double* const b = m_b.nearest(rotated(r, m_grid.directions()[v]));
+      const double* const a = &samples.values[i * m_n];
+      const double* const b = m_b.nearest(rotated(r, samples.directions[i]));
       for(std::size_t k = 0; k < m_n; ++k)
         result.add(a[k], b[k]);
     }
     return result();
   }
 
-  // Climbs by turns about three axes, of angles that become smaller; the last ones with all vertices.
+  // Climbs by turns about three axes, of angles that become smaller; the last ones with all directions.
   Scored_rotation refined(const Rotation_matrix& start) const
   {
     // In radians. The first one is most of the grid's spacing, 10 degrees: a larger one leaves the peak. Below few_angle, turns
-    // are finer than what a few vertices tell. The last one that is tried is 0.2 degrees, a tenth of the spacing of the images.
+    // are finer than what a few directions tell. The last one that is tried is 0.2 degrees, a tenth of the spacing of the images.
     constexpr double first_angle = 0.12, few_angle = 0.02, last_angle = 0.002;
     Scored_rotation result = {start, 0.};
-    const std::vector<std::uint32_t>* vertices = nullptr;
+    const Samples* samples = nullptr;
     for(double angle = first_angle; angle > last_angle;)
     {
       const auto* const needed = angle > few_angle ? &m_few : &m_all;
-      if(vertices != needed)
+      if(samples != needed)
         result.score = score(result.rotation, *needed);
-      vertices = needed;
+      samples = needed;
       Scored_rotation best = result;
       for(std::size_t axis = 1; axis < 4; ++axis)
         for(const double sign : {-1., 1.})
@@ -206,7 +212,7 @@ private:
           Quaternion q = {std::cos(0.5 * angle), 0., 0., 0.};
           q[axis] = sign * std::sin(0.5 * angle);
           const Rotation_matrix r = product(rotation_matrix(q), result.rotation);
-          if(const double s = score(r, *vertices); s > best.score)
+          if(const double s = score(r, *samples); s > best.score)
             best = {r, s};
         }
       if(best.score > result.score)
@@ -217,12 +223,10 @@ private:
     return result;
   }
 
-  const Sphere_grid& m_grid;
   const Sphere_image& m_b;
   std::size_t m_n;
   Execution m_execution;
-  std::vector<double> m_a;
-  std::vector<std::uint32_t> m_few, m_all;
+  Samples m_few, m_all;
 };
 
 } // namespace CGAL::Spherical_parameterization::internal

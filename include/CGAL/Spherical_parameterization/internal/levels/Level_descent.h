@@ -66,13 +66,14 @@ public:
 
   // Given the positions of the vertices of the coarsest level, computes those of all others; the report then says how the
   // finest level has ended, if it was swept. Returns false if a kernel has become too narrow for doubles. The levels of the
-  // hierarchy that have been mapped are dropped, as the finer ones need the memory.
-  bool run(std::vector<Vector_3d>& positions)
+  // hierarchy that have been mapped are dropped, as the finer ones need the memory. It may end at another level, from which
+  // another descent can go on.
+  bool run(std::vector<Vector_3d>& positions, std::size_t last_level = 0)
   {
     const std::size_t n_levels = m_hierarchy.number_of_levels();
     if(n_levels > 1)
       m_descent.reserve(m_hierarchy.level(1).vertices.size());
-    for(std::size_t k = n_levels; k-- > 0;)
+    for(std::size_t k = n_levels; k-- > last_level;)
     {
       const Mesh_hierarchy::Level& level = m_hierarchy.level(k);
       std::vector<Vector_3d> local = level.gathered(positions);
@@ -85,7 +86,8 @@ public:
       for(std::size_t v = 0; v < local.size(); ++v)
         positions[level.vertices[v]] = local[v];
       m_control.on_level(local.size());
-      m_hierarchy.drop_coarsest();
+      if(k > last_level)
+        m_hierarchy.drop_coarsest();
     }
     return true;
   }

@@ -28,7 +28,7 @@
 #include <CGAL/Spherical_parameterization/internal/run/Run_control.h>
 #include <CGAL/Spherical_parameterization/internal/run/parallel.h>
 #include <CGAL/Spherical_parameterization/internal/surface/Rest_triangle.h>
-#include <CGAL/Spherical_parameterization/internal/surface/Surface.h>
+#include <CGAL/Spherical_parameterization/internal/surface/Vertex_rings.h>
 #include <CGAL/Spherical_parameterization/internal/surface/mesh_measures.h>
 
 #include <cstddef>
@@ -36,6 +36,13 @@
 #include <vector>
 
 namespace CGAL::Spherical_parameterization::internal {
+
+// How often the levels are swept.
+struct Target_sweeps
+{
+  std::size_t maximum = 60;     // mean errors with 60 / 20: faust 2.55 / 2.61 %, tosca 2.61 / 2.72 %
+  double settled_change = 1e-4; // of the mean energy, from one measurement to the next
+};
 
 // How a map to the sphere of another surface is lowered on the levels of a hierarchy, see Level_descent. Every state is a
 // bijection, as every level is: vertices are removed only where the images of the faces stay positive, and are put back where
@@ -45,10 +52,11 @@ class Target_levels
 public:
   using Space = Target_surface;
 
-  // The positions are those before all descent. All have to last as long as this.
-  Target_levels(const Target_surface& space, const std::vector<Vector_3d>& positions)
+  // The images are those that the levels have been made by. All have to last as long as this.
+  Target_levels(const Target_surface& space, const Target_sweeps& sweeps, const std::vector<Vector_3d>& images)
     : m_space(space)
-    , m_positions(positions)
+    , m_sweeps(sweeps)
+    , m_images(images)
   {}
 
   const Space& space() const { return m_space; }
@@ -56,8 +64,8 @@ public:
   Level_sweeps start_level(Space& space, const Mesh_hierarchy::Level& level, bool)
   {
     space.start_level(level.vertices);
-    m_old = level.gathered(m_positions);
-    return {max_sweeps, settled_change, Newton_step()};
+    m_old = level.gathered(m_images);
+    return {m_sweeps.maximum, m_sweeps.settled_change, Newton_step()};
   }
 
   // Where a vertex is in one of the triangles of its hole, fanned out from the first vertex, and goes to along with it.
@@ -90,36 +98,51 @@ public:
   bool may_end(const Space& space) const { return !space.has_open_landmarks(); }
 
 private:
-  static constexpr std::size_t max_sweeps = 60;  // mean errors with 60 / 20: faust 2.55 / 2.61 %, tosca 2.61 / 2.72 %
-  static constexpr double settled_change = 1e-4; // of the mean energy, from one measurement to the next
-
   Target_surface m_space;
-  const std::vector<Vector_3d>& m_positions;
+  Target_sweeps m_sweeps;
+  const std::vector<Vector_3d>& m_images;
   std::vector<Vector_3d> m_old; // of the level
 };
 
-// Lowers the energy of the map with these positions on the unit sphere to another surface, on levels from about `min_size`
-// vertices on. Hard landmarks that have been met stay where they are. All vertices are in the order of the caller. Returns
-// false, and leaves the positions as they are, if doubles cannot hold a level, or the map that it starts from.
-inline bool lower_on_target(const Surface& mesh, const Target_metric& metric, Landmark_goals goals,
-                            Feature_goals features, std::size_t min_size, std::vector<Vector_3d>& callers_positions,
-                            Run_control& control, Execution execution)
+// What a map to the sphere of another surface is to be like.
+struct Target_goals
 {
-  const std::vector<Vector_3d> positions = mesh.in_own_order(callers_positions);
-  if(!are_safely_positive(mesh.rings(), positions))
+  const Target_metric& metric;
+  Landmark_goals landmarks;
+  Feature_goals features;
+};
+
+// Lowers the energy of the map to another surface on the levels of a hierarchy, which are used up, from given positions of
+// the vertices of the coarsest level on. The other ones are put between their neighbours as in the images that the hierarchy
+// was made by. It may end at another level than the finest, and then leaves their positions. The points are those of a
+// surface of area 4 pi. Hard landmarks that have been met stay where they are. Returns false if doubles cannot hold a level;
+// the positions are of no use then.
+inline bool lower_on_levels(Mesh_hierarchy& hierarchy, const std::vector<Vector_3d>& points,
+                            const std::vector<Vector_3d>& images, const Target_goals& goals,
+                            const Target_sweeps& sweeps, std::vector<Vector_3d>& positions, Run_control& control,
+                            const Execution& execution, std::size_t last_level = 0)
+{
+  Target_levels plan(Target_surface(goals.metric, goals.landmarks, goals.features), sweeps, images);
+  return Level_descent(hierarchy, points, Rest_limits(), plan, control, execution).run(positions, last_level);
+}
+
+// The same from all positions, which are the images as well, on levels from about `min_size` vertices on. Returns false, and
+// leaves them as they are, if doubles cannot hold a level, or the map that it starts from.
+inline bool lower_on_target(const Vertex_rings& rings, const std::vector<Vector_3d>& points, const Target_goals& goals,
+                            std::size_t min_size, const Target_sweeps& sweeps, std::vector<Vector_3d>& positions,
+                            Run_control& control, const Execution& execution)
+{
+  if(!are_safely_positive(rings, positions))
     return false;
-  goals.directions = mesh.in_own_order(goals.directions);
-  features.values = mesh.in_own_order(features.values);
   std::vector<char> is_fixed;
-  for(const std::optional<Vector_3d>& goal : goals.directions)
+  for(const std::optional<Vector_3d>& goal : goals.landmarks.directions)
     is_fixed.push_back(goal.has_value());
-  Mesh_hierarchy hierarchy(mesh.rings(), mesh.points(), vertex_areas(mesh.rings(), mesh.points()), control, execution,
-                           positions, is_fixed, min_size);
-  Target_levels plan(Target_surface(metric, goals, features), positions);
+  Mesh_hierarchy hierarchy(rings, points, vertex_areas(rings, points), control, execution, positions, is_fixed,
+                           min_size);
   std::vector<Vector_3d> result = positions;
-  if(!Level_descent(hierarchy, mesh.points(), Rest_limits(), plan, control, execution).run(result))
+  if(!lower_on_levels(hierarchy, points, positions, goals, sweeps, result, control, execution))
     return false;
-  callers_positions = mesh.in_callers_order(result);
+  positions.swap(result);
   return true;
 }
 

@@ -116,10 +116,14 @@ private:
 class Sphere_image
 {
 public:
+  // along an edge of the cube: 1.9 degrees at most, a quarter of how far the vertices of a Coarse_surface are from each other
+  static constexpr std::size_t default_steps = 48;
+
   // Where the nodes of the cube are in a triangulation of the sphere, which has a grid.
   template <class K>
   static std::vector<typename Sphere_triangulation<K>::Place> places_of_nodes(const Sphere_triangulation<K>& sphere,
-                                                                              const Execution& execution)
+                                                                              const Execution& execution,
+                                                                              std::size_t n_steps = default_steps)
   {
     std::vector<typename K::Point_3> nodes;
     Cube_place::for_each_node(n_steps, [&](std::size_t side, double u, double v) {
@@ -132,8 +136,9 @@ public:
   // Interpolates channels that have a value for each vertex of that triangulation.
   template <class Place>
   Sphere_image(const std::vector<Place>& places_of_nodes, const std::vector<Linked_triangle>& triangles,
-               const std::vector<std::vector<double>>& channels)
-    : m_n_channels(channels.size())
+               const std::vector<std::vector<double>>& channels, std::size_t n_steps = default_steps)
+    : m_n_steps(n_steps)
+    , m_n_channels(channels.size())
     , m_values(places_of_nodes.size() * channels.size())
   {
     for(std::size_t i = 0; i < places_of_nodes.size(); ++i)
@@ -150,7 +155,7 @@ public:
   std::size_t number_of_channels() const { return m_n_channels; }
 
   // the values at the node that is nearest to a direction, in the side of the cube that it leads to
-  const double* nearest(const Vector_3d& p) const { return at_node(Cube_place(p, n_steps).nearest_node()); }
+  const double* nearest(const Vector_3d& p) const { return at_node(Cube_place(p, m_n_steps).nearest_node()); }
 
   void interpolate(const Vector_3d& p, double* result) const
   {
@@ -199,16 +204,13 @@ public:
   }
 
 private:
-  // along an edge of the cube: 1.9 degrees at most, half as far as the vertices of a Sphere_grid are from each other
-  static constexpr std::size_t n_steps = 48;
-
   const double* at_node(std::size_t node) const { return &m_values[node * m_n_channels]; }
 
   // The values around a direction.
   struct Square
   {
     Square(const Sphere_image& image, const Vector_3d& p)
-      : place(p, n_steps)
+      : place(p, image.m_n_steps)
     {
       const auto nodes = place.nodes();
       for(std::size_t i = 0; i < 4; ++i)
@@ -224,7 +226,7 @@ private:
     std::array<const double*, 4> corners;
   };
 
-  std::size_t m_n_channels;
+  std::size_t m_n_steps, m_n_channels;
   std::vector<double> m_values;
 };
 
