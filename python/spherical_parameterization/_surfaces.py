@@ -38,6 +38,9 @@ class SurfaceMapReport:
     margin : float
         How much better the alignment is than the next best one that differs from it: in agreement, less the mean logarithm of
         how much is stretched. Below 0.1 or so, the surface has a symmetry, or nearly, and the map may have exchanged its sides.
+    is_uncertain : bool
+        Whether it is not clear that the surfaces lie well on each other: they agree by less than 0.75, or the margin is below
+        0.04. Look at the map, or give landmarks. It is never so if landmarks aligned the surfaces.
     landmark_distances : (k,) ndarray of float64
         How far the image of each landmark is from where it should be, in the unit of length of the second surface.
     number_of_missed_landmarks : int
@@ -55,6 +58,7 @@ class SurfaceMapReport:
     is_energy_sampled: bool
     agreement: float
     margin: float
+    is_uncertain: bool
     landmark_distances: NDArray[np.float64]
     number_of_missed_landmarks: int
     stop_reason: str

@@ -170,7 +170,7 @@ py::tuple map_surface(const Points& vertices1, const Indices& faces1, const Poin
   return py::make_tuple(
       directions,
       py::dict("energy"_a = report.energy, "is_energy_sampled"_a = report.is_energy_sampled,
-               "agreement"_a = report.agreement, "margin"_a = report.margin,
+               "agreement"_a = report.agreement, "margin"_a = report.margin, "is_uncertain"_a = report.is_uncertain,
                "landmark_distances"_a =
                    Values(static_cast<py::ssize_t>(report.landmark_distances.size()), report.landmark_distances.data()),
                "number_of_missed_landmarks"_a = report.number_of_missed_landmarks,

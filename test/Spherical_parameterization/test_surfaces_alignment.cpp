@@ -10,6 +10,7 @@
 #include <CGAL/Spherical_parameterization/Surface_mapper_3.h>
 #include <CGAL/Spherical_parameterization/align_spheres.h>
 #include <CGAL/Spherical_parameterization/internal/align/Limb_search.h>
+#include <CGAL/Spherical_parameterization/is_bijective.h>
 #include <CGAL/Spherical_parameterization/map_surface.h>
 
 #include <gtest/gtest.h>
@@ -328,6 +329,22 @@ TEST(Alignment, brings_arms_to_theirs_on_spheres_that_lean_to_different_sides)
   ASSERT_EQ(SP::map_surface<CGAL::Parallel_if_available_tag>(a.mesh, a.sphere, b.mesh, b.sphere, others), SP::OK);
   for(const Vertex_index v : a.mesh.vertices())
     EXPECT_EQ(directions[v], others[v]);
+}
+
+TEST(Alignment, of_arms_with_bodies_that_have_none_is_uncertain)
+{
+  const Mapped_mesh a(icosphere(4), straight_arms, rotation(turns[0])), b(icosphere(4), on_body, rotation(turns[1])),
+      c(
+          icosphere(4), [](const Point_3&p) { return p; }, rotation(turns[2]));
+  for(const auto& [first, second] : {std::pair(&a, &b), std::pair(&a, &c)})
+  {
+    SP::Surface_mapper_3<Mesh, Mesh> mapper;
+    Mesh mesh = first->mesh;
+    const auto directions = mesh.add_property_map<Vertex_index, Point_3>("v:directions").first;
+    ASSERT_EQ(SP::map_surface(first->mesh, first->sphere, second->mesh, second->sphere, mapper, directions), SP::OK);
+    EXPECT_TRUE(mapper.report().is_uncertain) << mapper.report().agreement << ' ' << mapper.report().margin;
+    EXPECT_TRUE(SP::is_bijective(mesh, directions));
+  }
 }
 
 // Whenever the control says no, there is an alignment.

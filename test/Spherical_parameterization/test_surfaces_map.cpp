@@ -177,6 +177,7 @@ TEST(Map_surface, is_exact_onto_a_turned_copy)
   EXPECT_NEAR(match.report.energy, 2., 1e-9);
   EXPECT_GT(match.report.agreement, 0.97);
   EXPECT_GT(match.report.margin, 0.1);
+  EXPECT_FALSE(match.report.is_uncertain);
   for(const Vertex_index v : a.mesh.vertices())
     EXPECT_LT(distance(match.directions[v], b.sphere[v]), 1e-9);
 }

@@ -332,6 +332,7 @@ public:
           .add("vertices", match->number_of_vertices)
           .add("agreement", match->report.agreement)
           .add("margin", match->report.margin)
+          .add("is_uncertain", match->report.is_uncertain)
           .add("stop_reason", SP::get_stop_message(match->report.stop_reason))
           .add("sweeps", match->report.number_of_sweeps);
       if(match->distortion)
@@ -435,10 +436,8 @@ private:
     const std::size_t n_landmarks = report.landmark_distances.size();
     if(n_landmarks == 0 || report.agreement != 0.)
     {
-      constexpr double small_margin = 0.1;
       out << "features, which agree by " << fixed_text(report.agreement, digits) << ", with a margin of "
-          << fixed_text(report.margin, digits)
-          << (report.margin < small_margin ? ": look whether sides have been exchanged" : "");
+          << fixed_text(report.margin, digits) << (report.is_uncertain ? ": look whether the map is right" : "");
     }
     else
       out << "landmarks";

@@ -115,11 +115,15 @@ public:
 
   const SP::Surface_overlay_3<Mesh, Mesh>& overlay() const { return m_overlay; }
 
-  /// returns what is to be said of properties that are no features, and of landmarks that are missed, a line each, empty if
-  /// there is none.
+  /// returns what is to be said of properties that are no features, of a map that may be wrong, and of landmarks that are missed,
+  /// a line each, empty if there is none.
   std::string warnings() const
   {
     std::string text = m_left_out;
+    if(report.is_uncertain)
+      text +=
+          "it is not clear that the surfaces lie well on each other: look at the map, for example with --page, or give "
+          "--landmarks\n";
     if(m_is_soft)
       return text;
     for(std::size_t k = 0; k < report.landmark_distances.size(); ++k)

@@ -43,6 +43,10 @@ struct Surface_map_report
   /// much is stretched. Below 0.1 or so, the surface has a symmetry, or nearly, and the map may have exchanged its sides.
   double margin = 0.;
 
+  /// Whether it is not clear that the surfaces lie well on each other: they agree by less than 0.75, or the margin is below 0.04.
+  /// Look at the map, or give landmarks. It is never so if landmarks aligned the surfaces.
+  bool is_uncertain = false;
+
   /// For each landmark, how far its image is from where it should be, in the unit of length of the second surface; 0 if
   /// it is there but for rounding
   std::vector<double> landmark_distances;

@@ -50,6 +50,11 @@ inline const std::string corner_stl =
     "facet normal 0 0 0\nouter loop\nvertex 0 1 0\nvertex 0 0 0\nvertex 0 0 1\nendloop\nendfacet\n"
     "endsolid\n";
 
+// what the program says of a map between surfaces that may be wrong
+constexpr const char* uncertain =
+    "it is not clear that the surfaces lie well on each other: look at the map, for example with "
+    "--page, or give --landmarks\n";
+
 struct Outcome
 {
   int status;

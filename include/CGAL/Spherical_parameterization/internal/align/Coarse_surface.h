@@ -14,12 +14,11 @@
 
 #include <CGAL/license/Spherical_parameterization.h>
 
+#include <CGAL/Spherical_parameterization/internal/align/Surface_paths.h>
 #include <CGAL/Spherical_parameterization/internal/certificate/is_safely_positive.h>
 #include <CGAL/Spherical_parameterization/internal/levels/Mesh_hierarchy.h>
-#include <CGAL/Spherical_parameterization/internal/locate/Sphere_image.h>
 #include <CGAL/Spherical_parameterization/internal/locate/Sphere_triangulation.h>
 #include <CGAL/Spherical_parameterization/internal/numbers/Vector_3.h>
-#include <CGAL/Spherical_parameterization/internal/run/parallel.h>
 #include <CGAL/Spherical_parameterization/internal/surface/Linked_triangle.h>
 #include <CGAL/Spherical_parameterization/internal/surface/Surface.h>
 #include <CGAL/Spherical_parameterization/internal/surface/Vertex_rings.h>
@@ -31,17 +30,12 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
-#include <limits>
 #include <numeric>
-#include <queue>
 #include <tuple>
 #include <utility>
 #include <vector>
 
 namespace CGAL::Spherical_parameterization::internal {
-
-// A value for each vertex.
-using Channel = std::vector<double>;
 
 template <class K>
 std::vector<typename K::Point_3> points_of(const std::vector<Vector_3d>& directions)
@@ -105,7 +99,6 @@ public:
     m_sphere.assign(points_of<Kernel>(m_directions), link_triangles(triangles, n));
     m_normals.assign(n, {0., 0., 0.});
     m_areas.assign(n, 0.);
-    m_joints.resize(n);
     for(const Linked_triangle& t : m_sphere.triangles())
     {
       const Vector_3d normal = cross(m_points[t[1]] - m_points[t[0]], m_points[t[2]] - m_points[t[0]]);
@@ -124,7 +117,7 @@ public:
       if(length(m_normals[v]) > 0.)
         m_normals[v] = normalized(m_normals[v]);
     }
-    join_vertices();
+    m_paths = Surface_paths(m_points, m_sphere.triangles());
     for(const Channel& feature : features)
       add_ranks(gathered(hierarchy, feature));
     if(m_is_bijective)
@@ -182,7 +175,7 @@ public:
     for(const std::uint32_t v : ends)
       if(std::all_of(result.begin(), result.end(), [&](const Limb& limb) { return limb.distances[v] > min_distance; }))
       {
-        result.push_back({v, distances_from(v)});
+        result.push_back({v, m_paths.distances_from(v)});
         for(double& d : result.back().distances)
           d *= m_inverse_mean_distance;
       }
@@ -193,8 +186,6 @@ private:
   // Far below the mean, 1 / 2000, and still more than 0 where points coincide: for the matrix of curvature() to be positive
   // definite, and for its cotangents not to be 0 / 0. Smaller areas have the same rank.
   static constexpr double min_area = 1e-12;
-
-  using Joint = std::pair<double, std::uint32_t>; // how far it is to a vertex
 
   // The means of the values around the vertices that are left, in units of a small part of their range: those of a vertex that
   // has been removed have gone to its neighbours, as its area has.
@@ -241,62 +232,6 @@ private:
     return result;
   }
 
-  // How far places are from each other on the surface changes little when it is bent: these are the lengths of shortest paths
-  // along edges and across pairs of triangles, within 4 percent on regular triangles.
-  void join_vertices()
-  {
-    const auto join = [&](std::uint32_t v, std::uint32_t w, double length) {
-      m_joints[v].emplace_back(length, w);
-      m_joints[w].emplace_back(length, v);
-    };
-    const std::vector<Linked_triangle>& triangles = m_sphere.triangles();
-    for(std::uint32_t t = 0; t < triangles.size(); ++t)
-      for(std::size_t i = 0; i < 3; ++i)
-        if(const std::uint32_t s = triangles[t].neighbors[i]; t < s)
-        {
-          const std::uint32_t a = triangles[t][(i + 1) % 3], b = triangles[t][(i + 2) % 3];
-          const std::uint32_t c = triangles[t][i], d = triangles[s][triangles[s].side_of(t)];
-          join(a, b, length(m_points[b] - m_points[a]));
-          join(c, d, length_across(m_points[a], m_points[b], m_points[c], m_points[d]));
-        }
-  }
-
-  // from c to d over the edge from a to b
-  static double length_across(const Vector_3d& a, const Vector_3d& b, const Vector_3d& c, const Vector_3d& d)
-  {
-    const double edge = length(b - a);
-    if(!(edge > 0.))
-      return length(c - a) + length(d - a);
-    const Vector_3d u = (1. / edge) * (b - a);
-    const double cx = dot(c - a, u), cy = std::sqrt((std::max)(squared_length(c - a) - cx * cx, 0.));
-    const double dx = dot(d - a, u), dy = std::sqrt((std::max)(squared_length(d - a) - dx * dx, 0.));
-    const double x = cy + dy > 0. ? (cx * dy + dx * cy) / (cy + dy) : 0.; // where the straight way meets the line
-    return x >= 0. && x <= edge ? std::hypot(cx - dx, cy + dy)
-                                : (std::min)(length(c - a) + length(d - a), length(c - b) + length(d - b));
-  }
-
-  Channel distances_from(std::uint32_t source) const
-  {
-    Channel result(size(), (std::numeric_limits<double>::max)());
-    std::priority_queue<Joint, std::vector<Joint>, std::greater<Joint>> queue;
-    result[source] = 0.;
-    queue.emplace(0., source);
-    while(!queue.empty())
-    {
-      const auto [d, v] = queue.top();
-      queue.pop();
-      if(d > result[v])
-        continue;
-      for(const auto& [step, w] : m_joints[v])
-        if(const double x = d + step; x < result[w])
-        {
-          result[w] = x;
-          queue.emplace(x, w);
-        }
-    }
-    return result;
-  }
-
   // The average distance of each vertex from the whole surface, in units of its mean: from sources that are spread over it,
   // each as far as possible from those before. Computed once.
   const Channel& average_distance()
@@ -311,7 +246,7 @@ private:
     std::vector<std::size_t> nearest(size(), 0);
     for(std::size_t k = 0; k < n_sources; ++k)
     {
-      distances.push_back(distances_from(source));
+      distances.push_back(m_paths.distances_from(source));
       double largest = -1.;
       for(std::uint32_t v = 0; v < size(); ++v)
       {
@@ -415,7 +350,7 @@ private:
   std::vector<Vector_3d> m_directions, m_points, m_normals;
   Channel m_areas; // around the vertices
   std::vector<Channel> m_features;
-  std::vector<std::vector<Joint>> m_joints; // of each vertex, with its neighbours and those across from them
+  Surface_paths m_paths;
   Channel m_average_distance;
   double m_inverse_mean_distance = 1.;
 };

@@ -17,6 +17,7 @@
 #include <CGAL/Spherical_parameterization/internal/align/Coarse_surface.h>
 #include <CGAL/Spherical_parameterization/internal/align/Limb_search.h>
 #include <CGAL/Spherical_parameterization/internal/align/Rotation_search.h>
+#include <CGAL/Spherical_parameterization/internal/align/polished_rotation.h>
 #include <CGAL/Spherical_parameterization/internal/levels/Target_levels.h>
 #include <CGAL/Spherical_parameterization/internal/levels/Target_metric.h>
 #include <CGAL/Spherical_parameterization/internal/levels/Target_star.h>
@@ -50,16 +51,6 @@ struct Alignment
   double agreement = 0.;             // the correlation of the features
   double score = 0.;                 // the same, less how much the map stretches
 };
-
-template <class K>
-std::vector<Vector_3d> rotated_directions(const Rotation_matrix& rotation, const Sphere_triangulation<K>& sphere)
-{
-  std::vector<Vector_3d> result;
-  result.reserve(sphere.points().size());
-  for(std::size_t v = 0; v < sphere.points().size(); ++v)
-    result.push_back(normalized(rotated(rotation, sphere.direction(v))));
-  return result;
-}
 
 // Finds how two surfaces are to be laid on each other. The control is asked between parts of the work; what is there when
 // it says no is valid.
@@ -119,7 +110,7 @@ public:
     for(const Scored_rotation& r : rotations)
       result.push_back({r.rotation, {}, r.score, r.score});
     if(is_same_shape)
-      result[0].rotation = polished(result[0].rotation, sphere1, sphere2);
+      result[0].rotation = polished(result[0].rotation, sphere1, sphere2, m_control, m_execution);
     if(is_same_shape || !goes_on())
       return result;
     std::array<Limb_search::Limbs, 2> limbs;
@@ -279,9 +270,9 @@ private:
   {
     constexpr std::size_t min_size = 500; // the large parts lie well
     Silent_control control;
-    start.is_valid =
-        start.is_valid && lower_on_target(m_surfaces[0].rings(), m_points, {metric, {}, goals({}, feature_weight)},
-                                          min_size, m_sweeps, start.alignment.directions, control, Execution());
+    const Target_goals left_alone = {metric, {}, goals({}, feature_weight)};
+    start.is_valid = start.is_valid && lower_on_target(m_surfaces[0].rings(), m_points, left_alone, min_size, m_sweeps,
+                                                       start.alignment.directions, control, Execution());
     assess(metric, start);
   }
 
@@ -363,37 +354,6 @@ private:
         result.push_back(std::move(start));
     }
     starts.swap(result);
-  }
-
-  // The rotation that brings each vertex nearest to one of the second sphere, in a few rounds from a rotation that is nearly
-  // so. For copies of a sphere it is exact but for rounding.
-  template <class K>
-  Rotation_matrix polished(Rotation_matrix rotation, const Sphere_triangulation<K>& sphere1,
-                           const Sphere_triangulation<K>& sphere2) const
-  {
-    // One is enough where vertices are farther apart than the rotation is off; of dense copies, more meet in each further one.
-    constexpr int n_rounds = 8;
-    constexpr std::size_t block_size =
-        4096; // that is located until the control is asked: exact signs take long on copies
-    for(int round = 0; round < n_rounds; ++round)
-    {
-      const auto points = points_of<K>(rotated_directions(rotation, sphere1));
-      std::vector<std::pair<Vector_3d, Vector_3d>> pairs;
-      for(std::size_t begin = 0; begin < points.size(); begin += block_size)
-      {
-        if(!goes_on())
-          return rotation;
-        const auto end = static_cast<std::ptrdiff_t>((std::min)(begin + block_size, points.size()));
-        const std::vector<typename K::Point_3> block(points.begin() + static_cast<std::ptrdiff_t>(begin),
-                                                     points.begin() + end);
-        for(const auto& place : sphere2.locate(block, m_execution))
-          pairs.emplace_back(sphere1.direction(pairs.size()),
-                             sphere2.direction(nearest_vertex(sphere2.triangles(), place)));
-      }
-      if(const std::optional<Rotation_matrix> next = fitting_rotation(pairs))
-        rotation = *next;
-    }
-    return rotation;
   }
 
   // A third of the time of what the finest levels get, and no less exact: other levels follow.
