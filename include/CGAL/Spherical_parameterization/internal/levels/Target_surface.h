@@ -60,8 +60,10 @@ public:
   static constexpr bool is_lanewise = false; // to look up a metric for each face leaves nothing to gain
 
   // All have to last as long as this.
-  Target_surface(const Target_metric& metric, const Landmark_goals& goals, const Feature_goals& features)
-    : m_metric(&metric)
+  Target_surface(const Target_metric& metric, const Landmark_goals& goals, const Feature_goals& features,
+                 double settled_part)
+    : m_settled_part(settled_part)
+    , m_metric(&metric)
     , m_goals(&goals)
     , m_features(&features)
     , m_is_pinned(goals.directions.size(), 0)
@@ -97,7 +99,6 @@ public:
   void move(const Star_view<double>& view, const std::uint32_t* vertices, std::size_t, Vector_3d* positions, double,
             const Face_objective&, const Newton_step& vertex_step, Target_star& star)
   {
-    constexpr double settled_part = 0.02; // most settle in 20 sweeps: 60 take as long as 20 of all, 0.8 s a pair
     const std::uint32_t v = *vertices;
     bool is_settled = m_is_settled[v];
     for(std::size_t j = 0; j < view.size(); ++j)
@@ -116,8 +117,8 @@ public:
     }
     const Vector_3d old = positions[v];
     const bool may_settle = move(star, number, vertex_step, positions[v]);
-    m_is_settled[v] =
-        may_settle && squared_length(positions[v] - old) <= settled_part * settled_part * star.squared_shortest_edge();
+    m_is_settled[v] = may_settle && squared_length(positions[v] - old) <=
+                                        m_settled_part * m_settled_part * star.squared_shortest_edge();
   }
 
   // I and d of a face with these corners and rest shape, see Face_invariants_3.
@@ -165,6 +166,7 @@ private:
     return !(has_goal && is_hard);
   }
 
+  double m_settled_part; // of the shortest edge
   const Target_metric* m_metric;
   const Landmark_goals* m_goals;
   const Feature_goals* m_features;
