@@ -103,7 +103,7 @@ Error_code simplify(Arrays& arrays, const std::vector<Channel>& features, std::o
 /// \cgalCite{cgal:hskk-tmfase-01}; and the mean curvature, with its sign, at two scales, which tells front from back where a
 /// half turn would exchange both sides of a body. Instead, the caller may give any features.
 ///
-/// Both surfaces are simplified to at most 1000 vertices. Only the order of the values of a feature counts, so that scales and
+/// Both surfaces are simplified to at most 2000 vertices. Only the order of the values of a feature counts, so that scales and
 /// outliers do not matter. The score of a rotation is the correlation of all features, evenly over the sphere. 12,000
 /// rotations are tried \cgalCite{cgal:a-sfs-22}, and the best ones refined to about 0.2 degrees.
 ///
@@ -149,7 +149,8 @@ Error_code simplify(Arrays& arrays, const std::vector<Channel>& features, std::o
 /// \cgalNamedParamsEnd
 ///
 /// \return `OK`; what is wrong with the first mesh, or else the second one, see `find_defect()`, or with its map:
-///         `ERROR_NO_1_TO_1_MAPPING` if that is no bijection; `ERROR_NON_FINITE_COORDINATE` if a point is not finite; or
+///         `ERROR_NO_1_TO_1_MAPPING` if that is no bijection, and `ERROR_INSUFFICIENT_PRECISION` if it is none any more once unit
+///         vectors have been rounded to doubles; `ERROR_NON_FINITE_COORDINATE` if a point is not finite; or
 ///         `ERROR_WRONG_PARAMETER` if the value of a feature is not. The alignment is as it was then.
 ///
 /// \sa `CGAL::Spherical_parameterization::fit_rotation()`

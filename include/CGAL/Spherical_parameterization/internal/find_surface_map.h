@@ -311,9 +311,9 @@ std::vector<Vector_3d> find_surface_map(const Located_surface<K>& first, const L
     report.stop_reason = CONVERGED;
   else
   {
-    const Target_goals goals = {metric, landmark_goals(first, second, hints),
-                                feature_goals(first, second, start, hints, execution)};
-    const Target_goals features_alone = {metric, {}, goals.features};
+    const Target_goals goals = {metric, feature_goals(first, second, start, hints, execution),
+                                landmark_goals(first, second, hints)};
+    const Target_goals features_alone = {metric, goals.features};
     std::vector<Vector_3d> lowered;
     bool is_lowered =
         is_rotation || levels->refine(start.alignment.directions, features_alone, lowered, control, execution);

@@ -20,7 +20,7 @@
 #include <CGAL/Spherical_parameterization/internal/align/polished_rotation.h>
 #include <CGAL/Spherical_parameterization/internal/levels/Target_levels.h>
 #include <CGAL/Spherical_parameterization/internal/levels/Target_metric.h>
-#include <CGAL/Spherical_parameterization/internal/levels/Target_star.h>
+#include <CGAL/Spherical_parameterization/internal/levels/Mesh_hierarchy.h>
 #include <CGAL/Spherical_parameterization/internal/levels/Target_surface.h>
 #include <CGAL/Spherical_parameterization/internal/locate/Sphere_image.h>
 #include <CGAL/Spherical_parameterization/internal/locate/Sphere_triangulation.h>
@@ -28,6 +28,8 @@
 #include <CGAL/Spherical_parameterization/internal/numbers/Vector_3.h>
 #include <CGAL/Spherical_parameterization/internal/run/Run_control.h>
 #include <CGAL/Spherical_parameterization/internal/run/parallel.h>
+#include <CGAL/Spherical_parameterization/internal/surface/Vertex_rings.h>
+#include <CGAL/Spherical_parameterization/internal/surface/mesh_measures.h>
 
 #include <CGAL/number_type_config.h>
 
@@ -259,8 +261,8 @@ private:
         ++last_level;
     }
     Silent_control control;
-    start.is_valid = start.is_valid && lower_on_levels(*start.hierarchy, m_points, start.images,
-                                                       {metric, {}, goals(start.leads, leading_weight)}, m_sweeps,
+    const Target_goals led = {metric, goals(start.leads, leading_weight)};
+    start.is_valid = start.is_valid && lower_on_levels(*start.hierarchy, m_points, start.images, led, m_sweeps,
                                                        start.alignment.directions, control, Execution(), last_level);
     assess(metric, start);
   }
@@ -270,7 +272,7 @@ private:
   {
     constexpr std::size_t min_size = 500; // the large parts lie well
     Silent_control control;
-    const Target_goals left_alone = {metric, {}, goals({}, feature_weight)};
+    const Target_goals left_alone = {metric, goals({}, feature_weight)};
     start.is_valid = start.is_valid && lower_on_target(m_surfaces[0].rings(), m_points, left_alone, min_size, m_sweeps,
                                                        start.alignment.directions, control, Execution());
     assess(metric, start);

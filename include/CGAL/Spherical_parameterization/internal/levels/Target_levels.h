@@ -111,8 +111,8 @@ private:
 struct Target_goals
 {
   const Target_metric& metric;
-  Landmark_goals landmarks;
   Feature_goals features;
+  Landmark_goals landmarks{};
 };
 
 // Lowers the energy of the map to another surface on the levels of a hierarchy, which are used up, from given positions of
