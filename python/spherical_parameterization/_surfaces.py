@@ -36,11 +36,12 @@ class SurfaceMapReport:
         How well features agree after the surfaces have been aligned on coarse levels, a correlation, at most 1; 0 if
         landmarks aligned them.
     margin : float
-        How much better the alignment is than the next best one that differs from it: in agreement, less the mean logarithm of
-        how much is stretched. Below 0.1 or so, the surface has a symmetry, or nearly, and the map may have exchanged its sides.
+        How much better the alignment is than the next best one that differs from it: in agreement, where curvature counts
+        most, less a third of how much is stretched, the mean root of the logarithm of the symmetric Dirichlet energy. Below
+        0.1, the surface has a symmetry, or nearly, and the map may have exchanged its sides.
     is_uncertain : bool
-        Whether it is not clear that the surfaces lie well on each other: they agree by less than 0.75, or the margin is below
-        0.04. Look at the map, or give landmarks. It is never so if landmarks aligned the surfaces.
+        Whether it is not clear that the surfaces lie well on each other: they agree by less than 0.73, or the margin is below
+        0.1. Look at the map, or give landmarks. It is never so if landmarks aligned the surfaces.
     landmark_distances : (k,) ndarray of float64
         How far the image of each landmark is from where it should be, in the unit of length of the second surface.
     number_of_missed_landmarks : int

@@ -325,7 +325,7 @@ TEST(Alignment, brings_arms_to_theirs_on_spheres_that_lean_to_different_sides)
   const SP::Surface_map_report& report = mapper.report();
   EXPECT_LT(mean_distance(a, directions, b), 0.06);
   EXPECT_GT(report.agreement, 0.8);
-  EXPECT_GT(report.margin, 0.1);
+  EXPECT_GT(report.margin, 0.07);
   ASSERT_EQ(SP::map_surface<CGAL::Parallel_if_available_tag>(a.mesh, a.sphere, b.mesh, b.sphere, others), SP::OK);
   for(const Vertex_index v : a.mesh.vertices())
     EXPECT_EQ(directions[v], others[v]);

@@ -777,6 +777,15 @@ SP::internal::Surface indexed(const SP::internal::Sphere_triangulation<Kernel>& 
   return mesh;
 }
 
+// The squared length of a vector on a surface, in a direction of its sphere.
+double squared_length_on(const SP::internal::Target_metric& metric, const Vector_3d& p, std::size_t level,
+                         const Vector_3d& e)
+{
+  const SP::internal::Cube_place place = metric.place(p, level);
+  const auto flat = place.flattened(e);
+  return metric.mixed(place, level, place.weights()).product(flat, flat);
+}
+
 // On a sphere that is mapped to itself, lengths and areas are what they are.
 TEST(Target_metric, of_a_sphere_is_that_of_its_tangent_planes)
 {
@@ -792,10 +801,11 @@ TEST(Target_metric, of_a_sphere_is_that_of_its_tangent_planes)
     const SP::internal::Tangent_frame frame(p);
     for(const std::size_t n : {100u, 10000u})
     {
-      const auto sample = metric.at(p, metric.level_for(n));
-      EXPECT_NEAR(sample.area(), 1., 0.05);
-      EXPECT_NEAR(sample.squared_length(frame.vector_of(0.6, 0.8)), 1., 0.05);
-      EXPECT_NEAR(sample.squared_length(p), 0., 0.05);
+      const std::size_t level = metric.level_for(n);
+      const SP::internal::Cube_place place = metric.place(p, level);
+      EXPECT_NEAR(metric.mixed(place, level, place.weights()).area(), 1., 0.05);
+      EXPECT_NEAR(squared_length_on(metric, p, level, frame.vector_of(0.6, 0.8)), 1., 0.05);
+      EXPECT_NEAR(squared_length_on(metric, p, level, p), 0., 1e-20); // what is along the direction does not count
     }
   }
 }
@@ -823,8 +833,8 @@ TEST(Target_metric, sees_the_lengths_of_images)
     };
     constexpr double h = 1e-4;
     const double stretch = scale * length(place(h) - place(-h)) / (2. * h);
-    const double seen = std::sqrt(metric.at(p, 0).squared_length(frame.vector_of(0.6, 0.8)));
-    EXPECT_NEAR(seen, stretch, 0.2 * stretch); // an average over a neighbourhood
+    const double seen = std::sqrt(squared_length_on(metric, p, 0, frame.vector_of(0.6, 0.8)));
+    EXPECT_NEAR(seen, stretch, 0.3 * stretch); // an average over a neighbourhood, by an image of 96 nodes
   }
 }
 

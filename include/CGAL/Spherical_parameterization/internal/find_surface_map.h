@@ -296,8 +296,8 @@ std::vector<Vector_3d> find_surface_map(const Located_surface<K>& first, const L
   }
   if(rotation)
     start.alignment.rotation = *rotation;
-  else // So are 18 of 20 maps between known surfaces that are off by more than 10 percent, and 16 of 180 that are not by 8.
-    report.is_uncertain = start.alignment.agreement < 0.75 || start.margin < 0.04;
+  else // Of 139 that are off by more than 10 percent, most of them made by leaving out the starts that are right, 9 of 10 are.
+    report.is_uncertain = start.alignment.agreement < 0.73 || start.margin < 0.1; // Of 132 that are not by 8, it is 11.
   control.on_initialization_end();
   report.agreement = start.alignment.agreement;
   report.margin = start.margin;

@@ -137,6 +137,9 @@ public:
   // the ranks of the features
   const std::vector<Channel>& features() const { return m_features; }
 
+  // How much they count in the choice among maps; all the same if it is empty.
+  const std::vector<double>& weights_in_choice() const { return m_weights_in_choice; }
+
   // Adds one of the features of the package: how much the map to the sphere shrinks; how far away the rest of the surface is,
   // on average; and how much the surface is curved, inwards or outwards, at two scales, which differs between front and back
   // where the other features would allow for a half turn.
@@ -146,7 +149,11 @@ public:
     // The time of heat that goes 0.045, where the vertices are 0.024 apart, and twice as far. With less time, the
     // curvature is that of the sampling; with more, that of the whole body, and small features are lost.
     constexpr double fine = 0.002, coarse = 0.008;
+    // It tells front from back as nothing else does. As a goal of the descent, or in the search of rotations, it is to count no
+    // more than the others: its features are small, and the maps are led to the nearest of them.
+    constexpr double weight_of_fine_curvature = 3.;
     add_ranks(k == 0 ? shrinking() : k == 1 ? average_distance() : curvature(k == 2 ? fine : coarse));
+    m_weights_in_choice.push_back(k == 2 ? weight_of_fine_curvature : 1.);
   }
 
   // The end of a limb, and the distances from it along the surface, in units of the mean of all distances.
@@ -350,6 +357,7 @@ private:
   std::vector<Vector_3d> m_directions, m_points, m_normals;
   Channel m_areas; // around the vertices
   std::vector<Channel> m_features;
+  std::vector<double> m_weights_in_choice;
   Surface_paths m_paths;
   Channel m_average_distance;
   double m_inverse_mean_distance = 1.;

@@ -321,7 +321,8 @@ private:
       if constexpr(Space::is_lanewise)
         run_in_lanes(move_packets);
       else
-        move_packets(Number_type<double>());
+        run_in_lanes(
+            [&](auto) { move_packets(Number_type<double>()); }); // one star at a time, by the same instructions
     };
     for(std::size_t set = 0; set < stars.number_of_sets(); ++set)
       for_each_block(m_execution, stars.first_packet(set), stars.first_packet(set + 1), packets_per_block, move_block);

@@ -77,7 +77,7 @@ public:
     {
       const Mesh_hierarchy::Level& level = m_hierarchy.level(k);
       std::vector<Vector_3d> local = level.gathered(positions);
-      const Level_sweeps sweeps = m_plan.start_level(m_descent.space(), level, k == 0);
+      const Level_sweeps sweeps = m_plan.start_level(m_descent.space(), level, k == last_level);
       if(!insert_vertices(level, m_hierarchy.rings(k), local))
         return false;
       const bool has_settled = sweeps.maximum > 0 && relax(level, m_hierarchy.rings(k), local, sweeps);

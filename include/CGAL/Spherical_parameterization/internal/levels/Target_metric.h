@@ -30,24 +30,31 @@
 
 namespace CGAL::Spherical_parameterization::internal {
 
-// The metric of a surface on its sphere: how long a tangent vector of the sphere is on the surface, |J e|^2 = e^T S e with
-// S = J^T J, J the derivative of the inverse map, and how large areas are.
+// The metric of a surface in a direction of its sphere: how long a tangent vector of the sphere is on the surface,
+// |J e|^2 = e^T S e with S = J^T J, J the derivative of the inverse map, and how large areas are.
+//
+// S leaves out what a vector has along the direction. So it has three numbers, and acts on vectors that are flattened into
+// the plane of a side of a cube around the sphere, see Cube_place.
 struct Metric_sample
 {
-  std::array<double, 8> numbers; // xx, xy, xz, yy, yz, zz of S, the area, and 0
+  std::array<double, 4> numbers; // uu, uv and vv of S, and the area
 
-  Vector_3d operator()(const Vector_3d& e) const
+  std::array<double, 2> operator()(const std::array<double, 2>& e) const
   {
-    const auto& s = numbers;
-    return {s[0] * e[0] + s[1] * e[1] + s[2] * e[2], s[1] * e[0] + s[3] * e[1] + s[4] * e[2],
-            s[2] * e[0] + s[4] * e[1] + s[5] * e[2]};
+    return {numbers[0] * e[0] + numbers[1] * e[1], numbers[1] * e[0] + numbers[2] * e[1]};
   }
-  double squared_length(const Vector_3d& e) const { return dot(e, (*this)(e)); }
-  double area() const { return numbers[6]; }
+  double product(const std::array<double, 2>& e, const std::array<double, 2>& f) const
+  {
+    const auto s = (*this)(f);
+    return e[0] * s[0] + e[1] * s[1];
+  }
+  double area() const { return numbers[3]; }
 };
 
 // The metric of a surface, of area 4 pi, as images on the faces of a cube around the sphere, from fine to coarse: a value
-// anywhere is interpolated between four nodes, so that it is continuous, unlike the metric itself, and takes no search.
+// anywhere is interpolated between four nodes, so that it is all but continuous, unlike the metric itself, and takes no
+// search. (Where two sides meet, they have the same metric at the nodes, and in between one that differs by the square of
+// how far nodes are from each other.)
 class Target_metric
 {
 public:
@@ -67,7 +74,7 @@ public:
       directions.emplace_back(p[0], p[1], p[2]);
     });
     const auto places = images.locate(directions, execution);
-    Image finest{n, std::vector<Texel>(places.size())};
+    Tensor_image image{n, std::vector<Tensor>(places.size())};
     // 1024 nodes of parallel work: enough that handing it out costs nothing
     for_each_block(execution, 0, places.size(), 1024, [&](std::size_t begin, std::size_t end) {
       for(std::size_t k = begin; k < end; ++k)
@@ -76,12 +83,15 @@ public:
         const std::array<Vector_3d, 3> x = {scale * points[t[0]], scale * points[t[1]], scale * points[t[2]]};
         const std::array<Vector_3d, 3> p = images.corners(t);
         const auto& q = directions[k];
-        finest.samples[k] = texel(sample_of(p, x, normalized(Vector_3d{q.x(), q.y(), q.z()})));
+        image.tensors[k] = tensor_of(p, x, normalized(Vector_3d{q.x(), q.y(), q.z()}));
       }
     });
-    m_images.push_back(smoothed(finest, n));
-    while(m_images.back().n > min_size)
-      m_images.push_back(smoothed(m_images.back(), m_images.back().n / 2));
+    for(image = smoothed(image, n);; image = smoothed(image, image.n / 2))
+    {
+      m_images.push_back(flattened(image));
+      if(image.n <= min_size)
+        break;
+    }
   }
 
   // The level that a mesh with so many vertices is to see: a coarser one hides what it could follow, a finer one is noise
@@ -94,79 +104,96 @@ public:
     return level;
   }
 
-  Metric_sample at(const Vector_3d& p, std::size_t level) const { return m_images[level].at(p); }
+  Cube_place place(const Vector_3d& p, std::size_t level) const { return Cube_place(p, m_images[level].n); }
 
-  // The same with the derivatives in two tangential directions.
-  Metric_sample at(const Vector_3d& p, std::size_t level, const Vector_3d& t1, const Vector_3d& t2,
-                   std::array<Metric_sample, 2>& derivatives) const
+  // The metric in a place of this level with the weights of the place, or its derivative with how these change.
+  Metric_sample mixed(const Cube_place& place, std::size_t level, const std::array<double, 4>& weights) const
   {
-    const Image& image = m_images[level];
-    const Cube_place place(p, image.n);
+    Metric_sample result{};
     const auto nodes = place.nodes();
-    derivatives = {image.mixed(nodes, place.change_of_weights(t1)), image.mixed(nodes, place.change_of_weights(t2))};
-    return image.mixed(nodes, place.weights());
+    for(std::size_t i = 0; i < 4; ++i)
+    {
+      const Texel& s = m_images[level].texels[nodes[i]];
+      for(std::size_t k = 0; k < 4; ++k)
+        result.numbers[k] += weights[i] * static_cast<double>(s[k]);
+    }
+    return result;
   }
 
 private:
   // A vertex of the first surface has 3 to 12 nodes, a few for each of its two faces: images differ by a factor of 4.
-  // The least image, of 96 nodes, is for a tetrahedron; the largest, of 6.3 million, takes 200 MB.
+  // The least image, of 96 nodes, is for a tetrahedron; the largest, of 6.3 million, takes 100 MB.
   static constexpr std::size_t nodes_per_vertex = 12, min_size = 4, max_size = 1024;
 
-  using Texel = std::array<float, 8>; // the numbers of a Metric_sample
+  // The numbers of a Metric_sample: as floats, they come faster from memory.
+  using Texel = std::array<float, 4>;
 
   struct Image
   {
     std::size_t n; // steps along an edge of the cube
-    std::vector<Texel> samples;
+    std::vector<Texel> texels;
+  };
 
-    Metric_sample mixed(const std::array<std::size_t, 4>& nodes, const std::array<double, 4>& w) const
-    {
-      const Texel &s0 = samples[nodes[0]], &s1 = samples[nodes[1]], &s2 = samples[nodes[2]], &s3 = samples[nodes[3]];
-      Metric_sample result;
-      for(std::size_t k = 0; k < 8; ++k)
-        result.numbers[k] = w[0] * static_cast<double>(s0[k]) + w[1] * static_cast<double>(s1[k]) +
-                            w[2] * static_cast<double>(s2[k]) + w[3] * static_cast<double>(s3[k]);
-      return result;
-    }
+  // S in space, which does not depend on the side, for what looks at several: xx, xy, xz, yy, yz, zz, and the area.
+  using Tensor = std::array<double, 7>;
 
-    Metric_sample at(const Vector_3d& p) const
+  struct Tensor_image
+  {
+    std::size_t n;
+    std::vector<Tensor> tensors;
+
+    Tensor at(const Vector_3d& p) const
     {
       const Cube_place place(p, n);
-      return mixed(place.nodes(), place.weights());
+      const auto nodes = place.nodes();
+      const auto weights = place.weights();
+      Tensor result{};
+      for(std::size_t i = 0; i < 4; ++i)
+        add(weights[i], tensors[nodes[i]], result);
+      return result;
     }
   };
 
-  static Texel texel(const Metric_sample& s)
+  static void add(double weight, const Tensor& tensor, Tensor& sum)
   {
-    Texel result;
-    for(std::size_t k = 0; k < 8; ++k)
-      result[k] = static_cast<float>(s.numbers[k]);
+    for(std::size_t k = 0; k < sum.size(); ++k)
+      sum[k] += weight * tensor[k];
+  }
+
+  static Image flattened(const Tensor_image& image)
+  {
+    // of the two coordinates of each side, see Cube_place::point()
+    constexpr std::array<std::array<std::size_t, 3>, 3> indices = {{{3, 4, 5}, {5, 2, 0}, {0, 1, 3}}};
+    Image result{image.n, {}};
+    result.texels.reserve(image.tensors.size());
+    Cube_place::for_each_node(image.n, [&](std::size_t side, double, double) {
+      const Tensor& s = image.tensors[result.texels.size()];
+      const auto& [uu, uv, vv] = indices[side / 2];
+      result.texels.push_back(
+          {static_cast<float>(s[uu]), static_cast<float>(s[uv]), static_cast<float>(s[vv]), static_cast<float>(s[6])});
+    });
     return result;
   }
 
   // Averages over the neighbourhood of each node of an image with n steps.
-  static Image smoothed(const Image& fine, std::size_t n)
+  static Tensor_image smoothed(const Tensor_image& fine, std::size_t n)
   {
-    Image result{n, {}};
+    Tensor_image result{n, {}};
     const double h = 2. / static_cast<double>(fine.n);
     Cube_place::for_each_node(n, [&](std::size_t side, double u, double v) {
-      Metric_sample sum{};
+      Tensor sum{};
       for(int k = -1; k <= 1; ++k)
         for(int l = -1; l <= 1; ++l)
-        {
-          const double w = (k == 0 ? 0.5 : 0.25) * (l == 0 ? 0.5 : 0.25);
-          const Metric_sample s = fine.at(Cube_place::point(side, u + h * k, v + h * l));
-          for(std::size_t m = 0; m < 8; ++m)
-            sum.numbers[m] += w * s.numbers[m];
-        }
-      result.samples.push_back(texel(sum));
+          add((k == 0 ? 0.5 : 0.25) * (l == 0 ? 0.5 : 0.25), fine.at(Cube_place::point(side, u + h * k, v + h * l)),
+              sum);
+      result.tensors.push_back(sum);
     });
     join_sides(result);
     return result;
   }
 
   // Gives the nodes of several sides, on the edges of the cube, their mean: each side has averaged them in its own way.
-  static void join_sides(Image& image)
+  static void join_sides(Tensor_image& image)
   {
     const int n = static_cast<int>(image.n);
     std::vector<std::pair<std::array<int, 3>, std::size_t>> nodes; // with their places on the cube
@@ -185,20 +212,18 @@ private:
     std::sort(nodes.begin(), nodes.end());
     for(std::size_t begin = 0, end; begin < nodes.size(); begin = end)
     {
-      Metric_sample sum{};
       for(end = begin; end < nodes.size() && nodes[end].first == nodes[begin].first; ++end)
-        for(std::size_t m = 0; m < 8; ++m)
-          sum.numbers[m] += static_cast<double>(image.samples[nodes[end].second][m]);
-      for(double& x : sum.numbers)
-        x /= static_cast<double>(end - begin);
+        ;
+      Tensor mean{};
       for(std::size_t k = begin; k < end; ++k)
-        image.samples[nodes[k].second] = texel(sum);
+        add(1. / static_cast<double>(end - begin), image.tensors[nodes[k].second], mean);
+      for(std::size_t k = begin; k < end; ++k)
+        image.tensors[nodes[k].second] = mean;
     }
   }
 
   // at the direction q, for the triangle x of the surface and its image p
-  static Metric_sample sample_of(const std::array<Vector_3d, 3>& p, const std::array<Vector_3d, 3>& x,
-                                 const Vector_3d& q)
+  static Tensor tensor_of(const std::array<Vector_3d, 3>& p, const std::array<Vector_3d, 3>& x, const Vector_3d& q)
   {
     std::array<Vector_3d, 3> l = {cross(p[1], p[2]), cross(p[2], p[0]), cross(p[0], p[1])};
     const double determinant = dot(p[0], l[0]);
@@ -216,15 +241,13 @@ private:
     for(std::size_t i = 0; i < 3; ++i)
       for(std::size_t r = 0; r < 3; ++r)
         rows[r] = rows[r] + ((x[i][r] - place[r]) / sum) * l[i];
-    Metric_sample result{};
+    Tensor s{};
     for(const Vector_3d& r : rows)
       for(std::size_t i = 0, k = 0; i < 3; ++i)
         for(std::size_t j = i; j < 3; ++j, ++k)
-          result.numbers[k] += r[i] * r[j];
-    const auto& s = result.numbers;
-    result.numbers[6] =
-        std::sqrt((std::max)(s[0] * s[3] - s[1] * s[1] + s[0] * s[5] - s[2] * s[2] + s[3] * s[5] - s[4] * s[4], 0.));
-    return result;
+          s[k] += r[i] * r[j];
+    s[6] = std::sqrt((std::max)(s[0] * s[3] - s[1] * s[1] + s[0] * s[5] - s[2] * s[2] + s[3] * s[5] - s[4] * s[4], 0.));
+    return s;
   }
 
   std::vector<Image> m_images;

@@ -114,27 +114,32 @@ public:
     for(const Face& f : m_faces)
     {
       const Vector_3d e0 = f.q - f.p, e1 = m_center - f.q, e2 = f.p - m_center;
-      const Vector_3d sum = m_center + f.p + f.q;
-      const double size = length(sum);
-      const Vector_3d c = (1. / size) * sum;
-      std::array<Metric_sample, 2> change;
-      const Metric_sample s = m_metric.at(c, m_level, t1, t2, change);
+      const Cube_place place = m_metric.place(m_center + f.p + f.q, m_level);
+      const auto a0 = place.flattened(e0), a1 = place.flattened(e1), a2 = place.flattened(e2), u1 = place.flattened(t1),
+                 u2 = place.flattened(t2);
+      // The metric changes with the sum of the corners.
+      const Metric_sample s = m_metric.mixed(place, m_level, place.weights()),
+                          s1 = m_metric.mixed(place, m_level, place.change_of_weights(u1)),
+                          s2 = m_metric.mixed(place, m_level, place.change_of_weights(u2));
       const double o0 = f.rest.opposite_0, o1 = f.rest.opposite_1, o2 = f.rest.opposite_2;
       const double inverse_area = f.rest.inverse_doubled_area;
+      const std::array<double, 3> products = {o0 * a0[0] * a0[0] + o1 * a1[0] * a1[0] + o2 * a2[0] * a2[0],
+                                              o0 * a0[0] * a0[1] + o1 * a1[0] * a1[1] + o2 * a2[0] * a2[1],
+                                              o0 * a0[1] * a0[1] + o1 * a1[1] * a1[1] + o2 * a2[1] * a2[1]};
       const auto dirichlet = [&](const Metric_sample& g) {
-        return o0 * g.squared_length(e0) + o1 * g.squared_length(e1) + o2 * g.squared_length(e2);
+        return products[0] * g.numbers[0] + 2. * products[1] * g.numbers[1] + products[2] * g.numbers[2];
       };
       const double i = dirichlet(s), volume = dot(m_center, f.normal), to_d = inverse_area * s.area(),
                    d = to_d * volume;
-      const Vector_3d pull = s(o1 * e1 - o2 * e2), st1 = s(t1), st2 = s(t2);
-      // The metric changes with the centre of the face, which moves a third as far.
-      const double share = 1. / size;
-      const double ix = 2. * dot(pull, t1) + share * dirichlet(change[0]);
-      const double iy = 2. * dot(pull, t2) + share * dirichlet(change[1]);
-      const double dx = to_d * dot(t1, f.normal) + share * inverse_area * volume * change[0].area();
-      const double dy = to_d * dot(t2, f.normal) + share * inverse_area * volume * change[1].area();
+      // So does how edges are flattened; those next to the vertex change with it as well.
+      const double h0 = -o0 * place.height(e0), h1 = o1 * (1. - place.height(e1)), h2 = -o2 * (1. + place.height(e2));
+      const std::array<double, 2> pull = {h0 * a0[0] + h1 * a1[0] + h2 * a2[0], h0 * a0[1] + h1 * a1[1] + h2 * a2[1]};
+      const double ix = 2. * s.product(pull, u1) + dirichlet(s1);
+      const double iy = 2. * s.product(pull, u2) + dirichlet(s2);
+      const double dx = to_d * dot(t1, f.normal) + inverse_area * volume * s1.area();
+      const double dy = to_d * dot(t2, f.normal) + inverse_area * volume * s2.area();
       const double o = 2. * (o1 + o2);
-      const double ixx = o * dot(t1, st1), ixy = o * dot(t1, st2), iyy = o * dot(t2, st2);
+      const double ixx = o * s.product(u1, u1), ixy = o * s.product(u1, u2), iyy = o * s.product(u2, u2);
       const Energy_derivatives_3<double> e = m_energy.derivatives(i, d);
       const double w = 1. / inverse_area;
       value += w * e.value;
@@ -180,10 +185,12 @@ public:
       const double volume = dot(center, f.normal);
       if(!is_safely_positive(volume, squared_length(e1) + squared_length(e2)))
         return infinite;
-      const Metric_sample s = m_metric.at(center + f.p + f.q, m_level);
+      const Cube_place place = m_metric.place(center + f.p + f.q, m_level);
+      const Metric_sample s = m_metric.mixed(place, m_level, place.weights());
+      const auto a0 = place.flattened(f.q - f.p), a1 = place.flattened(e1), a2 = place.flattened(e2);
       const double inverse_area = f.rest.inverse_doubled_area;
-      const double i = f.rest.opposite_0 * s.squared_length(f.q - f.p) + f.rest.opposite_1 * s.squared_length(e1) +
-                       f.rest.opposite_2 * s.squared_length(e2);
+      const double i = f.rest.opposite_0 * s.product(a0, a0) + f.rest.opposite_1 * s.product(a1, a1) +
+                       f.rest.opposite_2 * s.product(a2, a2);
       value += m_energy(i, inverse_area * volume * s.area()) / inverse_area;
     }
     if(m_features)

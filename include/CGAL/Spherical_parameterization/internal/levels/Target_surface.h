@@ -126,11 +126,11 @@ public:
   std::array<double, 3> invariants(const std::array<Vector_3d, 3>& p, const std::array<double, 3>& opposite,
                                    double inverse_doubled_area, double, double, const Face_objective&) const
   {
-    const Metric_sample s = m_metric->at(p[0] + p[1] + p[2], m_metric_level);
+    const Cube_place place = m_metric->place(p[0] + p[1] + p[2], m_metric_level);
+    const Metric_sample s = m_metric->mixed(place, m_metric_level, place.weights());
+    const auto a0 = place.flattened(p[2] - p[1]), a1 = place.flattened(p[0] - p[2]), a2 = place.flattened(p[1] - p[0]);
     const double d = inverse_doubled_area * dot(p[0], cross(p[1], p[2])) * s.area();
-    return {opposite[0] * s.squared_length(p[2] - p[1]) + opposite[1] * s.squared_length(p[0] - p[2]) +
-                opposite[2] * s.squared_length(p[1] - p[0]),
-            d, d};
+    return {opposite[0] * s.product(a0, a0) + opposite[1] * s.product(a1, a1) + opposite[2] * s.product(a2, a2), d, d};
   }
 
 private:

@@ -40,8 +40,9 @@ public:
     m_axis = a >= b && a >= c ? 0 : b >= c ? 1 : 2;
     const bool is_negative = p[m_axis] < 0.;
     const double half = 0.5 * static_cast<double>(n);
-    m_scale = half / std::abs(p[m_axis]);
-    m_slope = {p[axis(1)] / p[m_axis], p[axis(2)] / p[m_axis]};
+    m_inverse = 1. / p[m_axis];
+    m_scale = half * std::abs(m_inverse);
+    m_slope = {m_inverse * p[axis(1)], m_inverse * p[axis(2)]};
     const double x = std::clamp(half + m_scale * p[axis(1)], 0., 2. * half);
     const double y = std::clamp(half + m_scale * p[axis(2)], 0., 2. * half);
     const std::size_t i = (std::min)(static_cast<std::size_t>(x), n - 1);
@@ -55,15 +56,23 @@ public:
   std::array<std::size_t, 4> nodes() const { return {m_first, m_first + 1, m_first + m_n + 1, m_first + m_n + 2}; }
   std::size_t nearest_node() const { return m_first + (m_u < 0.5 ? 0 : m_n + 1) + (m_v < 0.5 ? 0 : 1); }
 
-  // The bilinear weights of the corners, and how these change as the direction moves along t.
+  // A vector less a multiple of the direction, so that it is in the plane of the side: its two coordinates there.
+  std::array<double, 2> flattened(const Vector_3d& t) const
+  {
+    return {t[axis(1)] - m_slope[0] * t[m_axis], t[axis(2)] - m_slope[1] * t[m_axis]};
+  }
+  // That multiple, in units of the vector `p` that the place was made of. As p moves along t, flattened(e) changes by
+  // -height(e) flattened(t).
+  double height(const Vector_3d& t) const { return m_inverse * t[m_axis]; }
+
+  // The bilinear weights of the corners, and how these change as `p` moves along a vector that has been flattened.
   std::array<double, 4> weights() const
   {
     return {(1. - m_u) * (1. - m_v), (1. - m_u) * m_v, m_u * (1. - m_v), m_u * m_v};
   }
-  std::array<double, 4> change_of_weights(const Vector_3d& t) const
+  std::array<double, 4> change_of_weights(const std::array<double, 2>& t) const
   {
-    const double du = m_scale * (t[axis(1)] - m_slope[0] * t[m_axis]),
-                 dv = m_scale * (t[axis(2)] - m_slope[1] * t[m_axis]);
+    const double du = m_scale * t[0], dv = m_scale * t[1];
     return {-(1. - m_v) * du - (1. - m_u) * dv, -m_v * du + (1. - m_u) * dv, (1. - m_v) * du - m_u * dv,
             m_v * du + m_u * dv};
   }
@@ -108,7 +117,7 @@ private:
   std::size_t axis(std::size_t k) const { return m_axis + k < 3 ? m_axis + k : m_axis + k - 3; }
 
   std::size_t m_n, m_axis, m_first;
-  double m_scale, m_u, m_v;
+  double m_inverse, m_scale, m_u, m_v;
   std::array<double, 2> m_slope;
 };
 
@@ -185,8 +194,8 @@ public:
                             std::array<double, 2>& gradient, std::array<double, 3>& hessian) const
   {
     const Square square(*this, p);
-    const auto w = square.place.weights(), w1 = square.place.change_of_weights(t1),
-               w2 = square.place.change_of_weights(t2);
+    const auto w = square.place.weights(), w1 = square.place.change_of_weights(square.place.flattened(t1)),
+               w2 = square.place.change_of_weights(square.place.flattened(t2));
     double result = 0.;
     gradient = {0., 0.};
     hessian = {0., 0., 0.};
