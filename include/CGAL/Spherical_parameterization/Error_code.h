@@ -49,6 +49,7 @@ enum [[nodiscard]] Error_code
   ERROR_CANNOT_WRITE_FILE,                ///< A file could not be written.
   ERROR_INVALID_IMAGE_FILE,               ///< A file is damaged, or no geometry image.
   ERROR_INVALID_IMAGE_SIZE,               ///< An image has not as many rows, columns or channels as a geometry image.
+  ERROR_INVALID_SURFACE_FILE,             ///< A file is damaged, or none of the kind of surfaces or values that is read.
   ERROR_NON_MATCHING_BOUNDARY,            ///< Pixels of a geometry image that are the same vertex differ.
   ERROR_UNDETERMINED_ROTATION,            ///< Landmarks do not determine a rotation.
   ERROR_INVALID_LANDMARK,                 ///< A landmark is no vertex of a face, or a vertex has two.
@@ -127,8 +128,8 @@ inline const char* get_error_message(Error_code error_code)
     return "The mesh has not the vertices of a geometry image: make it by remeshing over an octahedron or a cube "
            "whose edges are divided.";
   case ERROR_OUT_OF_FLOAT_RANGE:
-    return "The values are too large, or all too small, for the numbers of 32 bits of an OpenEXR file, which "
-           "reach from 1.2e-38 to 3.4e38: scale the surface first, or write a PNG file, which has no such limits.";
+    return "The values are too large, or all too small, for the numbers of 32 bits of the file, which reach from "
+           "1.2e-38 to 3.4e38: scale the surface first, or write a file of another format, such as PNG or OFF.";
   case ERROR_CANNOT_WRITE_FILE:
     return "The file could not be written to its end: check that its folder is there and may be written to, and that "
            "there is space left.";
@@ -138,6 +139,9 @@ inline const char* get_error_message(Error_code error_code)
   case ERROR_INVALID_IMAGE_SIZE:
     return "The image has not the size of a geometry image: it has to be a square with an odd number of pixels in "
            "each row, or six squares in a column, with three channels.";
+  case ERROR_INVALID_SURFACE_FILE:
+    return "The file is damaged, or of another kind than the function reads: see the message that the function gives "
+           "beside this code.";
   case ERROR_NON_MATCHING_BOUNDARY:
     return "Pixels of the geometry image differ that are the same vertex of the mesh, so that the surface would not "
            "be closed: write the image anew, and let no program smooth, scale or compress it with losses.";

@@ -1,0 +1,238 @@
+// Copyright (c) 2026  The Spherical_parameterization authors.
+// All rights reserved.
+//
+// This file is part of the Spherical_parameterization package for CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Spherical_parameterization authors
+
+#ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_FILES_FILE_BYTES_H
+#define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_FILES_FILE_BYTES_H
+
+#include <CGAL/license/Spherical_parameterization.h>
+
+#include <CGAL/Spherical_parameterization/Error_code.h>
+
+#include <boost/endian/conversion.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <ios>
+#include <istream>
+#include <limits>
+#include <locale>
+#include <ostream>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Spherical_parameterization::internal {
+
+// What is wrong with a file, where, and what helps.
+class File_error : public std::runtime_error
+{
+public:
+  template <class... Part>
+  explicit File_error(const Part&... parts)
+    : std::runtime_error(join(parts...))
+  {}
+
+  template <class... Part>
+  static std::string join(const Part&... parts)
+  {
+    std::ostringstream text;
+    text.imbue(std::locale::classic());
+    (text << ... << parts);
+    return text.str();
+  }
+};
+
+// Calls read(), which throws a `File_error` or fills `result`; hands on its message.
+template <class Result, class Read>
+Error_code read_or_tell(Result& result, std::string& message, const Read& read)
+{
+  message.clear();
+  try
+  {
+    Result all;
+    read(all, message);
+    result = std::move(all);
+    return OK;
+  }
+  catch(const File_error& error)
+  {
+    message = error.what();
+    return ERROR_INVALID_SURFACE_FILE;
+  }
+}
+
+// Returns what there is in a stream.
+inline std::string read_all(std::istream& in)
+{
+  std::string content;
+  std::array<char, 1 << 16> block;
+  try
+  {
+    while(in.read(block.data(), block.size()) || in.gcount() > 0)
+      content.append(block.data(), static_cast<std::size_t>(in.gcount()));
+  }
+  catch(const std::ios_base::failure&) // at the end, if the stream is to throw
+  {
+    content.append(block.data(), static_cast<std::size_t>(in.gcount()));
+  }
+  if(in.bad())
+    throw File_error("The file cannot be read to its end: check the disk or the network that it is on.");
+  return content;
+}
+
+// Returns a word of a file for a message, as far as it can be printed.
+inline std::string quoted(std::string_view text)
+{
+  constexpr std::size_t max_size = 40;
+  std::string result = "'";
+  for(const char c : text.substr(0, max_size))
+    result += c >= ' ' && c <= '~' ? c : '?';
+  return result + (text.size() > max_size ? "...'" : "'");
+}
+
+constexpr const char* truncated = "it is truncated: copy it again from where it is from.";
+
+// Reads binary numbers, the most significant byte first unless `is_big_endian` says otherwise, and says where they end.
+class Byte_reader
+{
+public:
+  explicit Byte_reader(std::string_view bytes, bool is_big_endian = true)
+    : m_bytes(bytes)
+    , m_is_big_endian(is_big_endian)
+  {}
+
+  std::size_t position() const { return m_position; }
+  std::size_t remaining() const { return m_bytes.size() - m_position; }
+  std::string_view rest() const { return m_bytes.substr(m_position); }
+
+  template <class Number>
+  Number read(const char* what)
+  {
+    std::array<unsigned char, sizeof(Number)> bytes;
+    const std::string_view next = read_bytes(sizeof(Number), what);
+    std::memcpy(bytes.data(), next.data(), sizeof(Number));
+    if(m_is_big_endian != (boost::endian::order::native == boost::endian::order::big))
+      std::reverse(bytes.begin(), bytes.end());
+    Number number;
+    std::memcpy(&number, bytes.data(), sizeof(Number));
+    return number;
+  }
+
+  // an unsigned number of three bytes
+  std::uint32_t read_3_bytes(const char* what)
+  {
+    std::uint32_t number = 0;
+    for(const char c : read_bytes(3, what))
+      number = number << 8 | static_cast<unsigned char>(c);
+    return number;
+  }
+
+  std::string_view read_bytes(std::size_t size, const char* what)
+  {
+    if(size > remaining())
+      throw File_error("The file ends within ", what, ", at byte ", m_bytes.size(), ": ", truncated);
+    m_position += size;
+    return m_bytes.substr(m_position - size, size);
+  }
+
+  // a text that follows its length in bytes; zeros at its end are left out
+  std::string read_text(const char* what)
+  {
+    const std::size_t size = read_count(what, 1);
+    const std::string_view text = read_bytes(size, what);
+    return std::string(text.substr(0, (std::min)(text.find('\0'), size)));
+  }
+
+  // the number of things that take at least so many bytes each
+  std::size_t read_count(const char* things, std::size_t min_size)
+  {
+    const std::size_t begin = m_position;
+    const auto count = read<std::int32_t>(things);
+    check_count(count, things, min_size, begin);
+    return static_cast<std::size_t>(count);
+  }
+
+  void check_count(std::int64_t count, const char* things, std::size_t min_size, std::size_t begin) const
+  {
+    if(count < 0)
+      throw File_error("Byte ", begin, ": the number of ", things, " is negative, ", count,
+                       ": the file is damaged, or of another kind.");
+    if(static_cast<std::uint64_t>(count) > remaining() / min_size)
+      throw File_error("Byte ", begin, ": the file is too short for ", count, " ", things,
+                       ": it is truncated, or damaged. Copy it again from where it is from.");
+  }
+
+private:
+  std::string_view m_bytes;
+  std::size_t m_position = 0;
+  bool m_is_big_endian;
+};
+
+// Returns whether there is a number of 32 bits for this one. Those that are not finite stay what they are.
+inline bool is_in_float_range(double x)
+{
+  return !std::isfinite(x) || std::abs(x) <= static_cast<double>((std::numeric_limits<float>::max)());
+}
+
+inline bool are_in_float_range(const std::vector<std::array<double, 3>>& points)
+{
+  return std::all_of(points.begin(), points.end(),
+                     [](const auto& p) { return std::all_of(p.begin(), p.end(), is_in_float_range); });
+}
+
+// Writes binary numbers.
+class Byte_writer
+{
+public:
+  explicit Byte_writer(bool is_big_endian = true)
+    : m_is_big_endian(is_big_endian)
+  {}
+
+  template <class Number>
+  void write(Number number)
+  {
+    std::array<char, sizeof(Number)> bytes;
+    std::memcpy(bytes.data(), &number, sizeof(Number));
+    if(m_is_big_endian != (boost::endian::order::native == boost::endian::order::big))
+      std::reverse(bytes.begin(), bytes.end());
+    content.append(bytes.data(), sizeof(Number));
+  }
+
+  // a text behind its length in bytes, with a zero at its end
+  void write_text(const std::string& text)
+  {
+    write(static_cast<std::int32_t>(text.size() + 1));
+    content.append(text.c_str(), text.size() + 1);
+  }
+
+  std::string content;
+
+private:
+  bool m_is_big_endian;
+};
+
+// Returns whether the stream has taken the bytes.
+inline bool is_written(std::ostream& out, const std::string& bytes)
+{
+  out.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+  return out.good();
+}
+
+} // namespace CGAL::Spherical_parameterization::internal
+
+#endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_FILES_FILE_BYTES_H
