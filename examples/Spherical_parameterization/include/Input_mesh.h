@@ -8,6 +8,7 @@
 
 #include <CGAL/Spherical_parameterization/fill_holes.h>
 #include <CGAL/Spherical_parameterization/find_handles.h>
+#include <CGAL/Spherical_parameterization/is_bijective.h>
 #include <CGAL/Spherical_parameterization/measure_distortion.h>
 
 #include <CGAL/Surface_mesh.h>
@@ -57,6 +58,7 @@ public:
   /// \throws Program_error with what is wrong, where, and what helps
   Input_mesh(const std::string& path, Polygon_soup soup)
     : m_name(printable(path))
+    , m_origin(std::move(soup.origin))
     , m_polygons(std::move(soup.polygons))
   {
     if(m_polygons.empty())
@@ -167,6 +169,24 @@ public:
   Mesh& mesh_of_file() { return m_unfilled ? *m_unfilled : m_mesh; }
 
   bool is_filler(Mesh::Face_index f) const { return f.idx() >= m_polygons.size(); }
+
+  /// returns what a file of a cortical surface tells of where that is from.
+  const SP::IO::Surface_origin& origin() const { return m_origin; }
+
+  /// checks that a one-to-one map to the sphere still is one if its numbers are rounded to 32 bits, as some formats do.
+  ///
+  /// \throws Program_error that names the file `path` to be written, if it is not
+  void check_rounded(const std::string& path, const Sphere_map& map)
+  {
+    const Sphere_map rounded = m_mesh.add_property_map<Vertex_index, Point_3>("v:rounded", Point_3(0, 0, 0)).first;
+    const auto round = [](double x) { return static_cast<double>(static_cast<float>(x)); };
+    for(const Vertex_index v : m_mesh.vertices())
+      rounded[v] = Point_3(round(map[v].x()), round(map[v].y()), round(map[v].z()));
+    if(!SP::is_bijective(m_mesh, rounded) && SP::is_bijective(m_mesh, map))
+      throw Program_error(path,
+                          "cannot hold the map, whose faces fold if its numbers are rounded to the 32 bits of this "
+                          "format.\nWrite a .off or .ply file, which have 64.");
+  }
 
   /// returns the triangles of the file.
   const std::vector<Polygon>& triangles() const { return m_polygons; }
@@ -286,6 +306,7 @@ private:
   }
 
   std::string m_name;
+  SP::IO::Surface_origin m_origin;
   Mesh m_mesh;
   std::optional<Mesh> m_unfilled; // if holes have been filled
   std::vector<Polygon> m_polygons;

@@ -14,7 +14,7 @@
 #include "mesh_files.h"
 #include "read_soup.h"
 #include "run_method.h"
-#include "write_soup.h"
+#include "write_sphere.h"
 
 #include <CGAL/Spherical_parameterization/measure_distance.h>
 
@@ -181,32 +181,35 @@ public:
     if(m_files.sphere)
     {
       m_files.sphere->write([&](std::ostream& out) {
-        const std::string format = file_format(m_names.sphere);
+        const std::string format = m_options.format_of(m_names.sphere);
         if(m_match && m_options.onto.empty())
           m_match->write_positions(out, format);
         else if(m_match)
-          m_match->write_directions(out, format);
+          m_match->write_directions(out, m_names.sphere, format);
         else
-          write_soup(out, format, m_input->points_of(m_sphere), m_input->triangles());
+          write_sphere(out, m_names.sphere, format, *m_input, m_sphere);
       });
       m_report.sphere_checksum = m_files.sphere->checksum();
     }
     if(m_files.filled)
       m_files.filled->write([&](std::ostream& out) { m_input->write_filled(out); });
     if(m_files.remesh)
-      m_files.remesh->write([&](std::ostream& out) { m_remesh->write(out, file_format(m_names.remesh)); });
+      m_files.remesh->write([&](std::ostream& out) { m_remesh->write(out, m_options.format_of(m_names.remesh)); });
+    if(m_files.values)
+      m_files.values->write([&](std::ostream& out) { m_remesh->write_values(out); });
     if(m_files.onto)
-      m_files.onto->write([&](std::ostream& out) { m_match->write_positions(out, file_format(m_names.onto)); });
+      m_files.onto->write([&](std::ostream& out) { m_match->write_positions(out, m_options.format_of(m_names.onto)); });
     if(m_files.target_sphere)
       m_files.target_sphere->write([&](std::ostream& out) {
-        write_soup(out, file_format(m_names.target_sphere), m_other->input.points_of(m_other->sphere),
-                   m_other->input.triangles());
+        write_sphere(out, m_names.target_sphere, m_options.format_of(m_names.target_sphere), m_other->input,
+                     m_other->sphere);
       });
     if(m_files.overlay)
       m_files.overlay->write([&](std::ostream& out) { m_match->write_overlay(out); });
     if(m_files.morph)
-      m_files.morph->write(
-          [&](std::ostream& out) { m_match->write_morph(out, file_format(m_names.morph), m_options.morph_time); });
+      m_files.morph->write([&](std::ostream& out) {
+        m_match->write_morph(out, m_options.format_of(m_names.morph), m_options.morph_time);
+      });
     if(m_files.image)
     {
       m_files.image->write([&](std::ostream& out) { m_image->write_image(out, m_names.image, false); });

@@ -35,6 +35,8 @@ public:
       add(filled, names.filled);
     if(!names.remesh.empty())
       add(remesh, names.remesh);
+    if(!names.values.empty())
+      add(values, names.values);
     if(!names.image.empty())
     {
       const std::filesystem::path path(names.image);
@@ -98,8 +100,8 @@ public:
     return result;
   }
 
-  std::optional<Output_file> sphere, handles, filled, remesh, image, image_of_normals, colored_surface, colored_sphere,
-      onto, target_sphere, overlay, morph, page, json;
+  std::optional<Output_file> sphere, handles, filled, remesh, values, image, image_of_normals, colored_surface,
+      colored_sphere, onto, target_sphere, overlay, morph, page, json;
 
 private:
   std::vector<Output_file*> m_wanted;

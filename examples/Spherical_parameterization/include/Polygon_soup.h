@@ -1,6 +1,8 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_EXAMPLES_POLYGON_SOUP_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_EXAMPLES_POLYGON_SOUP_H
 
+#include <CGAL/Spherical_parameterization/IO/Surface_file.h>
+
 #include <CGAL/Simple_cartesian.h>
 
 #include <boost/container/small_vector.hpp>
@@ -12,6 +14,8 @@
 #include <vector>
 
 namespace Program {
+
+namespace SP = CGAL::Spherical_parameterization;
 
 using Kernel = CGAL::Simple_cartesian<double>;
 using Point_3 = Kernel::Point_3;
@@ -31,13 +35,19 @@ struct Values
   bool has_fractions() const { return std::holds_alternative<float>(type) || std::holds_alternative<double>(type); }
 };
 
-/// What a mesh file holds, in the order of the file. All corners are indices of points.
+/// What a mesh file holds, in the order of the file. All corners are indices of points. A file of values has neither.
 struct Polygon_soup
 {
   std::vector<Point_3> points;
   std::vector<Polygon> polygons;
   std::vector<Values> values_of_vertices, values_of_faces; ///< if they were asked for; their names are different
   std::vector<std::string> left_out;                       ///< in words, what there is beside them
+  SP::IO::Surface_origin origin; ///< what a file of a cortical surface tells of where that is from
+
+  std::size_t number_of_vertices() const
+  {
+    return points.empty() && !values_of_vertices.empty() ? values_of_vertices.front().numbers.size() : points.size();
+  }
 };
 
 } // namespace Program

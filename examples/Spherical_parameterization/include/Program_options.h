@@ -58,6 +58,7 @@ public:
     if(knows("radius"))
       read_radius();
     read_limits();
+    read_format();
     read_match();
     read_outputs();
     read_repair();
@@ -73,7 +74,8 @@ public:
 
 Maps a closed triangle mesh of genus 0 to a sphere, one-to-one and with low distortion. INPUT is a file of
 one of the formats )"
-         << list_of(input_formats) << R"(. The result is certified by exact arithmetic.
+         << list_of(input_formats) << R"(, a surface in the format GIFTI (.gii), or one of
+FreeSurfer, such as lh.white. The result is certified by exact arithmetic.
 Without -o nothing but the report is printed. Ctrl-C or SIGTERM ends the sweeps; the map reached is written.
 
 With --onto, the surface is mapped one-to-one onto another one, through both spheres.
@@ -104,14 +106,21 @@ none; 2, all have one, but some fold.
   Words other_inputs() const
   {
     Words result;
-    for(const std::string& name :
-        {start_file, domain_size == 0 ? domain : "", values_file, values_sphere, onto, template_file})
+    for(const std::string& name : {start_file, domain_size == 0 ? domain : "", values_sphere, onto, template_file})
       if(!name.empty())
         result.push_back(name);
-    for(const Words& names : {landmark_files, feature_files})
-      result.insert(result.end(), names.begin(), names.end());
+    result.insert(result.end(), landmark_files.begin(), landmark_files.end());
+    Words lists = feature_files;
+    if(!values_file.empty())
+      lists.push_back(values_file);
+    for(const std::string& list : lists)
+      for(const std::string& name : split_list(list))
+        result.push_back(name);
     return result;
   }
+
+  /// returns the format of a mesh that is written under this name.
+  std::string format_of(const std::string& name) const { return format.empty() ? output_format(name) : format; }
 
   /// returns the file that decides on a map beside the mesh itself; empty if there is none.
   const std::string& start_or_template() const { return template_file.empty() ? start_file : template_file; }
@@ -134,7 +143,7 @@ none; 2, all have one, but some fold.
   bool picks_component = false;   ///< whether one part of the surface is mapped
   bool takes_each_component = false;
   std::string output_folder; ///< of the many, empty otherwise
-  std::string format;        ///< of all maps, empty if each has that of its input
+  std::string format;        ///< of all meshes that are written, empty if their names tell it
   bool is_resumed = false;   ///< whether meshes that are done are left out
   std::string method = "bld";
   bool is_published = false;          ///< "bld" with the settings of the paper
@@ -206,7 +215,8 @@ private:
     // clang-format off
     options.add_options()
       ("output,o", word("SPHERE"), "write the sphere: the faces of INPUT, with the images of its vertices in the same "
-                                   "order (0 0 0 for a vertex without a face) and 17 digits; .off, .obj, .ply or .ts")
+                                   "order (0 0 0 for a vertex without a face) and 17 digits; .off, .obj, .ply or .ts; or with numbers of "
+                                   "32 bits, .gii, or a name that begins with lh. or rh. for the format of FreeSurfer")
       ("fill-holes", word("N"), "fill the holes of the surface that have at most N edges, or all of them by the word all; each is told. "
                                 "What is measured and written is that of the faces of INPUT")
       ("filled", word("FILE"), "with --fill-holes, write the closed surface, whose first vertices and faces are those of INPUT; "
@@ -224,7 +234,9 @@ private:
                                  "on the sphere of TARGET, and that sphere to SPHERE_target")
       ("transfer", word("VALUES"), "with --remesh, carry over the properties of the vertices and faces of a .ply file that "
                                    "has the faces of INPUT, with a warning for each that cannot be; whole numbers are "
-                                   "labels, which are not averaged")
+                                   "labels, which are not averaged. Or values of the vertices in a file of FreeSurfer, "
+                                   "such as lh.sulc, a .mgh, .mgz or .gii file, or several with commas between them. "
+                                   "With -o NAME.surf.gii, they are written to NAME.func.gii")
       ("values-sphere", word("SPHERE"), "VALUES is another surface, and this its sphere")
       ("geometry-image", word("FILE"), "write the surface as an image, .png with 16 bits or .exr with 32: an octahedron that "
                                        "is unfolded to a square, with points as colours; and its normals to FILE_normals. "
@@ -237,7 +249,8 @@ private:
                                   "that cannot be")
       ("soft-landmarks", word("W"), "with --landmarks, the weight of their mean squared distance on the unit sphere instead")
       ("features", words("A B"), "with --onto, .ply files with the vertices of INPUT and TARGET, whose properties of the same "
-                                 "names are what the spheres are aligned by")
+                                 "names are what the spheres are aligned by; or files of values as for --transfer, "
+                                 "of which the first of A and of B correspond, and so on")
       ("overlay", word("FILE"), "with --onto, write the common refinement of both surfaces, a .ply file with positions on INPUT, "
                                 "those on TARGET and the faces of both as properties")
       ("morph", words("T FILE"), "with --onto, write the common refinement on its way from INPUT, T = 0, to TARGET, T = 1")
@@ -246,8 +259,8 @@ private:
                                         "and NAME.json")
       ("template", word("T"), "with --output-folder, map the surface T onto each INPUT, and write T with its vertices there "
                               "instead of the sphere: all get the same faces")
-      ("format", word("EXTENSION"), "the format of all spheres there: off, obj, ply or ts; if not given, that of the "
-                                    "INPUT, and off for .stl")
+      ("format", word("FORMAT"), "the format of all meshes that are written, if names are not to tell it, or with --output-folder that "
+                                 "of the INPUT, and off for .stl: off, obj, ply, ts, gifti or freesurfer")
       ("resume", "leave out the meshes whose sphere and report are there, made by the same version of the program from "
                  "the same file with the same options")
       ("method", word("METHOD"), "bld: lowest distortion, the default; or one of the methods that it can start from or "
@@ -471,8 +484,8 @@ private:
       read_domain();
     values_file = text("transfer");
     values_sphere = text("values-sphere");
-    if(has("transfer") && file_format(values_file) != ".ply")
-      refuse("transfer", "the name of a .ply file, which can hold properties");
+    if(has("transfer"))
+      check_values("transfer", values_file);
 
     const bool samples = has("remesh") || has("geometry-image");
     bool is_plain = method == "bld" && !is_published;
@@ -626,6 +639,27 @@ private:
     max_threads = read_count("threads", 1, 0);
   }
 
+  void read_format()
+  {
+    if(!has("format"))
+      return;
+    const std::string word = text("format");
+    format = word == "freesurfer" ? freesurfer_format
+             : word == "gifti"    ? ".gii"
+                                  : file_format("sphere." + word.substr(word.find_first_not_of('.') == 1 ? 1 : 0));
+    if(!is_among(format, output_formats) && format != freesurfer_format)
+      refuse("format", "off, obj, ply, ts, gifti or freesurfer");
+  }
+
+  // refuses a file of values that can be told by its name to be none
+  void check_values(const std::string& option, const std::string& names) const
+  {
+    for(const std::string& name : split_list(names))
+      if(is_among(file_format(name), {".off", ".obj", ".stl", ".ts"}))
+        fail("--" + option + " needs .ply files, which can hold properties, or files of values of vertices, not '" +
+             printable(name) + "'");
+  }
+
   void read_match()
   {
     onto = text("onto");
@@ -642,8 +676,7 @@ private:
       fail("--soft-landmarks goes with --landmarks");
     landmark_weight = read_number("soft-landmarks", 1e-6, 1e6, "a number from 1e-6 to 1e6", 0.);
     for(const std::string& name : feature_files)
-      if(file_format(name) != ".ply")
-        fail("--features needs .ply files, which can hold properties, not '" + printable(name) + "'");
+      check_values("features", name);
     file_names.overlay = text("overlay");
     if(has("overlay") && file_format(file_names.overlay) != ".ply")
       refuse("overlay", "the name of a .ply file, which can hold properties");
@@ -652,8 +685,8 @@ private:
       if(!is_number(morph[0], morph_time) || !(morph_time >= 0. && morph_time <= 1.))
         fail("--morph has to be a number from 0 to 1 and the name of a file, not '" + printable(morph[0]) + "'");
       file_names.morph = morph[1];
-      if(!is_among(file_format(morph[1]), output_formats))
-        fail("--morph needs a name that ends with one of " + list_of(output_formats));
+      if(format_of(morph[1]).empty())
+        fail("--morph needs a name that ends with one of " + output_names);
     }
     if(!template_file.empty())
       describe("template " + printable(template_file));
@@ -667,9 +700,8 @@ private:
                               "output-folder", "onto", "template", "overlay"})
       if(has(option) && text(option).empty())
         fail("--" + std::string(option) + " needs a name");
-    for(const char* option : {"format", "resume"})
-      if(has(option) && !is_for_many)
-        fail("--" + std::string(option) + " goes with --output-folder");
+    if(has("resume") && !is_for_many)
+      fail("--resume goes with --output-folder");
     for(const char* option : {"remesh", "geometry-image", "page"})
       if(has(option) && is_for_many)
         fail("--" + std::string(option) + " is for one mesh: leave out --output-folder");
@@ -682,10 +714,7 @@ private:
     if(has_result)
       (has("remesh") ? file_names.remesh : file_names.onto) = text("output");
     if(has("onto") && has("sphere"))
-    {
-      const std::filesystem::path path(file_names.sphere);
-      file_names.target_sphere = (path.parent_path() / path.stem()).string() + "_target" + path.extension().string();
-    }
+      file_names.target_sphere = with_suffix(file_names.sphere, "_target");
     prints_json = text("json") == "-";
     file_names.json = prints_json ? "" : text("json");
     file_names.colored = text("colored");
@@ -695,16 +724,18 @@ private:
     output_folder = text("output-folder");
     is_resumed = has("resume");
     for(const char* option : {"output", "sphere"})
-      if(has(option) && !is_among(file_format(text(option)), output_formats))
-        refuse(option, "a name that ends with one of " + list_of(output_formats));
-    if(has("transfer") && has("output") && file_format(file_names.remesh) != ".ply")
-      refuse("output", "the name of a .ply file, as other formats do not hold the properties of --transfer");
-    if(has("format"))
+      if(has(option) && format_of(text(option)).empty())
+        refuse(option, "a name that ends with one of " + output_names);
+    if(has("transfer") && has("output"))
     {
-      const std::string extension = text("format");
-      format = file_format("sphere." + extension.substr(extension.find_first_not_of('.') == 1 ? 1 : 0));
-      if(!is_among(format, output_formats))
-        refuse("format", "one of " + list_of(output_formats));
+      const std::string format_of_remesh = format_of(file_names.remesh);
+      if(format_of_remesh != ".ply" && format_of_remesh != ".gii")
+        refuse("output", "the name of a .ply or .gii file, as other formats do not hold the properties of --transfer");
+      if(format_of_remesh == ".gii")
+      {
+        const std::string& name = file_names.remesh;
+        file_names.values = name.substr(0, name.size() - ending_of(name).size()) + ".func.gii";
+      }
     }
   }
 

@@ -23,11 +23,14 @@
 #include <CGAL/Spherical_parameterization/remesh_through_sphere.h>
 #include <CGAL/Spherical_parameterization/transfer.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <iterator>
 #include <ostream>
 #include <string>
 #include <utility>
+#include <variant>
 #include <vector>
 
 namespace Program {
@@ -38,7 +41,8 @@ class Remesh
 public:
   /// \throws Program_error if the domain is not in order
   Remesh(Input_mesh& input, const Sphere_map& sphere, const SP::Sphere_domain_3& domain)
-    : m_images(m_mesh.add_property_map<Vertex_index, Point_3>("images of vertices").first) // no name in a PLY file
+    : m_origin(inherited(input.origin(), false))
+    , m_images(m_mesh.add_property_map<Vertex_index, Point_3>("images of vertices").first) // no name in a PLY file
     , m_normals(m_mesh.add_property_map<Vertex_index, Kernel::Vector_3>("v:normal").first)
   {
     const SP::Error_code error =
@@ -68,7 +72,32 @@ public:
       for(const Vertex_index v : {m_mesh.source(h), m_mesh.target(h), m_mesh.target(m_mesh.next(h))})
         triangles.back().push_back(v);
     }
-    write_soup(out, format, std::vector<Point_3>(m_mesh.points().begin(), m_mesh.points().end()), triangles);
+    write_soup(out, format, std::vector<Point_3>(m_mesh.points().begin(), m_mesh.points().end()), triangles, m_origin);
+  }
+
+  /// writes the values that have been carried over to the vertices as a GIFTI file.
+  ///
+  /// \throws Program_error if a number is too large for it
+  void write_values(std::ostream& out)
+  {
+    SP::IO::Surface_file file;
+    for(const auto& pair : m_origin.metadata_of_points)
+      if(pair.first == "AnatomicalStructurePrimary")
+        file.origin.metadata.push_back(pair);
+    for(const Values& values : m_values)
+    {
+      SP::IO::Vertex_values& column = file.columns.emplace_back();
+      column.name = values.name;
+      column.intent = "NIFTI_INTENT_SHAPE";
+      std::visit(
+          [&](auto number) {
+            const auto map = m_mesh.add_property_map<Vertex_index, decltype(number)>("v:" + values.name).first;
+            for(const Vertex_index v : m_mesh.vertices())
+              column.values.push_back(static_cast<double>(map[v]));
+          },
+          values.type);
+    }
+    write_surface_file(out, ".gii", file);
   }
 
   /// writes a geometry image of the points, or of the normals; as an OpenEXR file or a PNG file, as its name says.
@@ -109,11 +138,12 @@ public:
   /// carries over the properties of a file.
   ///
   /// \throws Program_error if the file, or the sphere of its surface, is not in order
-  void carry_values(const Program_options& options, const Input_mesh& input, const Sphere_map& sphere)
+  void carry_values(const Program_options& options, Input_mesh& input, const Sphere_map& sphere)
   {
     const std::string& name = options.values_file;
     const bool is_of_input = options.values_sphere.empty();
-    Polygon_soup soup = read_soup(name, true);
+    Polygon_soup soup = read_values(name);
+    add_surface(soup, options, input);
     const std::vector<Values> of_vertices = std::move(soup.values_of_vertices),
                               of_faces = std::move(soup.values_of_faces);
     Words left_out = std::move(soup.left_out);
@@ -124,6 +154,10 @@ public:
       left_out.push_back("the property '" + printable(property) + "' of the vertices, whose name is taken");
     for(const std::string& property : add_values<Mesh::Face_index>(values.mesh(), of_faces))
       left_out.push_back("the property '" + printable(property) + "' of the faces, whose name is taken");
+    const auto is_number = [](const Values& all) {
+      return !is_among(all.name, {"red", "green", "blue", "alpha", "nx", "ny", "nz"});
+    };
+    std::copy_if(of_vertices.begin(), of_vertices.end(), std::back_inserter(m_values), is_number);
     for(const std::string& what : left_out)
       m_warnings += printable(name) + ": not carried over: " + what + '\n';
 
@@ -151,6 +185,28 @@ public:
   const std::string& warnings() const { return m_warnings; }
 
 private:
+  // Gives values the surface that they are of, if their file has none.
+  static void add_surface(Polygon_soup& values, const Program_options& options, Input_mesh& input)
+  {
+    if(!values.points.empty())
+      return;
+    Polygon_soup surface;
+    if(!options.values_sphere.empty())
+      surface = read_soup(options.values_sphere);
+    else
+    {
+      surface.points = input.points_of(input.mesh_of_file().points());
+      surface.polygons = input.triangles();
+    }
+    if(values.number_of_vertices() != surface.points.size())
+      throw Program_error(options.values_file,
+                          "has values of " + std::to_string(values.number_of_vertices()) + " vertices, but " +
+                              (options.values_sphere.empty() ? input.name() : printable(options.values_sphere)) +
+                              " has " + std::to_string(surface.points.size()));
+    values.points = std::move(surface.points);
+    values.polygons = std::move(surface.polygons);
+  }
+
   template <class Map>
   SP::Error_code write_image([[maybe_unused]] std::ostream& out, const std::string& format,
                              [[maybe_unused]] const Map& map) const
@@ -167,7 +223,9 @@ private:
   }
 
   Mesh m_mesh;
+  SP::IO::Surface_origin m_origin;
   Sphere_map m_images;
+  std::vector<Values> m_values; // of vertices, without the numbers
   Mesh::Property_map<Vertex_index, Kernel::Vector_3> m_normals;
   std::string m_warnings;
 };

@@ -12,6 +12,7 @@
 #include "run_method.h"
 #include "surface_hints.h"
 #include "write_soup.h"
+#include "write_sphere.h"
 
 #include <CGAL/Spherical_parameterization/Sphere_locator_3.h>
 #include <CGAL/Spherical_parameterization/map_surface.h>
@@ -79,8 +80,10 @@ public:
   /// \throws Program_error if there is none, or what the options name is not in order
   Surface_match(const Program_options& options, Input_mesh& first, const Sphere_map& sphere1, Input_mesh& second,
                 const Sphere_map& sphere2)
-    : m_first(first.mesh())
+    : m_input(first)
+    , m_first(first.mesh())
     , m_second(second.mesh())
+    , m_target_origin(second.origin())
     , m_sphere2(sphere2)
     , m_n_written(first.mesh_of_file().number_of_vertices())
     , m_triangles(first.triangles())
@@ -152,14 +155,13 @@ public:
                                                 m_second.point(m_second.target(m_second.next(h)))};
         points[v] = CGAL::barycenter(corners[0], weights[0], corners[1], weights[1], corners[2], weights[2]);
       }
-    write_soup(out, format, points, m_triangles);
+    write_soup(out, format, points, m_triangles, inherited(m_target_origin, false));
   }
 
-  /// writes the faces of the first surface, with the directions of its vertices.
-  void write_directions(std::ostream& out, const std::string& format) const
+  /// writes the faces of the first surface, with the directions of its vertices, to the file `path`.
+  void write_directions(std::ostream& out, const std::string& path, const std::string& format) const
   {
-    const auto n = static_cast<std::ptrdiff_t>(m_n_written);
-    write_soup(out, format, std::vector<Point_3>(m_directions.begin(), m_directions.begin() + n), m_triangles);
+    write_sphere(out, path, format, m_input, m_directions);
   }
 
   /// writes the common refinement as a PLY file: with the places on the first surface, and as properties those on the
@@ -194,7 +196,7 @@ public:
     std::vector<Polygon> triangles;
     for(const auto& corners : m_overlay.triangles)
       triangles.emplace_back(corners.begin(), corners.end());
-    write_soup(out, format, points, triangles);
+    write_soup(out, format, points, triangles, inherited(m_input.origin(), false));
   }
 
 private:
@@ -240,12 +242,17 @@ private:
 
   std::vector<Mapper::Feature> read_features(const Program_options& options)
   {
-    const auto read = [](const std::string& name, const Mesh& mesh) {
-      Polygon_soup soup = read_soup(name, true);
+    const std::string &name1 = options.feature_files[0], &name2 = options.feature_files[1];
+    Polygon_soup soup1 = read_values(name1), soup2 = read_values(name2);
+    // The names that files of cortical surfaces have often tell the subject.
+    const std::size_t n = soup1.values_of_vertices.size();
+    if(soup1.points.empty() && soup2.points.empty() && soup2.values_of_vertices.size() == n)
+      for(std::size_t k = 0; k < n; ++k)
+        soup2.values_of_vertices[k].name = soup1.values_of_vertices[k].name;
+    const auto take = [](const std::string& name, Polygon_soup& soup, const Mesh& mesh) {
       return read_named(name, [&] { return features_of(std::move(soup), mesh.number_of_vertices()); });
     };
-    const std::string &name1 = options.feature_files[0], &name2 = options.feature_files[1];
-    File_features first = read(name1, m_first), second = read(name2, m_second);
+    File_features first = take(name1, soup1, m_first), second = take(name2, soup2, m_second);
     std::vector<Mapper::Feature> result;
     for(auto& [name, values] : first.values)
       if(const auto other = second.values.find(name); other != second.values.end())
@@ -269,8 +276,10 @@ private:
     return result;
   }
 
+  Input_mesh& m_input; // the first surface
   Mesh& m_first;
   Mesh& m_second;
+  SP::IO::Surface_origin m_target_origin;
   Sphere_map m_sphere2;
   std::size_t m_n_written; // vertices of the first surface, but those that holes have been filled with
   const std::vector<Polygon>& m_triangles;

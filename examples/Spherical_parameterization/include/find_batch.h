@@ -6,6 +6,7 @@
 #include "Program_options.h"
 #include "Temporary_name.h"
 #include "mesh_files.h"
+#include "read_soup.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -33,6 +34,13 @@ inline std::filesystem::path canonical(const std::filesystem::path& path)
   return error ? path : result;
 }
 
+/// returns whether a file of a folder is a mesh. Those of FreeSurfer have to be named one by one, as there are several surfaces of the
+/// same brain in a folder, and their names do not tell them from other files.
+inline bool is_mesh_of_folder(const std::filesystem::path& path)
+{
+  return is_among(file_format(path.string()), input_formats) || ending_of(path.string()) == ".surf.gii";
+}
+
 /// returns the mesh files of a folder, sorted. Hidden files are no meshes, whatever their names end with: some systems keep
 /// notes on each file in one.
 inline std::vector<std::filesystem::path> meshes_of_folder(const std::filesystem::path& folder)
@@ -43,15 +51,14 @@ inline std::vector<std::filesystem::path> meshes_of_folder(const std::filesystem
   for(fs::directory_iterator entry(folder, error); !error && entry != fs::directory_iterator(); entry.increment(error))
   {
     const fs::path& path = entry->path();
-    if(path.filename().string().front() != '.' && is_among(file_format(path.string()), input_formats) &&
-       !fs::is_directory(path, ignored))
+    if(path.filename().string().front() != '.' && is_mesh_of_folder(path) && !fs::is_directory(path, ignored))
       paths.push_back(path);
   }
   if(error)
     throw Program_error(folder.string(), "cannot be read: " + error.message());
   if(paths.empty())
-    throw Program_error(folder.string(),
-                        "there is no mesh file in this folder, whose name ends with one of " + list_of(input_formats));
+    throw Program_error(folder.string(), "there is no mesh file in this folder, whose name ends with one of " +
+                                             list_of(input_formats) + ", .surf.gii");
   std::sort(paths.begin(), paths.end());
   return paths;
 }
@@ -59,19 +66,20 @@ inline std::vector<std::filesystem::path> meshes_of_folder(const std::filesystem
 /// returns the names of the files of the mesh `path` in a batch.
 inline File_names names_in_batch(const std::filesystem::path& path, const Program_options& options)
 {
-  const std::string format = file_format(path.string());
-  if(!is_among(format, input_formats))
-    throw Program_error(path.string(), "the name of a mesh file has to end with one of " + list_of(input_formats));
+  const std::string input = path.string(), ending = ending_of(input);
+  if(!is_among(file_format(input), input_formats) && kind_of_file(input) == Surface_file_kind::none)
+    throw Program_error(input, "the name of a mesh file has to end with one of " + input_names);
 
   File_names names;
-  names.input = path.string();
-  std::filesystem::path result = options.output_folder / path.filename();
-  if(!options.format.empty())
-    result.replace_extension(options.format);
-  else if(!is_among(format, output_formats))
-    result.replace_extension(output_formats.front());
-  names.sphere = result.string();
-  names.json = result.replace_extension(".json").string();
+  names.input = input;
+  const std::string result = (options.output_folder / path.filename()).string(),
+                    beginning = result.substr(0, result.size() - ending.size());
+  const std::string& format = options.format;
+  if(format.empty())
+    names.sphere = options.format_of(input).empty() ? beginning + output_formats.front() : result;
+  else
+    names.sphere = beginning + (format == ".gii" ? ".surf.gii" : format == freesurfer_format ? "" : format);
+  names.json = beginning + ".json";
   return names;
 }
 

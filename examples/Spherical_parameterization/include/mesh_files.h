@@ -14,11 +14,21 @@ namespace Program {
 
 using Words = std::vector<std::string>;
 
-/// The formats that are read, by the end of the name.
+/// The formats that are read and told by the end of the name. Those of cortical surfaces are told by what is in the file.
 inline const Words input_formats = {".off", ".obj", ".ply", ".stl", ".ts"};
 
-/// The formats that are written. An STL file is not among them: it repeats the vertices and forgets their order.
-inline const Words output_formats = {".off", ".obj", ".ply", ".ts"};
+/// The formats that are written and told by the end of the name. An STL file is not among them: it repeats the vertices and
+/// forgets their order.
+inline const Words output_formats = {".off", ".obj", ".ply", ".ts", ".gii"};
+
+/// The format of FreeSurfer, whose files are called `lh.sphere`, say.
+inline const std::string freesurfer_format = "freesurfer";
+
+/// What the names of meshes that are read, and written, have to be like.
+inline const std::string input_names =
+    ".off, .obj, .ply, .stl, .ts or .gii, or the file has to be a surface of FreeSurfer";
+inline const std::string output_names =
+    ".off, .obj, .ply, .ts or .gii, or begin with lh. or rh. for the format of FreeSurfer";
 
 /// returns the end of a file's name in lower case, with the dot.
 inline std::string file_format(const std::string& path)
@@ -43,11 +53,62 @@ inline std::string list_of(const Words& words, const std::string& last_separator
   return list;
 }
 
+/// returns the names of several files that have commas between them; one file if there is one that is called so.
+inline Words split_list(const std::string& names)
+{
+  std::error_code ignored;
+  if(std::filesystem::exists(names, ignored))
+    return {names};
+  Words result;
+  for(std::size_t begin = 0; begin <= names.size();)
+  {
+    const std::size_t end = (std::min)(names.find(',', begin), names.size());
+    result.push_back(names.substr(begin, end - begin));
+    begin = end + 1;
+  }
+  return result;
+}
+
+/// returns whether a name begins with what FreeSurfer calls the half of the brain.
+inline bool has_hemisphere(const std::string& name)
+{
+  return name.compare(0, 3, "lh.") == 0 || name.compare(0, 3, "rh.") == 0;
+}
+
+/// returns the format that a mesh with this name is written in; empty if the name does not tell.
+inline std::string output_format(const std::string& path)
+{
+  const std::string format = file_format(path);
+  if(is_among(format, output_formats))
+    return format;
+  return has_hemisphere(std::filesystem::path(path).filename().string()) ? freesurfer_format : "";
+}
+
+/// returns the end of a name that tells what is in the file: the extension; that and `.surf`, say, of a GIFTI file; nothing of a file
+/// of FreeSurfer.
+inline std::string ending_of(const std::string& path)
+{
+  const std::filesystem::path name(path);
+  if(output_format(path) == freesurfer_format &&
+     !is_among(file_format(path), {".json", ".html", ".png", ".exr", ".stl"}))
+    return "";
+  const std::string extension = name.extension().string(), before = name.stem().extension().string();
+  const bool is_double = file_format(path) == ".gii" && is_among(before, {".surf", ".shape", ".func", ".label"});
+  return (is_double ? before : "") + extension;
+}
+
+/// returns the name with something put before its end.
+inline std::string with_suffix(const std::string& path, const std::string& suffix)
+{
+  const std::string ending = ending_of(path);
+  return path.substr(0, path.size() - ending.size()) + suffix + ending;
+}
+
 /// The names of all files of a mesh.
 struct File_names
 {
   std::string input;
-  std::string sphere, handles, filled, remesh, image, page, json; ///< empty if not wanted
+  std::string sphere, handles, filled, remesh, values, image, page, json; ///< empty if not wanted
   std::string onto, target_sphere, overlay, morph; ///< of a map onto another surface, empty if not wanted
   std::string colored; ///< what the names of the coloured meshes begin with, empty if they are not wanted
 
@@ -57,13 +118,10 @@ struct File_names
     const std::string number = "_" + std::to_string(part + 1);
     File_names result = *this;
     for(std::string* name :
-        {&result.sphere, &result.handles, &result.filled, &result.remesh, &result.image, &result.page, &result.json,
-         &result.onto, &result.target_sphere, &result.overlay, &result.morph})
+        {&result.sphere, &result.handles, &result.filled, &result.remesh, &result.values, &result.image, &result.page,
+         &result.json, &result.onto, &result.target_sphere, &result.overlay, &result.morph})
       if(!name->empty())
-      {
-        const std::filesystem::path path(*name);
-        *name = (path.parent_path() / path.stem()).string() + number + path.extension().string();
-      }
+        *name = with_suffix(*name, number);
     if(!result.colored.empty())
       result.colored += number;
     return result;

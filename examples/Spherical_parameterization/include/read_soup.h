@@ -7,6 +7,7 @@
 #include "readers/Scanner.h"
 #include "readers/read_ply.h"
 #include "readers/read_stl.h"
+#include "readers/read_surface_files.h"
 #include "readers/read_text_formats.h"
 
 #include <algorithm>
@@ -16,6 +17,8 @@
 #include <filesystem>
 #include <fstream>
 #include <ios>
+#include <iterator>
+#include <set>
 #include <string>
 #include <system_error>
 #include <utility>
@@ -110,15 +113,71 @@ inline std::string read_file(const std::string& path)
   return content;
 }
 
-/// reads a mesh file, whose format is that of its name.
+/// tells the kind of a file of a cortical surface by its name and its first bytes.
+///
+/// \throws Program_error if it is no ordinary file, or cannot be read
+inline Surface_file_kind kind_of_file(const std::string& path)
+{
+  std::ifstream in = open_file(path);
+  std::string beginning(4096, '\0');
+  in.read(&beginning[0], static_cast<std::streamsize>(beginning.size()));
+  beginning.resize(static_cast<std::size_t>(in.gcount()));
+  std::error_code error;
+  return kind_of(path, beginning, std::filesystem::file_size(path, error));
+}
+
+/// reads a mesh file, whose format is that of its name, or told by its first bytes.
+///
+/// \param keeps_values whether values of vertices and faces are wanted; then the file may have no mesh
 ///
 /// \throws Program_error with the name of the file, what is wrong with it, and what helps
 inline Polygon_soup read_soup(const std::string& path, bool keeps_values = false)
 {
   const std::string format = file_format(path);
-  if(!is_among(format, input_formats))
-    throw Program_error(path, "the name of a mesh file has to end with one of " + list_of(input_formats));
-  return read_named(path, [&] { return parse_soup(format, read_file(path), keeps_values); });
+  return read_named(path, [&] {
+    if(is_among(format, input_formats))
+      return parse_soup(format, read_file(path), keeps_values);
+    const Surface_file_kind kind = kind_of_file(path);
+    if(kind == Surface_file_kind::none)
+      throw Program_error("the name of a mesh file has to end with " + input_names);
+    Polygon_soup soup = parse_surface_file(kind, path, read_file(path), keeps_values);
+    if(soup.points.empty() && !keeps_values)
+      throw Program_error("the file has no surface, but values of the vertices of one");
+    // FreeSurfer says by the name which half of the brain a surface is.
+    const std::string name = std::filesystem::path(path).filename().string();
+    if(kind == Surface_file_kind::freesurfer_surface && has_hemisphere(name))
+      soup.origin.metadata_of_points = {{"AnatomicalStructurePrimary", name[0] == 'l' ? "CortexLeft" : "CortexRight"}};
+    return soup;
+  });
+}
+
+/// reads a file with values of vertices, or several, whose names have commas between them. The mesh is that of the first.
+///
+/// \throws Program_error if that fails, or they are values of surfaces that differ in the number of their vertices
+inline Polygon_soup read_values(const std::string& paths)
+{
+  Polygon_soup result;
+  std::set<std::string> names;
+  const Words files = split_list(paths);
+  for(const std::string& path : files)
+  {
+    Polygon_soup soup = read_soup(path, true);
+    if(result.number_of_vertices() > 0 && soup.number_of_vertices() != result.number_of_vertices())
+      throw Program_error(path, "has values of " + std::to_string(soup.number_of_vertices()) + " vertices, but " +
+                                    printable(files.front()) + " of " + std::to_string(result.number_of_vertices()));
+    for(const Values& values : soup.values_of_vertices)
+      if(!names.insert(values.name).second)
+        throw Program_error(path, "has values of the name " + printable(values.name) + ", as a file before it");
+    if(path == files.front())
+      result = std::move(soup);
+    else
+    {
+      std::move(soup.values_of_vertices.begin(), soup.values_of_vertices.end(),
+                std::back_inserter(result.values_of_vertices));
+      std::move(soup.left_out.begin(), soup.left_out.end(), std::back_inserter(result.left_out));
+    }
+  }
+  return result;
 }
 
 } // namespace Program

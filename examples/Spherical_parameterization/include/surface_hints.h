@@ -56,20 +56,20 @@ inline std::vector<Landmark> parse_landmarks(std::string content, const Mesh& me
   return result;
 }
 
-/// What surfaces can be aligned by of all that a PLY file holds.
+/// What surfaces can be aligned by of all that files of values hold.
 struct File_features
 {
   std::map<std::string, std::vector<double>> values; ///< of the vertices, by the name of the property
   Words left_out;                                    ///< in words, the rest
 };
 
-/// takes the features from a file for a mesh: the properties of vertices of type float or double, but normals.
+/// takes the features from files for a mesh: the properties of vertices of type float or double, but normals.
 ///
 /// \throws Program_error if they are not those of as many vertices, or not finite
 inline File_features features_of(Polygon_soup soup, std::size_t n_vertices)
 {
-  if(soup.points.size() != n_vertices)
-    throw Program_error("has no features for the mesh: it has " + std::to_string(soup.points.size()) +
+  if(soup.number_of_vertices() != n_vertices)
+    throw Program_error("has no features for the mesh: it has " + std::to_string(soup.number_of_vertices()) +
                         " vertices, the mesh has " + std::to_string(n_vertices));
   File_features result;
   result.left_out = std::move(soup.left_out);

@@ -118,11 +118,12 @@ private:
 
   void write_labels(const std::vector<IO::Label>& labels)
   {
+    const std::string unnamed = "???"; // as Connectome Workbench says; some programs fail without
     m_text << "<LabelTable>\n";
     for(const IO::Label& label : labels)
       m_text << "<Label Key=\"" << label.key << "\" Red=\"" << label.color[0] << "\" Green=\"" << label.color[1]
-             << "\" Blue=\"" << label.color[2] << "\" Alpha=\"" << label.color[3] << "\">" << xml_text(label.name)
-             << "</Label>\n";
+             << "\" Blue=\"" << label.color[2] << "\" Alpha=\"" << label.color[3] << "\">"
+             << xml_text(label.name.empty() ? unnamed : label.name) << "</Label>\n";
     m_text << "</LabelTable>\n";
   }
 

@@ -90,13 +90,13 @@ private:
     std::vector<double> numbers;
     if(m_array.encoding == "ASCII")
       numbers = read_text<Number>(text, n);
-    else if(m_array.encoding == "Base64Binary")
+    else if(m_array.encoding == "Base64Binary" || m_array.encoding == "GIFTI_ENCODING_B64BIN")
     {
       const std::string bytes = from_base64(text);
       check_size(bytes.size());
       numbers = read_binary<Number>(bytes, n);
     }
-    else if(m_array.encoding == "GZipBase64Binary")
+    else if(m_array.encoding == "GZipBase64Binary" || m_array.encoding == "GIFTI_ENCODING_B64GZ")
     {
       const std::string packed = from_base64(text);
       check_unpacked_size(size, packed.size());
@@ -115,8 +115,10 @@ private:
   }
 
   // of the two values of an attribute
-  static bool is_second(const std::string& value, const char* first, const char* second)
+  static bool is_second(const std::string& value, const std::string& first, const std::string& second)
   {
+    if(value == "GIFTI_ENDIAN_LITTLE" || value == "GIFTI_ENDIAN_BIG") // as some programs have written
+      return value == "GIFTI_ENDIAN_BIG";
     if(value != first && value != second)
       throw File_error("an order is ", quoted(value), ", not ", first, " or ", second, ": the file is damaged.");
     return value == second;
