@@ -507,7 +507,7 @@ TEST_F(Command_line, maps_a_surface_onto_another_one)
   expect_refused(map + " -o result.off --landmarks a.txt", "--landmarks needs two files");
   expect_refused(map + " -o result.off --morph 2 morph.off", "--morph has to be a number from 0 to 1");
   expect_refused("sphere.off -o result.off --overlay overlay.ply", "--overlay goes with --onto");
-  expect_refused(map + " -o result.off --features a.txt b.txt", "--features needs .ply files");
+  expect_refused(map + " -o result.off --features a.txt b.txt", "a.txt: this is no file with values of vertices");
   write("a.ply", ply_with_values(2));
   write("b.ply", ply_with_values(1));
   outcome = run(map + " --features a.ply b.ply");
@@ -803,7 +803,7 @@ TEST_F(Command_line, refuses_bad_values_with_the_good_ones)
       {"--remesh octahedron=1.5", "a whole number N from 1 to 5000"},
       {"--remesh octahedron=1e9", "a whole number N from 1 to 5000"},
       {"--remesh prism=3", "octahedron=N, cube=N or icosahedron=N"},
-      {"--remesh cube=2 --transfer sphere.off", "the name of a .ply file"},
+      {"--remesh cube=2 --transfer sphere.off", "--transfer needs .ply files"},
       {"--geometry-image image.gif", ".png or .exr"},
       {"--page page.txt", "a name that ends with .html"},
       {"--geometry-image image.png --image-size 64", "an odd number from 3 to 10001"},
@@ -843,7 +843,7 @@ TEST_F(Command_line, refuses_options_that_would_be_ignored)
       {"--transfer values.ply", "--transfer goes with --remesh"},
       {"--image-size 65", "--image-size goes with --geometry-image"},
       {"--remesh cube=2 --values-sphere sphere.off", "--values-sphere goes with --transfer"},
-      {"--remesh cube=2 --transfer values.ply", "the name of a .ply file, as other formats"},
+      {"--remesh cube=2 --transfer values.ply", "the name of a .ply or .gii file, as other formats"},
   };
   for(const auto& [arguments, valid] : table)
     expect_refused(std::string("sphere.off -o result.off --json result.json ") + arguments, valid);
@@ -864,7 +864,7 @@ TEST_F(Command_line, refuses_what_it_cannot_read_or_write)
   expect_refused("folder.off -o result.off", "folder.off is a folder");
   fs::create_symlink("/dev/zero", path("zeros.off")); // which never ends
   expect_refused("zeros.off -o result.off", "zeros.off: this is a pipe or a device");
-  expect_refused("'' -o result.off", "has to end with one of .off");
+  expect_refused("'' -o result.off", "No such file or directory");
 }
 
 TEST_F(Command_line, writes_no_file_twice)

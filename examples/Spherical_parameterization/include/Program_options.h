@@ -648,7 +648,19 @@ private:
              : word == "gifti"    ? ".gii"
                                   : file_format("sphere." + word.substr(word.find_first_not_of('.') == 1 ? 1 : 0));
     if(!is_among(format, output_formats) && format != freesurfer_format)
-      refuse("format", "off, obj, ply, ts, gifti or freesurfer");
+      refuse("format", "one of off, obj, ply, ts, gifti or freesurfer");
+  }
+
+  // refuses the name of a mesh that is to be written, unless it tells a format that the program has
+  void check_output(const std::string& option, const std::string& name) const
+  {
+    if(format_of(name).empty())
+      fail("--" + option + " has to be a name that ends with one of " + output_names + ", not '" + printable(name) +
+           "'");
+#ifndef PROGRAM_READS_GIFTI
+    if(format_of(name) == ".gii")
+      fail("--" + option + ": this program was built without expat and zlib, which GIFTI files take");
+#endif
   }
 
   // refuses a file of values that can be told by its name to be none
@@ -685,8 +697,7 @@ private:
       if(!is_number(morph[0], morph_time) || !(morph_time >= 0. && morph_time <= 1.))
         fail("--morph has to be a number from 0 to 1 and the name of a file, not '" + printable(morph[0]) + "'");
       file_names.morph = morph[1];
-      if(format_of(morph[1]).empty())
-        fail("--morph needs a name that ends with one of " + output_names);
+      check_output("morph", morph[1]);
     }
     if(!template_file.empty())
       describe("template " + printable(template_file));
@@ -724,8 +735,8 @@ private:
     output_folder = text("output-folder");
     is_resumed = has("resume");
     for(const char* option : {"output", "sphere"})
-      if(has(option) && format_of(text(option)).empty())
-        refuse(option, "a name that ends with one of " + output_names);
+      if(has(option))
+        check_output(option, text(option));
     if(has("transfer") && has("output"))
     {
       const std::string format_of_remesh = format_of(file_names.remesh);

@@ -139,7 +139,9 @@ inline Polygon_soup read_soup(const std::string& path, bool keeps_values = false
       return parse_soup(format, read_file(path), keeps_values);
     const Surface_file_kind kind = kind_of_file(path);
     if(kind == Surface_file_kind::none)
-      throw Program_error("the name of a mesh file has to end with " + input_names);
+      throw Program_error(keeps_values ? "this is no file with values of vertices: those are .ply, .gii, .mgh and .mgz "
+                                         "files, and files of FreeSurfer such as lh.sulc"
+                                       : "the name of a mesh file has to end with one of " + input_names);
     Polygon_soup soup = parse_surface_file(kind, path, read_file(path), keeps_values);
     if(soup.points.empty() && !keeps_values)
       throw Program_error("the file has no surface, but values of the vertices of one");

@@ -56,19 +56,20 @@ inline void write_surface_file(std::ostream& out, const std::string& format, con
 inline SP::IO::Surface_origin inherited(SP::IO::Surface_origin origin, bool is_sphere)
 {
   origin.created_by.clear();
-  SP::IO::Metadata& metadata = origin.metadata_of_points;
-  const auto set = [&metadata](const std::string& name, const std::string& value) {
-    metadata.erase(
-        std::remove_if(metadata.begin(), metadata.end(), [&](const auto& pair) { return pair.first == name; }),
-        metadata.end());
-    if(!value.empty())
-      metadata.emplace_back(name, value);
+  const auto remove = [](SP::IO::Metadata& metadata, const std::string& name) {
+    const auto is_it = [&](const auto& pair) { return pair.first == name; };
+    metadata.erase(std::remove_if(metadata.begin(), metadata.end(), is_it), metadata.end());
   };
-  set("UniqueID", ""); // it is that of the other one
+  const auto set = [&](const std::string& name, const std::string& value) {
+    remove(origin.metadata_of_points, name);
+    origin.metadata_of_points.emplace_back(name, value);
+  };
+  for(SP::IO::Metadata* metadata : {&origin.metadata, &origin.metadata_of_points, &origin.metadata_of_triangles})
+    remove(*metadata, "UniqueID"); // it is that of the other one
   set("TopologicalType", "Closed");
   if(is_sphere)
   {
-    set("AnatomicalStructureSecondary", "");
+    remove(origin.metadata_of_points, "AnatomicalStructureSecondary"); // which layer it is
     set("GeometricType", "Spherical");
   }
   return origin;

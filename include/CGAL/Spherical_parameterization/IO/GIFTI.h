@@ -192,7 +192,7 @@ namespace IO {
 /// (`.label.gii`), or all of them. All encodings but that in a second file are read, both orders of bytes, and numbers of all
 /// types that doubles can hold. Metadata and coordinate systems are kept; points are not transformed. An array of several columns
 /// becomes as many columns, numbered from 1. Memory is bounded by the size of the file; what is packed may unpack to 32 MB, or
-/// to a hundred times its size.
+/// to 250 times its size.
 ///
 /// This header needs expat and zlib, and is not among those that `CGAL/spherical_parameterization.h` includes.
 ///

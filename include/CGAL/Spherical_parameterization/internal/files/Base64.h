@@ -53,7 +53,7 @@ inline std::string from_base64(std::string_view text)
     if(c == '=')
       ++n_padding;
     else if(digit == 64 || n_padding > 0)
-      throw File_error("The data have ", quoted(std::string(1, c)),
+      throw File_error("the data have ", in_quotes(std::string(1, c)),
                        " where a digit of base 64 is expected: the file is damaged.");
     else
     {
@@ -68,7 +68,7 @@ inline std::string from_base64(std::string_view text)
     }
   }
   if(n_digits % 4 == 1 || n_padding > 2 || (n_digits + n_padding) % 4 != 0)
-    throw File_error("The data in base 64 end too early: ", truncated);
+    throw File_error("the data in base 64 end too early: ", truncated);
   return result;
 }
 

@@ -97,7 +97,7 @@ inline std::string read_all(std::istream& in)
 }
 
 // Returns a word of a file for a message, as far as it can be printed.
-inline std::string quoted(std::string_view text)
+inline std::string in_quotes(std::string_view text)
 {
   constexpr std::size_t max_size = 40;
   std::string result = "'";

@@ -286,7 +286,7 @@ inline void read_freesurfer_label(std::string_view content, IO::Surface_file& fi
       throw File_error("The file ends before ", what, " of line ", line_number, ": ", truncated);
     constexpr double max = (std::numeric_limits<std::int32_t>::max)();
     if(!text.is_number(word, x) || (is_whole && !(x == std::floor(x) && x >= 0. && x <= max)))
-      throw File_error("Line ", line_number, ": ", what, " is ", quoted(word), ", which is no ",
+      throw File_error("Line ", line_number, ": ", what, " is ", in_quotes(word), ", which is no ",
                        is_whole ? "whole number from 0 on" : "number", ": the file is damaged, or no label file.");
     return x;
   };
@@ -304,7 +304,7 @@ inline void read_freesurfer_label(std::string_view content, IO::Surface_file& fi
     column.values.push_back(read("the value", false));
   }
   if(const std::string_view word = text.next_word(); !word.empty())
-    throw File_error("Line ", line_number + 1, ": the file goes on after ", n, " vertices with ", quoted(word),
+    throw File_error("Line ", line_number + 1, ": the file goes on after ", n, " vertices with ", in_quotes(word),
                      ": the number of vertices in its second line is wrong, or it is damaged.");
 }
 

@@ -73,7 +73,7 @@ public:
       return decode<float>(text);
     if(is("FLOAT64"))
       return decode<double>(text);
-    throw File_error("the type ", quoted(m_array.type),
+    throw File_error("the type ", in_quotes(m_array.type),
                      " is not read: write the numbers as NIFTI_TYPE_UINT8, NIFTI_TYPE_INT32 or NIFTI_TYPE_FLOAT32.");
   }
 
@@ -108,7 +108,7 @@ private:
       throw File_error("the data are in another file (ExternalFileBinary), which is not read: convert the file, for "
                        "example with wb_command -gifti-convert GZIP_BASE64_BINARY.");
     else
-      throw File_error("the encoding ", quoted(m_array.encoding),
+      throw File_error("the encoding ", in_quotes(m_array.encoding),
                        " is unknown: it is ASCII, Base64Binary or GZipBase64Binary.");
     const bool is_by_column = is_second(m_array.order, "RowMajorOrder", "ColumnMajorOrder");
     return is_by_column && m_array.columns() > 1 ? transposed(numbers) : numbers;
@@ -120,7 +120,7 @@ private:
     if(value == "GIFTI_ENDIAN_LITTLE" || value == "GIFTI_ENDIAN_BIG") // as some programs have written
       return value == "GIFTI_ENDIAN_BIG";
     if(value != first && value != second)
-      throw File_error("an order is ", quoted(value), ", not ", first, " or ", second, ": the file is damaged.");
+      throw File_error("an order is ", in_quotes(value), ", not ", first, " or ", second, ": the file is damaged.");
     return value == second;
   }
 
@@ -154,12 +154,12 @@ private:
                                    : x == std::floor(x) && x >= static_cast<double>((Limits::min)()) &&
                                          x <= static_cast<double>((Limits::max)());
       if(!is_number || !is_possible)
-        throw File_error("number ", numbers.size(), " is ", quoted(word), ", which is none of the type ",
-                         quoted(m_array.type), ": the file is damaged.");
+        throw File_error("number ", numbers.size(), " is ", in_quotes(word), ", which is none of the type ",
+                         in_quotes(m_array.type), ": the file is damaged.");
       numbers.push_back(static_cast<double>(static_cast<Number>(x)));
     }
     if(const std::string_view word = words.next_word(); !word.empty())
-      throw File_error("the text goes on after ", n, " numbers with ", quoted(word), ": the file is damaged.");
+      throw File_error("the text goes on after ", n, " numbers with ", in_quotes(word), ": the file is damaged.");
     return numbers;
   }
 

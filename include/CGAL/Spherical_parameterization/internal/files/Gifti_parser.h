@@ -126,7 +126,8 @@ private:
   [[noreturn]] void fail(const What&... what) const
   {
     if(m_array)
-      throw File_error("Array ", m_n_arrays, " (", quoted(m_array->intent), ", line ", m_array->line, "): ", what...);
+      throw File_error("Array ", m_n_arrays, " (", in_quotes(m_array->intent), ", line ", m_array->line,
+                       "): ", what...);
     throw File_error("Line ", XML_GetCurrentLineNumber(m_parser), ": ", what...);
   }
 
@@ -143,7 +144,7 @@ private:
   {
     double x = 0.;
     if(!Number_text("").is_number(text, x) || !(x >= 0. && x == std::floor(x) && x <= double(Gifti_array::max_size)))
-      fail(what, " is ", quoted(text), ", which is no number of things: the file is damaged.");
+      fail(what, " is ", in_quotes(text), ", which is no number of things: the file is damaged.");
     return static_cast<std::uint64_t>(x);
   }
 
@@ -211,14 +212,14 @@ private:
     Number_text number("");
     double x = 0.;
     if(!number.is_number(key, x) || !(x == std::floor(x) && x >= -max && x <= max))
-      fail("the key of a label is ", quoted(key), ", which is no whole number: the file is damaged.");
+      fail("the key of a label is ", in_quotes(key), ", which is no whole number: the file is damaged.");
     label.key = static_cast<std::int32_t>(x);
     label.color = {{0., 0., 0., 1.}};
     constexpr std::array<const char*, 4> names = {"Red", "Green", "Blue", "Alpha"};
     for(std::size_t k = 0; k < names.size(); ++k)
       if(const std::string text = attribute(attributes, names[k]);
          !text.empty() && !number.is_number(text, label.color[k]))
-        fail("the colour of a label is ", quoted(text), ", which is no number: the file is damaged.");
+        fail("the colour of a label is ", in_quotes(text), ", which is no number: the file is damaged.");
   }
 
   void end_element(std::string_view name)
@@ -258,7 +259,7 @@ private:
     Number_text numbers(m_text);
     for(double& x : m_system.matrix)
       if(const std::string_view word = numbers.next_word(); !numbers.is_number(word, x))
-        fail("the matrix has ", quoted(word), " in the place of one of its 16 numbers: the file is damaged.");
+        fail("the matrix has ", in_quotes(word), " in the place of one of its 16 numbers: the file is damaged.");
   }
 
   void read_data()
@@ -360,7 +361,7 @@ private:
     {
       const std::size_t expected = n > 0 ? n : m_file->columns.front().values.size();
       if(column.values.size() != expected)
-        throw File_error("The values ", quoted(column.name), " are those of ", column.values.size(),
+        throw File_error("The values ", in_quotes(column.name), " are those of ", column.values.size(),
                          " vertices, but other arrays of the file are of ", expected, ": it is damaged.");
     }
   }
