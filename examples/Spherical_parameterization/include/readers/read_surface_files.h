@@ -147,9 +147,11 @@ inline Polygon_soup parse_surface_file(Surface_file_kind kind, const std::string
     using Type = SP::IO::Vertex_values::Type;
     std::string name = !column.name.empty()       ? column.name
                        : file.columns.size() == 1 ? usual_name
-                                                  : usual_name + ' ' + std::to_string(k + 1);
+                                                  : usual_name + '_' + std::to_string(k + 1);
+    const auto is_no_letter = [](char c) { return c <= ' ' || c > '~'; }; // for a PLY file
+    std::replace_if(name.begin(), name.end(), is_no_letter, '_');
     while(!names.insert(name).second)
-      name += ' ' + std::to_string(k + 1);
+      name += '_' + std::to_string(k + 1);
     soup.values_of_vertices.push_back({name,
                                        column.type == Type::uint8   ? Number(std::uint8_t())
                                        : column.type == Type::int32 ? Number(std::int32_t())

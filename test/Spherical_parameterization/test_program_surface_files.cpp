@@ -1,0 +1,308 @@
+// Files of cortical surfaces and of their values, read and written by the command line program.
+
+#include "Binary_file.h"
+#include "Program_fixture.h"
+
+#include <CGAL/Spherical_parameterization/Error_code.h>
+#include <CGAL/Spherical_parameterization/IO/FreeSurfer.h>
+#ifdef TEST_GIFTI
+#include <CGAL/Spherical_parameterization/IO/GIFTI.h>
+#endif
+#ifdef TEST_MGH
+#include <CGAL/Spherical_parameterization/IO/MGH.h>
+#endif
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+// In CGAL's tree the examples are not built along with the tests.
+#ifdef SPHERICAL_PARAMETERIZATION_PROGRAM
+
+namespace {
+
+namespace SP = CGAL::Spherical_parameterization;
+using SP::IO::Surface_file;
+using SP::IO::Vertex_values;
+
+const std::string volume = []() {
+  Binary_file file(true);
+  file << std::uint32_t(2) << std::uint32_t(0) << std::uint32_t(20)
+       << std::string("valid = 1\nfilename = a.mgz\nvolume = 256 256 256\nvoxelsize = 1 1 1\nxras = -1 0 0\n"
+                      "yras = 0 0 -1\nzras = 0 1 0\ncras = 1 2 3\n");
+  return file.content;
+}();
+
+const std::string remesh = "lh.white --method stereographic --remesh octahedron=2 ";
+
+} // namespace
+
+class Surface_files : public Program_fixture
+{
+protected:
+  void SetUp() override
+  {
+    Program_fixture::SetUp();
+    write("corner.off", corner_off);
+    surface.points = {{{0., 0., 0.}}, {{1., 0., 0.}}, {{0., 1., 0.}}, {{0., 0., 1.}}};
+    surface.triangles = {{{0, 2, 1}}, {{0, 1, 3}}, {{1, 2, 3}}, {{2, 0, 3}}};
+    surface.origin.created_by = "created by somebody";
+    surface.origin.footer = volume;
+    write_file("lh.white", [&](std::ostream& out) { return SP::IO::write_FreeSurfer_surface(out, surface); });
+    write_curv("lh.sulc", {0.5, -1., 2., 3.25});
+    write_curv("lh.curv", {4., 3., 2., 1.});
+    write_curv("lh.short", {1., 2.});
+  }
+
+  template <class Write>
+  void write_file(const std::string& name, const Write& write) const
+  {
+    std::ofstream out(path(name), std::ios::binary);
+    ASSERT_EQ(write(out), SP::OK);
+  }
+
+  void write_curv(const std::string& name, const std::vector<double>& values) const
+  {
+    Vertex_values column;
+    column.values = values;
+    write_file(name, [&](std::ostream& out) { return SP::IO::write_FreeSurfer_curv(out, column, 4); });
+  }
+
+  Surface_file read_freesurfer(const std::string& name) const
+  {
+    Surface_file file;
+    std::string message;
+    std::ifstream in(path(name), std::ios::binary);
+    EXPECT_EQ(SP::IO::read_FreeSurfer_surface(in, file, message), SP::OK) << message;
+    return file;
+  }
+
+  void expect_success(const std::string& arguments, const std::string& message = "") const
+  {
+    SCOPED_TRACE(arguments);
+    const Outcome outcome = run(arguments + " --quiet");
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    EXPECT_EQ(outcome.err, message);
+  }
+
+  Surface_file surface;
+};
+
+TEST_F(Surface_files, a_surface_of_FreeSurfer_becomes_its_sphere)
+{
+  expect_success("lh.white -o lh.sphere");
+  const Surface_file sphere = read_freesurfer("lh.sphere");
+  EXPECT_EQ(sphere.triangles, surface.triangles);
+  EXPECT_EQ(sphere.origin.footer, volume);
+  EXPECT_EQ(sphere.origin.created_by, "created by Spherical_parameterization");
+  const double radius = std::hypot(sphere.points[0][0], sphere.points[0][1], sphere.points[0][2]);
+  for(const auto& p : sphere.points)
+    EXPECT_NEAR(std::hypot(p[0], p[1], p[2]), radius, 1e-6 * radius);
+
+  // It is the sphere that other formats get, but for the digits; and it is read as a map.
+  expect_success("lh.white -o lh.off");
+  expect_success("lh.off -o rh.again");
+  expect_success("corner.off -o sphere.off");
+  EXPECT_EQ(content(path("lh.off")), content(path("sphere.off")));
+  expect_success("lh.white --initial lh.sphere --iterations 0 -o again.off");
+  // The name need not tell the format.
+  expect_success("corner.off -o sphere --format freesurfer");
+  EXPECT_EQ(read_freesurfer("sphere").points, sphere.points);
+  expect_success("sphere -o again.ply");
+  expect_message("corner.off -o sphere", "--output has to be a name that ends with one of .off");
+  expect_message("corner.off -o sphere --format bmp",
+                 "--format has to be one of off, obj, ply, ts, gifti or freesurfer");
+}
+
+TEST_F(Surface_files, a_sphere_that_would_fold_in_short_numbers_is_not_written)
+{
+  // All of a long prism but its foot is a point on the sphere to the 7 digits that these numbers have.
+  constexpr std::size_t n = 100;
+  test_meshes::Triangle_list prism;
+  for(std::size_t k = 0; k < n; ++k)
+    for(const double angle : {0., 2.1, 4.2})
+      prism.points.push_back({{std::cos(angle), std::sin(angle), static_cast<double>(k)}});
+  prism.triangles = {{{0, 2, 1}}, {{3 * n - 3, 3 * n - 2, 3 * n - 1}}};
+  for(std::size_t k = 0; k + 1 < n; ++k)
+    for(std::size_t i = 0; i < 3; ++i)
+    {
+      const std::size_t a = 3 * k + i, b = 3 * k + (i + 1) % 3;
+      prism.triangles.push_back({{a, b, b + 3}});
+      prism.triangles.push_back({{a, b + 3, a + 3}});
+    }
+  write_off("prism.off", prism);
+  expect_success("prism.off --energy conformal -o sphere.off");
+  expect_message(
+      "prism.off --energy conformal -o lh.sphere --quiet",
+      "lh.sphere: cannot hold the map, whose faces fold if its numbers are rounded to the 32 bits of this format");
+  EXPECT_FALSE(std::filesystem::exists(path("lh.sphere")));
+}
+
+TEST_F(Surface_files, damaged_files_are_named)
+{
+  std::ofstream(path("lh.damaged"), std::ios::binary) << content(path("lh.white")).substr(0, 100);
+  expect_message("lh.damaged -o a.off", "lh.damaged: Byte 28: the file is too short for 4 triangles: it is truncated");
+  expect_message("lh.sulc -o a.off", "lh.sulc: the file has no surface, but values of the vertices of one");
+  std::ofstream(path("lh.quad"), std::ios::binary) << "\xFF\xFF\xFD and so on";
+  expect_message("lh.quad -o a.off", "lh.quad: This is an old quadrangle file of FreeSurfer, which is not read");
+  write("lh.text", "nothing of that kind");
+  expect_message("lh.text -o a.off", "lh.text: the name of a mesh file has to end with one of .off");
+}
+
+TEST_F(Surface_files, values_are_carried_over)
+{
+  expect_success(remesh + "-o even.ply --transfer lh.sulc,lh.curv");
+  const std::string ply = content(path("even.ply"));
+  EXPECT_NE(ply.find("property float sulc\nproperty float curv\n"), std::string::npos) << ply.substr(0, 400);
+  expect_message(remesh + "-o even.ply --transfer lh.short", "lh.short: has values of 2 vertices, but lh.white has 4");
+  expect_message(remesh + "-o even.ply --transfer lh.sulc,lh.short",
+                 "lh.short: has values of 2 vertices, but lh.sulc of 4");
+  expect_message(remesh + "-o even.ply --transfer lh.sulc,lh.sulc",
+                 "lh.sulc: has values of the name sulc, as a file before it");
+  expect_message(remesh + "-o even.ply --transfer lh.sulc,missing", "missing: No such file");
+  expect_message(remesh + "-o even.ply --transfer lh.sulc,corner.off", "--transfer needs .ply files");
+  expect_message(remesh + "-o lh.even --transfer lh.sulc", "the name of a .ply or .gii file");
+  write("cortex.label", "#!ascii label\n1\n2 0 0 0 1\n");
+  expect_message(remesh + "-o even.ply --transfer cortex.label",
+                 "cortex.label: the file has values of 1 vertices of a surface, not of all");
+  // those of another surface, whose sphere has its faces
+  expect_success("lh.white -o lh.sphere");
+  expect_success(remesh + "-o even.ply --transfer lh.sulc --values-sphere lh.sphere");
+  expect_message(remesh + "-o even.ply --transfer lh.short --values-sphere lh.sphere",
+                 "lh.short: has values of 2 vertices, but lh.sphere has 4");
+}
+
+TEST_F(Surface_files, features_are_compared_in_their_order)
+{
+  write_curv("rh.depth", {0.5, -1., 2., 3.25});
+  write_curv("rh.curv", {4., 3., 2., 1.});
+  const std::string map = "lh.white --onto lh.white --method hierarchical -o on.off ";
+  const Outcome outcome = run(map + "--features lh.sulc,lh.curv rh.depth,rh.curv");
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_NE(outcome.out.find("Aligned:   by features"), std::string::npos) << outcome.out;
+  expect_message(map + "--features lh.sulc lh.short",
+                 "lh.short: has no features for the mesh: it has 2 vertices, the mesh has 4");
+  write_curv("lh.nan", {1., NAN, 2., 3.});
+  expect_message(map + "--features lh.nan lh.sulc", "the property nan of vertex 1 is infinite or not a number");
+}
+
+TEST_F(Surface_files, many_keep_their_names)
+{
+  std::filesystem::create_directory(path("in"));
+  std::filesystem::copy(path("lh.white"), path("in/lh.white"));
+  std::filesystem::copy(path("lh.white"), path("in/lh.pial"));
+  expect_success("in/lh.white in/lh.pial --output-folder out");
+  EXPECT_EQ(names_of_files("out"), (std::set<std::string>{"lh.white", "lh.white.json", "lh.pial", "lh.pial.json"}));
+  EXPECT_EQ(read_freesurfer("out/lh.white").points.size(), 4u);
+  expect_success("corner.off in/lh.white --output-folder out2 --format freesurfer");
+  EXPECT_EQ(names_of_files("out2"), (std::set<std::string>{"corner", "corner.json", "lh.white", "lh.white.json"}));
+  expect_message("in --output-folder out3", "there is no mesh file in this folder");
+}
+
+#ifdef TEST_GIFTI
+
+TEST_F(Surface_files, GIFTI_keeps_what_is_known_of_a_surface)
+{
+  surface.origin.metadata = {{"Provenance", "unknown"}, {"UniqueID", "{1}"}};
+  surface.origin.metadata_of_points = {{"AnatomicalStructurePrimary", "CortexRight"},
+                                       {"AnatomicalStructureSecondary", "Pial"},
+                                       {"GeometricType", "Anatomical"}};
+  surface.origin.coordinate_systems.resize(1);
+  surface.origin.coordinate_systems[0].data_space = "NIFTI_XFORM_TALAIRACH";
+  write_file("a.surf.gii", [&](std::ostream& out) { return SP::IO::write_GIFTI(out, surface); });
+  const auto read = [&](const std::string& name) {
+    Surface_file file;
+    std::string message;
+    std::ifstream in(path(name), std::ios::binary);
+    EXPECT_EQ(SP::IO::read_GIFTI(in, file, message), SP::OK) << message;
+    return file;
+  };
+  using Metadata = SP::IO::Metadata;
+  expect_success("a.surf.gii -o b.surf.gii");
+  const Surface_file sphere = read("b.surf.gii");
+  EXPECT_EQ(sphere.triangles, surface.triangles);
+  EXPECT_EQ(sphere.origin.metadata, (Metadata{{"Provenance", "unknown"}}));
+  EXPECT_EQ(sphere.origin.metadata_of_points, (Metadata{{"AnatomicalStructurePrimary", "CortexRight"},
+                                                        {"TopologicalType", "Closed"},
+                                                        {"GeometricType", "Spherical"}}));
+  EXPECT_EQ(sphere.origin.coordinate_systems.at(0).data_space, "NIFTI_XFORM_TALAIRACH");
+
+  // FreeSurfer tells by the name which half of the brain a surface is of.
+  expect_success("lh.white -o c.surf.gii");
+  EXPECT_EQ(read("c.surf.gii").origin.metadata_of_points, (Metadata{{"AnatomicalStructurePrimary", "CortexLeft"},
+                                                                    {"TopologicalType", "Closed"},
+                                                                    {"GeometricType", "Spherical"}}));
+  EXPECT_EQ(read("c.surf.gii").points, sphere.points);
+  expect_success("corner.off -o d.gii");
+  expect_success("d.gii -o d.off");
+  expect_success(
+      "a.surf.gii --remesh octahedron=2 -o even.surf.gii --sphere even_sphere.surf.gii --method stereographic");
+  EXPECT_EQ(read("even.surf.gii").points.size(), 18u);
+  EXPECT_EQ(read("even.surf.gii").origin.metadata_of_points[2].second, "Anatomical");
+  expect_success(
+      "a.surf.gii --onto lh.white --sphere s.surf.gii -o on.surf.gii --morph 0.5 m.surf.gii --method hierarchical");
+  for(const char* name : {"s.surf.gii", "s_target.surf.gii", "m.surf.gii"})
+    EXPECT_TRUE(std::filesystem::exists(path(name))) << name;
+  EXPECT_EQ(read("on.surf.gii").origin.metadata_of_points[0].second, "CortexLeft"); // it lies there
+
+  std::filesystem::create_directory(path("in"));
+  std::filesystem::copy(path("a.surf.gii"), path("in/a.surf.gii"));
+  write("in/a.shape.gii", "no surface");
+  expect_success("in --output-folder out");
+  EXPECT_EQ(names_of_files("out"), (std::set<std::string>{"a.surf.gii", "a.json"}));
+  expect_success("corner.off --output-folder out2 --format gifti");
+  EXPECT_EQ(names_of_files("out2"), (std::set<std::string>{"corner.surf.gii", "corner.json"}));
+
+  write("e.gii", "<?xml version=\"1.0\"?>\n<!DOCTYPE GIFTI [<!ENTITY a \"b\">]>\n<GIFTI>&a;</GIFTI>\n");
+  expect_message("e.gii -o f.off", "e.gii: Line 2: the document type has declarations of its own");
+}
+
+TEST_F(Surface_files, values_are_carried_over_to_GIFTI)
+{
+  Surface_file values;
+  values.columns = {{"thickness", "NIFTI_INTENT_SHAPE", Vertex_values::Type::float32, {1., 2., 3., 4.}, {}},
+                    {"region", "NIFTI_INTENT_LABEL", Vertex_values::Type::int32, {7., 7., 7., 7.}, {}}};
+  values.labels = {{7, "all", {{0., 0., 0., 1.}}}};
+  write_file("v.func.gii", [&](std::ostream& out) { return SP::IO::write_GIFTI(out, values); });
+  expect_success(remesh + "-o even.surf.gii --transfer lh.sulc,v.func.gii",
+                 "lh.sulc,v.func.gii: not carried over: the names and colours of its 1 labels\n");
+  Surface_file file;
+  std::string message;
+  std::ifstream in(path("even.func.gii"), std::ios::binary);
+  ASSERT_EQ(SP::IO::read_GIFTI(in, file, message), SP::OK) << message;
+  ASSERT_EQ(file.columns.size(), 3u);
+  EXPECT_EQ(file.columns[0].name, "sulc");
+  EXPECT_EQ(file.columns[1].name, "thickness");
+  EXPECT_EQ(file.columns[2].values, std::vector<double>(18, 7.));
+  EXPECT_EQ(file.origin.metadata.at(0).second, "CortexLeft");
+  expect_message(remesh + "-o even.func.gii --transfer lh.sulc", "even.func.gii: would be written twice");
+}
+
+#endif
+
+#ifdef TEST_MGH
+
+TEST_F(Surface_files, values_of_MGH_files_are_numbered)
+{
+  Surface_file values;
+  values.columns.resize(2);
+  values.columns[0].values = {1., 2., 3., 4.};
+  values.columns[1].values = {5., 6., 7., 8.};
+  write_file("lh.both.mgz", [&](std::ostream& out) { return SP::IO::write_MGH(out, values, true); });
+  expect_success(remesh + "-o even.ply --transfer lh.both.mgz");
+  const std::string ply = content(path("even.ply"));
+  EXPECT_NE(ply.find("property float both_1\nproperty float both_2\n"), std::string::npos) << ply.substr(0, 400);
+}
+
+#endif
+
+#endif
