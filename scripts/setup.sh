@@ -11,21 +11,21 @@
 [[ "$*" == @(|--tests|--long-tests) ]] || fail "Usage: scripts/setup.sh [--tests|--long-tests]"
 
 packages=(g++ make cmake libcgal-dev libcgal-demo libboost-program-options-dev libtbb-dev libeigen3-dev
-  libpng-dev libopenexr-dev npm)
+  libpng-dev libopenexr-dev libexpat1-dev zlib1g-dev npm)
 components=(CGAL Boost TBB Eigen3)
-wanted="a C++17 compiler, CMake 3.18, CGAL 5.5, Boost.Program_options, TBB, Eigen, libpng, OpenEXR 3, Node.js 18 and npm"
+wanted="a C++17 compiler, CMake 3.18, CGAL 5.5, Boost.Program_options, TBB, Eigen, libpng, OpenEXR 3, expat, zlib, Node.js 18 and npm"
 if [ $# -gt 0 ]; then
   packages+=(git libgtest-dev libbenchmark-dev clang libclang-rt-dev llvm clang-format-14)
-  packages+=(python3-numpy python3-matplotlib)
+  packages+=(python3-numpy python3-matplotlib python3-nibabel)
   packages+=(pybind11-dev python3-dev python3-pytest python3-pip python3-venv python3-setuptools python3-wheel)
   packages+=(doxygen texlive-binaries libjs-mathjax fonts-mathjax linkchecker chromium-headless-shell)
   components+=(GTest benchmark)
-  wanted="a C++17 compiler, CMake 3.18, CGAL 5.5, Boost.Program_options, TBB, Eigen, libpng, OpenEXR 3, Node.js 18, npm, GoogleTest, Google Benchmark, Clang"
-  wanted+=" with its sanitizers, clang-format 14, Python with its headers, numpy, matplotlib, pybind11, pytest and pip, doxygen 1.9.4, BibTeX, LinkChecker and Chromium"
+  wanted="a C++17 compiler, CMake 3.18, CGAL 5.5, Boost.Program_options, TBB, Eigen, libpng, OpenEXR 3, expat, zlib, Node.js 18, npm, GoogleTest, Google Benchmark, Clang"
+  wanted+=" with its sanitizers, clang-format 14, Python with its headers, numpy, matplotlib, nibabel, pybind11, pytest and pip, doxygen 1.9.4, BibTeX, LinkChecker and Chromium"
 fi
 if [ "${1-}" = --long-tests ]; then
-  packages+=(parallel slurm-wlm munge jq)
-  wanted+=", GNU parallel, Slurm with MUNGE and jq"
+  packages+=(parallel slurm-wlm munge jq connectome-workbench)
+  wanted+=", GNU parallel, Slurm with MUNGE, jq and Connectome Workbench"
 fi
 
 is_installed() {

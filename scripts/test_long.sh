@@ -34,7 +34,7 @@ fuzz() {
 }
 run_stage "configure the fuzzers" cmake -S "$root" -B "$build/fuzz" -DCMAKE_CXX_COMPILER=clang++ \
   -DSPHERICAL_PARAMETERIZATION_BUILD_{EXAMPLES,BENCHMARKS}=OFF -DSPHERICAL_PARAMETERIZATION_BUILD_FUZZERS=ON
-for name in reading parameterize surfaces onto images; do
+for name in reading parameterize surfaces onto images surface_files; do
   run_stage "build the fuzzer of $name" cmake --build "$build/fuzz" --target "fuzz_$name"
   run_stage "fuzz $name" fuzz "$name"
 done
