@@ -302,7 +302,7 @@ TEST(FreeSurfer_annotation, refuses_what_is_wrong)
   expect_refused(read_annotation, many.content, "too short for 100000000 entries of the colour table");
   Binary_file long_name(true);
   long_name << 0 << 1 << -2 << 4 << 0x7FFFFFFF;
-  expect_refused(read_annotation, long_name.content, "too short for 2147483647 the name of the colour table");
+  expect_refused(read_annotation, long_name.content, "the name of the colour table has 2147483647 bytes, but 0 follow");
 }
 
 TEST(FreeSurfer_annotation, is_not_written_if_labels_would_be_lost)

@@ -316,11 +316,17 @@ TEST(GIFTI, refuses_what_is_wrong)
          "more than 4 bytes");
   expect(of(R"(Dimensionality="1" Dim0="100000000")", "UINT8", to_base64(pack(std::string(100000, '\0'), false)),
             "GZipBase64Binary"),
-         "bytes are to be unpacked to 100000000, which no measurements are");
+         "are to be unpacked to 100000000, which no measurements are");
   expect(of(four, "UINT8", to_base64(packed.substr(0, packed.size() - 2)), "GZipBase64Binary"),
          "packed data end too early");
   expect(of(four, "UINT8", to_base64(packed + "rest"), "GZipBase64Binary"), "4 bytes follow the packed data");
   expect(of(four, "UINT8", to_base64("no data of zlib"), "GZipBase64Binary"), "packed data are damaged");
+  // each array is in order, all of them fill the memory
+  const std::string zeros = to_base64(pack(std::string(20000000, '\0'), false));
+  std::string many;
+  for(int k = 0; k < 4; ++k)
+    many += array("SHAPE", "FLOAT32", R"(Dimensionality="1" Dim0="5000000")", "GZipBase64Binary", zeros);
+  expect_refused(read_gifti, gifti(many, 4), "Array 3 ('NIFTI_INTENT_SHAPE', line 7): ");
   // elements
   expect(gifti("<DataArray Intent=\"a\" Dimensionality=\"1\" Dim0=\"1\"/>"), "Array 0 ('a', line 4): it has no data");
   std::string twice = of(four);

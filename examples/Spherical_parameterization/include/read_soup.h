@@ -142,7 +142,8 @@ inline Polygon_soup read_soup(const std::string& path, bool keeps_values = false
       throw Program_error(keeps_values ? "this is no file with values of vertices: those are .ply, .gii, .mgh and .mgz "
                                          "files, and files of FreeSurfer such as lh.sulc"
                                        : "the name of a mesh file has to end with one of " + input_names);
-    Polygon_soup soup = parse_surface_file(kind, path, read_file(path), keeps_values);
+    std::ifstream in = open_file(path);
+    Polygon_soup soup = parse_surface_file(kind, path, in, keeps_values);
     if(soup.points.empty() && !keeps_values)
       throw Program_error("the file has no surface, but values of the vertices of one");
     // FreeSurfer says by the name which half of the brain a surface is.

@@ -18,8 +18,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <istream>
 #include <set>
-#include <sstream>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -87,18 +87,17 @@ inline std::string name_of_values(const std::string& path)
   return name;
 }
 
-/// reads the content of a file of this kind as what a mesh file holds. A file of values has no points.
+/// reads a file of this kind as what a mesh file holds. A file of values has no points.
 ///
 /// \param keeps_values whether the values of vertices are wanted
 ///
 /// \throws Program_error with what is wrong, and what helps
-inline Polygon_soup parse_surface_file(Surface_file_kind kind, const std::string& path, const std::string& content,
+inline Polygon_soup parse_surface_file(Surface_file_kind kind, const std::string& path, std::istream& in,
                                        bool keeps_values)
 {
   using Kind = Surface_file_kind;
   SP::IO::Surface_file file;
   std::string message;
-  std::istringstream in(content);
   SP::Error_code error = SP::OK;
   if(kind == Kind::freesurfer_surface)
     error = SP::IO::read_FreeSurfer_surface(in, file, message);

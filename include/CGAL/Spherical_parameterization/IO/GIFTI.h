@@ -191,7 +191,7 @@ namespace IO {
 /// reads a GIFTI file \cgalCite{cgal:gifti-11} - a surface (`.surf.gii`), values of vertices (`.shape.gii`, `.func.gii`), labels
 /// (`.label.gii`), or all of them. All encodings but that in a second file are read, both orders of bytes, and numbers of all
 /// types that doubles can hold. Metadata and coordinate systems are kept; points are not transformed. An array of several columns
-/// becomes as many columns, numbered from 1. Memory is bounded by the size of the file; what is packed may unpack to 32 MB, or
+/// becomes as many columns, numbered from 1. Memory is bounded by the size of the file; what is packed may unpack to 64 MB, or
 /// to 250 times its size.
 ///
 /// This header needs expat and zlib, and is not among those that `CGAL/spherical_parameterization.h` includes.

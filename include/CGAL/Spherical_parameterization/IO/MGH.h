@@ -137,7 +137,7 @@ namespace IO {
 ///
 /// reads the values of vertices from a file in the format MGH of FreeSurfer, packed by gzip (`.mgz`) or not (`.mgh`). Each frame
 /// becomes a column without name. All types of numbers are read: bytes, and those of 16 and 32 bits. Memory is bounded by the size
-/// of the file; a packed file may unpack to 32 MB or to 250 times its size.
+/// of the file; a packed file may unpack to 64 MB or to 250 times its size.
 ///
 /// This header needs zlib, and is not among those that `CGAL/spherical_parameterization.h` includes.
 ///

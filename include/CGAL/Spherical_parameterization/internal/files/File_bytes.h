@@ -154,9 +154,13 @@ public:
   // a text that follows its length in bytes; zeros at its end are left out
   std::string read_text(const char* what)
   {
-    const std::size_t size = read_count(what, 1);
-    const std::string_view text = read_bytes(size, what);
-    return std::string(text.substr(0, (std::min)(text.find('\0'), size)));
+    const std::size_t begin = m_position;
+    const auto size = read<std::int32_t>(what);
+    if(size < 0 || static_cast<std::size_t>(size) > remaining())
+      throw File_error("Byte ", begin, ": ", what, " has ", size, " bytes, but ", remaining(),
+                       " follow: the file is truncated, or damaged. Copy it again from where it is from.");
+    const std::string_view text = read_bytes(static_cast<std::size_t>(size), what);
+    return std::string(text.substr(0, (std::min)(text.find('\0'), text.size())));
   }
 
   // the number of things that take at least so many bytes each

@@ -183,7 +183,8 @@ inline void read_color_table(Byte_reader& in, IO::Surface_file& file)
   for(std::int32_t k = 0; k < n; ++k)
   {
     const std::size_t begin_of_entry = in.position();
-    IO::Label label{has_numbers ? in.read<std::int32_t>("the colour table") : k, in.read_text("the colour table"), {}};
+    IO::Label label{
+        has_numbers ? in.read<std::int32_t>("the colour table") : k, in.read_text("the name of a structure"), {}};
     for(double& x : label.color)
     {
       const auto byte = in.read<std::int32_t>("the colour table");

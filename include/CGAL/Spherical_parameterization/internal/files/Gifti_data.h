@@ -48,12 +48,14 @@ struct Gifti_array
   std::size_t columns() const { return static_cast<std::size_t>(dimensions.size() > 1 ? dimensions[1] : 1); }
 };
 
-// Decodes the text of an array. Returns its numbers row by row.
+// Decodes the text of an array. Returns its numbers row by row. What all arrays of a file unpack to is bounded by its size.
 class Gifti_data
 {
 public:
-  explicit Gifti_data(const Gifti_array& array)
+  Gifti_data(const Gifti_array& array, std::size_t file_size, std::size_t& unpacked_size)
     : m_array(array)
+    , m_file_size(file_size)
+    , m_unpacked_size(unpacked_size)
   {}
 
   std::vector<double> operator()(const std::string& text)
@@ -99,7 +101,7 @@ private:
     else if(m_array.encoding == "GZipBase64Binary" || m_array.encoding == "GIFTI_ENCODING_B64GZ")
     {
       const std::string packed = from_base64(text);
-      check_unpacked_size(size, packed.size());
+      check_unpacked_size(m_unpacked_size += size, m_file_size);
       const std::string bytes = unpack(packed, size, false);
       check_size(bytes.size());
       numbers = read_binary<Number>(bytes, n);
@@ -175,6 +177,8 @@ private:
   }
 
   const Gifti_array& m_array;
+  std::size_t m_file_size;
+  std::size_t& m_unpacked_size; // of the arrays so far
 };
 
 } // namespace CGAL::Spherical_parameterization::internal

@@ -50,6 +50,7 @@ public:
       throw std::bad_alloc();
     m_parser = parser.get();
     m_file = &file;
+    m_file_size = content.size();
     XML_SetUserData(m_parser, this);
     XML_SetElementHandler(m_parser, start, end);
     XML_SetCharacterDataHandler(m_parser, add_text);
@@ -271,7 +272,7 @@ private:
     m_array->has_data = true;
     try
     {
-      m_numbers = Gifti_data(*m_array)(m_text);
+      m_numbers = Gifti_data(*m_array, m_file_size, m_unpacked_size)(m_text);
     }
     catch(const File_error& error)
     {
@@ -369,7 +370,7 @@ private:
   XML_Parser m_parser = nullptr;
   IO::Surface_file* m_file = nullptr;
   std::exception_ptr m_exception;
-  std::size_t m_depth = 0, m_n_declared = 0, m_n_arrays = 0;
+  std::size_t m_file_size = 0, m_unpacked_size = 0, m_depth = 0, m_n_declared = 0, m_n_arrays = 0;
   bool m_is_gifti = false, m_has_text = false, m_has_points = false, m_has_triangles = false;
   std::string m_text; // of the element
   std::pair<std::string, std::string> m_pair;

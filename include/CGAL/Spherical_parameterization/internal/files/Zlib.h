@@ -32,7 +32,7 @@ namespace CGAL::Spherical_parameterization::internal {
 // byte, but measurements do not repeat so much.
 inline void check_unpacked_size(std::size_t size, std::size_t packed_size)
 {
-  constexpr std::size_t usual_size = std::size_t(1) << 25, usual_factor = 250;
+  constexpr std::size_t usual_size = std::size_t(1) << 26, usual_factor = 250;
   if(size > usual_size && size / usual_factor > packed_size)
     throw File_error(packed_size, " bytes are to be unpacked to ", size,
                      ", which no measurements are: the numbers in the header are wrong, or the file is there to fill "
