@@ -39,7 +39,7 @@ def _rows(name: str, array: NDArray[Any], columns: int, what: str) -> None:
 def read_points(name: str, value: ArrayLike, n: Optional[int] = None) -> NDArray[np.float64]:
     """Returns an array with `n` rows of three coordinates, the array itself if possible."""
     array = to_array(name, value, 3)
-    if array.dtype.kind not in "fiu":
+    if array.dtype.kind not in "bfiu":
         raise TypeError(f"{name} has the type {array.dtype}; it has to hold real numbers")
     _rows(name, array, 3, "(n, 3): x, y and z in each row")
     if n is not None and len(array) != n:
@@ -85,12 +85,15 @@ def read_two_surfaces(surface1: Surface, surface2: Surface) -> Tuple[SurfaceArra
     return read_named_surface("surface1", surface1), read_named_surface("surface2", surface2)
 
 
-def read_features(
-    features: Features, *surfaces: SurfaceArrays
-) -> List[Tuple[NDArray[np.float64], NDArray[np.float64]]]:
+ValuesOfBoth = Tuple[NDArray[np.float64], NDArray[np.float64]]
+
+
+def _read_values(name: str, value: Any, kinds: str, *surfaces: SurfaceArrays) -> ValuesOfBoth:
+    """Returns a pair of arrays with a number for each vertex of each surface, of a type among `kinds`."""
+
     def read(name: str, value: ArrayLike, n: int) -> NDArray[np.float64]:
         array = to_array(name, value)
-        if array.dtype.kind not in "fiu":
+        if array.dtype.kind not in kinds:
             raise TypeError(f"{name} has the type {array.dtype}; it has to hold real numbers")
         if array.shape != (n,):
             refuse(f"{name} has the shape {array.shape}; it has to be ({n},): a number for each vertex")
@@ -98,12 +101,34 @@ def read_features(
             refuse(f"{name} is infinite or not a number at vertex {np.flatnonzero(~np.isfinite(array))[0]}")
         return np.ascontiguousarray(array, dtype=np.float64)
 
-    pairs = []
-    for k, feature in enumerate(features):
-        pair = read_tuple(f"features[{k}]", feature, "values of surface1", "values of surface2")
-        values1, values2 = (read(f"features[{k}][{i}]", pair[i], len(surfaces[i][0])) for i in (0, 1))
-        pairs.append((values1, values2))
-    return pairs
+    pair = read_tuple(name, value, "values of surface1", "values of surface2")
+    values1, values2 = (read(f"{name}[{i}]", pair[i], len(surfaces[i][0])) for i in (0, 1))
+    return values1, values2
+
+
+def read_features(features: Features, *surfaces: SurfaceArrays) -> List[ValuesOfBoth]:
+    return [_read_values(f"features[{k}]", feature, "fiu", *surfaces) for k, feature in enumerate(features)]
+
+
+def read_feature_weights(weights: Optional[Sequence[float]], n: int) -> List[float]:
+    if weights is None:
+        return []
+    result = [float(w) for w in weights]
+    if len(result) != n:
+        refuse(f"feature_weights has {len(result)} numbers; it has to have {n}, one for each feature")
+    if not all(0 <= w < np.inf for w in result) or not any(result):
+        refuse(f"feature_weights is {result}; the numbers have to be 0 or more, and not all 0")
+    return result
+
+
+def read_masks(masks: Optional[Tuple[ArrayLike, ArrayLike]], *surfaces: SurfaceArrays) -> List[ValuesOfBoth]:
+    if masks is None:
+        return []
+    pair = _read_values("masks", masks, "bfiu", *surfaces)
+    for i in (0, 1):
+        if not pair[i].any():
+            refuse(f"masks[{i}] is false for all vertices: nothing of the surface counts")
+    return [pair]
 
 
 def check_word(name: str, value: object, words: Sequence[str]) -> None:

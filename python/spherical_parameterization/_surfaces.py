@@ -1,7 +1,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any, Callable, NamedTuple, Optional, Tuple
+from typing import Any, Callable, NamedTuple, Optional, Sequence, Tuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -10,7 +10,9 @@ from . import _core
 from ._arguments import (
     Features,
     Surface,
+    read_feature_weights,
     read_features,
+    read_masks,
     read_max_vertices,
     read_run,
     read_threads,
@@ -78,6 +80,9 @@ def map_surface(
     landmark_weight: Optional[float] = None,
     features: Features = (),
     feature_weight: float = 4.0,
+    feature_weights: Optional[Sequence[float]] = None,
+    compare_values: bool = False,
+    masks: Optional[Tuple[ArrayLike, ArrayLike]] = None,
     threads: Optional[int] = None,
     time_limit: Optional[float] = None,
     callback: Optional[Callable[[int, float], Any]] = None,
@@ -104,11 +109,19 @@ def map_surface(
         positive; 10 is a strong one.
     features : sequence of pairs of array_like
         Pairs of (n1,) and (n2,) numbers: features of the vertices of each surface that are to agree, in place of those of
-        the package. Only the order of their values counts.
+        the package. Only the order of their values counts, unless `compare_values` is set.
     feature_weight : float
         Once features have aligned the spheres, what is lowered is the mean energy plus this weight times the mean of the
         squared differences of their ranks, which are from -1 to 1. The weight of the package's own features is multiplied
         with the fourth power of their agreement as well. At least 0; with 0, features only align the spheres.
+    feature_weights : sequence of float, optional
+        How much each of `features` counts beside the others, at least 0 and not all 0. By default all count the same.
+    compare_values : bool
+        Whether the values of `features` are compared and not their ranks: less the mean over both surfaces, in units of the root
+        of three times their variance, such that they spread as ranks do.
+    masks : ((n1,) array_like, (n2,) array_like), optional
+        Where the surfaces count: true or not 0 for vertices where features are to be compared. Elsewhere, as on the medial wall of
+        a cortex, the map is a bijection of low distortion all the same.
     threads : int, optional
         The largest number of threads; by default all cores. The map has the same bits with any number.
     time_limit : float, optional
@@ -134,7 +147,7 @@ def map_surface(
     ------
     Error
         If a mesh has no map to the sphere, or a map is not one-to-one; if a landmark is no vertex of a face, or a vertex
-        has two; if a feature is not finite; if a parameter is out of its range.
+        has two; if a feature is not finite, or a mask leaves nothing; if a parameter is out of its range.
 
     Notes
     -----
@@ -168,13 +181,17 @@ def map_surface(
         refuse(f"landmark_weight is {landmark_weight}; it has to be positive")
     if not 0 <= feature_weight < np.inf:
         refuse(f"feature_weight is {feature_weight}; it has to be 0 or more")
+    pairs = read_features(features, *surfaces)
     directions, report = _core.map_surface(
         *surfaces[0],
         *surfaces[1],
         rows,
         None if landmark_weight is None else float(landmark_weight),
-        read_features(features, *surfaces),
+        pairs,
         float(feature_weight),
+        read_feature_weights(feature_weights, len(pairs)),
+        bool(compare_values),
+        read_masks(masks, *surfaces),
         *read_run(threads, time_limit, callback, on_interrupt),
     )
     return directions, SurfaceMapReport(**report)

@@ -40,6 +40,7 @@ using Features = std::vector<std::pair<Values, Values>>;
 py::tuple map_surface(const Points& vertices1, const Indices& faces1, const Points& sphere1, const Points& vertices2,
                       const Indices& faces2, const Points& sphere2, const Indices& landmarks,
                       std::optional<double> landmark_weight, const Features& features, double feature_weight,
+                      const std::vector<double>& feature_weights, bool compare_values, const Features& masks,
                       std::size_t threads, double time_limit, const py::object& callback, bool returns_on_interrupt);
 py::tuple align_spheres(const Points& vertices1, const Indices& faces1, const Points& sphere1, const Points& vertices2,
                         const Indices& faces2, const Points& sphere2, const Features& features, std::size_t threads,

@@ -140,6 +140,7 @@ Overlay overlay_of(const Points& vertices1, const Indices& faces1, const Points&
 py::tuple map_surface(const Points& vertices1, const Indices& faces1, const Points& sphere1, const Points& vertices2,
                       const Indices& faces2, const Points& sphere2, const Indices& landmarks,
                       std::optional<double> landmark_weight, const Features& features, double feature_weight,
+                      const std::vector<double>& feature_weights, bool compare_values, const Features& masks,
                       std::size_t threads, double time_limit, const py::object& callback, bool returns_on_interrupt)
 {
   using namespace py::literals;
@@ -154,7 +155,11 @@ py::tuple map_surface(const Points& vertices1, const Indices& faces1, const Poin
     auto mapper = SP::Surface_mapper_3<Mesh>()
                       .landmarks(read_landmarks(surfaces, landmarks))
                       .features(functions_of(features))
-                      .feature_weight(feature_weight);
+                      .feature_weight(feature_weight)
+                      .feature_weights(feature_weights)
+                      .compare_values(compare_values);
+    for(const Feature_functions& mask : functions_of(masks)) // one, or none
+      mapper = mapper.masks(mask);
     if(landmark_weight)
       mapper = mapper.landmark_weight(*landmark_weight);
     Interruption interruption(callback, returns_on_interrupt);

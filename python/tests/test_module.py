@@ -664,6 +664,29 @@ def test_aligns_by_features_of_the_caller():
     np.testing.assert_allclose(sp.remesh(*second, (first[1], directions)).vertices, first[0], atol=1e-3)
 
 
+def test_weighs_features_and_leaves_out_what_is_masked():
+    first = map_of(8)
+    points = first[0]
+    turn = np.array([[0, 0, 1], [1, 0, 0], [0, 1, 0]])
+    second = (points, first[1], first[2] @ turn.T)
+    counts = points[:, 2] < 0.5 * points[:, 2].max()
+    spoilt = np.where(counts, points[:, 0], 9 - points[:, 1])
+    features = [(points[:, 0], spoilt), (points[:, 1], points[:, 1]), (points[:, 2], -points[:, 0])]
+    settings = {"features": features, "feature_weights": [1, 1, 0], "compare_values": True, "masks": (counts, counts)}
+    directions, report = sp.map_surface(first, second, **settings)
+    assert report.agreement > 0.95
+    np.testing.assert_allclose(directions[counts], second[2][counts], atol=0.1)
+    wrong = sp.ErrorCode.WRONG_PARAMETER
+    for settings in (
+        {"feature_weights": [1]},
+        {"features": features, "feature_weights": [0, 0, 0]},
+        {"features": features, "feature_weights": [1, 1, -1]},
+        {"masks": (counts, counts[:5])},
+        {"masks": (counts, np.zeros(len(points)))},
+    ):
+        refused(wrong, sp.map_surface, first, second, **settings)
+
+
 def test_says_what_is_wrong_with_two_surfaces():
     first, second = map_of(4), map_of(5)
     n = len(first[0])

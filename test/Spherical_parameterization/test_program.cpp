@@ -518,6 +518,31 @@ TEST_F(Command_line, maps_a_surface_onto_another_one)
   EXPECT_EQ(outcome.err, "a" + left_out + "b" + left_out + uncertain);
   expect_refused(map + " -o result.off --features b.ply b.ply",
                  "b.ply: has no features for the mesh: it has 42 vertices");
+
+  const std::string features = " --features a.ply b.ply", by_features = map + " -o result.off" + features;
+  EXPECT_EQ(run(map + features + " --feature-weights height=2 --compare values").status, 0);
+  for(const char* weights : {"height", "height=x", "=1", "height=-1", "height=1,height=2"})
+    expect_refused(by_features + " --feature-weights " + weights, "--feature-weights has to be a list such as sulc=2");
+  expect_refused(by_features + " --feature-weights depth=2", "has no feature of the name 'depth'");
+  expect_refused(by_features + " --feature-weights height=0", "has no feature left");
+  expect_refused(by_features + " --compare shapes", "--compare has to be");
+  expect_refused(map + " -o result.off --compare values", "--compare goes with --features");
+  const auto mask = [](unsigned int subdivisions, bool counts) { // of half of the surface
+    const test_meshes::Triangle_list list = test_meshes::icosphere(subdivisions);
+    std::ostringstream ply;
+    ply << "ply\nformat ascii 1.0\nelement vertex " << list.points.size()
+        << "\nproperty float x\nproperty float y\nproperty float z\nproperty uchar counts\nend_header\n";
+    for(const test_meshes::Coordinates& p : list.points)
+      ply << p[0] << ' ' << p[1] << ' ' << p[2] << ' ' << (counts && p[2] > 0.) << '\n';
+    return ply.str();
+  };
+  write("a_mask.ply", mask(2, true));
+  write("b_mask.ply", mask(1, true));
+  write("nothing.ply", mask(1, false));
+  EXPECT_EQ(run(map + features + " --masks a_mask.ply b_mask.ply").status, 0);
+  expect_refused(map + " -o result.off --masks a_mask.ply nothing.ply", "nothing.ply: is 0 for all vertices");
+  expect_refused(map + " -o result.off --masks b_mask.ply b_mask.ply", "b_mask.ply: is no mask for the mesh");
+  expect_refused(map + " -o result.off --masks a.ply b_mask.ply", "a.ply: is no mask: it has 2 values for each vertex");
   outcome = run(map + " --time-limit 1e-9");
   EXPECT_EQ(outcome.status, 0) << outcome.err;
   EXPECT_NE(outcome.out.find("; time limit"), std::string::npos) << outcome.out;
@@ -568,6 +593,20 @@ TEST_F(Command_line, fills_holes)
   const Outcome remesh = run("opened.off --fill-holes all --remesh octahedron=4 -o remesh.ply");
   EXPECT_EQ(remesh.status, 0) << remesh.err;
   EXPECT_NE(content(path("remesh.ply")).find("filler"), std::string::npos);
+  // The filler is masked: features are those of the file.
+  const auto write_heights = [&](const std::string& name, const test_meshes::Triangle_list& mesh) {
+    std::ofstream ply(path(name));
+    ply << "ply\nformat ascii 1.0\nelement vertex " << mesh.points.size()
+        << "\nproperty float x\nproperty float y\nproperty float z\nproperty float height\nend_header\n";
+    for(const test_meshes::Coordinates& p : mesh.points)
+      ply << p[0] << ' ' << p[1] << ' ' << p[2] << ' ' << p[2] << '\n';
+  };
+  write_off("closed.off", list);
+  write_heights("closed.ply", list);
+  write_heights("opened.ply", opened);
+  const Outcome onto =
+      run("opened.off --fill-holes all --onto closed.off -o onto.off --features opened.ply closed.ply");
+  EXPECT_EQ(onto.status, 0) << onto.err;
   EXPECT_EQ(run("opened.off --fill-holes 4 -o sphere.off").status, 1);
   opened.points[3][1] = std::numeric_limits<double>::quiet_NaN();
   write_off("broken.off", opened);

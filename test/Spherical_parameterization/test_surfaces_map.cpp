@@ -58,12 +58,21 @@ struct Settings_of
   std::optional<double> landmark_weight;
   std::vector<typename Mapper::Feature> features;
   double feature_weight = 4.;
+  std::vector<double> feature_weights;
+  bool compares_values = false;
+  typename Mapper::Masks masks;
   std::function<bool()> go_further;
   double max_seconds = 0.;
 
   Mapper mapper() const
   {
-    const Mapper result = Mapper().landmarks(landmarks).features(features).feature_weight(feature_weight);
+    const Mapper result = Mapper()
+                              .landmarks(landmarks)
+                              .features(features)
+                              .feature_weight(feature_weight)
+                              .feature_weights(feature_weights)
+                              .compare_values(compares_values)
+                              .masks(masks);
     return landmark_weight ? result.landmark_weight(*landmark_weight) : result;
   }
 };
@@ -673,6 +682,103 @@ TEST(Map_surface, writes_over_the_sphere_and_follows_features_of_the_caller)
   EXPECT_LT(sum / a.mesh.number_of_vertices(), 0.1);
 }
 
+// Surfaces that are round: all that tells places apart are features, functions of the points.
+class Round_surfaces
+{
+public:
+  using Function = std::function<double(const Point_3&)>;
+
+  Mapped_mesh a{icosphere(3), as_it_is, rotation(turns[0])}, b{octahedron_of(15), as_it_is, rotation(turns[3])};
+  Settings settings;
+
+  void add(const Function& on_a, const Function& on_b)
+  {
+    settings.features.emplace_back([this, on_a](Vertex_index v) { return on_a(a.mesh.point(v)); },
+                                   [this, on_b](Vertex_index v) { return on_b(b.mesh.point(v)); });
+  }
+
+  void add(const Function& function) { add(function, function); }
+
+  // How far places are in the mean from where they should be.
+  double error(const std::function<bool(const Point_3&)>& counts = [](const Point_3&) { return true; })
+  {
+    const Match match = Match::make(a, b, settings);
+    EXPECT_EQ(match.error, SP::OK);
+    double sum = 0.;
+    std::size_t n = 0;
+    for(const Vertex_index v : a.mesh.vertices())
+      if(counts(a.mesh.point(v)))
+      {
+        sum += distance(match.directions[v], rotation(turns[3]).transform(a.mesh.point(v)));
+        ++n;
+      }
+    return sum / static_cast<double>(n);
+  }
+};
+
+double first_wave(const Point_3& p)
+{
+  return p.x() + 0.3 * p.x() * p.z();
+}
+double second_wave(const Point_3& p)
+{
+  return p.y() + 0.3 * p.y() * p.z();
+}
+
+TEST(Map_surface, weighs_features_against_each_other)
+{
+  Round_surfaces surfaces;
+  surfaces.add(first_wave);
+  surfaces.add(second_wave);
+  surfaces.add([](const Point_3& p) { return p.x(); }, [](const Point_3& p) { return -p.z(); }); // which is wrong
+  surfaces.settings.feature_weights = {1., 1., 0.};
+  EXPECT_LT(surfaces.error(), 0.1);
+  surfaces.settings.feature_weights = {0., 0., 3.};
+  EXPECT_GT(surfaces.error(), 0.5);
+}
+
+// Ranks do not see that a scale is another one; values do, and outliers as well.
+TEST(Map_surface, compares_values_or_ranks)
+{
+  const auto step = [](double x) { return x > 0. ? 1. : 0.; };
+  Round_surfaces surfaces;
+  surfaces.add(first_wave, [](const Point_3& p) { return std::exp(3. * first_wave(p)); }); // of another scale
+  surfaces.add(second_wave, [](const Point_3& p) { return std::exp(3. * second_wave(p)); });
+  EXPECT_LT(surfaces.error(), 0.1);
+  const double by_ranks = surfaces.error();
+  surfaces.settings.compares_values = true;
+  EXPECT_GT(surfaces.error(), 2. * by_ranks);
+
+  Round_surfaces same;
+  same.add([&](const Point_3& p) { return first_wave(p) + 10. * step(p.z() - 0.5); });
+  same.add(second_wave);
+  same.settings.compares_values = true;
+  EXPECT_LT(same.error(), 0.1);
+}
+
+// A cap of the second surface has other values of the features, as a medial wall has.
+TEST(Map_surface, leaves_out_where_surfaces_do_not_count)
+{
+  const auto counts = [](const Point_3& p) { return p.z() < 0.4; };
+  const auto spoilt = [&](double (*f)(const Point_3&), double sign) {
+    return [=](const Point_3& p) { return counts(p) ? f(p) : 2. + sign * std::cos(9. * p.x() * p.y()); };
+  };
+  const auto spoil = [&](Round_surfaces& surfaces) {
+    surfaces.add(spoilt(first_wave, 1.), spoilt(first_wave, -1.));
+    surfaces.add(spoilt(second_wave, 1.), spoilt(second_wave, -1.));
+  };
+  Round_surfaces with, without;
+  spoil(with);
+  spoil(without);
+  with.settings.masks = {[&](Vertex_index v) { return counts(with.a.mesh.point(v)); },
+                         [&](Vertex_index v) { return counts(with.b.mesh.point(v)); }};
+  const double error = with.error(counts);
+  EXPECT_LT(error, 0.1);
+  EXPECT_GT(without.error(counts), 1.2 * error);
+  with.settings.masks.first = [](Vertex_index) { return false; }; // which leaves nothing
+  EXPECT_EQ(Match::make(with.a, with.b, with.settings).error, SP::ERROR_WRONG_PARAMETER);
+}
+
 TEST(Map_surface, tells_what_is_wrong)
 {
   Mapped_mesh a(icosphere(1), as_it_is, rotation(turns[0]));
@@ -700,6 +806,13 @@ TEST(Map_surface, tells_what_is_wrong)
   {
     settings = {};
     settings.feature_weight = weight;
+    EXPECT_EQ(error(settings), SP::ERROR_WRONG_PARAMETER);
+  }
+  settings = {};
+  settings.features.emplace_back([](Vertex_index) { return 1.; }, [](Vertex_index) { return 1.; });
+  for(const std::vector<double>& weights : {std::vector<double>{0.}, {-1.}, {1., 1.}, {std::nan("")}})
+  {
+    settings.feature_weights = weights;
     EXPECT_EQ(error(settings), SP::ERROR_WRONG_PARAMETER);
   }
   settings = {};

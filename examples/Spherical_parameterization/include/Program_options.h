@@ -18,6 +18,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <limits>
+#include <map>
 #include <optional>
 #include <sstream>
 #include <string>
@@ -113,6 +114,7 @@ none; 2, all have one, but some fold.
     Words lists = feature_files;
     if(!values_file.empty())
       lists.push_back(values_file);
+    lists.insert(lists.end(), mask_files.begin(), mask_files.end());
     for(const std::string& list : lists)
       for(const std::string& name : split_list(list))
         result.push_back(name);
@@ -126,18 +128,20 @@ none; 2, all have one, but some fold.
   const std::string& start_or_template() const { return template_file.empty() ? start_file : template_file; }
 
   bool wants_help = false, wants_version = false, is_quiet = false;
-  Words inputs;                        ///< meshes, and folders if there may be many
-  File_names file_names;               ///< of the one mesh, if there is only one
-  bool prints_json = false;            ///< whether its report is printed as JSON
-  std::string domain;                  ///< to sample by: a solid, or the name of a file; empty if no remesh is wanted
-  unsigned int domain_size = 0;        ///< what the edges of the solid are divided into
-  unsigned int image_size = 0;         ///< pixels in a row of the geometry image; 0 if none is wanted
-  std::string values_file;             ///< with the properties that the remesh gets; empty if there is none
-  std::string values_sphere;           ///< the map of that mesh, if it is not the input
-  std::string onto;                    ///< the surface to map onto, empty if there is none
-  std::string template_file;           ///< the surface to map onto each of many, empty if there is none
-  Words landmark_files, feature_files; ///< of both surfaces, or none
-  double landmark_weight = 0.;         ///< 0 if landmarks are met exactly
+  Words inputs;                 ///< meshes, and folders if there may be many
+  File_names file_names;        ///< of the one mesh, if there is only one
+  bool prints_json = false;     ///< whether its report is printed as JSON
+  std::string domain;           ///< to sample by: a solid, or the name of a file; empty if no remesh is wanted
+  unsigned int domain_size = 0; ///< what the edges of the solid are divided into
+  unsigned int image_size = 0;  ///< pixels in a row of the geometry image; 0 if none is wanted
+  std::string values_file;      ///< with the properties that the remesh gets; empty if there is none
+  std::string values_sphere;    ///< the map of that mesh, if it is not the input
+  std::string onto;             ///< the surface to map onto, empty if there is none
+  std::string template_file;    ///< the surface to map onto each of many, empty if there is none
+  Words landmark_files, feature_files, mask_files; ///< of both surfaces, or none
+  std::map<std::string, double> feature_weights;   ///< by the names of the features; 1 for others
+  bool compares_values = false;                    ///< of the features, and not ranks
+  double landmark_weight = 0.;                     ///< 0 if landmarks are met exactly
   double morph_time = 0.;
   std::size_t max_hole_edges = 0; ///< of holes that are filled; 0 if none is
   bool picks_component = false;   ///< whether one part of the surface is mapped
@@ -251,6 +255,12 @@ private:
       ("features", words("A B"), "with --onto, .ply files with the vertices of INPUT and TARGET, whose properties of the same "
                                  "names are what the spheres are aligned by; or files of values as for --transfer, "
                                  "of which the first of A and of B correspond, and so on")
+      ("feature-weights", word("NAME=W,..."), "with --features, how much those of these names count beside the others, which have the weight "
+                                              "1; 0 leaves one out")
+      ("compare", word("WHAT"), "with --features, compare their ranks, or their values, in units of their deviation over both "
+                                "surfaces; ranks")
+      ("masks", words("A B"), "with --onto, files with one value for each vertex of INPUT and TARGET, 0 where features are not to be "
+                              "compared")
       ("overlay", word("FILE"), "with --onto, write the common refinement of both surfaces, a .ply file with positions on INPUT, "
                                 "those on TARGET and the faces of both as properties")
       ("morph", words("T FILE"), "with --onto, write the common refinement on its way from INPUT, T = 0, to TARGET, T = 1")
@@ -403,6 +413,7 @@ private:
       inputs = m_values["input"].as<Words>();
     landmark_files = read_pair("landmarks", "two files, of INPUT and of TARGET");
     feature_files = read_pair("features", "two files, of INPUT and of TARGET");
+    mask_files = read_pair("masks", "two files, of INPUT and of TARGET");
     morph = read_pair("morph", "a number and the name of a file");
     if(inputs.empty())
       fail("there is no INPUT");
@@ -672,11 +683,23 @@ private:
              printable(name) + "'");
   }
 
+  void read_feature_weights()
+  {
+    for(const std::string& pair : split_list(text("feature-weights")))
+    {
+      const std::size_t sign = pair.rfind('=');
+      double weight = -1.;
+      if(sign == 0 || sign == pair.npos || !is_number(pair.substr(sign + 1), weight) ||
+         !(weight >= 0. && weight <= 1e6) || !feature_weights.emplace(pair.substr(0, sign), weight).second)
+        refuse("feature-weights", "a list such as sulc=2,curv=0.5: each name once, with a number from 0 to 1e6");
+    }
+  }
+
   void read_match()
   {
     onto = text("onto");
     template_file = text("template");
-    for(const char* option : {"landmarks", "features", "overlay", "morph"})
+    for(const char* option : {"landmarks", "features", "masks", "overlay", "morph"})
       if(has(option) && onto.empty())
         fail("--" + std::string(option) + " goes with --onto");
     for(const char* option : {"remesh", "geometry-image", "output-folder", "initial"})
@@ -689,6 +712,14 @@ private:
     landmark_weight = read_number("soft-landmarks", 1e-6, 1e6, "a number from 1e-6 to 1e6", 0.);
     for(const std::string& name : feature_files)
       check_values("features", name);
+    for(const std::string& name : mask_files)
+      check_values("masks", name);
+    for(const char* option : {"feature-weights", "compare"})
+      if(has(option) && !has("features"))
+        fail("--" + std::string(option) + " goes with --features");
+    compares_values = read_word("compare", {"ranks", "values"}, "ranks") == "values";
+    if(has("feature-weights"))
+      read_feature_weights();
     file_names.overlay = text("overlay");
     if(has("overlay") && file_format(file_names.overlay) != ".ply")
       refuse("overlay", "the name of a .ply file, which can hold properties");
@@ -761,10 +792,8 @@ private:
               : static_cast<std::size_t>(read_number("fill-holes", 3, 1e9, "a number of edges from 3 on, or all", 0.));
       describe("holes filled: " + text("fill-holes"));
       const std::string advice = "write the closed surface by --filled, and map that";
-      for(const char* option : {"transfer", "features"})
-        if(has(option))
-          fail("--" + std::string(option) + " and --fill-holes cannot be combined, as the filler has no values; " +
-               advice);
+      if(has("transfer"))
+        fail("--transfer and --fill-holes cannot be combined, as the filler has no values; " + advice);
       if(!start_file.empty())
         fail("--initial with a file and --fill-holes cannot be combined, as the file has no images of the filler; " +
              advice);

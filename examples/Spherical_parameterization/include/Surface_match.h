@@ -27,6 +27,7 @@
 #include <cstring>
 #include <functional>
 #include <iterator>
+#include <map>
 #include <optional>
 #include <ostream>
 #include <sstream>
@@ -95,7 +96,8 @@ public:
     if(options.landmark_weight > 0.)
       mapper = mapper.landmark_weight(options.landmark_weight);
     if(!options.feature_files.empty())
-      mapper = mapper.features(read_features(options));
+      mapper = read_features(options, mapper.compare_values(options.compares_values));
+    mapper = mapper.masks(read_masks(options));
     std::optional<Interrupt_guard> guard;
     if(!options.is_batch()) // which has one for all
       guard.emplace();
@@ -240,7 +242,27 @@ private:
     return result;
   }
 
-  std::vector<Mapper::Feature> read_features(const Program_options& options)
+  // The filler of holes does not count.
+  Mapper::Masks read_masks(const Program_options& options) const
+  {
+    const bool has_filler = m_first.number_of_vertices() > m_n_written;
+    if(options.mask_files.empty() && !has_filler)
+      return {};
+    std::array<std::vector<char>, 2> counts = {std::vector<char>(m_n_written, 1),
+                                               std::vector<char>(m_second.number_of_vertices(), 1)};
+    for(std::size_t k = 0; k < options.mask_files.size(); ++k)
+    {
+      const std::string& name = options.mask_files[k];
+      const Polygon_soup soup = read_soup(name, true);
+      counts[k] = read_named(name, [&] { return mask_of(soup, counts[k].size()); });
+    }
+    const auto function = [](std::vector<char>& values) {
+      return [values = std::move(values)](Vertex_index v) { return v.idx() < values.size() && values[v] != 0; };
+    };
+    return {function(counts[0]), function(counts[1])};
+  }
+
+  Mapper read_features(const Program_options& options, const Mapper& mapper)
   {
     const std::string &name1 = options.feature_files[0], &name2 = options.feature_files[1];
     Polygon_soup soup1 = read_values(name1), soup2 = read_values(name2);
@@ -249,17 +271,25 @@ private:
     if(soup1.points.empty() && soup2.points.empty() && soup2.values_of_vertices.size() == n)
       for(std::size_t k = 0; k < n; ++k)
         soup2.values_of_vertices[k].name = soup1.values_of_vertices[k].name;
-    const auto take = [](const std::string& name, Polygon_soup& soup, const Mesh& mesh) {
-      return read_named(name, [&] { return features_of(std::move(soup), mesh.number_of_vertices()); });
+    const auto take = [](const std::string& name, Polygon_soup& soup, std::size_t n_vertices) {
+      return read_named(name, [&] { return features_of(std::move(soup), n_vertices); });
     };
-    File_features first = take(name1, soup1, m_first), second = take(name2, soup2, m_second);
+    File_features first = take(name1, soup1, m_n_written), second = take(name2, soup2, m_second.number_of_vertices());
     std::vector<Mapper::Feature> result;
+    std::vector<double> weights;
+    std::map<std::string, double> wanted = options.feature_weights;
     for(auto& [name, values] : first.values)
       if(const auto other = second.values.find(name); other != second.values.end())
       {
-        result.emplace_back([values = std::move(values)](Vertex_index v) { return values[v]; },
-                            [values = std::move(other->second)](Vertex_index v) { return values[v]; });
+        // what holes have been filled with is masked
+        result.emplace_back(
+            [values = std::move(values)](Vertex_index v) { return v.idx() < values.size() ? values[v] : 0.; },
+            [values = std::move(other->second)](Vertex_index v) { return values[v]; });
         second.values.erase(other);
+        const auto weight = wanted.find(name);
+        weights.push_back(weight != wanted.end() ? weight->second : 1.);
+        if(weight != wanted.end())
+          wanted.erase(weight);
       }
       else
         first.left_out.push_back("the property '" + printable(name) + "' of the vertices, which " + printable(name2) +
@@ -273,7 +303,12 @@ private:
     for(const auto& [name, left_out] : {std::pair(name1, first.left_out), std::pair(name2, second.left_out)})
       for(const std::string& what : left_out)
         m_left_out += printable(name) + ": not compared: " + what + '\n';
-    return result;
+    if(!wanted.empty())
+      throw Program_error(name1, "has no feature of the name '" + printable(wanted.begin()->first) +
+                                     "' of --feature-weights that is compared");
+    if(std::all_of(weights.begin(), weights.end(), [](double w) { return w == 0.; }))
+      throw Program_error(name1, "has no feature left: all of --feature-weights are 0");
+    return mapper.features(std::move(result)).feature_weights(std::move(weights));
   }
 
   Input_mesh& m_input; // the first surface

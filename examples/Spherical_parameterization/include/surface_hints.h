@@ -7,6 +7,7 @@
 #include "mesh_files.h"
 #include "readers/Scanner.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <map>
@@ -91,6 +92,25 @@ inline File_features features_of(Polygon_soup soup, std::size_t n_vertices)
   }
   for(const Values& values : soup.values_of_faces)
     result.left_out.push_back("the property '" + printable(values.name) + "' of the faces");
+  return result;
+}
+
+/// takes from a file where a mesh counts: the one value that each vertex has is not 0.
+///
+/// \throws Program_error if there is none, or more than one, or they are not those of as many vertices
+inline std::vector<char> mask_of(const Polygon_soup& soup, std::size_t n_vertices)
+{
+  if(soup.values_of_vertices.size() != 1)
+    throw Program_error("is no mask: it has " + std::to_string(soup.values_of_vertices.size()) +
+                        " values for each vertex, not one, which is 0 where the surface does not count");
+  if(soup.number_of_vertices() != n_vertices)
+    throw Program_error("is no mask for the mesh: it has " + std::to_string(soup.number_of_vertices()) +
+                        " vertices, the mesh has " + std::to_string(n_vertices));
+  std::vector<char> result;
+  for(const double x : soup.values_of_vertices.front().numbers)
+    result.push_back(x != 0.);
+  if(std::find(result.begin(), result.end(), 1) == result.end())
+    throw Program_error("is 0 for all vertices: nothing of the surface counts");
   return result;
 }
 

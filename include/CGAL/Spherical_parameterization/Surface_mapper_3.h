@@ -50,6 +50,8 @@ public:
   using Landmark = std::pair<Vertex_1, Vertex_2>;
   /// Type of a feature: its values at the vertices of both surfaces
   using Feature = std::pair<std::function<double(Vertex_1)>, std::function<double(Vertex_2)>>;
+  /// Type of masks: whether each surface counts at a vertex; everywhere if a function is empty
+  using Masks = std::pair<std::function<bool(Vertex_1)>, std::function<bool(Vertex_2)>>;
 
   /// \name Settings
   /// Each function returns a mapper with one setting changed, so that they can be chained.
@@ -73,11 +75,40 @@ public:
     return result;
   }
 
-  /// sets features of the surfaces that are to agree. Only the order of their values counts. By default the package has its own, unless landmarks turn the spheres.
+  /// sets features of the surfaces that are to agree. Only the order of their values counts, unless `compare_values()` says
+  /// otherwise. By default the package has its own, unless landmarks turn the spheres.
   [[nodiscard]] Surface_mapper_3 features(std::vector<Feature> features) const
   {
     Surface_mapper_3 result = *this;
     result.m_features = std::move(features);
+    return result;
+  }
+
+  /// sets the weights of `features()` against each other, one for each, at least 0 and not all 0. By default all count the same.
+  [[nodiscard]] Surface_mapper_3 feature_weights(std::vector<double> weights) const
+  {
+    Surface_mapper_3 result = *this;
+    result.m_feature_weights = std::move(weights);
+    return result;
+  }
+
+  /// compares the values of `features()` and not their ranks: less the mean over both surfaces, in units of the root of three
+  /// times their variance, such that they spread as ranks do. It is for what means the same on both, such as a thickness; ranks
+  /// also suit what is on another scale on the other surface, or has outliers.
+  [[nodiscard]] Surface_mapper_3 compare_values(bool compares_values = true) const
+  {
+    Surface_mapper_3 result = *this;
+    result.m_compares_values = compares_values;
+    return result;
+  }
+
+  /// sets where the surfaces count. At other vertices, such as those that holes have been filled with, or of the medial wall of a
+  /// cortex, features are not compared, and ends of limbs are not looked for; what features have there on the second surface
+  /// is continued from around it. The map is a bijection there as well, of low distortion.
+  [[nodiscard]] Surface_mapper_3 masks(Masks masks) const
+  {
+    Surface_mapper_3 result = *this;
+    result.m_masks = std::move(masks);
     return result;
   }
 
@@ -102,8 +133,8 @@ public:
                          const CGAL_NP_CLASS_2& np2 = parameters::default_values())
   {
     m_report = Surface_map_report();
-    const internal::Surface_map_settings<Landmark, Feature> settings = {m_landmarks, m_landmark_weight, m_features,
-                                                                        m_feature_weight};
+    const internal::Surface_map_settings<Landmark, Feature, Masks> settings = {
+        m_landmarks, m_landmark_weight, m_features, m_feature_weight, m_feature_weights, m_compares_values, m_masks};
     return internal::run_surface_map<ConcurrencyTag>(tmesh1, vertex_sphere_map1, tmesh2, vertex_sphere_map2, settings,
                                                      vertex_direction_map, m_report, np1, np2);
   }
@@ -116,6 +147,9 @@ private:
   std::optional<double> m_landmark_weight;
   std::vector<Feature> m_features;
   double m_feature_weight = 4.;
+  std::vector<double> m_feature_weights;
+  bool m_compares_values = false;
+  Masks m_masks;
   Surface_map_report m_report;
 };
 

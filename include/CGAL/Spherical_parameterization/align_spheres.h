@@ -89,7 +89,11 @@ Error_code simplify(Arrays& arrays, const std::vector<Channel>& features, std::o
   Located_surface<typename Arrays::Exact_kernel> surface;
   if(const Error_code error = locate_surface(arrays, surface))
     return error;
-  coarse.emplace(Surface_levels(surface, control, execution).coarse_surface(features));
+  const Channel areas = vertex_areas(surface.mesh.rings(), surface.mesh.points());
+  std::vector<Channel> ranks;
+  for(const Channel& feature : features)
+    ranks.push_back(ranks_by_area(surface.mesh.in_own_order(feature), areas));
+  coarse.emplace(Surface_levels(surface, control, execution).coarse_surface(ranks, {}));
   return coarse->is_bijective() ? OK : ERROR_INSUFFICIENT_PRECISION;
 }
 

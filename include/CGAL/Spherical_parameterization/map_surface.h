@@ -85,8 +85,9 @@ namespace CGAL::Spherical_parameterization {
 /// \return `OK`: the map is certified, whether all landmarks are met or not; what is wrong with the first mesh, or else the
 ///         second one, see `find_defect()`, or with its map: `ERROR_NO_1_TO_1_MAPPING` if that is no bijection;
 ///         `ERROR_NON_FINITE_COORDINATE` if a point is not finite; `ERROR_INVALID_LANDMARK` if a vertex has two landmarks,
-///         or a landmark is no vertex of a face; `ERROR_WRONG_PARAMETER` if the weight of landmarks is not positive, that of
-///         features negative, or one of their values not finite; or `ERROR_INSUFFICIENT_PRECISION` if doubles, or the numbers
+///         or a landmark is no vertex of a face; `ERROR_WRONG_PARAMETER` if the weight of landmarks is not positive, one of
+///         features negative, weights are not as many as features or all 0, a value of a feature is not finite, or a mask leaves
+///         nothing; or `ERROR_INSUFFICIENT_PRECISION` if doubles, or the numbers
 ///         of the map, cannot hold the result. Nothing is written then.
 template <class ConcurrencyTag = Parallel_if_available_tag, class TriangleMesh1, class VertexSphereMap1,
           class TriangleMesh2, class VertexSphereMap2, class SurfaceMapper, class VertexDirectionMap,

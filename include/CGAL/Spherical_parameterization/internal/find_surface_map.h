@@ -15,6 +15,7 @@
 #include <CGAL/license/Spherical_parameterization.h>
 
 #include <CGAL/Spherical_parameterization/Surface_map_report.h>
+#include <CGAL/Spherical_parameterization/internal/Surface_map_hints.h>
 #include <CGAL/Spherical_parameterization/internal/align/Coarse_surface.h>
 #include <CGAL/Spherical_parameterization/internal/align/Surface_alignment.h>
 #include <CGAL/Spherical_parameterization/internal/certificate/Bijectivity_certificate.h>
@@ -125,15 +126,6 @@ bool measure_energy_between(const Located_surface<K>& first, const std::vector<V
   return error != ERROR_NO_1_TO_1_MAPPING;
 }
 
-// What is known of both surfaces beside their shapes, in the numbers of their arrays.
-struct Surface_map_hints
-{
-  std::array<std::vector<Channel>, 2> features; // if there are none, those of the package are used
-  std::vector<std::array<std::uint32_t, 2>> landmarks;
-  double landmark_weight = 0.; // 0: they are to be met exactly
-  double feature_weight = 0.;
-};
-
 // The levels of a surface on its sphere, down to that by which it is compared with others.
 template <class K>
 class Surface_levels
@@ -147,12 +139,10 @@ public:
                   Coarse_surface::max_size)
   {}
 
-  Coarse_surface coarse_surface(const std::vector<Channel>& features) const
+  // The features and the mask are in the order of the mesh.
+  Coarse_surface coarse_surface(const std::vector<Channel>& features, const Mask& mask) const
   {
-    std::vector<Channel> in_own_order;
-    for(const Channel& feature : features)
-      in_own_order.push_back(m_surface.mesh.in_own_order(feature));
-    return Coarse_surface(m_hierarchy, m_surface.mesh, m_images, in_own_order);
+    return Coarse_surface(m_hierarchy, m_surface.mesh, m_images, features, mask);
   }
 
   // Takes a map of the coarsest level to the finest one; `positions` receives it. Returns false if doubles cannot hold it. The
@@ -190,8 +180,8 @@ Surface_start compare_surfaces(const Located_surface<K>& first, const Located_su
                                const Execution& execution)
 {
   Surface_start result;
-  Coarse_surface coarse1 = levels[0]->coarse_surface(hints.features[0]),
-                 coarse2 = levels[1]->coarse_surface(hints.features[1]);
+  Coarse_surface coarse1 = levels[0]->coarse_surface(hints.features[0], hints.masks[0]),
+                 coarse2 = levels[1]->coarse_surface(hints.features[1], hints.masks[1]);
   if(!coarse1.is_bijective() || !coarse2.is_bijective())
     return result;
   Surface_alignment surfaces(std::move(coarse1), std::move(coarse2), control, execution);
@@ -231,25 +221,21 @@ Feature_goals feature_goals(const Located_surface<K>& first, const Located_surfa
   if(!(hints.feature_weight > 0.))
     return result;
   result.weight = hints.feature_weight;
+  result.mask = hints.masks[0];
   if(!hints.features[0].empty())
   {
-    const auto ranks = [&](const Located_surface<K>& surface, const std::vector<Channel>& features) {
-      const Channel areas = surface.mesh.in_callers_order(vertex_areas(surface.mesh.rings(), surface.mesh.points()));
-      std::vector<Channel> all;
-      for(const Channel& feature : features)
-        all.push_back(ranks_by_area(feature, areas));
-      return all;
-    };
     const auto n_steps =
         (std::min)((std::max)(static_cast<std::size_t>(std::sqrt(static_cast<double>(second.points.size()) / 6.)),
                               Sphere_image::default_steps),
                    max_steps);
+    std::vector<Channel> values;
+    for(const Channel& feature : hints.features[1])
+      values.push_back(second.mesh.in_callers_order(feature));
     result.image.emplace(Sphere_image::places_of_nodes(second.sphere, execution, n_steps), second.sphere.triangles(),
-                         ranks(second, hints.features[1]), n_steps);
-    const std::vector<Channel> values = ranks(first, hints.features[0]);
+                         values, n_steps);
     for(std::size_t v = 0; v < first.points.size(); ++v)
-      for(const Channel& channel : values)
-        result.values.push_back(channel[v]);
+      for(const Channel& feature : hints.features[0])
+        result.values.push_back(feature[v]);
   }
   else if(!start.features.empty() && start.features[0].number_of_channels() > 0)
   {
@@ -261,22 +247,23 @@ Feature_goals feature_goals(const Located_surface<K>& first, const Located_surfa
     result.values.resize(first.points.size() * n_channels);
     for(std::size_t v = 0; v < first.points.size(); ++v)
       start.features[0].interpolate(first.sphere.direction(v), &result.values[v * n_channels]);
+    result.values = first.mesh.in_own_order(result.values);
   }
-  result.values = first.mesh.in_own_order(result.values);
   return result;
 }
 
 // Finds the map of the first surface onto the second one: a start, and the descent from it. It is yet to be certified.
 template <class K>
 std::vector<Vector_3d> find_surface_map(const Located_surface<K>& first, const Located_surface<K>& second,
-                                        const Surface_map_hints& hints, Surface_map_report& report,
-                                        Run_control& control, const Execution& execution)
+                                        Surface_map_hints hints, Surface_map_report& report, Run_control& control,
+                                        const Execution& execution)
 {
   // Landmarks are moved on levels of very few vertices. Surfaces that lie well already have lost too much to be compared
   // on coarser levels than the other one.
   constexpr std::size_t min_size_with_landmarks = 60, min_size = 1000;
   constexpr double energy_of_copies = 2. + 1e-9; // the least, but for rounding: they need no descent
 
+  prepare_features({&first.mesh, &second.mesh}, hints);
   const bool has_landmarks = !hints.landmarks.empty();
   control.on_initialization_begin(first.points.size());
   std::vector<std::pair<Vector_3d, Vector_3d>> pairs;

@@ -18,6 +18,7 @@
 #include <CGAL/Spherical_parameterization/Surface_map_report.h>
 #include <CGAL/Spherical_parameterization/internal/Mesh_on_sphere.h>
 #include <CGAL/Spherical_parameterization/internal/check_run.h>
+#include <CGAL/Spherical_parameterization/internal/Surface_map_hints.h>
 #include <CGAL/Spherical_parameterization/internal/find_surface_map.h>
 #include <CGAL/Spherical_parameterization/internal/numbers/Vector_3.h>
 #include <CGAL/Spherical_parameterization/internal/run/Run_control.h>
@@ -25,9 +26,11 @@
 #include <CGAL/Spherical_parameterization/internal/surface/Surface.h>
 #include <CGAL/Spherical_parameterization/internal/write_map.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <map>
+#include <numeric>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -35,18 +38,26 @@
 namespace CGAL::Spherical_parameterization::internal {
 
 // What the caller knows of two surfaces, in the caller's terms; see Surface_mapper_3.
-template <class Landmark, class Feature>
+template <class Landmark, class Feature, class Masks>
 struct Surface_map_settings
 {
   const std::vector<Landmark>& landmarks;
   std::optional<double> landmark_weight;
   const std::vector<Feature>& features;
   double feature_weight;
+  const std::vector<double>& feature_weights; // of each; empty if all are the same
+  bool compares_values;
+  const Masks& masks; // functions, empty if all of a surface counts
 
   bool are_valid() const
   {
+    const bool are_weights =
+        std::all_of(feature_weights.begin(), feature_weights.end(), [](double w) { return w >= 0. && is_finite(w); });
+    const double sum = std::accumulate(feature_weights.begin(), feature_weights.end(), 0.);
     return !(landmark_weight && !is_positive_and_finite(*landmark_weight)) && feature_weight >= 0. &&
-           is_finite(feature_weight);
+           is_finite(feature_weight) &&
+           (feature_weights.empty() ||
+            (feature_weights.size() == features.size() && are_weights && is_positive_and_finite(sum)));
   }
 };
 
@@ -71,6 +82,17 @@ std::vector<std::uint32_t> numbers_of_landmarks(const std::vector<Landmark>& lan
   return result;
 }
 
+// Reads where a surface does not count. Returns false if it does nowhere.
+template <class Function, class Vertices>
+bool read_mask(const Function& counts, const Vertices& vertices, Mask& mask)
+{
+  if(!counts)
+    return true;
+  for(const auto v : vertices)
+    mask.push_back(!counts(v));
+  return std::find(mask.begin(), mask.end(), 0) != mask.end();
+}
+
 // Reads what is known of the surfaces in terms of their arrays.
 template <class Settings, class Vertices1, class Vertices2>
 Error_code read_hints(const Settings& settings, const Vertices1& vertices1, const Vertices2& vertices2,
@@ -78,6 +100,8 @@ Error_code read_hints(const Settings& settings, const Vertices1& vertices1, cons
 {
   hints.landmark_weight = settings.landmark_weight.value_or(0.);
   hints.feature_weight = settings.feature_weight;
+  hints.weights = settings.feature_weights;
+  hints.compares_values = settings.compares_values;
   const std::vector<std::uint32_t> first = numbers_of_landmarks<0>(settings.landmarks, vertices1),
                                    second = numbers_of_landmarks<1>(settings.landmarks, vertices2);
   if(first.size() < settings.landmarks.size() || second.size() < settings.landmarks.size())
@@ -85,7 +109,9 @@ Error_code read_hints(const Settings& settings, const Vertices1& vertices1, cons
   for(std::size_t k = 0; k < first.size(); ++k)
     hints.landmarks.push_back({first[k], second[k]});
   if(!read_features<0>(settings.features, vertices1, hints.features[0]) ||
-     !read_features<1>(settings.features, vertices2, hints.features[1]))
+     !read_features<1>(settings.features, vertices2, hints.features[1]) ||
+     !read_mask(settings.masks.first, vertices1, hints.masks[0]) ||
+     !read_mask(settings.masks.second, vertices2, hints.masks[1]))
     return ERROR_WRONG_PARAMETER;
   return OK;
 }
@@ -131,7 +157,8 @@ Error_code run_surface_map(const TriangleMesh1& tmesh1, VertexSphereMap1 vertex_
       return error1 != OK ? error1 : error2;
     report.seconds_for_reading = control.lap();
 
-    const std::vector<Vector_3d> directions = find_surface_map(first, second, hints, report, control, execution);
+    const std::vector<Vector_3d> directions =
+        find_surface_map(first, second, std::move(hints), report, control, execution);
     return write_map(arrays1.vertices_of_mesh, first.mesh.callers_triangles(), directions, 1., Guarantee::ONE_TO_ONE,
                      vertex_direction_map, execution);
   }

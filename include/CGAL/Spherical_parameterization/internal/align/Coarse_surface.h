@@ -15,6 +15,7 @@
 #include <CGAL/license/Spherical_parameterization.h>
 
 #include <CGAL/Spherical_parameterization/internal/align/Surface_paths.h>
+#include <CGAL/Spherical_parameterization/internal/align/surface_features.h>
 #include <CGAL/Spherical_parameterization/internal/certificate/is_safely_positive.h>
 #include <CGAL/Spherical_parameterization/internal/levels/Mesh_hierarchy.h>
 #include <CGAL/Spherical_parameterization/internal/locate/Sphere_triangulation.h>
@@ -46,31 +47,6 @@ std::vector<typename K::Point_3> points_of(const std::vector<Vector_3d>& directi
   return result;
 }
 
-// The ranks of values on a surface, from -1 to 1, such that neither outliers nor scales matter: vertices count by their areas.
-// Equal values have the same rank, the middle of theirs.
-inline Channel ranks_by_area(const Channel& values, const Channel& areas)
-{
-  const std::size_t n = values.size();
-  std::vector<std::uint32_t> order(n);
-  std::iota(order.begin(), order.end(), std::uint32_t(0));
-  std::stable_sort(order.begin(), order.end(), [&](std::uint32_t v, std::uint32_t w) { return values[v] < values[w]; });
-  const double total = std::accumulate(areas.begin(), areas.end(), 0.);
-  Channel ranks(n, 0.);
-  if(!(total > 0.))
-    return ranks;
-  double below = 0.;
-  for(std::size_t i = 0, j; i < n; i = j)
-  {
-    double area = 0.;
-    for(j = i; j < n && values[order[j]] == values[order[i]]; ++j)
-      area += areas[order[j]];
-    for(std::size_t k = i; k < j; ++k)
-      ranks[order[k]] = (2. * below + area) / total - 1.;
-    below += area;
-  }
-  return ranks;
-}
-
 // A surface as it is compared with another one: the coarsest level of a hierarchy, scaled to area 1, whose vertices are
 // spread over the surface, and not over its sphere, on which limbs are small. What is computed here changes little when the
 // surface is bent, and not at all when it is moved.
@@ -83,10 +59,10 @@ public:
   // percent after their alignment, with 1000 by 3.0 and with 2000 by 2.8, for 50, 66 and 120 ms a start.
   static constexpr std::size_t max_size = 2000;
 
-  // The hierarchy is that of the mesh with its images on the unit sphere; these and a caller's own features, or none, are in the
-  // order of the mesh.
+  // The hierarchy is that of the mesh with its images on the unit sphere; these, a caller's own features, of which vertices
+  // get the means of what is around them, or none, and the mask are in the order of the mesh.
   Coarse_surface(const Mesh_hierarchy& hierarchy, const Surface& mesh, const std::vector<Vector_3d>& images,
-                 const std::vector<Channel>& features)
+                 const std::vector<Channel>& features, const Mask& mask)
     : m_rings(hierarchy.rings(hierarchy.number_of_levels() - 1))
   {
     const Mesh_hierarchy::Level& level = hierarchy.level(hierarchy.number_of_levels() - 1);
@@ -119,7 +95,10 @@ public:
     }
     m_paths = Surface_paths(m_points, m_sphere.triangles());
     for(const Channel& feature : features)
-      add_ranks(gathered(hierarchy, feature));
+      m_features.push_back(gathered(hierarchy, feature));
+    if(!mask.empty())
+      for(const double share : gathered(hierarchy, Channel(mask.begin(), mask.end())))
+        m_mask.push_back(share > 0.5);
     if(m_is_bijective)
       m_sphere.make_grid();
   }
@@ -128,13 +107,17 @@ public:
   const Vertex_rings& rings() const { return m_rings; }
   const std::vector<Vector_3d>& points() const { return m_points; }
   const Channel& areas() const { return m_areas; }
+
+  // Whether the surface counts around a vertex.
+  bool counts(std::size_t v) const { return m_mask.empty() || !m_mask[v]; }
+  Mask mask() const { return m_mask; }
   const std::vector<Vector_3d>& directions() const { return m_directions; }
 
   // Whether its images are a bijection as doubles, which all that looks at the sphere takes for granted.
   bool is_bijective() const { return m_is_bijective; }
   const Sphere_triangulation<Kernel>& sphere() const { return m_sphere; }
 
-  // the ranks of the features
+  // The features, those of the package as ranks.
   const std::vector<Channel>& features() const { return m_features; }
 
   // How much they count in the choice among maps; all the same if it is empty.
@@ -173,7 +156,7 @@ public:
     std::vector<std::uint32_t> ends;
     for(std::uint32_t v = 0; v < size(); ++v)
       if(const auto& ring = m_rings.ring(v);
-         average[v] > 1. &&
+         average[v] > 1. && counts(v) &&
          std::all_of(ring.begin(), ring.end(), [&](std::uint32_t w) { return average[w] <= average[v]; }))
         ends.push_back(v);
     std::stable_sort(ends.begin(), ends.end(),
@@ -194,8 +177,8 @@ private:
   // definite, and for its cotangents not to be 0 / 0. Smaller areas have the same rank.
   static constexpr double min_area = 1e-12;
 
-  // The means of the values around the vertices that are left, in units of a small part of their range: those of a vertex that
-  // has been removed have gone to its neighbours, as its area has.
+  // The means of the values around the vertices that are left: those of a vertex that has been removed have gone to its
+  // neighbours, as its area has.
   static Channel gathered(const Mesh_hierarchy& hierarchy, const Channel& values)
   {
     const std::size_t n_levels = hierarchy.number_of_levels();
@@ -213,20 +196,20 @@ private:
       }
     }
     const Mesh_hierarchy::Level& coarsest = hierarchy.level(n_levels - 1);
-    const auto range = std::minmax_element(values.begin(), values.end());
-    const double low = *range.first, unit = 1e-9 * (*range.second - low);
     Channel result;
     for(std::size_t v = 0; v < coarsest.vertices.size(); ++v)
     {
       const std::uint32_t number = coarsest.vertices[v];
-      const double mean = coarsest.areas[v] > 0. ? sums[number] / coarsest.areas[v] : values[number];
-      result.push_back(unit > 0. ? std::round((mean - low) / unit)
-                                 : 0.); // What rounding alone tells apart is the same.
+      result.push_back(coarsest.areas[v] > 0. ? sums[number] / coarsest.areas[v] : values[number]);
     }
     return result;
   }
 
-  void add_ranks(const Channel& channel) { m_features.push_back(ranks_by_area(channel, m_areas)); }
+  void add_ranks(const Channel& channel)
+  {
+    m_features.push_back(ranks_by_area(channel, areas_outside(m_mask, m_areas)));
+    continue_over(m_mask, m_rings, m_features.back());
+  }
 
   Channel shrinking() const
   {
@@ -356,6 +339,7 @@ private:
   bool m_is_bijective = false;
   std::vector<Vector_3d> m_directions, m_points, m_normals;
   Channel m_areas; // around the vertices
+  Mask m_mask;     // empty if all of it counts
   std::vector<Channel> m_features;
   std::vector<double> m_weights_in_choice;
   Surface_paths m_paths;

@@ -163,15 +163,21 @@ private:
     return found;
   }
 
-  // The features of the first surface in directions that cover the sphere evenly.
+  // The features of the first surface in directions that cover the sphere evenly, where it counts.
   struct Samples
   {
     Samples(const Coarse_surface& surface, std::uint32_t n_steps, const Execution& execution)
-      : directions(subdivided_icosahedron(n_steps).directions)
     {
-      for(const auto& place : surface.sphere().locate(points_of<Coarse_surface::Kernel>(directions), execution))
-        for(const Channel& channel : surface.features())
-          values.push_back(interpolated(channel, surface.sphere().triangles(), place));
+      const auto& triangles = surface.sphere().triangles();
+      const std::vector<Vector_3d> all = subdivided_icosahedron(n_steps).directions;
+      const auto places = surface.sphere().locate(points_of<Coarse_surface::Kernel>(all), execution);
+      for(std::size_t i = 0; i < all.size(); ++i)
+        if(surface.counts(nearest_vertex(triangles, places[i])))
+        {
+          directions.push_back(all[i]);
+          for(const Channel& channel : surface.features())
+            values.push_back(interpolated(channel, triangles, places[i]));
+        }
     }
 
     std::vector<Vector_3d> directions;

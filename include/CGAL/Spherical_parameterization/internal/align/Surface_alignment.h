@@ -214,6 +214,7 @@ private:
     for(std::size_t v = 0; v < m_surfaces[0].size(); ++v)
       for(const Channel& channel : leads[0])
         result.values.push_back(channel[v]);
+    result.mask = m_surfaces[0].mask();
     return result;
   }
 
@@ -303,6 +304,8 @@ private:
     for(std::size_t i = 0; i < level.vertices.size(); ++i)
     {
       const std::uint32_t v = level.vertices[i];
+      if(!m_surfaces[0].counts(v))
+        continue;
       m_image->interpolate(directions[v], b.data());
       for(std::size_t k = 0; k < b.size(); ++k)
       {

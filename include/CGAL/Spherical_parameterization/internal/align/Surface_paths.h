@@ -14,6 +14,7 @@
 
 #include <CGAL/license/Spherical_parameterization.h>
 
+#include <CGAL/Spherical_parameterization/internal/align/surface_features.h>
 #include <CGAL/Spherical_parameterization/internal/numbers/Vector_3.h>
 #include <CGAL/Spherical_parameterization/internal/surface/Linked_triangle.h>
 
@@ -28,9 +29,6 @@
 #include <vector>
 
 namespace CGAL::Spherical_parameterization::internal {
-
-// A value for each vertex.
-using Channel = std::vector<double>;
 
 // How far places of a surface are from each other on it, which changes little when it is bent: the lengths of shortest paths
 // along edges and across pairs of triangles, within 4 percent on regular triangles.

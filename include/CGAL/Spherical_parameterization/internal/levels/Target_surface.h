@@ -46,6 +46,7 @@ struct Feature_goals
 {
   std::optional<Sphere_image> image;
   std::vector<double> values;
+  std::vector<char> mask; // of the vertices that have none; empty if all have them
   double weight = 0.; // of the mean of their squared differences, beside the mean energy
 };
 
@@ -107,7 +108,7 @@ public:
       return;
     star.load(view, positions, m_metric_level);
     const std::uint32_t number = (*m_vertices)[v];
-    if(m_features->image)
+    if(m_features->image && (m_features->mask.empty() || !m_features->mask[number]))
     {
       // A vertex stands for a third of the area of its faces, as all have it on this level.
       const std::size_t n = m_features->image->number_of_channels();
