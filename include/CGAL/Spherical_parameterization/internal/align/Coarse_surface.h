@@ -15,6 +15,7 @@
 #include <CGAL/license/Spherical_parameterization.h>
 
 #include <CGAL/Spherical_parameterization/internal/align/Surface_paths.h>
+#include <CGAL/Spherical_parameterization/internal/align/mean_curvature.h>
 #include <CGAL/Spherical_parameterization/internal/align/surface_features.h>
 #include <CGAL/Spherical_parameterization/internal/certificate/is_safely_positive.h>
 #include <CGAL/Spherical_parameterization/internal/levels/Mesh_hierarchy.h>
@@ -73,16 +74,12 @@ public:
     Index_triangles triangles;
     m_rings.for_each_face([&](std::uint32_t a, std::uint32_t b, std::uint32_t c) { triangles.push_back({a, b, c}); });
     m_sphere.assign(points_of<Kernel>(m_directions), link_triangles(triangles, n));
-    m_normals.assign(n, {0., 0., 0.});
     m_areas.assign(n, 0.);
     for(const Linked_triangle& t : m_sphere.triangles())
     {
-      const Vector_3d normal = cross(m_points[t[1]] - m_points[t[0]], m_points[t[2]] - m_points[t[0]]);
+      const double sixth = length(cross(m_points[t[1]] - m_points[t[0]], m_points[t[2]] - m_points[t[0]])) / 6.;
       for(const std::uint32_t v : t.vertices)
-      {
-        m_normals[v] = m_normals[v] + normal;
-        m_areas[v] += length(normal) / 6.;
-      }
+        m_areas[v] += sixth;
     }
     const double area = std::accumulate(m_areas.begin(), m_areas.end(), 0.);
     const double scale = area > 0. ? 1. / std::sqrt(area) : 1.;
@@ -90,8 +87,6 @@ public:
     {
       m_points[v] = scale * m_points[v];
       m_areas[v] = (std::max)(scale * scale * m_areas[v], min_area);
-      if(length(m_normals[v]) > 0.)
-        m_normals[v] = normalized(m_normals[v]);
     }
     m_paths = Surface_paths(m_points, m_sphere.triangles());
     for(const Channel& feature : features)
@@ -135,7 +130,9 @@ public:
     // It tells front from back as nothing else does. As a goal of the descent, or in the search of rotations, it is to count no
     // more than the others: its features are small, and the maps are led to the nearest of them.
     constexpr double weight_of_fine_curvature = 3.;
-    add_ranks(k == 0 ? shrinking() : k == 1 ? average_distance() : curvature(k == 2 ? fine : coarse));
+    add_ranks(k == 0   ? shrinking()
+              : k == 1 ? average_distance()
+                       : mean_curvature(m_rings, m_points, k == 2 ? fine : coarse, min_area));
     m_weights_in_choice.push_back(k == 2 ? weight_of_fine_curvature : 1.);
   }
 
@@ -173,8 +170,8 @@ public:
   }
 
 private:
-  // Far below the mean, 1 / 2000, and still more than 0 where points coincide: for the matrix of curvature() to be positive
-  // definite, and for its cotangents not to be 0 / 0. Smaller areas have the same rank.
+  // Far below the mean, 1 / 2000, and still more than 0 where points coincide, see mean_curvature(). Smaller areas have the same
+  // rank.
   static constexpr double min_area = 1e-12;
 
   // The means of the values around the vertices that are left: those of a vertex that has been removed have gone to its
@@ -263,81 +260,10 @@ private:
     return m_average_distance;
   }
 
-  // How far the surface is outside of itself smoothed: along the normal, after heat has been conducted for the time `t` by
-  // one implicit step. This solves (M + t L) x = M p by the method of conjugate gradients, with the cotangents of the triangles
-  // in L. They are kept positive and finite, so that the matrix is positive definite.
-  Channel curvature(double t) const
-  {
-    // The cotangents of 89 and 1 degrees, nearly. A larger minimum has obtuse triangles conduct too much; a smaller one, or a
-    // larger maximum, which needles have, makes the weights more unequal, which takes more steps.
-    constexpr double min_cotangent = 0.02, max_cotangent = 1. / min_cotangent;
-    const std::size_t n = size();
-    std::vector<std::tuple<std::uint32_t, std::uint32_t, double>> sides; // and their weights
-    Channel diagonal = m_areas;
-    for(const Linked_triangle& triangle : m_sphere.triangles())
-      for(std::size_t i = 0; i < 3; ++i)
-      {
-        const std::uint32_t o = triangle[i], v = triangle[(i + 1) % 3], w = triangle[(i + 2) % 3];
-        const Vector_3d a = m_points[v] - m_points[o], b = m_points[w] - m_points[o];
-        const double cotangent = dot(a, b) / (length(cross(a, b)) + min_area);
-        const double weight = 0.5 * t * (std::min)((std::max)(cotangent, min_cotangent), max_cotangent);
-        sides.emplace_back(v, w, weight);
-        diagonal[v] += weight;
-        diagonal[w] += weight;
-      }
-    using Vectors = std::vector<Vector_3d>;
-    const auto product = [&](const Vectors& x) {
-      Vectors y(n);
-      for(std::size_t v = 0; v < n; ++v)
-        y[v] = diagonal[v] * x[v];
-      for(const auto& [v, w, weight] : sides)
-      {
-        y[v] = y[v] - weight * x[w];
-        y[w] = y[w] - weight * x[v];
-      }
-      return y;
-    };
-    const auto inner_product = [](const Vectors& x, const Vectors& y) {
-      return std::inner_product(x.begin(), x.end(), y.begin(), 0., std::plus<>(), dot<double>);
-    };
-    // The tolerance, of the square of the residual, stands for an error of 1e-5, far less than by what samplings of the same
-    // surface differ; a smaller one takes more steps. The limit of these bounds the time on surfaces of needles.
-    constexpr std::size_t max_steps = 300;
-    constexpr double tolerance = 1e-10;
-    Vectors x = m_points, r = product(x), z(n);
-    for(std::size_t v = 0; v < n; ++v)
-    {
-      r[v] = m_areas[v] * m_points[v] - r[v];
-      z[v] = (1. / diagonal[v]) * r[v];
-    }
-    Vectors p = z;
-    const double first = inner_product(r, z);
-    double rz = first;
-    for(std::size_t k = 0; k < max_steps && rz > tolerance * first; ++k)
-    {
-      const Vectors q = product(p);
-      const double alpha = rz / inner_product(p, q);
-      for(std::size_t v = 0; v < n; ++v)
-      {
-        x[v] = x[v] + alpha * p[v];
-        r[v] = r[v] - alpha * q[v];
-        z[v] = (1. / diagonal[v]) * r[v];
-      }
-      const double next = inner_product(r, z), beta = next / rz;
-      rz = next;
-      for(std::size_t v = 0; v < n; ++v)
-        p[v] = z[v] + beta * p[v];
-    }
-    Channel result;
-    for(std::size_t v = 0; v < n; ++v)
-      result.push_back(dot(m_points[v] - x[v], m_normals[v]));
-    return result;
-  }
-
   Vertex_rings m_rings;
   Sphere_triangulation<Kernel> m_sphere;
   bool m_is_bijective = false;
-  std::vector<Vector_3d> m_directions, m_points, m_normals;
+  std::vector<Vector_3d> m_directions, m_points;
   Channel m_areas; // around the vertices
   Mask m_mask;     // empty if all of it counts
   std::vector<Channel> m_features;
