@@ -73,8 +73,10 @@ public:
                        : m_options.method == "adaptive" ? SP::Resampling_method::adaptive
                                                         : SP::Resampling_method::barycentric);
     if(!m_options.area_files.empty())
-      m_resampler.areas(read_areas(m_options.area_files[0], from.points.size(), from_name),
-                        read_areas(m_options.area_files[1], to.points.size(), to_name));
+    {
+      std::vector<double> areas = read_areas(m_options.area_files[0], from.points.size(), from_name);
+      m_resampler.areas(std::move(areas), read_areas(m_options.area_files[1], to.points.size(), to_name));
+    }
     if(!m_options.mask_file.empty())
       m_resampler.mask(read_mask(m_options.mask_file, from.points.size(), from_name));
     std::vector<SP::IO::Surface_file> files;
