@@ -115,7 +115,8 @@ none; 2, all have one, but some fold.
   Words other_inputs() const
   {
     Words result;
-    for(const std::string& name : {start_file, domain_size == 0 ? domain : "", values_sphere, onto, template_file, mask_file})
+    for(const std::string& name :
+        {start_file, domain_size == 0 ? domain : "", values_sphere, onto, template_file, mask_file})
       if(!name.empty())
         result.push_back(name);
     for(const Words* names : {&landmark_files, &spheres, &area_files})

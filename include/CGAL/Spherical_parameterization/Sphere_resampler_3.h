@@ -102,14 +102,16 @@ public:
   /// Triangles by the numbers of their vertices, counterclockwise as seen from outside
   using Triangles = std::vector<std::array<std::uint32_t, 3>>;
 
-  /// sets the method, `Resampling_method::barycentric` by default.
+  /// sets the method, `Resampling_method::barycentric` by default, and returns the resampler.
   Sphere_resampler_3& method(Resampling_method method)
   {
     m_method = method;
     return *this;
   }
 
-  /// sets the areas around the vertices, which the adaptive methods need. Their unit does not matter.
+  /// sets the areas around the vertices, which the adaptive methods need, and returns the resampler.
+  ///
+  /// \param of_source,of_target an area for each vertex, in any unit
   ///
   /// \sa `vertex_areas()`
   Sphere_resampler_3& areas(std::vector<double> of_source, std::vector<double> of_target)
@@ -119,7 +121,7 @@ public:
     return *this;
   }
 
-  /// sets which vertices of the source count; all if it is empty.
+  /// sets which vertices of the source count, and returns the resampler; all if the mask is empty.
   Sphere_resampler_3& mask(std::vector<bool> mask)
   {
     m_mask = std::move(mask);
@@ -127,6 +129,9 @@ public:
   }
 
   /// computes the weights. With an error, there are none.
+  ///
+  /// \param source,target the points of both spheres
+  /// \param source_triangles,target_triangles their triangles
   ///
   /// \return `OK`; `ERROR_EMPTY_MESH` if a sphere has no triangle; `ERROR_TOO_LARGE_MESH`; `ERROR_NON_FINITE_COORDINATE`;
   ///         `ERROR_NON_CLOSED_MESH` if there is an edge without two triangles in opposite directions;
@@ -226,8 +231,10 @@ public:
     return result;
   }
 
-  /// returns the areas around the vertices of a surface: a third of each of its triangles. No triangle may have a vertex that
-  /// is none.
+  /// returns the areas around the vertices of a surface: a third of each of its triangles.
+  ///
+  /// \param points the points of the surface
+  /// \param triangles its triangles, each of which has three of these points
   static std::vector<double> vertex_areas(const Points& points, const Triangles& triangles)
   {
     return internal::vertex_areas(points, triangles);
