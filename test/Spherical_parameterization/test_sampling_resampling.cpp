@@ -341,7 +341,7 @@ TEST(Resampling, areas_of_any_size_will_do)
   for(double& area : pair.to.areas)
     area *= 0x1p-900;
   EXPECT_EQ(resampled(connected(pair, Weighting::adaptive), values), expected);
-  // What has no area is reached nevertheless, and a face of such sources has a value.
+  // What has no area gets and gives something nevertheless.
   std::fill(pair.from.areas.begin(), pair.from.areas.end(), 0.);
   pair.to.areas[7] = 0.;
   for(const double x : resampled(connected(pair, Weighting::adaptive), std::vector<double>(pair.from.size(), 1.)))
