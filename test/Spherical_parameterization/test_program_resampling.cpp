@@ -258,6 +258,18 @@ TEST_F(Resampling_program, names_labels_and_metadata_survive)
   for(std::size_t v = 0; v < directions.size(); ++v)
     EXPECT_TRUE(std::abs(directions[v][2]) < 0.2 || result.columns[0].values[v] == (directions[v][2] > 0. ? 3. : 7.));
 
+  // The table gets a label for what gets nothing.
+  file.labels.erase(file.labels.begin());
+  write_file("halves.label.gii", write);
+  expect_success("halves.label.gii --resample fine.off coarse.off --mask lh.height -o north.label.gii");
+  expect_success("halves.label.gii --resample fine.off coarse.off --mask lh.height -o lh.north.annot");
+  const Surface_file north = read_file("north.label.gii", CGAL::Spherical_parameterization::IO::read_GIFTI);
+  ASSERT_EQ(north.labels.size(), 3u);
+  EXPECT_EQ(north.labels[2].key, 0);
+  EXPECT_EQ(north.labels[2].name, "???");
+  for(std::size_t v = 0; v < directions.size(); ++v)
+    EXPECT_TRUE(north.columns[0].values[v] == 3. || (north.columns[0].values[v] == 0. && directions[v][2] < 0.));
+
   // What FreeSurfer says by the name becomes metadata.
   expect_success("lh.height --resample fine.off coarse.off -o height.shape.gii");
   const Surface_file values = read_file("height.shape.gii", CGAL::Spherical_parameterization::IO::read_GIFTI);

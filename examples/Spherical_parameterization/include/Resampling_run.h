@@ -266,6 +266,9 @@ private:
       file.origin = inherited(std::move(file.origin), false);
       return;
     }
+    const auto is_of_nothing = [](const SP::IO::Label& label) { return label.key == 0; };
+    if(!file.labels.empty() && std::none_of(file.labels.begin(), file.labels.end(), is_of_nothing))
+      file.labels.push_back({0, "", {{0., 0., 0., 0.}}}); // which what gets nothing has
     add_structure(file, name, to);
     if(file.columns.size() == 1 && file.columns[0].name.empty())
       file.columns[0].name = name_of_values(name);
