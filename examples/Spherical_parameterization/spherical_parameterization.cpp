@@ -7,6 +7,7 @@
 #include "include/Mesh_run.h"
 #include "include/Program_error.h"
 #include "include/Program_options.h"
+#include "include/Resampling_run.h"
 #include "include/Run_report.h"
 #include "include/mesh_files.h"
 #include "include/read_soup.h"
@@ -91,6 +92,8 @@ int run_program(const Program_options& options)
   if(const std::size_t n = Thread_limit::number_of_threads(); n_wanted > n && !options.is_quiet)
     std::cerr << "spherical_parameterization: --threads " << n_wanted << ": no more than " << n << " can be had here\n";
 #endif
+  if(options.resamples())
+    return Resampling_run(options).run();
   if(options.is_batch())
     return Batch(options).run();
   return options.takes_each_component ? map_components(options) : map_to_sphere(options, options.file_names, 0);

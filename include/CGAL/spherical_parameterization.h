@@ -46,6 +46,7 @@
 #include <CGAL/Spherical_parameterization/Sharpness.h>
 #include <CGAL/Spherical_parameterization/Sphere_domain_3.h>
 #include <CGAL/Spherical_parameterization/Sphere_locator_3.h>
+#include <CGAL/Spherical_parameterization/Sphere_resampler_3.h>
 #include <CGAL/Spherical_parameterization/Stereographic_parameterizer_3.h>
 #include <CGAL/Spherical_parameterization/Stretch_energy_3.h>
 #include <CGAL/Spherical_parameterization/Surface_map_report.h>

@@ -30,6 +30,7 @@ from ._measuring import (
 )
 from ._parameterization import Report, parameterize
 from ._repair import FilledSurface, Handle, Hole, fill_holes, find_handles
+from ._resampling import resample, resample_sphere
 from ._sampling import Locator, Remesh, remesh, transfer
 from ._surfaces import (
     DistortionBetween,
@@ -74,5 +75,7 @@ __all__ = [
     "overlay",
     "parameterize",
     "remesh",
+    "resample",
+    "resample_sphere",
     "transfer",
 ]

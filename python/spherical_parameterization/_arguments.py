@@ -131,6 +131,25 @@ def read_masks(masks: Optional[Tuple[ArrayLike, ArrayLike]], *surfaces: SurfaceA
     return [pair]
 
 
+def carry_rows(
+    values: NDArray[Any], shape: Tuple[int, ...], carry: Callable[[NDArray[Any]], NDArray[Any]]
+) -> NDArray[Any]:
+    """Carries values over: numbers by a table of doubles, labels, which are rows of any other type, by their numbers.
+
+    `carry` takes and returns such tables; the number of a label is negative where there is none.
+    """
+    rows = values.reshape(len(values), int(np.prod(shape[1:])))
+    if values.dtype.kind == "f":
+        return carry(np.ascontiguousarray(rows, dtype=np.float64)).astype(values.dtype).reshape(shape)
+    if values.dtype.kind not in "biuSU":
+        raise TypeError(f"values has the type {values.dtype}; it has to hold real numbers, bools or strings")
+    labels, codes = np.unique(rows, axis=0, return_inverse=True)
+    carried = carry(codes.reshape(len(rows), 1).astype(np.int64))[:, 0]
+    result = np.zeros((len(carried), rows.shape[1]), dtype=values.dtype)
+    result[carried >= 0] = labels[carried[carried >= 0]]
+    return result.reshape(shape)
+
+
 def check_word(name: str, value: object, words: Sequence[str]) -> None:
     if value not in words:
         refuse(f"{name} is {value!r}; it has to be one of {', '.join(map(repr, words))}")

@@ -76,6 +76,21 @@ def transfer(
     target_sphere: _Points,
     threads: int,
 ) -> NDArray[Any]: ...
+def resample(
+    values: NDArray[Any],
+    faces: _Faces,
+    sphere: _Points,
+    target_faces: _Faces,
+    target_sphere: _Points,
+    method: str,
+    areas: NDArray[np.float64],
+    target_areas: NDArray[np.float64],
+    mask: NDArray[np.bool_],
+    threads: int,
+) -> Tuple[NDArray[Any], NDArray[np.bool_]]: ...
+def resample_sphere(
+    faces: _Faces, sphere: _Points, registered: _Points, target_faces: _Faces, target_sphere: _Points, threads: int
+) -> _Points: ...
 def map_surface(
     vertices1: _Points,
     faces1: _Faces,

@@ -9,6 +9,7 @@ from numpy.typing import ArrayLike, NDArray
 from . import _core
 from ._arguments import (
     Surface,
+    carry_rows,
     check_word,
     read_faces,
     read_named_surface,
@@ -229,15 +230,6 @@ def transfer(
     shape = (len(sphere_mesh[of == "vertices"]), *array.shape[1:])
 
     def carry(table: NDArray[Any]) -> NDArray[Any]:
-        return _core.transfer(np.ascontiguousarray(table), of == "faces", *surface, *sphere_mesh, max_threads)
+        return _core.transfer(table, of == "faces", *surface, *sphere_mesh, max_threads)
 
-    rows = array.reshape(n, int(np.prod(shape[1:])))
-    if array.dtype.kind == "f":
-        return carry(rows.astype(np.float64)).astype(array.dtype).reshape(shape)
-    if array.dtype.kind not in "biuSU":
-        raise TypeError(f"values has the type {array.dtype}; it has to hold real numbers, bools or strings")
-    labels, codes = np.unique(rows, axis=0, return_inverse=True)
-    carried = carry(codes.reshape(n, 1).astype(np.int64))[:, 0]
-    result = np.zeros((len(carried), rows.shape[1]), dtype=array.dtype)
-    result[carried >= 0] = labels[carried[carried >= 0]]
-    return result.reshape(shape)
+    return carry_rows(array, shape, carry)

@@ -27,6 +27,8 @@ py::dict measure_distortion(const Points& vertices, const Indices& faces, const 
 py::tuple measure_distance(const Points& vertices1, const Indices& faces1, const Points& vertices2,
                            const Indices& faces2, std::size_t number_of_points, std::size_t threads);
 
+using Values = py::array_t<double, py::array::c_style>;
+
 void define_locator(py::module_& module);
 py::tuple remesh(const Points& vertices, const Indices& faces, const Points& sphere, const std::string& solid,
                  std::uint32_t subdivision, std::size_t threads);
@@ -35,7 +37,12 @@ std::pair<Points, Points> remesh_with(const Points& vertices, const Indices& fac
 py::array transfer(const py::array& values, bool is_of_faces, const Points& vertices, const Indices& faces,
                    const Points& sphere, const Indices& target_faces, const Points& target_sphere, std::size_t threads);
 
-using Values = py::array_t<double, py::array::c_style>;
+py::tuple resample(const py::array& values, const Indices& faces, const Points& sphere, const Indices& target_faces,
+                   const Points& target_sphere, const std::string& method, const Values& areas,
+                   const Values& target_areas, const py::array_t<bool>& mask, std::size_t threads);
+Points resample_sphere(const Indices& faces, const Points& sphere, const Points& registered,
+                       const Indices& target_faces, const Points& target_sphere, std::size_t threads);
+
 using Features = std::vector<std::pair<Values, Values>>;
 py::tuple map_surface(const Points& vertices1, const Indices& faces1, const Points& sphere1, const Points& vertices2,
                       const Indices& faces2, const Points& sphere2, const Indices& landmarks,

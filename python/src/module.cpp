@@ -60,6 +60,8 @@ PYBIND11_MODULE(_core, module)
   module.def("remesh", &remesh);
   module.def("remesh_with", &remesh_with);
   module.def("transfer", &transfer);
+  module.def("resample", &resample);
+  module.def("resample_sphere", &resample_sphere);
   module.def("map_surface", &map_surface);
   module.def("align_spheres", &align_spheres);
   module.def("overlay", &overlay);

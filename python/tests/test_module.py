@@ -45,6 +45,8 @@ def make_calls(n, **settings):
         "remesh": lambda **s: sp.remesh(*first, ("cube", n), **s).vertices,
         "remesh with": lambda **s: sp.remesh(*first, second[1:], **s).vertices,
         "transfer": lambda **s: sp.transfer(first, second[1:], first[0], **s),
+        "resample": lambda **s: sp.resample(first[1:], second[1:], first[0], areas=(first[0], second[0]), **s),
+        "resample_sphere": lambda **s: sp.resample_sphere(first[1:], first[2], second[1:], **s),
         "map_surface": lambda **s: sp.map_surface(first, second, **s)[0],
         "align_spheres": lambda **s: sp.align_spheres(first, second, **s).rotations,
         "overlay": lambda **s: sp.overlay(first, second, **s).vertices1,
@@ -577,6 +579,70 @@ def test_transfers_numbers_and_labels():
 
 
 # Surfaces
+
+
+def spheres():
+    """Two spheres, one of them finer, and the directions of the finer one."""
+    fine, coarse = (sp.remesh(TETRAHEDRON, FACES, TETRAHEDRON, ("icosahedron", n)) for n in (16, 5))
+    x, y, z = coarse.sphere.T
+    turned = np.stack([0.8 * x - 0.6 * y, 0.6 * x + 0.8 * y, z], axis=1) @ [[1, 0, 0], [0, 0.6, 0.8], [0, -0.8, 0.6]]
+    return (fine.faces, fine.sphere), (coarse.faces, turned), fine.sphere
+
+
+def test_resamples_values_and_labels():
+    fine, coarse, points = spheres()
+    heights = points[:, 2]
+    for settings in ({}, {"areas": (fine[1], coarse[1])}, {"method": "nearest"}):
+        resampled = sp.resample(fine, coarse, points, **settings)
+        assert resampled.shape == coarse[1].shape and abs(resampled - coarse[1]).max() < 0.2
+        assert abs(sp.resample(fine, coarse, np.ones(len(points)), **settings) - 1).max() < 1e-14
+        columns = np.stack([heights, 2 * heights], axis=1)
+        assert same(sp.resample(fine, coarse, columns, **settings)[:, 0], sp.resample(fine, coarse, heights, **settings))
+    for settings in ({}, {"areas": (fine[1], fine[1])}, {"method": "nearest"}):
+        assert same(sp.resample(fine, fine, heights, **settings), heights)
+    interpolated = sp.resample(fine, coarse, points)
+    interpolated /= np.linalg.norm(interpolated, axis=1)[:, None]
+    assert abs(interpolated - coarse[1]).max() < 1e-14
+
+    halves = np.where(heights > 0, "north", "south")
+    resampled = sp.resample(fine, coarse, halves)
+    clear = abs(coarse[1][:, 2]) > 0.1
+    assert (resampled[clear] == np.where(coarse[1][:, 2] > 0, "north", "south")[clear]).all()
+    assert sp.resample(fine, coarse, heights.astype(np.float32)).dtype == np.float32
+    assert sp.resample(fine, coarse, np.arange(len(points), dtype=np.int16)).dtype == np.int16
+
+    mask = heights > 0
+    resampled, valid = sp.resample(fine, coarse, np.where(mask, 1.0, np.nan), mask=mask, return_valid=True)
+    assert abs(resampled - valid).max() < 1e-14 and valid[coarse[1][:, 2] > 0].all() and 0 < valid.sum() < len(valid)
+    labels = sp.resample(fine, coarse, np.where(mask, 5, -3), mask=mask)
+    assert same(labels, np.where(valid, 5, 0))
+
+
+def test_carries_a_sphere_through_a_registration():
+    fine, coarse, points = spheres()
+    turn = np.array([[0.6, 0.8, 0], [-0.8, 0.6, 0], [0, 0, 1]])
+    assert abs(sp.resample_sphere(fine, 100 * points @ turn, coarse) - 100 * coarse[1] @ turn).max() < 1e-12
+
+
+def test_refuses_to_resample():
+    fine, coarse, points = spheres()
+    codes = sp.ErrorCode
+    refused(codes.WRONG_PARAMETER, sp.resample, fine, coarse, points[1:])
+    refused(codes.WRONG_PARAMETER, sp.resample, fine, coarse, points, method="best")
+    refused(codes.WRONG_PARAMETER, sp.resample, fine, coarse, points, method="adaptive")
+    refused(codes.WRONG_PARAMETER, sp.resample, fine, coarse, points, method="nearest", areas=(fine[1], coarse[1]))
+    refused(codes.WRONG_PARAMETER, sp.resample, fine, coarse, points, areas=(coarse[1], fine[1]))
+    refused(codes.WRONG_PARAMETER, sp.resample, fine, coarse, points, areas=(points[:, 0], coarse[1]))
+    refused(codes.WRONG_PARAMETER, sp.resample, fine, coarse, points, mask=np.ones(3, bool))
+    with pytest.raises(TypeError):
+        sp.resample(fine, coarse, points, mask=np.ones(len(points)))
+    refused(codes.WRONG_PARAMETER, sp.resample_sphere, fine, points[1:], coarse)
+    error = refused(codes.NO_1_TO_1_MAPPING, sp.resample, fine, (coarse[0], -coarse[1]), points)
+    assert str(error).startswith("target: sphere is not one-to-one: face 0")
+    error = refused(codes.NON_CLOSED_MESH, sp.resample, (fine[0][1:], points), coarse, points)
+    assert str(error).startswith("source: ")
+    error = refused(codes.WRONG_PARAMETER, sp.resample, (fine[0] - 1, points), coarse, points, areas=(points, coarse[1]))
+    assert "has the vertex -1" in str(error)
 
 
 def test_maps_and_refines_two_surfaces():

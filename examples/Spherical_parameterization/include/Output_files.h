@@ -13,6 +13,24 @@
 
 namespace Program {
 
+/// checks that no output would replace an input or another output.
+///
+/// \throws Program_error otherwise
+inline void check_names(const std::vector<Output_file*>& outputs, const Words& inputs)
+{
+  std::error_code ignored;
+  for(auto file = outputs.begin(); file != outputs.end(); ++file)
+  {
+    for(const std::string& input : inputs)
+      if(!std::filesystem::is_symlink((*file)->path(), ignored) &&
+         std::filesystem::equivalent((*file)->path(), input, ignored))
+        throw Program_error((*file)->name(), "would replace the input; choose another name");
+    for(auto other = outputs.begin(); other != file; ++other)
+      if((*file)->path() == (*other)->path())
+        throw Program_error((*file)->name(), "would be written twice; choose another name");
+  }
+}
+
 /// All files that a run is to write. They appear together, once all of them are complete.
 class Output_files
 {
@@ -63,17 +81,7 @@ public:
 
     Words inputs = other_inputs;
     inputs.push_back(names.input);
-    std::error_code ignored;
-    for(auto file = m_wanted.begin(); file != m_wanted.end(); ++file)
-    {
-      for(const std::string& input : inputs)
-        if(!std::filesystem::is_symlink((*file)->path(), ignored) &&
-           std::filesystem::equivalent((*file)->path(), input, ignored))
-          throw Program_error((*file)->name(), "would replace the input; choose another name");
-      for(auto other = m_wanted.begin(); other != file; ++other)
-        if((*file)->path() == (*other)->path())
-          throw Program_error((*file)->name(), "would be written twice; choose another name");
-    }
+    check_names(m_wanted, inputs);
   }
 
   /// removes the files that have these names now, the report first: it is never beside the map of another run.

@@ -48,6 +48,9 @@ public:
     if(wants_help || wants_version)
       return;
     read_inputs();
+    read_resampling();
+    if(resamples())
+      return;
     read_method();
     if(knows("initial"))
       read_initial();
@@ -72,6 +75,7 @@ public:
     text << R"(Usage: spherical_parameterization INPUT [-o SPHERE] [options]
        spherical_parameterization INPUT --onto TARGET [-o RESULT] [options]
        spherical_parameterization INPUT ... --output-folder FOLDER [options]
+       spherical_parameterization VALUES --resample SPHERE SPHERE2 -o RESULT [options]
 
 Maps a closed triangle mesh of genus 0 to a sphere, one-to-one and with low distortion. INPUT is a file of
 one of the formats )"
@@ -80,6 +84,8 @@ FreeSurfer, such as lh.white. The result is certified by exact arithmetic.
 Without -o nothing but the report is printed. Ctrl-C or SIGTERM ends the sweeps; the map reached is written.
 
 With --onto, the surface is mapped one-to-one onto another one, through both spheres.
+
+With --resample, values of vertices, labels or surfaces are carried from one sphere to another one.
 
 With --output-folder, a mesh that fails does not stop the others. Small meshes are mapped one on each core,
 large ones one after the other on all. After Ctrl-C nothing that is incomplete is left; --resume goes on.
@@ -103,14 +109,19 @@ none; 2, all have one, but some fold.
   /// returns whether there may be many meshes: the names of their files are made from those of the inputs.
   bool is_batch() const { return !output_folder.empty(); }
 
+  /// returns whether no mesh is mapped, but what vertices have is carried from sphere to sphere.
+  bool resamples() const { return !spheres.empty(); }
+
   /// returns the names of the files that are read beside the meshes.
   Words other_inputs() const
   {
     Words result;
-    for(const std::string& name : {start_file, domain_size == 0 ? domain : "", values_sphere, onto, template_file})
+    for(const std::string& name :
+        {start_file, domain_size == 0 ? domain : "", values_sphere, onto, template_file, mask_file})
       if(!name.empty())
         result.push_back(name);
-    result.insert(result.end(), landmark_files.begin(), landmark_files.end());
+    for(const Words* names : {&landmark_files, &spheres, &area_files})
+      result.insert(result.end(), names->begin(), names->end());
     Words lists = feature_files;
     if(!values_file.empty())
       lists.push_back(values_file);
@@ -143,6 +154,11 @@ none; 2, all have one, but some fold.
   bool compares_values = false;                    ///< of the features, and not ranks
   double landmark_weight = 0.;                     ///< 0 if landmarks are met exactly
   double morph_time = 0.;
+  Words spheres;                  ///< to resample from one to the other, none if nothing is resampled
+  bool carries_sphere = false;    ///< whether the second one is a registration that spheres are carried through
+  Words area_files;               ///< with the areas around the vertices of both, or none
+  std::string mask_file;          ///< with the vertices that count, empty if all do
+  std::string valid_file;         ///< that tells which vertices get something, empty if it is not wanted
   std::size_t max_hole_edges = 0; ///< of holes that are filled; 0 if none is
   bool picks_component = false;   ///< whether one part of the surface is mapped
   bool takes_each_component = false;
@@ -168,6 +184,8 @@ private:
                                        "arap", "stereographic", "schnyder"};
   inline static const Words starts = {"hierarchical", "stereographic", "harmonic", "conformal", "schnyder"};
   inline static const Words energies = {"symmetric-dirichlet", "isometric", "conformal"};
+
+  inline static const Words resampling_methods = {"barycentric", "adaptive", "nearest", "largest"};
 
   // Which methods an option goes with; options that are not listed go with all.
   struct Scope
@@ -264,6 +282,15 @@ private:
       ("overlay", word("FILE"), "with --onto, write the common refinement of both surfaces, a .ply file with positions on INPUT, "
                                 "those on TARGET and the faces of both as properties")
       ("morph", words("T FILE"), "with --onto, write the common refinement on its way from INPUT, T = 0, to TARGET, T = 1")
+      ("resample", words("A B"), "INPUT is a file of values of vertices, of labels or of a surface, or with --output-folder several: "
+                                 "carry it from the vertices of the sphere A to those of B. "
+                                 "Whole numbers are labels, which are not averaged")
+      ("areas", words("A B"), "with --resample, surfaces with the vertices of the spheres, or files with the areas around these: "
+                              "average, weighted with areas, where B is coarser")
+      ("mask", word("FILE"), "with --resample, the vertices of A that count: those whose value is positive, or which a label of "
+                             "FreeSurfer has. What gets nothing is 0")
+      ("valid", word("FILE"), "with --resample, write 1 for the vertices of B that get something, 0 for the others")
+      ("through", words("A B"), "INPUT is a sphere: carry it through a registration, from the sphere A to B, which has the same faces")
       ("output-folder", word("FOLDER"), "map many meshes: each INPUT is a mesh, or a folder, which stands for the mesh "
                                         "files in it; write each sphere and its report to FOLDER, as NAME.off, say, "
                                         "and NAME.json")
@@ -275,7 +302,9 @@ private:
                  "the same file with the same options")
       ("method", word("METHOD"), "bld: lowest distortion, the default; or one of the methods that it can start from or "
                                  "is compared with, alone: hierarchical, harmonic, stereographic or schnyder, "
-                                 "which are one-to-one; conformal or arap, which may fold")
+                                 "which are one-to-one; conformal or arap, which may fold. With --resample: barycentric, what is "
+                                 "interpolated, the default; adaptive, the default with --areas; nearest, what has the largest "
+                                 "weight; or largest, the same by the weights of adaptive")
       ("paper", "the published method with all of its settings: harmonic start, isometric energy with the flat areas "
                 "of images, gradient steps, 100 sweeps of the energy's sum, then s from 0.1 to 10, two-phase radius, "
                 "at most 2000 sweeps. --initial, --s-first, --s-last, --average-sweeps, --radius and --iterations may "
@@ -415,6 +444,15 @@ private:
     feature_files = read_pair("features", "two files, of INPUT and of TARGET");
     mask_files = read_pair("masks", "two files, of INPUT and of TARGET");
     morph = read_pair("morph", "a number and the name of a file");
+    spheres = read_pair("resample", "two files, the spheres to resample from and to");
+    area_files = read_pair("areas", "two files, of the spheres that are resampled from and to");
+    const Words registration = read_pair("through", "two files, a sphere before and after its registration");
+    carries_sphere = !registration.empty();
+    if(carries_sphere)
+    {
+      refuse_both("resample", "through");
+      spheres = registration;
+    }
     if(inputs.empty())
       fail("there is no INPUT");
     if(has("output-folder"))
@@ -425,6 +463,37 @@ private:
     std::error_code ignored;
     if(std::filesystem::is_directory(file_names.input, ignored))
       fail(printable(file_names.input) + " is a folder; to map the meshes in it, say with --output-folder where to");
+  }
+
+  void read_resampling()
+  {
+    for(const char* option : {"areas", "mask", "valid"})
+      if(has(option) && (carries_sphere || !resamples()))
+        fail("--" + std::string(option) + " goes with --resample");
+    if(!resamples())
+      return;
+    const std::string mode = carries_sphere ? "through" : "resample";
+    for(const auto& value : m_values)
+      if(!is_among(value.first, {"input", "resample", "through", "areas", "mask", "valid", "output", "output-folder",
+                                 "threads", "quiet"}) &&
+         (value.first != "method" || carries_sphere))
+        fail("--" + value.first + " and --" + mode + " cannot be combined");
+    if(has("output") == has("output-folder"))
+      fail("--" + mode + " needs " + (has("output") ? "one of -o and --output-folder" : "-o or --output-folder"));
+    for(const char* option : {"output", "output-folder", "mask", "valid"})
+      if(has(option) && text(option).empty())
+        fail("--" + std::string(option) + " needs a name");
+    method = read_word("method", resampling_methods, has("areas") ? "adaptive" : "barycentric");
+    if(is_among(method, {"adaptive", "largest"}) && !has("areas"))
+      fail("--method " + method + " needs --areas, of the vertices of both spheres");
+    if(is_among(method, {"barycentric", "nearest"}) && has("areas"))
+      fail("--areas goes with --method adaptive or largest");
+    file_names.sphere = text("output");
+    output_folder = text("output-folder");
+    mask_file = text("mask");
+    valid_file = text("valid");
+    is_quiet = has("quiet");
+    max_threads = read_count("threads", 1, 0);
   }
 
   void read_method()

@@ -10,6 +10,9 @@
 #ifdef PROGRAM_READS_GIFTI
 #include <CGAL/Spherical_parameterization/IO/GIFTI.h>
 #endif
+#ifdef PROGRAM_READS_MGH
+#include <CGAL/Spherical_parameterization/IO/MGH.h>
+#endif
 
 #include <CGAL/IO/GOCAD.h>
 #include <CGAL/IO/OBJ.h>
@@ -18,6 +21,7 @@
 #include <CGAL/IO/io.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <ostream>
 #include <string>
@@ -31,14 +35,26 @@ inline bool has_short_numbers(const std::string& format)
   return format == ".gii" || format == freesurfer_format;
 }
 
-/// writes a file of a cortical surface.
+/// writes a file of a cortical surface, or of values of vertices if it has no points.
 ///
 /// \throws Program_error if the format cannot hold it, or the program was built without what it takes
-inline void write_surface_file(std::ostream& out, const std::string& format, const SP::IO::Surface_file& file)
+///
+/// \param n_triangles of the surface, which files of values of FreeSurfer tell
+inline void write_surface_file(std::ostream& out, const std::string& format, const SP::IO::Surface_file& file,
+                               std::size_t n_triangles = 0)
 {
   SP::Error_code error = SP::OK;
   if(format == freesurfer_format)
-    error = SP::IO::write_FreeSurfer_surface(out, file);
+    error = file.points.empty() ? SP::IO::write_FreeSurfer_curv(out, file.columns.at(0), n_triangles)
+                                : SP::IO::write_FreeSurfer_surface(out, file);
+  else if(format == ".annot")
+    error = SP::IO::write_FreeSurfer_annotation(out, file);
+  else if(format == ".mgh" || format == ".mgz")
+#ifdef PROGRAM_READS_MGH
+    error = SP::IO::write_MGH(out, file, format == ".mgz");
+#else
+    throw Program_error("this program was built without zlib, which MGH files take");
+#endif
 #ifdef PROGRAM_READS_GIFTI
   else
     error = SP::IO::write_GIFTI(out, file);

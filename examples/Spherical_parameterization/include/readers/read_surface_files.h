@@ -87,17 +87,15 @@ inline std::string name_of_values(const std::string& path)
   return name;
 }
 
-/// reads a file of this kind as what a mesh file holds. A file of values has no points.
+/// reads a file of this kind.
 ///
-/// \param keeps_values whether the values of vertices are wanted
+/// \param message receives what is said of a file that is in order otherwise, empty if nothing is
 ///
 /// \throws Program_error with what is wrong, and what helps
-inline Polygon_soup parse_surface_file(Surface_file_kind kind, const std::string& path, std::istream& in,
-                                       bool keeps_values)
+inline SP::IO::Surface_file read_surface_file(Surface_file_kind kind, std::istream& in, std::string& message)
 {
   using Kind = Surface_file_kind;
   SP::IO::Surface_file file;
-  std::string message;
   SP::Error_code error = SP::OK;
   if(kind == Kind::freesurfer_surface)
     error = SP::IO::read_FreeSurfer_surface(in, file, message);
@@ -120,7 +118,19 @@ inline Polygon_soup parse_surface_file(Surface_file_kind kind, const std::string
                                           : "this program was built without expat and zlib, which read GIFTI files");
   if(error != SP::OK)
     throw Program_error(message);
+  return file;
+}
 
+/// reads a file of this kind as what a mesh file holds. A file of values has no points.
+///
+/// \param keeps_values whether the values of vertices are wanted
+///
+/// \throws Program_error with what is wrong, and what helps
+inline Polygon_soup parse_surface_file(Surface_file_kind kind, const std::string& path, std::istream& in,
+                                       bool keeps_values)
+{
+  std::string message;
+  SP::IO::Surface_file file = read_surface_file(kind, in, message);
   Polygon_soup soup;
   soup.points.reserve(file.points.size());
   for(const auto& p : file.points)

@@ -115,9 +115,12 @@ T mean_value(const Mixture_term* begin, const Mixture_term* end, const Value& va
 }
 
 // The mean of the values of some terms; of labels, the one with the largest sum of weights, the first one if several have.
+// What has no term gets zero, or what else the type begins with.
 template <class T>
 T mixed_value(const Mixture_term* begin, const Mixture_term* end, const T* values)
 {
+  if(begin == end)
+    return T();
   if(end - begin == 1)
     return values[begin->source];
   if constexpr(has_mean<T>)
@@ -147,6 +150,8 @@ T mixed_value(const Mixture_term* begin, const Mixture_term* end, const T* value
 class Mixtures
 {
 public:
+  Mixtures() = default; // of no element
+
   // for_each_term(add) calls add(target, term) for the terms of `n` elements, the same ones each time.
   template <class For_each_term>
   Mixtures(std::size_t n, const For_each_term& for_each_term)
@@ -164,6 +169,20 @@ public:
     for_each_term([&](std::size_t target, const Mixture_term& term) { m_terms[m_ends[target]++] = term; });
   }
 
+  struct Terms
+  {
+    const Mixture_term *first, *last;
+
+    const Mixture_term* begin() const { return first; }
+    const Mixture_term* end() const { return last; }
+  };
+
+  std::size_t size() const { return m_ends.size(); }
+  Terms terms(std::size_t i) const
+  {
+    return {m_terms.data() + (i == 0 ? 0 : m_ends[i - 1]), m_terms.data() + m_ends[i]};
+  }
+
   // Reads the values of the `n` elements of the source with value_of(i), and writes those of all elements of the target
   // with write(i, value), one after the other. In between, values that share nothing are mixed in parallel.
   template <class T, class Values, class Write>
@@ -176,8 +195,7 @@ public:
     for_each_block(std::is_trivially_copyable<T>::value ? execution : Execution(), 0, m_ends.size(), block_size,
                    [&](std::size_t begin, std::size_t end) {
                      for(std::size_t i = begin; i < end; ++i)
-                       result[i] = mixed_value<T>(m_terms.data() + (i == 0 ? 0 : m_ends[i - 1]),
-                                                  m_terms.data() + m_ends[i], values.get());
+                       result[i] = mixed_value<T>(terms(i).begin(), terms(i).end(), values.get());
                    });
     for(std::size_t i = 0; i < m_ends.size(); ++i)
       write(i, result[i]);

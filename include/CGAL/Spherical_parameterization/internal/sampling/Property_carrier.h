@@ -17,6 +17,7 @@
 #include <CGAL/Spherical_parameterization/internal/run/parallel.h>
 #include <CGAL/Spherical_parameterization/internal/surface/Surface.h>
 #include <CGAL/Spherical_parameterization/internal/locate/Sphere_triangulation.h>
+#include <CGAL/Spherical_parameterization/internal/locate/places_of_vertices.h>
 #include <CGAL/Spherical_parameterization/internal/sampling/Mixtures.h>
 #include <CGAL/Spherical_parameterization/internal/numbers/Vector_3.h>
 
@@ -58,18 +59,12 @@ public:
     , m_target(target)
     , m_places(places)
     , m_execution(execution)
-    , m_source_places(source.points().size())
+    , m_source_places(places_of_vertices(source, target))
   {
     normalize(source_points);
     for(const Linked_triangle& t : source.triangles())
       m_source_areas.push_back(
           length(cross(source_points[t[1]] - source_points[t[0]], source_points[t[2]] - source_points[t[0]])));
-    // Each vertex is found by a walk from the place of a neighbour.
-    visit_from_neighbors(source.triangles(), source.points().size(), Triangulation::none,
-                         [&](std::uint32_t v, std::uint32_t w) {
-                           const std::uint32_t start = w == Triangulation::none ? 0 : m_source_places[w].triangle;
-                           m_source_places[v] = target.locate_from(start, source.points()[v]);
-                         });
   }
 
   Mixtures vertex_mixtures() const

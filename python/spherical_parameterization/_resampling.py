@@ -1,0 +1,186 @@
+from __future__ import annotations
+
+from typing import Any, Optional, Tuple
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from . import _core
+from ._arguments import (
+    carry_rows,
+    check_word,
+    read_faces,
+    read_points,
+    read_threads,
+    read_tuple,
+    refuse,
+    to_array,
+)
+
+Sphere = Tuple[ArrayLike, ArrayLike]  # faces, sphere
+
+
+def _read_sphere(name: str, value: Sphere) -> Tuple[NDArray[np.int64], NDArray[np.float64]]:
+    faces, sphere = read_tuple(name, value, "faces", "sphere")
+    return read_faces(f"{name}: faces", faces), read_points(f"{name}: sphere", sphere)
+
+
+def _read_areas(name: str, value: ArrayLike, faces: NDArray[np.int64], n: int) -> NDArray[np.float64]:
+    """Returns the areas around vertices, which the points of a surface may tell."""
+    array = to_array(name, value)
+    if array.dtype.kind not in "fiu":
+        raise TypeError(f"{name} has the type {array.dtype}; it has to hold real numbers")
+    if array.shape not in ((n,), (n, 3)):
+        refuse(f"{name} has the shape {array.shape}; it has to be ({n},), an area for each vertex, or ({n}, 3), its point")
+    if array.ndim == 2:
+        if faces.size and not 0 <= faces.min() <= faces.max() < n:
+            return np.zeros(n)  # the faces are refused
+        u, v, w = np.moveaxis(array.astype(np.float64)[faces], 1, 0)
+        of_faces = np.linalg.norm(np.cross(v - u, w - u), axis=1) / 6
+        array = np.bincount(faces.ravel(), np.repeat(of_faces, 3), n)
+    wrong = ~(np.isfinite(array) & (array >= 0))
+    if wrong.any():
+        refuse(f"{name} is negative or not finite at vertex {np.flatnonzero(wrong)[0]}")
+    return np.ascontiguousarray(array, dtype=np.float64)
+
+
+def resample(
+    source: Sphere,
+    target: Sphere,
+    values: ArrayLike,
+    *,
+    method: Optional[str] = None,
+    areas: Optional[Tuple[ArrayLike, ArrayLike]] = None,
+    mask: Optional[ArrayLike] = None,
+    return_valid: bool = False,
+    threads: Optional[int] = None,
+) -> Any:
+    """Carries values from the vertices of one sphere to those of another one that is in register with it.
+
+    Values of floating-point types are interpolated or averaged. Rows of integers, bools or strings are labels, of which
+    the one with the largest sum of weights is carried over.
+
+    Parameters
+    ----------
+    source, target : (faces, sphere)
+        The sphere that has the values, and the one that gets them: its triangles, (m, 3) integers, and the points of its
+        vertices, (n, 3) numbers, around the origin and at any distance from it. It has to be one-to-one.
+    values : (n, ...) array_like
+        The values of each vertex of the source, such as (n,) or (n, k).
+    method : {"barycentric", "adaptive", "nearest", "largest"}, optional
+        "barycentric", the default without `areas`: what is interpolated in the triangle of the source. "adaptive", the default
+        with them: also averages, weighted with areas, where the target is coarser. "nearest" and "largest": what the
+        vertex has whose weight by these is largest.
+    areas : (areas of source, areas of target), optional
+        The areas around the vertices of both, (n,) and (k,) numbers, for "adaptive" and "largest"; or the points that they
+        have on a surface, (n, 3) and (k, 3) numbers, such as the midthickness.
+    mask : (n,) array_like of bool, optional
+        Which vertices of the source count.
+    return_valid : bool
+        Whether to return as well which vertices of the target get something.
+    threads : int, optional
+        The largest number of threads; by default all cores.
+
+    Returns
+    -------
+    resampled : (k, ...) ndarray
+        The values of the target, of the same type; the zero of their type for a vertex that gets nothing.
+    valid : (k,) ndarray of bool
+        Which vertices get something, if that is wanted.
+
+    Raises
+    ------
+    Error
+        If a sphere is not one-to-one, or an array has not as many rows as it has vertices.
+
+    Notes
+    -----
+    The definitions are those of Connectome Workbench [1]_: "adaptive" is its ADAP_BARY_AREA. `transfer` takes no settings.
+
+    References
+    ----------
+    .. [1] M. F. Glasser et al.: The minimal preprocessing pipelines for the Human Connectome Project. NeuroImage 80, 2013.
+
+    Examples
+    --------
+    >>> sp.resample((faces, sphere), (faces_32k, sphere_32k), thickness, areas=(midthickness, midthickness_32k))
+    """
+    from_faces, from_sphere = _read_sphere("source", source)
+    to_faces, to_sphere = _read_sphere("target", target)
+    n, n_target = len(from_sphere), len(to_sphere)
+    word = method if method is not None else "barycentric" if areas is None else "adaptive"
+    check_word("method", word, ("barycentric", "adaptive", "nearest", "largest"))
+    if (areas is None) == (word in ("adaptive", "largest")):
+        refuse(f"method is {word!r}, which {'needs areas' if areas is None else 'takes no areas'}")
+    both = (np.empty(0), np.empty(0))
+    if areas is not None:
+        first, second = read_tuple("areas", areas, "areas of source", "areas of target")
+        both = (
+            _read_areas("areas[0]", first, from_faces, n),
+            _read_areas("areas[1]", second, to_faces, n_target),
+        )
+    counts = np.empty(0, bool)
+    if mask is not None:
+        counts = to_array("mask", mask)
+        if counts.dtype != bool:
+            raise TypeError(f"mask has the type {counts.dtype}; it has to hold bools")
+        if counts.shape != (n,):
+            refuse(f"mask has the shape {counts.shape}; it has to be ({n},)")
+    array = to_array("values", values)
+    if array.ndim == 0 or len(array) != n:
+        refuse(f"values has the shape {array.shape}; it has to have {n} rows, one for each vertex")
+    valid = np.empty(0, bool)
+
+    def carry(table: NDArray[Any]) -> NDArray[Any]:
+        nonlocal valid
+        result, valid = _core.resample(
+            table,
+            from_faces,
+            from_sphere,
+            to_faces,
+            to_sphere,
+            word,
+            *both,
+            np.ascontiguousarray(counts),
+            read_threads(threads),
+        )
+        if table.dtype.kind != "f":
+            result[~valid] = -1
+        return result
+
+    resampled = carry_rows(array, (n_target, *array.shape[1:]), carry)
+    return (resampled, valid) if return_valid else resampled
+
+
+def resample_sphere(
+    source: Sphere, registered: ArrayLike, target: Sphere, *, threads: Optional[int] = None
+) -> NDArray[np.float64]:
+    """Carries a sphere through the registration of another one: as -surface-sphere-project-unproject of Connectome Workbench.
+
+    Parameters
+    ----------
+    source : (faces, sphere)
+        The sphere before it was registered, or after it: its triangles, (m, 3) integers, and its points, (n, 3) numbers, a
+        one-to-one map.
+    registered : (n, 3) array_like of numbers
+        Its points after it was registered, or before it.
+    target : (faces, sphere)
+        A sphere that is in register with `source`: its triangles, (l, 3) integers, and its points, (k, 3) numbers, a
+        one-to-one map.
+    threads : int, optional
+        The largest number of threads; by default all cores.
+
+    Returns
+    -------
+    (k, 3) ndarray of float64
+        The points of the target, each at the place of `registered` that it has on `source`. Where its triangles are large,
+        they may fold; `is_bijective` tells.
+
+    Raises
+    ------
+    Error
+        If `source` or `target` is not one-to-one.
+    """
+    faces, sphere = _read_sphere("source", source)
+    points = read_points("registered", registered, len(sphere))
+    return _core.resample_sphere(faces, sphere, points, *_read_sphere("target", target), read_threads(threads))

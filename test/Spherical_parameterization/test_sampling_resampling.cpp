@@ -1,0 +1,393 @@
+// What the vertices of one sphere have is carried to those of another one by the weights that the documentation defines.
+
+#include <CGAL/Spherical_parameterization/Sphere_locator_3.h>
+#include <CGAL/Spherical_parameterization/Sphere_resampler_3.h>
+
+#include "methods.h"
+#include "test_meshes.h"
+
+#ifdef CGAL_LINKED_WITH_TBB
+#include <tbb/global_control.h>
+#endif
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <map>
+#include <string>
+#include <vector>
+
+using namespace test;
+
+namespace {
+
+using Weighting = SP::Resampling_method;
+using Resampler = SP::Sphere_resampler_3<>;
+using Weights = std::vector<std::map<std::size_t, double>>;
+
+constexpr std::array<Weighting, 4> methods_of_resampling = {Weighting::barycentric, Weighting::adaptive,
+                                                            Weighting::nearest, Weighting::largest};
+
+struct Sphere
+{
+  explicit Sphere(const Triangle_list& list)
+    : points(list.points)
+  {
+    for(const auto& t : list.triangles)
+      triangles.push_back(
+          {static_cast<std::uint32_t>(t[0]), static_cast<std::uint32_t>(t[1]), static_cast<std::uint32_t>(t[2])});
+    areas = Resampler::vertex_areas(points, triangles);
+  }
+
+  std::size_t size() const { return points.size(); }
+
+  Resampler::Points points;
+  Resampler::Triangles triangles;
+  std::vector<double> areas;
+};
+
+// Where one of them is coarser, finer and about as fine as the other one.
+struct Pair
+{
+  Sphere from, to;
+};
+std::vector<Pair> pairs()
+{
+  const Triangle_list coarse = tilted(icosphere(2)), middle = bumpy_sphere(3), fine = icosphere(4);
+  return {{Sphere(fine), Sphere(coarse)},
+          {Sphere(coarse), Sphere(fine)},
+          {Sphere(middle), Sphere(tilted(icosphere(3)))},
+          {Sphere(fine), Sphere(middle)}};
+}
+
+Resampler connected(const Pair& pair, Weighting method, const std::vector<bool>& mask = {})
+{
+  Resampler resampler;
+  resampler.method(method).areas(pair.from.areas, pair.to.areas).mask(mask);
+  EXPECT_EQ(resampler.connect(pair.from.points, pair.from.triangles, pair.to.points, pair.to.triangles), SP::OK);
+  return resampler;
+}
+
+template <class T>
+std::vector<T> resampled(const Resampler& resampler, const std::vector<T>& values)
+{
+  std::vector<T> result;
+  EXPECT_EQ(resampler.resample(values, result), SP::OK);
+  return result;
+}
+
+// the barycentric coordinates of the vertices of a sphere in another one, by the locator
+Weights located(const Sphere& of, const Sphere& in)
+{
+  Mesh mesh;
+  for(const auto& p : in.points)
+    mesh.add_vertex(Point_3(p[0], p[1], p[2]));
+  for(const auto& t : in.triangles)
+    mesh.add_face(Mesh::Vertex_index(t[0]), Mesh::Vertex_index(t[1]), Mesh::Vertex_index(t[2]));
+  const SP::Sphere_locator_3 locator(mesh, mesh.points());
+  Weights result;
+  for(const auto& p : of.points)
+  {
+    const auto [face, coordinates] = locator.locate(Point_3(p[0], p[1], p[2]));
+    const auto h = mesh.halfedge(face);
+    result.emplace_back();
+    std::size_t i = 0;
+    for(const auto v : {mesh.source(h), mesh.target(h), mesh.target(mesh.next(h))})
+      if(coordinates[i++] > 0.)
+        result.back()[v] = coordinates[i - 1];
+  }
+  return result;
+}
+
+// the weights of the documentation, word by word
+Weights expected_weights(const Pair& pair, bool is_adaptive)
+{
+  const Weights interpolated = located(pair.to, pair.from), handed_out = located(pair.from, pair.to);
+  if(!is_adaptive)
+    return interpolated;
+  Weights result(pair.to.size());
+  for(std::size_t s = 0; s < handed_out.size(); ++s)
+    for(const auto& [v, weight] : handed_out[s])
+      result[v][s] = weight;
+  std::vector<double> sums(pair.from.size(), 0.);
+  for(std::size_t v = 0; v < result.size(); ++v)
+  {
+    if(std::all_of(result[v].begin(), result[v].end(),
+                   [&](const auto& term) { return interpolated[v].count(term.first) > 0; }))
+      result[v] = interpolated[v];
+    for(auto& [s, weight] : result[v])
+      sums[s] += weight *= pair.to.areas[v];
+  }
+  for(auto& weights : result)
+    for(auto& [s, weight] : weights)
+      weight *= pair.from.areas[s] / sums[s];
+  return result;
+}
+
+std::vector<double> random_values(std::size_t n)
+{
+  std::vector<double> result;
+  for(std::size_t k = 0; k < n; ++k)
+    result.push_back(std::sin(1e4 * static_cast<double>(k * k)));
+  return result;
+}
+
+} // namespace
+
+TEST(Resampling, has_the_weights_of_the_definition)
+{
+  for(const Pair& pair : pairs())
+    for(const bool is_adaptive : {false, true})
+    {
+      const Weights expected = expected_weights(pair, is_adaptive);
+      const std::vector<double> values = random_values(pair.from.size());
+      const auto result =
+          resampled(connected(pair, is_adaptive ? Weighting::adaptive : Weighting::barycentric), values);
+      const auto largest = resampled(connected(pair, is_adaptive ? Weighting::largest : Weighting::nearest), values);
+      ASSERT_EQ(result.size(), pair.to.size());
+      for(std::size_t v = 0; v < result.size(); ++v)
+      {
+        double sum = 0., weight = 0., max = 0.;
+        for(const auto& [s, w] : expected[v])
+        {
+          sum += w * values[s];
+          weight += w;
+          max = std::max(max, w);
+        }
+        EXPECT_NEAR(result[v], sum / weight, 1e-12);
+        EXPECT_TRUE(std::any_of(expected[v].begin(), expected[v].end(), [&](const auto& term) {
+          return values[term.first] == largest[v] && term.second >= (1. - 1e-12) * max;
+        }));
+      }
+    }
+}
+
+TEST(Resampling, interpolation_is_exact_for_linear_functions)
+{
+  // The points of the source themselves are interpolated to points on the rays through those of the target.
+  for(const Pair& pair : pairs())
+  {
+    const auto result = resampled(connected(pair, Weighting::barycentric), pair.from.points);
+    for(std::size_t v = 0; v < result.size(); ++v)
+    {
+      const Coordinates p = normalized(result[v]), q = normalized(pair.to.points[v]);
+      for(std::size_t i = 0; i < 3; ++i)
+        EXPECT_NEAR(p[i], q[i], 1e-14);
+    }
+  }
+}
+
+TEST(Resampling, constants_stay_as_they_are)
+{
+  for(const Pair& pair : pairs())
+    for(const Weighting method : methods_of_resampling)
+      for(const double x : resampled(connected(pair, method), std::vector<double>(pair.from.size(), 0.7)))
+        EXPECT_NEAR(x, 0.7, 1e-15);
+}
+
+TEST(Resampling, adaptive_weights_give_away_the_area_of_each_source)
+{
+  const Pair pair = pairs()[0];
+  const auto mixtures = [&](const Weights& weights) {
+    return SP::internal::Mixtures(weights.size(), [&](const auto& add) {
+      for(std::size_t v = 0; v < weights.size(); ++v)
+        for(const auto& [s, weight] : weights[v])
+          add(v, SP::internal::Mixture_term{static_cast<std::uint32_t>(s), weight});
+    });
+  };
+  const auto adaptive = SP::internal::adaptive_mixtures(
+      mixtures(located(pair.to, pair.from)), mixtures(located(pair.from, pair.to)), pair.from.areas, pair.to.areas);
+  std::vector<double> given(pair.from.size(), 0.);
+  for(std::size_t v = 0; v < adaptive.size(); ++v)
+    for(const auto& term : adaptive.terms(v))
+      given[term.source] += term.weight;
+  for(std::size_t s = 0; s < given.size(); ++s) // no source is left out
+    EXPECT_NEAR(given[s], pair.from.areas[s], 1e-14);
+}
+
+TEST(Resampling, a_sphere_gets_from_itself_what_it_has)
+{
+  const Sphere sphere(bumpy_sphere(3));
+  const std::vector<double> values = random_values(sphere.size());
+  for(const Weighting method : methods_of_resampling)
+    EXPECT_EQ(resampled(connected({sphere, sphere}, method), values), values);
+}
+
+TEST(Resampling, the_mask_leaves_out_sources)
+{
+  for(const Pair& pair : pairs())
+    for(const Weighting method : methods_of_resampling)
+    {
+      std::vector<bool> mask;
+      std::vector<double> values;
+      std::vector<std::string> labels;
+      for(const auto& p : pair.from.points)
+      {
+        mask.push_back(p[2] < 0.3);
+        values.push_back(mask.back() ? 3. : std::numeric_limits<double>::quiet_NaN());
+        labels.emplace_back(mask.back() ? "in" : "out");
+      }
+      const Resampler resampler = connected(pair, method, mask);
+      const std::vector<bool> has_value = resampler.has_value();
+      const auto result = resampled(resampler, values);
+      const auto result_of_labels = resampled(resampler, labels);
+      std::size_t n_empty = 0;
+      for(std::size_t v = 0; v < result.size(); ++v)
+      {
+        EXPECT_NEAR(result[v], has_value[v] ? 3. : 0., 1e-14);
+        EXPECT_EQ(result_of_labels[v], has_value[v] ? "in" : "");
+        n_empty += !has_value[v];
+        EXPECT_TRUE(has_value[v] || pair.to.points[v][2] > -0.5);
+      }
+      EXPECT_GT(n_empty, 0u);
+      EXPECT_LT(n_empty, result.size() / 2);
+    }
+}
+
+TEST(Resampling, labels_have_the_largest_share)
+{
+  for(const Pair& pair : pairs())
+    for(const bool is_adaptive : {false, true})
+    {
+      std::vector<std::int32_t> labels;
+      for(std::size_t s = 0; s < pair.from.size(); ++s)
+        labels.push_back(static_cast<std::int32_t>(s * 7 % 5) - 1);
+      const Weights expected = expected_weights(pair, is_adaptive);
+      const auto result =
+          resampled(connected(pair, is_adaptive ? Weighting::adaptive : Weighting::barycentric), labels);
+      for(std::size_t v = 0; v < result.size(); ++v)
+      {
+        std::map<std::int32_t, double> shares;
+        for(const auto& [s, weight] : expected[v])
+          shares[labels[s]] += weight;
+        for(const auto& share : shares)
+          EXPECT_LE(share.second, shares[result[v]] * (1. + 1e-12));
+      }
+    }
+}
+
+TEST(Resampling, spheres_are_carried_through_a_registration)
+{
+  const Sphere fine(icosphere(4)), turned_sphere(tilted(icosphere(4))), coarse(tilted(icosphere(3)));
+  const Resampler resampler = connected({fine, coarse}, Weighting::barycentric);
+  Resampler::Points result, registered = fine.points, expected = coarse.points;
+  for(auto& p : registered) // a rotation, and another radius
+    p = {-100. * p[1], 100. * p[0], 100. * p[2]};
+  for(auto& p : expected)
+    p = {-100. * p[1], 100. * p[0], 100. * p[2]};
+  EXPECT_EQ(resampler.resample_sphere(registered, result), SP::OK);
+  for(std::size_t v = 0; v < result.size(); ++v)
+    for(std::size_t i = 0; i < 3; ++i)
+      EXPECT_NEAR(result[v][i], expected[v][i], 1e-12);
+  for(auto& p : registered) // turned over: all faces are
+    p[2] = -p[2];
+  EXPECT_EQ(resampler.resample_sphere(registered, result), SP::ERROR_NO_1_TO_1_MAPPING);
+  registered.pop_back();
+  EXPECT_EQ(resampler.resample_sphere(registered, result), SP::ERROR_WRONG_PARAMETER);
+}
+
+TEST(Resampling, any_number_of_threads_gives_the_same_bits)
+{
+  const Pair pair = {Sphere(icosphere(5)), Sphere(tilted(icosphere(5)))};
+  const std::vector<double> values = random_values(pair.from.size());
+  for(const Weighting method : methods_of_resampling)
+  {
+    SP::Sphere_resampler_3<CGAL::Sequential_tag> sequential;
+    sequential.method(method).areas(pair.from.areas, pair.to.areas);
+    ASSERT_EQ(sequential.connect(pair.from.points, pair.from.triangles, pair.to.points, pair.to.triangles), SP::OK);
+    std::vector<double> expected;
+    ASSERT_EQ(sequential.resample(values, expected), SP::OK);
+#ifdef CGAL_LINKED_WITH_TBB
+    const tbb::global_control control(tbb::global_control::max_allowed_parallelism, 4);
+#endif
+    EXPECT_EQ(resampled(connected(pair, method), values), expected);
+  }
+}
+
+TEST(Resampling, vertices_without_a_triangle_have_no_part)
+{
+  Pair pair = pairs()[0];
+  for(Sphere* sphere : {&pair.from, &pair.to})
+  {
+    sphere->points.push_back({std::numeric_limits<double>::quiet_NaN(), 0., 0.});
+    sphere->areas.push_back(1.);
+  }
+  for(const Weighting method : methods_of_resampling)
+  {
+    const Resampler resampler = connected(pair, method);
+    std::vector<double> values(pair.from.size(), 2.);
+    values.back() = 1e9;
+    std::vector<double> result = resampled(resampler, values);
+    EXPECT_FALSE(resampler.has_value().back());
+    EXPECT_EQ(result.back(), 0.);
+    result.pop_back();
+    for(const double x : result)
+      EXPECT_NEAR(x, 2., 1e-15);
+  }
+}
+
+TEST(Resampling, areas_of_any_size_will_do)
+{
+  Pair pair = pairs()[0];
+  const std::vector<double> values = random_values(pair.from.size());
+  const auto expected = resampled(connected(pair, Weighting::adaptive), values);
+  for(double& area : pair.from.areas)
+    area *= 0x1p900;
+  for(double& area : pair.to.areas)
+    area *= 0x1p-900;
+  EXPECT_EQ(resampled(connected(pair, Weighting::adaptive), values), expected);
+  // What has no area gets and gives something nevertheless.
+  std::fill(pair.from.areas.begin(), pair.from.areas.end(), 0.);
+  pair.to.areas[7] = 0.;
+  for(const double x : resampled(connected(pair, Weighting::adaptive), std::vector<double>(pair.from.size(), 1.)))
+    EXPECT_NEAR(x, 1., 1e-15);
+}
+
+TEST(Resampling, what_is_wrong_is_told)
+{
+  const Pair pair = pairs()[0];
+  const auto error_of = [&](const Sphere& from, const Sphere& to) {
+    Resampler resampler;
+    const SP::Error_code error = resampler.connect(from.points, from.triangles, to.points, to.triangles);
+    std::vector<double> result = {5.};
+    EXPECT_EQ(resampler.resample(std::vector<double>(from.size(), 1.), result) == SP::OK, error == SP::OK);
+    EXPECT_EQ(result.size() == 1, error != SP::OK); // as it was
+    EXPECT_EQ(resampler.has_value().empty(), error != SP::OK);
+    return error;
+  };
+  EXPECT_EQ(error_of(pair.from, pair.to), SP::OK);
+  Sphere wrong = pair.to;
+  const auto expect_error = [&](SP::Error_code error) {
+    EXPECT_EQ(error_of(pair.from, wrong), error);
+    EXPECT_EQ(error_of(wrong, pair.from), error);
+    wrong = pair.to;
+  };
+  wrong.triangles.clear();
+  expect_error(SP::ERROR_EMPTY_MESH);
+  wrong.triangles.pop_back();
+  expect_error(SP::ERROR_NON_CLOSED_MESH);
+  wrong.points[3][1] = std::numeric_limits<double>::infinity();
+  expect_error(SP::ERROR_NON_FINITE_COORDINATE);
+  wrong.triangles[5][1] = 162;
+  expect_error(SP::ERROR_WRONG_PARAMETER);
+  for(double& x : wrong.points[3])
+    x = -x;
+  expect_error(SP::ERROR_NO_1_TO_1_MAPPING);
+
+  const auto error_with = [&](Resampler& resampler) {
+    return resampler.connect(pair.from.points, pair.from.triangles, pair.to.points, pair.to.triangles);
+  };
+  Resampler resampler;
+  EXPECT_EQ(error_with(resampler.method(Weighting::adaptive)), SP::ERROR_WRONG_PARAMETER);
+  EXPECT_EQ(error_with(resampler.areas(pair.to.areas, pair.from.areas)), SP::ERROR_WRONG_PARAMETER);
+  std::vector<double> areas = pair.from.areas;
+  areas[9] = -1.;
+  EXPECT_EQ(error_with(resampler.areas(areas, pair.to.areas)), SP::ERROR_WRONG_PARAMETER);
+  EXPECT_EQ(error_with(resampler.areas(pair.from.areas, pair.to.areas)), SP::OK);
+  EXPECT_EQ(error_with(resampler.mask({true, false})), SP::ERROR_WRONG_PARAMETER);
+}
