@@ -57,6 +57,7 @@
 #include <CGAL/Spherical_parameterization/fill_holes.h>
 #include <CGAL/Spherical_parameterization/find_defect.h>
 #include <CGAL/Spherical_parameterization/find_handles.h>
+#include <CGAL/Spherical_parameterization/fit_rotation_to_surface.h>
 #include <CGAL/Spherical_parameterization/is_bijective.h>
 #include <CGAL/Spherical_parameterization/map_surface.h>
 #include <CGAL/Spherical_parameterization/measure_distance.h>
