@@ -27,6 +27,7 @@ from ._measuring import (
     is_bijective,
     measure_distance,
     measure_distortion,
+    round_to_float,
 )
 from ._parameterization import Report, parameterize
 from ._repair import FilledSurface, Handle, Hole, fill_holes, find_handles
@@ -74,5 +75,6 @@ __all__ = [
     "overlay",
     "parameterize",
     "remesh",
+    "round_to_float",
     "transfer",
 ]
