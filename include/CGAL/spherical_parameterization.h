@@ -58,6 +58,7 @@
 #include <CGAL/Spherical_parameterization/fill_holes.h>
 #include <CGAL/Spherical_parameterization/find_defect.h>
 #include <CGAL/Spherical_parameterization/find_handles.h>
+#include <CGAL/Spherical_parameterization/fit_rotation_to_surface.h>
 #include <CGAL/Spherical_parameterization/is_bijective.h>
 #include <CGAL/Spherical_parameterization/map_surface.h>
 #include <CGAL/Spherical_parameterization/measure_distance.h>
@@ -66,6 +67,7 @@
 #include <CGAL/Spherical_parameterization/overlay.h>
 #include <CGAL/Spherical_parameterization/parameterize.h>
 #include <CGAL/Spherical_parameterization/remesh_through_sphere.h>
+#include <CGAL/Spherical_parameterization/round_to_float.h>
 #include <CGAL/Spherical_parameterization/split_blocking_edges.h>
 #include <CGAL/Spherical_parameterization/transfer.h>
 

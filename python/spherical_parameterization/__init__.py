@@ -27,6 +27,7 @@ from ._measuring import (
     is_bijective,
     measure_distance,
     measure_distortion,
+    round_to_float,
 )
 from ._parameterization import Report, parameterize
 from ._repair import FilledSurface, Handle, Hole, fill_holes, find_handles
@@ -77,5 +78,6 @@ __all__ = [
     "remesh",
     "resample",
     "resample_sphere",
+    "round_to_float",
     "transfer",
 ]

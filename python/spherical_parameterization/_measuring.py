@@ -118,6 +118,33 @@ def is_bijective(faces: ArrayLike, sphere: ArrayLike, *, threads: Optional[int] 
     return _core.is_bijective(read_faces("faces", faces), read_points("sphere", sphere), read_threads(threads))
 
 
+def round_to_float(faces: ArrayLike, sphere: ArrayLike, *, threads: Optional[int] = None) -> NDArray[np.float32]:
+    """Rounds a map to the sphere to numbers of 32 bits, as many files hold them, such that it stays one-to-one.
+
+    Parameters
+    ----------
+    faces : (m, 3) array_like of integers
+        The vertices of each triangle.
+    sphere : (n, 3) array_like of numbers
+        The images of the vertices, a one-to-one map.
+    threads : int, optional
+        The largest number of threads; by default all cores.
+
+    Returns
+    -------
+    (n, 3) numpy.ndarray of float32
+        The images, by exact arithmetic one-to-one as they are: the nearest numbers, or, where these fold a face, others
+        nearby. Those of vertices without a face are rounded.
+
+    Raises
+    ------
+    Error
+        If the map is not one-to-one, or no such images were found, as where hundreds of vertices have less room than these
+        numbers tell apart; or if the arrays are no closed mesh.
+    """
+    return _core.round_to_float(read_faces("faces", faces), read_points("sphere", sphere), read_threads(threads))
+
+
 def measure_distortion(
     vertices: ArrayLike, faces: ArrayLike, sphere: ArrayLike, *, threads: Optional[int] = None
 ) -> Distortion:

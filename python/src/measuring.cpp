@@ -5,7 +5,9 @@
 #include <CGAL/Spherical_parameterization/is_bijective.h>
 #include <CGAL/Spherical_parameterization/measure_distance.h>
 #include <CGAL/Spherical_parameterization/measure_distortion.h>
+#include <CGAL/Spherical_parameterization/round_to_float.h>
 
+#include <algorithm>
 #include <functional>
 
 namespace Module {
@@ -54,6 +56,23 @@ bool is_bijective(const Indices& faces, const Points& sphere, std::size_t thread
       throw;
     return false; // for what no halfedge data structure can hold
   }
+}
+
+py::array_t<float> round_to_float(const Indices& faces, const Points& sphere, std::size_t threads)
+{
+  py::array_t<float> result({sphere.shape(0), py::ssize_t(3)});
+  float* const images = result.mutable_data();
+  {
+    const py::gil_scoped_release unlock;
+    std::transform(sphere.data(), sphere.data() + sphere.size(), images,
+                   [](double x) { return static_cast<float>(x); });
+    const Mesh mesh = make_mesh("", sphere, faces);
+    const SP::Error_code error =
+        run_with_threads(threads, [&] { return SP::round_to_float(mesh, rows_of(sphere), Row_map<float>(images)); });
+    if(error != SP::OK)
+      fail(error, SP::get_error_message(error));
+  }
+  return result;
 }
 
 py::dict measure_distortion(const Points& vertices, const Indices& faces, const Points& sphere, std::size_t threads)

@@ -55,6 +55,7 @@ PYBIND11_MODULE(_core, module)
   module.def("find_handles", &find_handles);
   module.def("find_defect", &find_defect);
   module.def("is_bijective", &is_bijective);
+  module.def("round_to_float", &round_to_float);
   module.def("measure_distortion", &measure_distortion);
   module.def("measure_distance", &measure_distance);
   module.def("remesh", &remesh);

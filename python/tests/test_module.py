@@ -39,6 +39,7 @@ def make_calls(n, **settings):
     return {
         "parameterize": lambda **s: sp.parameterize(*first[:2], **s)[0],
         "is_bijective": lambda **s: np.array(sp.is_bijective(*first[1:], **s)),
+        "round_to_float": lambda **s: sp.round_to_float(*first[1:], **s),
         "measure_distortion": lambda **s: sp.measure_distortion(*first, **s).isometric.values,
         "measure_distance": lambda **s: np.array(sp.measure_distance(first[:2], second[:2], **s).from_first),
         "Locator": lambda **s: sp.Locator(*first[1:], **s).locate(second[2])[1],
@@ -238,6 +239,27 @@ def test_samples_and_maps_surfaces_with_the_bits_of_the_program(tmp_path, capfd)
     image = sp.remesh(*second, (first[1], directions))
     np.testing.assert_allclose(image.vertices, read_points(tmp_path / "image.off"), atol=1e-14)
     assert np.array_equal(image.faces, first[1])
+
+
+def test_rounds_to_numbers_of_32_bits():
+    faces, sphere = map_of(8)[1:]
+    short = sp.round_to_float(faces, sphere)
+    assert short.dtype == np.float32 and np.array_equal(short, sphere.astype(np.float32))  # nothing folds
+
+    # A vertex next to the middle of an edge, nearer than these numbers can be.
+    middle = sphere[faces[0, 1]] + sphere[faces[0, 2]]
+    inner = middle + 1e-9 * (sphere[faces[0, 0]] - middle / 2)
+    inner *= np.linalg.norm(sphere[0]) / np.linalg.norm(inner)
+    a, b, c = faces[0]
+    n = len(sphere)
+    faces = np.vstack([[a, b, n], [b, c, n], [c, a, n], faces[1:]])
+    sphere = np.vstack([sphere, inner])
+    assert sp.is_bijective(faces, sphere)
+    short = sp.round_to_float(faces, sphere)
+    assert short.dtype == np.float32 and sp.is_bijective(faces, short)
+    np.testing.assert_allclose(short, sphere, atol=1e-5)
+    with pytest.raises(sp.Error, match="not one-to-one"):
+        sp.round_to_float(faces, -sphere)
 
 
 def test_measures_each_face():

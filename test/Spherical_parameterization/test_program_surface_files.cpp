@@ -2,6 +2,7 @@
 
 #include "Binary_file.h"
 #include "Program_fixture.h"
+#include "images.h"
 
 #include <CGAL/Spherical_parameterization/Error_code.h>
 #include <CGAL/Spherical_parameterization/IO/FreeSurfer.h>
@@ -123,28 +124,96 @@ TEST_F(Surface_files, a_surface_of_FreeSurfer_becomes_its_sphere)
                  "--format has to be one of off, obj, ply, ts, gifti or freesurfer");
 }
 
-TEST_F(Surface_files, a_sphere_that_would_fold_in_short_numbers_is_not_written)
+TEST_F(Surface_files, spheres_follow_the_convention_of_the_cortex)
 {
-  // All of a long prism but its foot is a point on the sphere to the 7 digits that these numbers have.
-  constexpr std::size_t n = 100;
-  test_meshes::Triangle_list prism;
-  for(std::size_t k = 0; k < n; ++k)
-    for(const double angle : {0., 2.1, 4.2})
-      prism.points.push_back({{std::cos(angle), std::sin(angle), static_cast<double>(k)}});
-  prism.triangles = {{{0, 2, 1}}, {{3 * n - 3, 3 * n - 2, 3 * n - 1}}};
-  for(std::size_t k = 0; k + 1 < n; ++k)
-    for(std::size_t i = 0; i < 3; ++i)
+  const auto radii_of = [](const Surface_file& file) {
+    std::set<double> radii;
+    for(const auto& p : file.points)
+      radii.insert(std::hypot(p[0], p[1], p[2]));
+    return std::pair(*radii.begin(), *radii.rbegin());
+  };
+  const auto expect_radius = [&](const std::string& name, double radius) {
+    const auto [min, max] = radii_of(read_freesurfer(name));
+    EXPECT_NEAR(min, radius, 1e-6 * radius);
+    EXPECT_NEAR(max, radius, 1e-6 * radius);
+  };
+  // whether each vertex lies on its side of the centroid
+  const auto is_turned = [&](const std::vector<std::array<double, 3>>& points) {
+    bool result = true;
+    for(std::size_t v = 0; v < 4; ++v)
     {
-      const std::size_t a = 3 * k + i, b = 3 * k + (i + 1) % 3;
-      prism.triangles.push_back({{a, b, b + 3}});
-      prism.triangles.push_back({{a, b + 3, a + 3}});
+      double dot = 0.;
+      for(std::size_t i = 0; i < 3; ++i)
+        dot += (surface.points[v][i] - 0.25) * points[v][i];
+      result = result && dot > 60. * std::hypot(surface.points[v][0] - 0.25, surface.points[v][1] - 0.25,
+                                                surface.points[v][2] - 0.25);
     }
-  write_off("prism.off", prism);
-  expect_success("prism.off --energy conformal -o sphere.off");
+    return result;
+  };
+  expect_success("lh.white -o lh.sphere --json a.json");
+  EXPECT_EQ(json("a.json").get<double>("written_radius"), 100.);
+  expect_radius("lh.sphere", 100.);
+  const auto sphere = read_freesurfer("lh.sphere").points;
+  EXPECT_TRUE(is_turned(sphere));
+
+  // It is the same sphere in a format with more digits, if it is asked for.
+  expect_success("lh.white -o cortex.off --convention cortex");
+  expect_success(
+      "cortex.off -o cortex --format freesurfer --method stereographic --convention none"); // any sphere of it
+  expect_success("corner.off --initial cortex.off --iterations 0 --radius fixed=100 -o lh.again --convention none");
+  const auto again = read_freesurfer("lh.again").points;
+  for(std::size_t v = 0; v < 4; ++v)
+    for(std::size_t i = 0; i < 3; ++i)
+      EXPECT_NEAR(again[v][i], sphere[v][i], 1e-5);
+
+  // What was chosen is kept.
+  expect_success("lh.white -o lh.small --radius fixed=5");
+  expect_radius("lh.small", 5.);
+  expect_success("lh.white -o lh.plain --convention none --json b.json");
+  expect_radius("lh.plain", json("b.json").get<double>("radius"));
+  EXPECT_EQ(json("b.json").count("written_radius"), 0u);
+  EXPECT_NE(json("b.json").get<std::string>("method").find("convention none"), std::string::npos);
+
+  // many, each as its format says
+  expect_success("lh.white corner.off --output-folder out");
+  expect_radius("out/lh.white", 100.);
+  expect_success("lh.white -o plain.off");
+  EXPECT_EQ(content(path("out/corner.off")), content(path("plain.off")));
+
+  // Directions on the sphere of a target turn with it.
+  write("all.txt", "0\n1\n2\n3\n");
+  expect_success("corner.off --onto lh.white --landmarks all.txt all.txt --sphere lh.on -o on.off");
+  EXPECT_EQ(read_freesurfer("lh.on").points, read_freesurfer("lh.on_target").points);
+  EXPECT_TRUE(is_turned(read_freesurfer("lh.on").points));
+  expect_radius("lh.on", 100.);
+
+  expect_message("lh.white -o lh.sphere --convention freesurfer", "--convention has to be cortex or none");
+  expect_message("lh.white --template corner.off --output-folder out3 --convention cortex",
+                 "--convention and --template cannot be combined");
+}
+
+TEST_F(Surface_files, a_sphere_does_not_fold_in_short_numbers)
+{
+  // The end of this surface is a point on its sphere to the 7 digits that these numbers have.
+  const std::string settings = " --initial end.off --iterations 0 --radius fixed=1 -o ";
+  write_off("end.off", test::tube(4, 40, 0.5, 1.));
+  expect_success("end.off" + settings + "lh.end");
+  expect_success("end.off --initial lh.end --iterations 0 -o again.off"); // read, and found to be one-to-one
+
+  // There is no room for much more.
+  write_off("end.off", test::tube(32, 100, 0.8, 1.));
+  expect_success("end.off" + settings + "sphere.off");
   expect_message(
-      "prism.off --energy conformal -o lh.sphere --quiet",
-      "lh.sphere: cannot hold the map, whose faces fold if its numbers are rounded to the 32 bits of this format");
-  EXPECT_FALSE(std::filesystem::exists(path("lh.sphere")));
+      "end.off" + settings + "lh.large --quiet",
+      "lh.large: cannot hold the map: large parts of the surface have less room on the sphere than the numbers "
+      "of 32 bits of this format tell apart");
+  EXPECT_FALSE(std::filesystem::exists(path("lh.large")));
+
+  // A map that folds is written as it is.
+  write_off("spiky.off", test_meshes::random_stacked_sphere(300, 7));
+  const Outcome outcome = run("spiky.off --method conformal -o lh.folded --quiet");
+  EXPECT_EQ(outcome.status, 2) << outcome.err;
+  EXPECT_TRUE(std::filesystem::exists(path("lh.folded")));
 }
 
 TEST_F(Surface_files, damaged_files_are_named)

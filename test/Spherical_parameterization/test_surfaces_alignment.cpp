@@ -9,6 +9,7 @@
 
 #include <CGAL/Spherical_parameterization/Surface_mapper_3.h>
 #include <CGAL/Spherical_parameterization/align_spheres.h>
+#include <CGAL/Spherical_parameterization/fit_rotation_to_surface.h>
 #include <CGAL/Spherical_parameterization/internal/align/Limb_search.h>
 #include <CGAL/Spherical_parameterization/is_bijective.h>
 #include <CGAL/Spherical_parameterization/map_surface.h>
@@ -421,6 +422,93 @@ TEST(Landmarks, are_approximated_by_a_rotation_where_they_are_mirrored)
   EXPECT_GT(CGAL::determinant(result.m(0, 0), result.m(0, 1), result.m(0, 2), result.m(1, 0), result.m(1, 1),
                               result.m(1, 2), result.m(2, 0), result.m(2, 1), result.m(2, 2)),
             0.99);
+}
+
+TEST(Rotation_to_surface, turns_a_sphere_back)
+{
+  // Dense on one side, so that the mean over the vertices would be another rotation.
+  Triangle_list list = icosphere(4);
+  for(Coordinates& p : list.points)
+    p = test_meshes::normalized({p[0], p[1], p[2] + 0.7});
+  const Point_3 center(10., -20., 5.);
+  for(const double unit : {1., 1e-200, 1e200})
+    for(const Quaternion& turn : turns)
+    {
+      const auto on_ellipsoid = [&](const Point_3& p) {
+        return Point_3(unit * (center.x() + p.x()), unit * (center.y() + p.y()), unit * (center.z() + p.z()));
+      };
+      const Mapped_mesh body(list, on_ellipsoid, rotation(turn));
+      Rotation_3 result;
+      ASSERT_EQ(SP::fit_rotation_to_surface(body.mesh, body.sphere, result), SP::OK);
+      EXPECT_LT(angle(result, rotation(turn).inverse()), 1e-2);
+    }
+}
+
+TEST(Rotation_to_surface, is_the_best_one_and_no_reflection)
+{
+  const Triangle_list list = icosphere(4);
+  for(const bool is_mirrored : {false, true})
+  {
+    const Mapped_mesh body(
+        list, [&](const Point_3& p) { return is_mirrored ? Point_3(-p.x(), 2. * p.y(), 3. * p.z()) : on_body(p); },
+        rotation(turns[1]));
+    const auto distance = [&](const Rotation_3& turn) { // weighted as the reference says
+      std::vector<double> weights(list.points.size(), 0.);
+      double sum = 0., area = 0.;
+      std::array<double, 3> center = {0., 0., 0.};
+      for(const Triangle& t : list.triangles)
+      {
+        const auto point = [&](std::size_t v) {
+          return body.mesh.point(Vertex_index(static_cast<Mesh::size_type>(v)));
+        };
+        const double a = std::sqrt(CGAL::squared_area(point(t[0]), point(t[1]), point(t[2])));
+        for(const std::size_t v : t)
+        {
+          weights[v] += a;
+          area += a;
+          for(int i = 0; i < 3; ++i)
+            center[static_cast<std::size_t>(i)] += a * point(v)[i];
+        }
+      }
+      for(const Vertex_index v : body.mesh.vertices())
+      {
+        const Point_3 p = body.mesh.point(v), q = turn.transform(body.sphere[v]);
+        const Coordinates d =
+            test_meshes::normalized({p.x() - center[0] / area, p.y() - center[1] / area, p.z() - center[2] / area});
+        sum += weights[v] * test::distance(d, {q.x(), q.y(), q.z()}) * test::distance(d, {q.x(), q.y(), q.z()});
+      }
+      return sum;
+    };
+    Rotation_3 result;
+    ASSERT_EQ(SP::fit_rotation_to_surface(body.mesh, body.sphere, result), SP::OK);
+    EXPECT_GT(CGAL::determinant(result.m(0, 0), result.m(0, 1), result.m(0, 2), result.m(1, 0), result.m(1, 1),
+                                result.m(1, 2), result.m(2, 0), result.m(2, 1), result.m(2, 2)),
+              0.99);
+    const double least = distance(result);
+    for(const Quaternion& step :
+        {Quaternion{1., 1e-3, 0., 0.}, Quaternion{1., -1e-3, 0., 0.}, Quaternion{1., 0., 1e-3, 0.},
+         Quaternion{1., 0., -1e-3, 0.}, Quaternion{1., 0., 0., 1e-3}, Quaternion{1., 0., 0., -1e-3}})
+      EXPECT_GT(distance(rotation(step) * result), least);
+  }
+}
+
+TEST(Rotation_to_surface, is_left_as_it_was_where_there_is_none)
+{
+  Mapped_mesh body(icosphere(2), on_body, rotation(turns[1]));
+  const Rotation_3 before(CGAL::SCALING, 3.);
+  Rotation_3 result = before;
+  const auto fit = [&] { return SP::fit_rotation_to_surface(body.mesh, body.sphere, result); };
+  const Vertex_index v = *body.mesh.vertices().begin();
+  const Point_3 image = body.sphere[v], point = body.mesh.point(v);
+  body.sphere[v] = Point_3(0., 0., 0.);
+  EXPECT_EQ(fit(), SP::ERROR_INVALID_DIRECTION);
+  body.sphere[v] = image;
+  body.mesh.point(v) = Point_3(0., std::numeric_limits<double>::infinity(), 0.);
+  EXPECT_EQ(fit(), SP::ERROR_NON_FINITE_COORDINATE);
+  for(const Vertex_index w : body.mesh.vertices())
+    body.mesh.point(w) = point;
+  EXPECT_EQ(fit(), SP::ERROR_UNDETERMINED_ROTATION);
+  EXPECT_EQ(result, before);
 }
 
 TEST(Landmarks, that_do_not_determine_a_rotation_are_refused)

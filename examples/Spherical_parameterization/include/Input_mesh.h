@@ -8,7 +8,6 @@
 
 #include <CGAL/Spherical_parameterization/fill_holes.h>
 #include <CGAL/Spherical_parameterization/find_handles.h>
-#include <CGAL/Spherical_parameterization/is_bijective.h>
 #include <CGAL/Spherical_parameterization/measure_distortion.h>
 
 #include <CGAL/Surface_mesh.h>
@@ -172,21 +171,6 @@ public:
 
   /// returns what a file of a cortical surface tells of where that is from.
   const SP::IO::Surface_origin& origin() const { return m_origin; }
-
-  /// checks that a one-to-one map to the sphere still is one if its numbers are rounded to 32 bits, as some formats do.
-  ///
-  /// \throws Program_error that names the file `path` to be written, if it is not
-  void check_rounded(const std::string& path, const Sphere_map& map)
-  {
-    const Sphere_map rounded = m_mesh.add_property_map<Vertex_index, Point_3>("v:rounded", Point_3(0, 0, 0)).first;
-    const auto round = [](double x) { return static_cast<double>(static_cast<float>(x)); };
-    for(const Vertex_index v : m_mesh.vertices())
-      rounded[v] = Point_3(round(map[v].x()), round(map[v].y()), round(map[v].z()));
-    if(!SP::is_bijective(m_mesh, rounded) && SP::is_bijective(m_mesh, map))
-      throw Program_error(path,
-                          "cannot hold the map, whose faces fold if its numbers are rounded to the 32 bits of this "
-                          "format.\nWrite a .off or .ply file, which have 64.");
-  }
 
   /// returns the triangles of the file.
   const std::vector<Polygon>& triangles() const { return m_polygons; }

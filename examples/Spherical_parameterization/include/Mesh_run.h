@@ -95,6 +95,11 @@ public:
     // A vertex without a face stays at the origin.
     m_sphere = mesh().add_property_map<Vertex_index, Point_3>("v:sphere", Point_3(0, 0, 0)).first;
     m_report.result = run_method(m_options, *m_input, m_sphere);
+    const bool is_its_sphere = m_options.onto.empty(); // and not that of a target
+    if(m_options.follows_convention(m_names.sphere) && is_its_sphere)
+      turn_to_surface(*m_input, m_sphere, m_report.result.is_one_to_one);
+    if(m_options.follows_convention(m_names.sphere) && !m_names.sphere.empty() && !m_options.keeps_radius)
+      m_report.written_radius = radius_of_convention;
   }
 
   /// samples the surface, if that is wanted.
@@ -185,9 +190,9 @@ public:
         if(m_match && m_options.onto.empty())
           m_match->write_positions(out, format);
         else if(m_match)
-          m_match->write_directions(out, m_names.sphere, format);
+          m_match->write_directions(out, m_names.sphere, format, m_report.written_radius);
         else
-          write_sphere(out, m_names.sphere, format, *m_input, m_sphere);
+          write_sphere(out, m_names.sphere, format, *m_input, m_sphere, m_report.written_radius);
       });
       m_report.sphere_checksum = m_files.sphere->checksum();
     }
@@ -202,7 +207,7 @@ public:
     if(m_files.target_sphere)
       m_files.target_sphere->write([&](std::ostream& out) {
         write_sphere(out, m_names.target_sphere, m_options.format_of(m_names.target_sphere), m_other->input,
-                     m_other->sphere);
+                     m_other->sphere, m_report.written_radius);
       });
     if(m_files.overlay)
       m_files.overlay->write([&](std::ostream& out) { m_match->write_overlay(out); });

@@ -64,6 +64,7 @@ public:
     read_limits();
     read_format();
     read_match();
+    read_convention();
     read_outputs();
     read_repair();
   }
@@ -135,6 +136,15 @@ none; 2, all have one, but some fold.
   /// returns the format of a mesh that is written under this name.
   std::string format_of(const std::string& name) const { return format.empty() ? output_format(name) : format; }
 
+  /// returns whether the sphere is to lie as its surface does, and to have the radius of the convention, if no other was given.
+  ///
+  /// \param sphere the name that it is written under, empty if it is not
+  bool follows_convention(const std::string& sphere) const
+  {
+    return convention.empty() ? template_file.empty() && !sphere.empty() && is_cortical(format_of(sphere))
+                              : convention == "cortex";
+  }
+
   /// returns the file that decides on a map beside the mesh itself; empty if there is none.
   const std::string& start_or_template() const { return template_file.empty() ? start_file : template_file; }
 
@@ -164,6 +174,8 @@ none; 2, all have one, but some fold.
   bool takes_each_component = false;
   std::string output_folder; ///< of the many, empty otherwise
   std::string format;        ///< of all meshes that are written, empty if their names tell it
+  std::string convention;    ///< of spheres; empty if their formats tell it
+  bool keeps_radius = false; ///< whether that of a map is the one to be written, as it was chosen
   bool is_resumed = false;   ///< whether meshes that are done are left out
   std::string method = "bld";
   bool is_published = false;          ///< "bld" with the settings of the paper
@@ -298,6 +310,9 @@ private:
                               "instead of the sphere: all get the same faces")
       ("format", word("FORMAT"), "the format of all meshes that are written, if names are not to tell it, or with --output-folder that "
                                  "of the INPUT, and off for .stl: off, obj, ply, ts, gifti or freesurfer")
+      ("convention", word("WHICH"), "cortex: spheres as programs for cortical surfaces expect them, the default for .gii and the format "
+                                    "of FreeSurfer: they lie as the surface does, seen from its centroid, and have the radius 100, or "
+                                    "that of --radius; none: as the method leaves them, the default for other formats")
       ("resume", "leave out the meshes whose sphere and report are there, made by the same version of the program from "
                  "the same file with the same options")
       ("method", word("METHOD"), "bld: lowest distortion, the default; or one of the methods that it can start from or "
@@ -801,6 +816,16 @@ private:
     }
     if(!template_file.empty())
       describe("template " + printable(template_file));
+  }
+
+  void read_convention()
+  {
+    convention = read_word("convention", {"cortex", "none"}, "");
+    keeps_radius = has("radius");
+    if(has("convention") && !template_file.empty())
+      fail("--convention and --template cannot be combined, as no sphere is written");
+    if(has("convention"))
+      describe("convention " + convention);
   }
 
   void read_outputs()

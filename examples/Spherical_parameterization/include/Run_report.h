@@ -80,7 +80,8 @@ public:
   SP::Distortion_summary distortion;
   /// with the radius of eq. 11, if the map is to the unit sphere, whatever the size of the surface
   std::optional<SP::Distortion_summary> balanced;
-  double seconds_for_input = 0.; ///< reading and checking the file
+  std::optional<double> written_radius; ///< of the sphere in its file, if it is not that of the map
+  double seconds_for_input = 0.;        ///< reading and checking the file
   double seconds_for_measuring = 0.;
   double seconds_for_sampling = 0.;
   double seconds_for_matching = 0.;         ///< the other surface, and the map between both
@@ -176,12 +177,15 @@ public:
     else if(!is_among(m_options.method, {"stereographic", "schnyder"}))
       out << (m_options.method == "bld" ? "Sweeps    " : "Steps     ") << run.number_of_iterations() << " ("
           << stop_reason() << ")\n";
-    out << "Radius    " << fixed_text(run.radius, 10, false) << "\nSeconds   " << fixed_text(seconds(), 2) << " = "
-        << fixed_text(seconds_for_input, 2) << " input + " << fixed_text(run.seconds_for_reading, 2) << " copy + "
-        << fixed_text(run.seconds_for_hierarchy, 2) << " hierarchy + " << fixed_text(run.seconds_for_embedding, 2)
-        << " initial map + " << fixed_text(run.seconds_for_optimization, 2) << " sweeps + "
-        << fixed_text(run.seconds_for_certificate, 2) << " certificate + " << fixed_text(seconds_for_measuring, 2)
-        << " measuring + " << (remesh ? fixed_text(seconds_for_sampling, 2) + " sampling + " : "")
+    out << "Radius    " << fixed_text(run.radius, 10, false);
+    if(written_radius)
+      out << "; the sphere is written with the radius " << fixed_text(*written_radius, 10, false);
+    out << "\nSeconds   " << fixed_text(seconds(), 2) << " = " << fixed_text(seconds_for_input, 2) << " input + "
+        << fixed_text(run.seconds_for_reading, 2) << " copy + " << fixed_text(run.seconds_for_hierarchy, 2)
+        << " hierarchy + " << fixed_text(run.seconds_for_embedding, 2) << " initial map + "
+        << fixed_text(run.seconds_for_optimization, 2) << " sweeps + " << fixed_text(run.seconds_for_certificate, 2)
+        << " certificate + " << fixed_text(seconds_for_measuring, 2) << " measuring + "
+        << (remesh ? fixed_text(seconds_for_sampling, 2) + " sampling + " : "")
         << (match ? fixed_text(seconds_for_matching, 2) + " matching + " : "") << fixed_text(seconds_for_output, 2)
         << " output\n\n            maximum     average   deviation\n";
     print_line(out, "D_iso  ", distortion.isometric);
@@ -273,6 +277,8 @@ public:
                                .add("D_angle", statistics(distortion.angle))
                                .add("inverted_faces", distortion.number_of_inverted_faces)
                                .add("degenerate_faces", distortion.number_of_degenerate_faces));
+    if(written_radius)
+      all.add("written_radius", *written_radius);
     if(!components.empty())
       all.add("component", component + 1).add("faces_of_components", components);
     if(m_options.max_hole_edges > 0)

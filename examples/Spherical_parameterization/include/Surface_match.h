@@ -49,6 +49,8 @@ struct Mapped_mesh
   {
     if(!run_method(options, input, sphere).is_one_to_one)
       throw Program_error(name, "the map to the sphere is not one-to-one.\n--method bld excludes that.");
+    if(options.follows_convention(options.file_names.sphere)) // Directions on it turn along, as they are found on it.
+      turn_to_surface(input, sphere, true);
   }
 
   /// copies the mesh, so that several threads can use it at once.
@@ -160,10 +162,11 @@ public:
     write_soup(out, format, points, m_triangles, inherited(m_target_origin, false));
   }
 
-  /// writes the faces of the first surface, with the directions of its vertices, to the file `path`.
-  void write_directions(std::ostream& out, const std::string& path, const std::string& format) const
+  /// writes the faces of the first surface, with the directions of its vertices, to the file `path`; see `write_sphere()`.
+  void write_directions(std::ostream& out, const std::string& path, const std::string& format,
+                        std::optional<double> radius) const
   {
-    write_sphere(out, path, format, m_input, m_directions);
+    write_sphere(out, path, format, m_input, m_directions, radius);
   }
 
   /// writes the common refinement as a PLY file: with the places on the first surface, and as properties those on the

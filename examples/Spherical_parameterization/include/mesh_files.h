@@ -24,6 +24,12 @@ inline const Words output_formats = {".off", ".obj", ".ply", ".ts", ".gii"};
 /// The format of FreeSurfer, whose files are called `lh.sphere`, say.
 inline const std::string freesurfer_format = "freesurfer";
 
+/// returns whether a format is one of cortical surfaces; the numbers of these have 32 bits.
+inline bool is_cortical(const std::string& format)
+{
+  return format == ".gii" || format == freesurfer_format;
+}
+
 /// What the names of meshes that are read, and written, have to be like.
 inline const std::string input_names =
     ".off, .obj, .ply, .stl, .ts or .gii, or the file has to be a surface of FreeSurfer";

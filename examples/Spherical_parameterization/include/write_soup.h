@@ -29,12 +29,6 @@
 
 namespace Program {
 
-/// returns whether the numbers of a format have 32 bits.
-inline bool has_short_numbers(const std::string& format)
-{
-  return format == ".gii" || format == freesurfer_format;
-}
-
 /// writes a file of a cortical surface, or of values of vertices if it has no points.
 ///
 /// \throws Program_error if the format cannot hold it, or the program was built without what it takes

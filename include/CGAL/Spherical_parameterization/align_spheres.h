@@ -76,11 +76,6 @@ struct Sphere_alignment_3
 
 namespace internal {
 
-inline Sphere_alignment_3::Rotation_3 as_transformation(const Rotation_matrix& r)
-{
-  return {r[0][0], r[0][1], r[0][2], r[1][0], r[1][1], r[1][2], r[2][0], r[2][1], r[2][2]};
-}
-
 // Simplifies a surface that has been read, with the values of features at its vertices.
 template <class Arrays>
 Error_code simplify(Arrays& arrays, const std::vector<Channel>& features, std::optional<Coarse_surface>& coarse,

@@ -58,19 +58,25 @@ bool are_bijective(const Index_triangles& triangles, const std::vector<Point_3>&
   return certify_bijectivity<Exact_kernel>(exact_images, triangles, execution).is_bijective();
 }
 
+// the same of points without a kernel
+inline bool are_bijective(const Index_triangles& triangles, const std::vector<Vector_3d>& images, Execution execution)
+{
+  std::vector<Exact_predicates_inexact_constructions_kernel::Point_3> points;
+  points.reserve(images.size());
+  for(const Vector_3d& x : images)
+    points.emplace_back(x[0], x[1], x[2]);
+  return are_bijective(triangles, points, execution);
+}
+
 // Projects the images of the vertices to the unit sphere. Returns whether they make a bijection there.
 inline bool project_map(const Index_triangles& triangles, std::vector<Vector_3d>& images, Execution execution)
 {
-  using Point_3 = Exact_predicates_inexact_constructions_kernel::Point_3;
-  std::vector<Point_3> points;
-  points.reserve(images.size());
   for(Vector_3d& x : images)
   {
     const double size = (std::max)({std::abs(x[0]), std::abs(x[1]), std::abs(x[2])}); // squares could overflow
     x = normalized({x[0] / size, x[1] / size, x[2] / size});
-    points.emplace_back(x[0], x[1], x[2]);
   }
-  return are_bijective(triangles, points, execution);
+  return are_bijective(triangles, images, execution);
 }
 
 // Whether two points with floating-point coordinates are the same for any compile flags: with -ffast-math, NaN equals

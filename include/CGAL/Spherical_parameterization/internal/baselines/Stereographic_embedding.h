@@ -86,18 +86,6 @@ struct Moebius_transformation
   }
 };
 
-inline Vector_3d center_of_mass(const std::vector<Vector_3d>& points, const std::vector<double>& masses)
-{
-  Vector_3d sum = {0., 0., 0.};
-  double mass = 0.;
-  for(std::size_t v = 0; v < points.size(); ++v)
-  {
-    sum = sum + masses[v] * points[v];
-    mass += masses[v];
-  }
-  return (1. / mass) * sum;
-}
-
 // The solution x of sum m (1 - u u^T) x = b. The matrix is symmetric, and positive definite unless all points are on
 // one line.
 inline Vector_3d solve_tangential(const std::vector<Vector_3d>& points, const std::vector<double>& masses,

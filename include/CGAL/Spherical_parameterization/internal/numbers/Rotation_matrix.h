@@ -16,6 +16,9 @@
 
 #include <CGAL/Spherical_parameterization/internal/numbers/Vector_3.h>
 
+#include <CGAL/Aff_transformation_3.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -29,6 +32,12 @@ namespace CGAL::Spherical_parameterization::internal {
 
 // A rotation by its matrix, row by row.
 using Rotation_matrix = std::array<Vector_3d, 3>;
+
+// the same for callers
+inline Aff_transformation_3<Exact_predicates_inexact_constructions_kernel> as_transformation(const Rotation_matrix& r)
+{
+  return {r[0][0], r[0][1], r[0][2], r[1][0], r[1][1], r[1][2], r[2][0], r[2][1], r[2][2]};
+}
 
 inline Vector_3d rotated(const Rotation_matrix& r, const Vector_3d& p)
 {

@@ -89,6 +89,18 @@ inline std::vector<double> curvature_masses(const Vertex_rings& rings, const std
   return masses;
 }
 
+inline Vector_3d center_of_mass(const std::vector<Vector_3d>& points, const std::vector<double>& masses)
+{
+  Vector_3d sum = {0., 0., 0.};
+  double mass = 0.;
+  for(std::size_t v = 0; v < points.size(); ++v)
+  {
+    sum = sum + masses[v] * points[v];
+    mass += masses[v];
+  }
+  return (1. / mass) * sum;
+}
+
 // How much more area the vertices of a coarse mesh stand for than they have: 1 where nothing has been lost. A vertex
 // whose faces have no area is left alone, as their rest shapes are not their own.
 inline std::vector<double> vertex_densities(const Vertex_rings& rings, const std::vector<Vector_3d>& points,
