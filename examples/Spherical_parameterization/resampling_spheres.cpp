@@ -12,7 +12,7 @@ namespace SP = CGAL::Spherical_parameterization;
 
 using Resampler = SP::Sphere_resampler_3<>;
 
-int main()
+int main(int, char**)
 {
   // Cortical surfaces have spheres in files; see read_GIFTI() and read_FreeSurfer_surface().
   const SP::Sphere_domain_3 fine = SP::Sphere_domain_3::icosahedron(64), coarse = SP::Sphere_domain_3::octahedron(40);

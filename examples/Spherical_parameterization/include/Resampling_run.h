@@ -13,6 +13,7 @@
 
 #include <CGAL/Spherical_parameterization/Sphere_resampler_3.h>
 #include <CGAL/Spherical_parameterization/is_bijective.h>
+#include <CGAL/Spherical_parameterization/round_to_float.h>
 
 #include <algorithm>
 #include <cmath>
@@ -308,12 +309,16 @@ private:
       const SP::Error_code error = m_resampler.resample_sphere(registered.points, file.points);
       if(error != SP::OK && error != SP::ERROR_NO_1_TO_1_MAPPING)
         throw Program_error(name, SP::get_error_message(error));
-      if(has_short_numbers(output_format(m_outputs[k]->name())))
-        for(auto& p : file.points)
-          for(double& x : p)
-            x = static_cast<double>(static_cast<float>(x));
       Input_mesh mesh = mesh_of(name, file);
-      if(!is_one_to_one(mesh))
+      auto points = mesh.mesh().points();
+      bool is_sphere = is_one_to_one(mesh);
+      if(is_sphere && is_cortical(output_format(m_outputs[k]->name())))
+      {
+        is_sphere = SP::round_to_float(mesh.mesh(), points, points) == SP::OK;
+        for(const Vertex_index v : mesh.mesh().vertices())
+          file.points[v] = {{points[v].x(), points[v].y(), points[v].z()}};
+      }
+      if(!is_sphere)
       {
         std::cerr << "spherical_parameterization: " << printable(m_outputs[k]->name()) << ": folds, as faces of "
                   << printable(name) << " are too large for the registration, or that folds itself\n";
@@ -361,7 +366,7 @@ private:
     output.write([&](std::ostream& out) {
       if(file.points.empty())
         write_surface_file(out, format_of_values(output.name()), file, n_triangles);
-      else if(has_short_numbers(format))
+      else if(is_cortical(format))
         write_surface_file(out, format, file);
       else
       {
