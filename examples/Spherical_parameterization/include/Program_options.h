@@ -143,7 +143,7 @@ none; 2, all have one, but some fold.
   bool compares_values = false;                    ///< of the features, and not ranks
   double landmark_weight = 0.;                     ///< 0 if landmarks are met exactly
   double morph_time = 0.;
-  bool splits = false; ///< whether the surface is refined where that makes for a better map
+  bool splits = false;            ///< whether the surface is refined where that makes for a better map
   std::size_t max_hole_edges = 0; ///< of holes that are filled; 0 if none is
   bool picks_component = false;   ///< whether one part of the surface is mapped
   bool takes_each_component = false;

@@ -47,7 +47,7 @@ struct Feature_goals
   std::optional<Sphere_image> image;
   std::vector<double> values;
   std::vector<char> mask; // of the vertices that have none; empty if all have them
-  double weight = 0.; // of the mean of their squared differences, beside the mean energy
+  double weight = 0.;     // of the mean of their squared differences, beside the mean energy
 };
 
 // The sphere of another surface as the space that vertices move on, see Block_coordinate_descent: its metric, goals for
