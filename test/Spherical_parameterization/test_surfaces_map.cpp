@@ -436,8 +436,8 @@ TEST(Split_blocking_edges, refuses_what_is_no_surface)
 // The surface stays the same set of points, each edge is told, and the map goes on from where it is.
 TEST(Split_bent_faces, lowers_the_energy)
 {
-  Mapped_mesh a(icosphere(2), as_it_is, rotation(turns[0]));
-  const Mapped_mesh b(octahedron_of(12), on_body, rotation(turns[1]));
+  Mapped_mesh a(icosphere(3), as_it_is, rotation(turns[0]));
+  const Mapped_mesh b(octahedron_of(30), on_body, rotation(turns[1]));
   const double area = CGAL::to_double(CGAL::Polygon_mesh_processing::area(a.mesh));
   const std::size_t n_vertices = a.mesh.number_of_vertices(), n_faces = a.mesh.number_of_faces();
   const Image_map directions = a.mesh.add_property_map<Vertex_index, Point_3>("v:directions").first;
@@ -446,7 +446,7 @@ TEST(Split_bent_faces, lowers_the_energy)
   const double before = mapper.report().energy;
 
   std::vector<SP::Split_edge<Mesh>> split;
-  constexpr std::size_t n = 50;
+  constexpr std::size_t n = 40;
   ASSERT_EQ(SP::split_bent_faces(a.mesh, directions, b.mesh, b.sphere, split, CGAL::parameters::maximum_number(n)),
             SP::OK);
   EXPECT_EQ(split.size(), n);
@@ -467,8 +467,12 @@ TEST(Split_bent_faces, lowers_the_energy)
   }
 
   auto further = mapper.keep_alignment();
-  ASSERT_EQ(SP::map_surface(a.mesh, directions, b.mesh, b.sphere, further, directions), SP::OK);
-  EXPECT_LT(further.report().energy, before - 0.01);
+  for(int round = 0; round < 3; ++round)
+  {
+    ASSERT_EQ(SP::map_surface(a.mesh, directions, b.mesh, b.sphere, further, directions), SP::OK);
+    ASSERT_EQ(SP::split_bent_faces(a.mesh, directions, b.mesh, b.sphere, split), SP::OK);
+  }
+  EXPECT_LT(further.report().energy, before);
   EXPECT_EQ(further.report().agreement, 0.); // Nothing has been aligned.
 }
 

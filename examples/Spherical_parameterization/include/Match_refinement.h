@@ -43,7 +43,8 @@ public:
   }
 
   /// splits edges that block landmarks, and faces that bend over much of the second surface, and maps the first one again, until
-  /// that lowers the energy by less than a hundredth of what it has above that of an isometry, or vertices are half as many again.
+  /// two rounds have not lowered the energy by a hundredth of what it has above that of an isometry, or vertices are half as many
+  /// again. (One round alone often raises it, where a face next to a landmark is stretched.)
   ///
   /// \param map maps the mesh that it is given, from the directions that its vertices have to new ones, by a mapper
   template <class Map>
@@ -51,22 +52,22 @@ public:
            const Mapper& first_mapper, const std::vector<Mapper::Landmark>& landmarks, SP::Surface_map_report& report,
            const Map& map)
   {
-    constexpr int max_rounds = 6;
+    constexpr int max_rounds = 6, max_failures = 2;
     constexpr double min_gain = 0.01;
     m_energy_before = report.energy;
     const std::size_t max_vertices = mesh.number_of_vertices() + mesh.number_of_vertices() / 2;
     m_parents.assign(mesh.faces().begin(), mesh.faces().end());
+    std::size_t n_missed = report.number_of_missed_landmarks;
     Mapper mapper = first_mapper.keep_alignment();
-    for(int round = 0; round < max_rounds && mesh.number_of_vertices() < max_vertices; ++round)
+    Mesh trial = mesh;
+    Match_refinement best = *this;
+    for(int round = 0, n_failures = 0; round < max_rounds && n_failures < max_failures &&
+                                       trial.number_of_vertices() < max_vertices && !is_at_end(report);
+        ++round)
     {
-      if(report.stop_reason == SP::STOPPED || report.stop_reason == SP::TIME_LIMIT || report.is_energy_sampled)
-        return;
-      Mesh trial = mesh;
       Sphere_map moved = directions_of(trial);
-      const std::size_t n_ends = m_ends.size();
-      const std::vector<Mesh::Face_index> parents = m_parents;
       std::vector<SP::Split_edge<Mesh>> blocking, bent;
-      if(report.number_of_missed_landmarks > 0)
+      if(n_missed > 0)
         check(SP::split_blocking_edges(trial, moved, moved, sphere2, landmarks, blocking));
       add(blocking);
       if(const std::size_t n = trial.number_of_vertices(); n < max_vertices)
@@ -74,27 +75,26 @@ public:
                                    CGAL::parameters::maximum_number(max_vertices - n)));
       add(bent);
       if(blocking.empty() && bent.empty())
-        return;
+        break;
       map(trial, moved, mapper);
       const SP::Surface_map_report& next = mapper.report();
-      const bool meets_more = next.number_of_missed_landmarks<report.number_of_missed_landmarks,
-                                                              meets_less = next.number_of_missed_landmarks>
-                                  report.number_of_missed_landmarks,
-                 is_lower = next.energy > 0. && next.energy - 2. < (1. - min_gain) * (report.energy - 2.);
-      if(meets_less || !(meets_more || is_lower))
-      {
-        m_ends.resize(n_ends);
-        m_parents = parents;
-        return;
-      }
-      mesh = std::move(trial);
-      directions = directions_of(mesh);
-      report.energy = next.energy;
-      report.stop_reason = next.stop_reason;
+      n_missed = next.number_of_missed_landmarks;
       report.number_of_sweeps += next.number_of_sweeps;
-      report.landmark_distances = next.landmark_distances;
-      report.number_of_missed_landmarks = next.number_of_missed_landmarks;
+      const bool is_lower = next.energy > 0. && next.energy - 2. < (1. - min_gain) * (report.energy - 2.);
+      ++n_failures;
+      if(n_missed < report.number_of_missed_landmarks || (is_lower && n_missed == report.number_of_missed_landmarks))
+      {
+        n_failures = 0;
+        mesh = trial;
+        best = *this;
+        report.energy = next.energy;
+        report.landmark_distances = next.landmark_distances;
+        report.number_of_missed_landmarks = n_missed;
+      }
+      report.stop_reason = next.stop_reason;
     }
+    directions = directions_of(mesh);
+    *this = std::move(best);
   }
 
   /// returns the directions of the vertices of a mesh; a vertex without a face stays at the origin.
@@ -110,6 +110,12 @@ public:
   const std::vector<Mesh::Face_index>& parents() const { return m_parents; }
 
 private:
+  // Whether no further round may be made, or its energy could not be compared.
+  static bool is_at_end(const SP::Surface_map_report& report)
+  {
+    return report.stop_reason == SP::STOPPED || report.stop_reason == SP::TIME_LIMIT || report.is_energy_sampled;
+  }
+
   static void check(SP::Error_code error)
   {
     if(error != SP::OK)
