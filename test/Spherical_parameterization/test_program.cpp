@@ -426,7 +426,9 @@ std::string ply_with_values(unsigned int subdivisions, float first_height = 1.f)
 TEST_F(Command_line, splits_faces_where_that_pays)
 {
   write_off("target.off", test_meshes::scaled(test_meshes::icosphere(3), 1., 2., 0.5));
-  const std::string map = "sphere.off --onto target.off";
+  write("a.txt", "0\n1\n2\n3\n");
+  write("b.txt", "0\n1\n2\n14\n"); // one is not where the others are
+  const std::string map = "sphere.off --onto target.off --landmarks a.txt b.txt";
   const Outcome outcome = run(map + " --split -o mapped.off --sphere p.off --overlay overlay.ply --json split.json");
   ASSERT_EQ(outcome.status, 0) << outcome.err;
   EXPECT_NE(outcome.out.find("Split:     "), std::string::npos) << outcome.out;

@@ -447,8 +447,7 @@ TEST(Split_bent_faces, lowers_the_energy)
 
   std::vector<SP::Split_edge<Mesh>> split;
   constexpr std::size_t n = 40;
-  ASSERT_EQ(SP::split_bent_faces(a.mesh, directions, b.mesh, b.sphere, split, CGAL::parameters::maximum_number(n)),
-            SP::OK);
+  ASSERT_EQ(SP::split_bent_faces(a.mesh, directions, b.mesh, b.sphere, n, split), SP::OK);
   EXPECT_EQ(split.size(), n);
   EXPECT_EQ(a.mesh.number_of_vertices(), n_vertices + n);
   EXPECT_EQ(a.mesh.number_of_faces(), n_faces + 2 * n);
@@ -470,7 +469,7 @@ TEST(Split_bent_faces, lowers_the_energy)
   for(int round = 0; round < 3; ++round)
   {
     ASSERT_EQ(SP::map_surface(a.mesh, directions, b.mesh, b.sphere, further, directions), SP::OK);
-    ASSERT_EQ(SP::split_bent_faces(a.mesh, directions, b.mesh, b.sphere, split), SP::OK);
+    ASSERT_EQ(SP::split_bent_faces(a.mesh, directions, b.mesh, b.sphere, n, split), SP::OK);
   }
   EXPECT_LT(further.report().energy, before);
   EXPECT_EQ(further.report().agreement, 0.); // Nothing has been aligned.
@@ -482,12 +481,11 @@ TEST(Split_bent_faces, leaves_what_is_no_map_or_needs_nothing)
   const Mapped_mesh b(icosphere(1), as_it_is, rotation(turns[0]));
   std::vector<SP::Split_edge<Mesh>> split(1);
   const std::size_t n = a.mesh.number_of_vertices();
-  EXPECT_EQ(SP::split_bent_faces(a.mesh, a.sphere, b.mesh, b.sphere, split, CGAL::parameters::maximum_number(0)),
-            SP::OK);
+  EXPECT_EQ(SP::split_bent_faces(a.mesh, a.sphere, b.mesh, b.sphere, 0, split), SP::OK);
   EXPECT_TRUE(split.empty());
   for(const Vertex_index v : a.mesh.vertices())
     a.sphere[v] = Point_3(1., 0., 0.);
-  EXPECT_EQ(SP::split_bent_faces(a.mesh, a.sphere, b.mesh, b.sphere, split), SP::ERROR_NO_1_TO_1_MAPPING);
+  EXPECT_EQ(SP::split_bent_faces(a.mesh, a.sphere, b.mesh, b.sphere, n, split), SP::ERROR_NO_1_TO_1_MAPPING);
   EXPECT_TRUE(split.empty());
   EXPECT_EQ(a.mesh.number_of_vertices(), n);
 }

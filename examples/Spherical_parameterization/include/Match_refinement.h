@@ -71,8 +71,7 @@ public:
         check(SP::split_blocking_edges(trial, moved, moved, sphere2, landmarks, blocking));
       add(blocking);
       if(const std::size_t n = trial.number_of_vertices(); n < max_vertices)
-        check(SP::split_bent_faces(trial, moved, target, sphere2, bent,
-                                   CGAL::parameters::maximum_number(max_vertices - n)));
+        check(SP::split_bent_faces(trial, moved, target, sphere2, max_vertices - n, bent));
       add(bent);
       if(blocking.empty() && bent.empty())
         break;

@@ -22,6 +22,7 @@
 
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -105,10 +106,15 @@ public:
     if(!options.is_batch()) // which has one for all
       guard.emplace();
     Progress_visitor progress(!options.is_quiet && !options.is_batch());
+    const auto start = std::chrono::steady_clock::now();
+    const auto seconds_left = [&] { // of the limit, which is that of all rounds; 0 if there is none
+      const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - start;
+      return options.max_seconds > 0. ? (std::max)(options.max_seconds - passed.count(), 1e-9) : 0.;
+    };
     const auto map = [&](const Mesh& mesh, const Sphere_map& sphere, const Sphere_map& directions, Mapper& by) {
       const SP::Error_code error =
           SP::map_surface(mesh, sphere, m_second, m_sphere2, by, directions,
-                          CGAL::parameters::visitor(std::ref(progress)).maximum_running_time(options.max_seconds));
+                          CGAL::parameters::visitor(std::ref(progress)).maximum_running_time(seconds_left()));
       if(error != SP::OK)
         throw Program_error(first.name() + ": " + SP::get_error_message(error));
     };

@@ -122,7 +122,7 @@ public:
     return result;
   }
 
-  /// takes the spheres as they lie on each other, and goes on from there: with what `map_surface()` has found as the map of the
+  /// takes the spheres, if `keeps_alignment`, as they lie on each other, and goes on from there: with what `map_surface()` has found as the map of the
   /// first surface, and perhaps after `split_bent_faces()`. Only the finest level is swept, unless hard landmarks have to be moved.
   /// Features of the package, which align the spheres, are left out.
   [[nodiscard]] Surface_mapper_3 keep_alignment(bool keeps_alignment = true) const

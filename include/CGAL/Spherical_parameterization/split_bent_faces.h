@@ -47,7 +47,7 @@ namespace CGAL::Spherical_parameterization {
 /// std::vector<Split_edge<Mesh>> split_edges;
 /// const auto further = mapper.keep_alignment();
 /// for(int round = 0; round < 4; ++round)
-///   if(split_bent_faces(copy, directions, tmesh2, sphere2, split_edges, parameters::maximum_number(1000)) != OK ||
+///   if(split_bent_faces(copy, directions, tmesh2, sphere2, 1000, split_edges) != OK ||
 ///      map_surface(copy, directions, tmesh2, sphere2, further, directions) != OK)
 ///     break;
 /// \endcode
@@ -67,6 +67,7 @@ namespace CGAL::Spherical_parameterization {
 /// \param vertex_direction_map what `map_surface()` has found for it. Has room for new vertices, which are put on the images of
 ///        their edges: it stays a bijection, and is as good a start
 /// \param tmesh2,vertex_sphere_map2 the second surface and its map
+/// \param max_edges the largest number of edges that are split
 /// \param split_edges receives the edges that have been split: none if all faces are mapped by isometries
 /// \param np1,np2 optional sequences of \ref bgl_namedparameters "Named Parameters" among the ones listed below
 ///
@@ -77,10 +78,20 @@ namespace CGAL::Spherical_parameterization {
 ///                    \cgal kernel as value type}
 ///     \cgalParamDefault{`boost::get(CGAL::vertex_point, tmesh1)`, or of `tmesh2`}
 ///   \cgalParamNEnd
+///   \cgalParamNBegin{visitor}
+///     \cgalParamDescription{of `np1`: a visitor whose `go_further()` may stop the run}
+///     \cgalParamType{a model of `SphericalParameterizationVisitor`, or an `std::reference_wrapper` of one}
+///     \cgalParamDefault{`Default_visitor`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{maximum_running_time}
+///     \cgalParamDescription{of `np1`: the time in seconds after which the run is stopped}
+///     \cgalParamType{double}
+///     \cgalParamDefault{no limit, as with any value that is not positive}
+///   \cgalParamNEnd
 ///   \cgalParamNBegin{maximum_number}
-///     \cgalParamDescription{of `np1`: the largest number of edges that are split}
+///     \cgalParamDescription{of `np1`: the largest number of vertices of the refinement, at most 2<sup>32</sup> - 2}
 ///     \cgalParamType{`std::size_t`}
-///     \cgalParamDefault{no limit}
+///     \cgalParamDefault{4,194,304, or 32 times the number of vertices of both meshes, whichever is more}
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
@@ -89,7 +100,8 @@ template <class ConcurrencyTag = Parallel_if_available_tag, class TriangleMesh1,
           class TriangleMesh2, class VertexSphereMap2, typename CGAL_NP_TEMPLATE_PARAMETERS_1,
           typename CGAL_NP_TEMPLATE_PARAMETERS_2>
 Error_code split_bent_faces(TriangleMesh1& tmesh1, VertexDirectionMap vertex_direction_map, const TriangleMesh2& tmesh2,
-                            VertexSphereMap2 vertex_sphere_map2, std::vector<Split_edge<TriangleMesh1>>& split_edges,
+                            VertexSphereMap2 vertex_sphere_map2, std::size_t max_edges,
+                            std::vector<Split_edge<TriangleMesh1>>& split_edges,
                             const CGAL_NP_CLASS_1& np1 = parameters::default_values(),
                             const CGAL_NP_CLASS_2& np2 = parameters::default_values())
 {
@@ -99,9 +111,8 @@ Error_code split_bent_faces(TriangleMesh1& tmesh1, VertexDirectionMap vertex_dir
   split_edges.clear();
   const auto points = internal::vertex_point_map_of(tmesh1, np1);
   Surface_overlay_3<TriangleMesh1, TriangleMesh2> refinement;
-  if(const Error_code error =
-         Spherical_parameterization::overlay<ConcurrencyTag>(tmesh1, vertex_direction_map, tmesh2, vertex_sphere_map2,
-                                                             refinement, parameters::vertex_point_map(points), np2))
+  if(const Error_code error = Spherical_parameterization::overlay<ConcurrencyTag>(
+         tmesh1, vertex_direction_map, tmesh2, vertex_sphere_map2, refinement, np1, np2))
     return error;
 
   const auto energies = get(CGAL::dynamic_face_property_t<double>(), tmesh1);
@@ -152,9 +163,6 @@ Error_code split_bent_faces(TriangleMesh1& tmesh1, VertexDirectionMap vertex_dir
   const auto is_chosen = get(CGAL::dynamic_edge_property_t<bool>(), tmesh1);
   for(const auto e : edges(tmesh1))
     put(is_chosen, e, false);
-  std::size_t max_edges = num_edges(tmesh1);
-  if constexpr(!parameters::is_default_parameter<CGAL_NP_CLASS_1, internal_np::maximum_number_t>::value)
-    max_edges = static_cast<std::size_t>(parameters::get_parameter(np1, internal_np::maximum_number));
   std::vector<std::pair<double, halfedge_descriptor>> chosen;
   for(std::size_t k = 0; k < bent.size() && left > 0. && chosen.size() < max_edges; ++k)
   {

@@ -197,7 +197,7 @@ Error_code split_blocking_edges(TriangleMesh& tmesh, VertexSphereMap vertex_sphe
 
 /// \ingroup PkgSphericalParameterizationSurfaces
 ///
-/// splits edges as the function above, and only tells how many.
+/// splits edges as the function above; `number_of_split_edges` receives only how many there are.
 template <class TriangleMesh, class VertexSphereMap, class VertexDirectionMap, class VertexSphereMap2,
           class LandmarkRange, typename CGAL_NP_TEMPLATE_PARAMETERS>
 Error_code split_blocking_edges(TriangleMesh& tmesh, VertexSphereMap vertex_sphere_map,
