@@ -84,7 +84,7 @@ public:
     return result;
   }
 
-  /// sets the weights of `features()` against each other, one for each, at least 0 and not all 0. By default all count the same.
+  /// sets the `weights` of `features()` against each other, one for each, at least 0 and not all 0. By default all count the same.
   [[nodiscard]] Surface_mapper_3 feature_weights(std::vector<double> weights) const
   {
     Surface_mapper_3 result = *this;
@@ -92,7 +92,7 @@ public:
     return result;
   }
 
-  /// compares the values of `features()` and not their ranks: less the mean over both surfaces, in units of the root of three
+  /// compares the values of `features()`, if `compares_values`, and not their ranks: less the mean over both surfaces, in units of the root of three
   /// times their variance, such that they spread as ranks do. It is for what means the same on both, such as a thickness; ranks
   /// also suit what is on another scale on the other surface, or has outliers.
   [[nodiscard]] Surface_mapper_3 compare_values(bool compares_values = true) const
