@@ -68,6 +68,7 @@
 #include <CGAL/Spherical_parameterization/parameterize.h>
 #include <CGAL/Spherical_parameterization/remesh_through_sphere.h>
 #include <CGAL/Spherical_parameterization/round_to_float.h>
+#include <CGAL/Spherical_parameterization/split_bent_faces.h>
 #include <CGAL/Spherical_parameterization/split_blocking_edges.h>
 #include <CGAL/Spherical_parameterization/transfer.h>
 

@@ -422,6 +422,35 @@ std::string ply_with_values(unsigned int subdivisions, float first_height = 1.f)
   return ply.content;
 }
 
+// The vertices of the input come first, and each face is told to be a part of one of the input.
+TEST_F(Command_line, splits_faces_where_that_pays)
+{
+  write_off("target.off", test_meshes::scaled(test_meshes::icosphere(3), 1., 2., 0.5));
+  write("a.txt", "0\n1\n2\n3\n");
+  write("b.txt", "0\n1\n2\n14\n"); // one is not where the others are
+  const std::string map = "sphere.off --onto target.off --landmarks a.txt b.txt";
+  const Outcome outcome = run(map + " --split -o mapped.off --sphere p.off --overlay overlay.ply --json split.json");
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_NE(outcome.out.find("Split:     "), std::string::npos) << outcome.out;
+  const Mesh first = mesh_in("sphere.off"), mapped = mesh_in("mapped.off"), directions = mesh_in("p.off");
+  const auto report = json("split.json");
+  const std::size_t n = report.get<std::size_t>("match.split.new_vertices");
+  EXPECT_GT(n, 0u);
+  EXPECT_LE(n, first.number_of_vertices() / 2);
+  EXPECT_EQ(report.get<std::size_t>("match.split.new_faces"), 2 * n);
+  EXPECT_EQ(report.get_child("match.split.faces_of_input").size(), first.number_of_faces() + 2 * n);
+  EXPECT_LT(report.get<double>("match.split.energy"), report.get<double>("match.split.energy_before"));
+  EXPECT_EQ(mapped.number_of_vertices(), first.number_of_vertices() + n);
+  EXPECT_EQ(mapped.number_of_faces(), first.number_of_faces() + 2 * n);
+  expect_same_faces(test::triangles(mapped), test::triangles(directions));
+  EXPECT_TRUE(SP::is_bijective(directions, directions.points()));
+  Mesh overlay = mesh_in("overlay.ply");
+  for(const int f : values_of<Mesh::Face_index, int>(overlay, "f:face"))
+    EXPECT_LT(static_cast<std::size_t>(f), first.number_of_faces());
+  expect_refused("sphere.off -o result.off --split", "--split goes with --onto");
+  expect_refused(map + " -o result.off --split --fill-holes all", "--split and --fill-holes cannot be combined");
+}
+
 // The program's --onto, with landmarks, and all that it writes.
 TEST_F(Command_line, maps_a_surface_onto_another_one)
 {

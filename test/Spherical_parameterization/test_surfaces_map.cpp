@@ -20,6 +20,7 @@
 #include <CGAL/Spherical_parameterization/measure_distortion_between.h>
 #include <CGAL/Spherical_parameterization/overlay.h>
 #include <CGAL/Spherical_parameterization/remesh_through_sphere.h>
+#include <CGAL/Spherical_parameterization/split_bent_faces.h>
 #include <CGAL/Spherical_parameterization/split_blocking_edges.h>
 
 #include <CGAL/Polygon_mesh_processing/measure.h>
@@ -430,6 +431,63 @@ TEST(Split_blocking_edges, refuses_what_is_no_surface)
   const std::vector<std::pair<Vertex_index, Vertex_index>> landmarks = {{Vertex_index(0), Vertex_index(1)}};
   std::size_t n = 7;
   EXPECT_EQ(SP::split_blocking_edges(a.mesh, a.sphere, a.sphere, b.sphere, landmarks, n), SP::ERROR_NON_CLOSED_MESH);
+}
+
+// The surface stays the same set of points, each edge is told, and the map goes on from where it is.
+TEST(Split_bent_faces, lowers_the_energy)
+{
+  Mapped_mesh a(icosphere(3), as_it_is, rotation(turns[0]));
+  const Mapped_mesh b(octahedron_of(30), on_body, rotation(turns[1]));
+  const double area = CGAL::to_double(CGAL::Polygon_mesh_processing::area(a.mesh));
+  const std::size_t n_vertices = a.mesh.number_of_vertices(), n_faces = a.mesh.number_of_faces();
+  const Image_map directions = a.mesh.add_property_map<Vertex_index, Point_3>("v:directions").first;
+  auto mapper = SP::Surface_mapper_3<Mesh>();
+  ASSERT_EQ(SP::map_surface(a.mesh, a.sphere, b.mesh, b.sphere, mapper, directions), SP::OK);
+  const double before = mapper.report().energy;
+
+  std::vector<SP::Split_edge<Mesh>> split;
+  constexpr std::size_t n = 40;
+  ASSERT_EQ(SP::split_bent_faces(a.mesh, directions, b.mesh, b.sphere, n, split), SP::OK);
+  EXPECT_EQ(split.size(), n);
+  EXPECT_EQ(a.mesh.number_of_vertices(), n_vertices + n);
+  EXPECT_EQ(a.mesh.number_of_faces(), n_faces + 2 * n);
+  EXPECT_TRUE(CGAL::is_triangle_mesh(a.mesh) && CGAL::is_closed(a.mesh) && CGAL::is_valid_polygon_mesh(a.mesh));
+  EXPECT_TRUE(SP::is_bijective(a.mesh, directions));
+  EXPECT_NEAR(CGAL::to_double(CGAL::Polygon_mesh_processing::area(a.mesh)), area, 1e-12 * area);
+  for(std::size_t k = 0; k < split.size(); ++k)
+  {
+    const auto& [v, ends, faces, halved] = split[k];
+    EXPECT_EQ(v.idx(), n_vertices + k);
+    const Point_3 middle = CGAL::midpoint(a.mesh.point(ends[0]), a.mesh.point(ends[1]));
+    EXPECT_LT(distance(a.mesh.point(v), middle), 1e-15);
+    for(const auto f : faces)
+      EXPECT_GE(f.idx(), n_faces);
+    EXPECT_NE(halved[0], halved[1]);
+  }
+
+  auto further = mapper.keep_alignment();
+  for(int round = 0; round < 3; ++round)
+  {
+    ASSERT_EQ(SP::map_surface(a.mesh, directions, b.mesh, b.sphere, further, directions), SP::OK);
+    ASSERT_EQ(SP::split_bent_faces(a.mesh, directions, b.mesh, b.sphere, n, split), SP::OK);
+  }
+  EXPECT_LT(further.report().energy, before);
+  EXPECT_EQ(further.report().agreement, 0.); // Nothing has been aligned.
+}
+
+TEST(Split_bent_faces, leaves_what_is_no_map_or_needs_nothing)
+{
+  Mapped_mesh a(icosphere(1), as_it_is, rotation(turns[0]));
+  const Mapped_mesh b(icosphere(1), as_it_is, rotation(turns[0]));
+  std::vector<SP::Split_edge<Mesh>> split(1);
+  const std::size_t n = a.mesh.number_of_vertices();
+  EXPECT_EQ(SP::split_bent_faces(a.mesh, a.sphere, b.mesh, b.sphere, 0, split), SP::OK);
+  EXPECT_TRUE(split.empty());
+  for(const Vertex_index v : a.mesh.vertices())
+    a.sphere[v] = Point_3(1., 0., 0.);
+  EXPECT_EQ(SP::split_bent_faces(a.mesh, a.sphere, b.mesh, b.sphere, n, split), SP::ERROR_NO_1_TO_1_MAPPING);
+  EXPECT_TRUE(split.empty());
+  EXPECT_EQ(a.mesh.number_of_vertices(), n);
 }
 
 TEST(Map_surface, tells_of_landmarks_that_cannot_be_met)

@@ -175,6 +175,20 @@ public:
   /// returns the triangles of the file.
   const std::vector<Polygon>& triangles() const { return m_polygons; }
 
+  /// takes the triangles from the mesh, after edges of it have been split. Those that are still there stay as they were.
+  void take_triangles_of_mesh()
+  {
+    m_polygons.resize(m_mesh.number_of_faces());
+    for(const Mesh::Face_index f : m_mesh.faces())
+    {
+      Polygon corners;
+      for(const Vertex_index v : CGAL::vertices_around_face(m_mesh.halfedge(f), m_mesh))
+        corners.push_back(v);
+      if(!is_same(corners, m_polygons[f]))
+        m_polygons[f] = corners;
+    }
+  }
+
   /// returns what vertices have in a property map, but those that holes have been filled with.
   template <class Map>
   std::vector<Point_3> points_of(const Map& map)

@@ -166,7 +166,17 @@ public:
                                                m_other->input.mesh().number_of_vertices(),
                                                m_match->report,
                                                m_match->distortion,
-                                               m_match->warnings()};
+                                               m_match->warnings(),
+                                               std::nullopt,
+                                               0,
+                                               {}};
+    if(m_options.splits)
+    {
+      const Match_refinement& refinement = m_match->refinement();
+      m_report.match->energy_before = refinement.energy_before();
+      m_report.match->number_of_new_vertices = refinement.number_of_new_vertices();
+      m_report.match->parents.assign(refinement.parents().begin(), refinement.parents().end());
+    }
     m_report.seconds_for_matching = seconds_now() - start;
   }
 

@@ -169,6 +169,7 @@ none; 2, all have one, but some fold.
   Words area_files;               ///< with the areas around the vertices of both, or none
   std::string mask_file;          ///< with the vertices that count, empty if all do
   std::string valid_file;         ///< that tells which vertices get something, empty if it is not wanted
+  bool splits = false;            ///< whether the surface is refined where that makes for a better map
   std::size_t max_hole_edges = 0; ///< of holes that are filled; 0 if none is
   bool picks_component = false;   ///< whether one part of the surface is mapped
   bool takes_each_component = false;
@@ -291,6 +292,9 @@ private:
                                 "surfaces; ranks")
       ("masks", words("A B"), "with --onto, files with one value for each vertex of INPUT and TARGET, 0 where features are not to be "
                               "compared")
+      ("split", "with --onto, split edges of INPUT where its faces are too large for what they cover of TARGET, or keep landmarks from "
+                "their places, as long as that lowers the energy by much; at most half as many vertices again. -o and --sphere "
+                "have them behind those of INPUT, --json tells which faces they make")
       ("overlay", word("FILE"), "with --onto, write the common refinement of both surfaces, a .ply file with positions on INPUT, "
                                 "those on TARGET and the faces of both as properties")
       ("morph", words("T FILE"), "with --onto, write the common refinement on its way from INPUT, T = 0, to TARGET, T = 1")
@@ -783,7 +787,7 @@ private:
   {
     onto = text("onto");
     template_file = text("template");
-    for(const char* option : {"landmarks", "features", "masks", "overlay", "morph"})
+    for(const char* option : {"landmarks", "features", "masks", "split", "overlay", "morph"})
       if(has(option) && onto.empty())
         fail("--" + std::string(option) + " goes with --onto");
     for(const char* option : {"remesh", "geometry-image", "output-folder", "initial"})
@@ -791,6 +795,9 @@ private:
         fail("--" + std::string(option) + " and --onto cannot be combined");
     if(!template_file.empty() && (!has("output-folder") || !start_file.empty()))
       fail("--template goes with --output-folder, and without the map of --initial");
+    splits = has("split");
+    if(splits && has("fill-holes"))
+      fail("--split and --fill-holes cannot be combined; write the closed surface by --filled, and map that");
     if(has("soft-landmarks") && !has("landmarks"))
       fail("--soft-landmarks goes with --landmarks");
     landmark_weight = read_number("soft-landmarks", 1e-6, 1e6, "a number from 1e-6 to 1e6", 0.);

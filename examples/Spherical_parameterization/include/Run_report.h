@@ -74,6 +74,9 @@ public:
     SP::Surface_map_report report;
     std::optional<SP::Distortion_between> distortion; ///< as `Surface_match` has it
     std::string warnings;                             ///< of landmarks that are missed
+    std::optional<double> energy_before;              ///< if the surface was refined
+    std::size_t number_of_new_vertices;
+    std::vector<std::size_t> parents; ///< of the faces of the refined surface, in the input
   };
 
   Run_result result;
@@ -352,6 +355,13 @@ public:
         figures.add("sampled_energy", match->report.energy);
       figures.add("landmark_distances", match->report.landmark_distances)
           .add("missed_landmarks", match->report.number_of_missed_landmarks);
+      if(match->energy_before)
+        figures.add("split", Json_object()
+                                 .add("new_vertices", match->number_of_new_vertices)
+                                 .add("new_faces", 2 * match->number_of_new_vertices)
+                                 .add("energy_before", *match->energy_before)
+                                 .add("energy", match->report.energy)
+                                 .add("faces_of_input", match->parents));
       all.add("match", figures);
     }
     if(color_range)
@@ -426,7 +436,7 @@ private:
   void print_match(std::ostream& out) const
   {
     constexpr int digits = 3;
-    const auto& [other, is_template, n, report, d, warnings] = *match;
+    const auto& [other, is_template, n, report, d, warnings, energy_before, n_new, parents] = *match;
     out << (is_template ? "Template:  " : "Onto:      ") << printable(other) << ": " << n
         << " vertices; symmetric Dirichlet energy ";
     if(d)
@@ -438,6 +448,9 @@ private:
     else
       out << "about " << fixed_text(report.energy, digits)
           << ", by samples: the common refinement has too many vertices to be made";
+    if(energy_before)
+      out << "\nSplit:     " << n_new << " edges, with " << 2 * n_new << " more faces; energy "
+          << fixed_text(*energy_before, digits) << " before, " << fixed_text(report.energy, digits) << " now";
     out << "\nAligned:   by ";
     const std::size_t n_landmarks = report.landmark_distances.size();
     if(n_landmarks == 0 || report.agreement != 0.)

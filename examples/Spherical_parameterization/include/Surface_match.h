@@ -3,6 +3,7 @@
 
 #include "Input_mesh.h"
 #include "Interrupt_guard.h"
+#include "Match_refinement.h"
 #include "Polygon_soup.h"
 #include "Program_error.h"
 #include "Program_options.h"
@@ -21,6 +22,7 @@
 
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -83,18 +85,20 @@ public:
   /// \throws Program_error if there is none, or what the options name is not in order
   Surface_match(const Program_options& options, Input_mesh& first, const Sphere_map& sphere1, Input_mesh& second,
                 const Sphere_map& sphere2)
-    : m_input(first)
-    , m_first(first.mesh())
+    : m_copy(options.splits ? std::optional<Input_mesh>(first) : std::nullopt)
+    , m_input(m_copy ? *m_copy : first)
+    , m_first(m_input.mesh())
     , m_second(second.mesh())
     , m_target_origin(second.origin())
     , m_sphere2(sphere2)
     , m_n_written(first.mesh_of_file().number_of_vertices())
-    , m_triangles(first.triangles())
-    , m_directions(m_first.add_property_map<Vertex_index, Point_3>("v:directions", Point_3(0, 0, 0)).first)
+    , m_triangles(m_input.triangles())
+    , m_directions(Match_refinement::directions_of(m_first))
   {
     Mapper mapper;
+    std::vector<Mapper::Landmark> landmarks;
     if(!options.landmark_files.empty())
-      mapper = mapper.landmarks(read_landmarks(options));
+      mapper = mapper.landmarks(landmarks = read_landmarks(options));
     if(options.landmark_weight > 0.)
       mapper = mapper.landmark_weight(options.landmark_weight);
     if(!options.feature_files.empty())
@@ -104,13 +108,29 @@ public:
     if(!options.is_batch()) // which has one for all
       guard.emplace();
     Progress_visitor progress(!options.is_quiet && !options.is_batch());
-    SP::Error_code error =
-        SP::map_surface(m_first, sphere1, m_second, sphere2, mapper, m_directions,
-                        CGAL::parameters::visitor(std::ref(progress)).maximum_running_time(options.max_seconds));
+    const auto start = std::chrono::steady_clock::now();
+    const auto seconds_left = [&] { // of the limit, which is that of all rounds; 0 if there is none
+      const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - start;
+      return options.max_seconds > 0. ? (std::max)(options.max_seconds - passed.count(), 1e-9) : 0.;
+    };
+    const auto map = [&](const Mesh& mesh, const Sphere_map& sphere, const Sphere_map& directions, Mapper& by) {
+      const SP::Error_code error =
+          SP::map_surface(mesh, sphere, m_second, m_sphere2, by, directions,
+                          CGAL::parameters::visitor(std::ref(progress)).maximum_running_time(seconds_left()));
+      if(error != SP::OK)
+        throw Program_error(first.name() + ": " + SP::get_error_message(error));
+    };
+    map(m_first, sphere1, m_directions, mapper);
     report = mapper.report();
-    if(error != SP::OK)
-      throw Program_error(first.name() + ": " + SP::get_error_message(error));
-    error = SP::overlay(m_first, m_directions, m_second, m_sphere2, m_overlay);
+    if(options.splits)
+    {
+      m_refinement.run(
+          m_first, m_directions, m_second, m_sphere2, mapper, landmarks, report,
+          [&](const Mesh& mesh, const Sphere_map& directions, Mapper& by) { map(mesh, directions, directions, by); });
+      m_input.take_triangles_of_mesh();
+      m_n_written = m_first.number_of_vertices();
+    }
+    SP::Error_code error = SP::overlay(m_first, m_directions, m_second, m_sphere2, m_overlay);
     if(error == SP::OK)
       error = SP::measure_distortion_between(m_overlay, distortion.emplace());
     if(error != SP::OK && error != SP::ERROR_TOO_LARGE_OVERLAY)
@@ -119,6 +139,9 @@ public:
 
   SP::Surface_map_report report;
   std::optional<SP::Distortion_between> distortion; ///< There is none if the common refinement is too large to be made.
+
+  /// returns how the first surface has been refined.
+  const Match_refinement& refinement() const { return m_refinement; }
 
   const SP::Surface_overlay_3<Mesh, Mesh>& overlay() const { return m_overlay; }
 
@@ -187,7 +210,8 @@ public:
       out.put(3);
       for(const std::uint32_t v : m_overlay.triangles[k])
         put(out, v);
-      put(out, static_cast<std::uint32_t>(m_overlay.faces[k].first));
+      const Mesh::Face_index f = m_overlay.faces[k].first;
+      put(out, static_cast<std::uint32_t>(m_refinement.parents().empty() ? f : m_refinement.parents()[f]));
       put(out, static_cast<std::uint32_t>(m_overlay.faces[k].second));
     }
   }
@@ -259,8 +283,8 @@ private:
       const Polygon_soup soup = read_soup(name, true);
       counts[k] = read_named(name, [&] { return mask_of(soup, counts[k].size()); });
     }
-    const auto function = [](std::vector<char>& values) {
-      return [values = std::move(values)](Vertex_index v) { return v.idx() < values.size() && values[v] != 0; };
+    const auto function = [this](std::vector<char>& values) {
+      return [this, values = std::move(values)](Vertex_index v) { return m_refinement.counts_at(values, v); };
     };
     return {function(counts[0]), function(counts[1])};
   }
@@ -286,7 +310,7 @@ private:
       {
         // what holes have been filled with is masked
         result.emplace_back(
-            [values = std::move(values)](Vertex_index v) { return v.idx() < values.size() ? values[v] : 0.; },
+            [this, values = std::move(values)](Vertex_index v) { return m_refinement.value_at(values, v); },
             [values = std::move(other->second)](Vertex_index v) { return values[v]; });
         second.values.erase(other);
         const auto weight = wanted.find(name);
@@ -314,7 +338,8 @@ private:
     return mapper.features(std::move(result)).feature_weights(std::move(weights));
   }
 
-  Input_mesh& m_input; // the first surface
+  std::optional<Input_mesh> m_copy; // of the first surface, if it is refined
+  Input_mesh& m_input;              // the first surface
   Mesh& m_first;
   Mesh& m_second;
   SP::IO::Surface_origin m_target_origin;
@@ -322,6 +347,7 @@ private:
   std::size_t m_n_written; // vertices of the first surface, but those that holes have been filled with
   const std::vector<Polygon>& m_triangles;
   Sphere_map m_directions;
+  Match_refinement m_refinement;
   SP::Surface_overlay_3<Mesh, Mesh> m_overlay;
   std::vector<std::string> m_landmark_names;
   std::string m_left_out; // of the files of features

@@ -123,6 +123,16 @@ public:
     return result;
   }
 
+  /// takes the spheres as they lie on each other, if `keeps_alignment` is `true`, and goes on from there: with what `map_surface()`
+  /// has found as the map of the first surface, and perhaps after `split_bent_faces()`. Only the finest level is swept, unless
+  /// hard landmarks have to be moved. Features of the package, which align the spheres, are left out.
+  [[nodiscard]] Surface_mapper_3 keep_alignment(bool keeps_alignment = true) const
+  {
+    Surface_mapper_3 result = *this;
+    result.m_keeps_alignment = keeps_alignment;
+    return result;
+  }
+
   /// @}
 
   /// maps a surface onto another one: what `CGAL::Spherical_parameterization::map_surface()` calls, which see.
@@ -135,7 +145,8 @@ public:
   {
     m_report = Surface_map_report();
     const internal::Surface_map_settings<Landmark, Feature, Masks> settings = {
-        m_landmarks, m_landmark_weight, m_features, m_feature_weight, m_feature_weights, m_compares_values, m_masks};
+        m_landmarks,       m_landmark_weight, m_features, m_feature_weight,
+        m_feature_weights, m_compares_values, m_masks,    m_keeps_alignment};
     return internal::run_surface_map<ConcurrencyTag>(tmesh1, vertex_sphere_map1, tmesh2, vertex_sphere_map2, settings,
                                                      vertex_direction_map, m_report, np1, np2);
   }
@@ -151,6 +162,7 @@ private:
   std::vector<double> m_feature_weights;
   bool m_compares_values = false;
   Masks m_masks;
+  bool m_keeps_alignment = false;
   Surface_map_report m_report;
 };
 

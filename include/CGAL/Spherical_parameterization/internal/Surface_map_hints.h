@@ -37,6 +37,7 @@ struct Surface_map_hints
   std::vector<std::array<std::uint32_t, 2>> landmarks;
   double landmark_weight = 0.; // 0: they are to be met exactly
   double feature_weight = 0.;
+  bool keeps_alignment = false; // of the spheres as they are
 };
 
 // Brings the features to the scale in which they are compared, with their weights, and takes them and the masks to the own order

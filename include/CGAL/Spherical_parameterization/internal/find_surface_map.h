@@ -296,7 +296,8 @@ std::vector<Vector_3d> find_surface_map(const Located_surface<K>& first, const L
   std::vector<std::pair<Vector_3d, Vector_3d>> pairs;
   for(const auto& [v, w] : hints.landmarks)
     pairs.emplace_back(first.sphere.direction(v), second.sphere.direction(w));
-  const std::optional<Rotation_matrix> rotation = fitting_rotation(pairs);
+  const std::optional<Rotation_matrix> rotation =
+      hints.keeps_alignment ? rotation_matrix({1., 0., 0., 0.}) : fitting_rotation(pairs);
   const Target_metric metric(second.sphere, second.points, execution);
   std::optional<Surface_levels<K>> levels;
   Surface_start start;
@@ -333,10 +334,18 @@ std::vector<Vector_3d> find_surface_map(const Located_surface<K>& first, const L
         is_rotation || levels->refine(start.alignment.directions, features_alone, lowered, control, execution);
     if(is_rotation)
       lowered = first.mesh.in_own_order(directions);
+    // What an earlier descent has found is taken apart by coarser levels: cat_horse refined by half, to an energy of 2.477 in 2.7 s
+    // on levels, to 2.467 in 1.7 s without.
+    const bool is_found = hints.keeps_alignment && std::all_of(pairs.begin(), pairs.end(), [](const auto& pair) {
+                            constexpr double cosine_of_rounding = 1. - 1e-14;
+                            return dot(pair.first, pair.second) > cosine_of_rounding;
+                          });
     if(is_lowered && (is_rotation || has_landmarks))
       is_lowered = lower_on_target(first.mesh.rings(), first.mesh.points(), goals,
-                                   has_landmarks ? min_size_with_landmarks : min_size, Target_sweeps(), lowered,
-                                   control, execution);
+                                   is_found        ? first.points.size()
+                                   : has_landmarks ? min_size_with_landmarks
+                                                   : min_size,
+                                   Target_sweeps(), lowered, control, execution);
     report.stop_reason = is_lowered ? control.report().stop_reason : OBSTRUCTED;
     report.number_of_sweeps = control.report().number_of_level_iterations;
     report.seconds_for_descent = control.lap();

@@ -48,6 +48,7 @@ struct Surface_map_settings
   const std::vector<double>& feature_weights; // of each; empty if all are the same
   bool compares_values;
   const Masks& masks; // functions, empty if all of a surface counts
+  bool keeps_alignment;
 
   bool are_valid() const
   {
@@ -102,6 +103,7 @@ Error_code read_hints(const Settings& settings, const Vertices1& vertices1, cons
   hints.feature_weight = settings.feature_weight;
   hints.weights = settings.feature_weights;
   hints.compares_values = settings.compares_values;
+  hints.keeps_alignment = settings.keeps_alignment;
   const std::vector<std::uint32_t> first = numbers_of_landmarks<0>(settings.landmarks, vertices1),
                                    second = numbers_of_landmarks<1>(settings.landmarks, vertices2);
   if(first.size() < settings.landmarks.size() || second.size() < settings.landmarks.size())

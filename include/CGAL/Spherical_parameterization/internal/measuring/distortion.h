@@ -264,9 +264,9 @@ constexpr double default_smallest_area = 1e-10; // as measure_distortion_between
 
 // The distortion of a map that is linear in each of n triangles: corners_of(k, surface) are those of triangle k. What has a
 // share of at most `smallest_area` of the area of a surface is a sliver and left out. If nothing is left, as where a surface
-// has no area, all measures are infinite.
-template <class Corners>
-Measured_map distortion_between(std::size_t n, double smallest_area, const Corners& corners_of)
+// has no area, all measures are infinite. Calls visit(k, its shares of both areas, its stretch) for each triangle that is measured.
+template <class Corners, class Visit>
+Measured_map distortion_between(std::size_t n, double smallest_area, const Corners& corners_of, const Visit& visit)
 {
   // Scaled by powers of two, which is exact, so that no area overflows or underflows.
   std::array<int, 2> exponents = {0, 0};
@@ -320,6 +320,7 @@ Measured_map distortion_between(std::size_t n, double smallest_area, const Corne
     add(result.energy, 0.5 * stretch.angle * stretch.area); // (I / d) (d + 1 / d) / 2
     weights[0] += shares[0];
     weights[1] += shares[1];
+    visit(k, shares, stretch);
   }
   for(Weighted_statistics* statistics : {&result.isometric, &result.area, &result.angle, &result.energy})
     if(weights[0] > 0.)
@@ -327,6 +328,13 @@ Measured_map distortion_between(std::size_t n, double smallest_area, const Corne
     else
       *statistics = {infinity, {infinity, infinity}};
   return result;
+}
+
+template <class Corners>
+Measured_map distortion_between(std::size_t n, double smallest_area, const Corners& corners_of)
+{
+  return distortion_between(n, smallest_area, corners_of,
+                            [](std::size_t, const std::array<double, 2>&, const Triangle_stretch&) {});
 }
 
 } // namespace CGAL::Spherical_parameterization::internal
