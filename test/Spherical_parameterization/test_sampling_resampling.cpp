@@ -157,7 +157,7 @@ TEST(Resampling, has_the_weights_of_the_definition)
         {
           sum += w * values[s];
           weight += w;
-          max = std::max(max, w);
+          max = (std::max)(max, w);
         }
         EXPECT_NEAR(result[v], sum / weight, 1e-12);
         EXPECT_TRUE(std::any_of(expected[v].begin(), expected[v].end(), [&](const auto& term) {
