@@ -833,6 +833,15 @@ TEST(Map_surface, leaves_out_where_surfaces_do_not_count)
   const double error = with.error(counts);
   EXPECT_LT(error, 0.1);
   EXPECT_GT(without.error(counts), 1.2 * error);
+
+  // As values they are compared as well, whatever stands for none there.
+  Round_surfaces sentinel;
+  for(double (*f)(const Point_3&) : {first_wave, second_wave})
+    sentinel.add([&, f](const Point_3& p) { return counts(p) ? f(p) : -1e30; });
+  sentinel.settings.compares_values = true;
+  sentinel.settings.masks = {[&](Vertex_index v) { return counts(sentinel.a.mesh.point(v)); },
+                             [&](Vertex_index v) { return counts(sentinel.b.mesh.point(v)); }};
+  EXPECT_LT(sentinel.error(counts), 0.1);
   with.settings.masks.first = [](Vertex_index) { return false; }; // which leaves nothing
   EXPECT_EQ(Match::make(with.a, with.b, with.settings).error, SP::ERROR_WRONG_PARAMETER);
 }

@@ -37,19 +37,6 @@
 namespace CGAL::Spherical_parameterization {
 namespace internal {
 
-// a third of the areas of the triangles at each vertex
-inline std::vector<double> vertex_areas(const std::vector<Vector_3d>& points, const Index_triangles& triangles)
-{
-  std::vector<double> result(points.size(), 0.);
-  for(const auto& t : triangles)
-  {
-    const double area = length(cross(points[t[1]] - points[t[0]], points[t[2]] - points[t[0]])) / 6.;
-    for(const std::uint32_t v : t)
-      result[v] += area;
-  }
-  return result;
-}
-
 // a point at another distance from the origin, unless it is the origin
 inline Vector_3d at_distance(double distance, const Vector_3d& p)
 {
@@ -237,7 +224,16 @@ public:
   /// \param triangles its triangles, each of which has three of these points
   static std::vector<double> vertex_areas(const Points& points, const Triangles& triangles)
   {
-    return internal::vertex_areas(points, triangles);
+    using internal::operator-;
+    std::vector<double> result(points.size(), 0.);
+    for(const auto& t : triangles)
+    {
+      const double area =
+          internal::length(internal::cross(points[t[1]] - points[t[0]], points[t[2]] - points[t[0]])) / 6.;
+      for(const std::uint32_t v : t)
+        result[v] += area;
+    }
+    return result;
   }
 
 private:

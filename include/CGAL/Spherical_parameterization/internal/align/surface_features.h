@@ -70,11 +70,13 @@ inline Channel ranks_by_area(const Channel& values, const Channel& areas)
 // The values of a feature of two surfaces, less the mean over both and in units in which they spread as ranks do.
 inline void standardize(std::array<Channel*, 2> values, const std::array<Channel, 2>& areas)
 {
-  // Both surfaces count the same. The largest value is taken out first, so that no square is beyond doubles.
+  // Both surfaces count the same. The largest value is taken out first, so that no square is beyond doubles; not one that
+  // stands for none where a surface does not count.
   double largest = 0., mean = 0., variance = 0.;
-  for(const Channel* channel : values)
-    for(const double x : *channel)
-      largest = (std::max)(largest, std::abs(x));
+  for(std::size_t k = 0; k < 2; ++k)
+    for(std::size_t v = 0; v < areas[k].size(); ++v)
+      if(areas[k][v] > 0.)
+        largest = (std::max)(largest, std::abs((*values[k])[v]));
   const auto mean_of = [&](const auto& f) {
     double result = 0.;
     for(std::size_t k = 0; k < 2; ++k)
@@ -82,7 +84,8 @@ inline void standardize(std::array<Channel*, 2> values, const std::array<Channel
       double sum = 0., area = 0.;
       for(std::size_t v = 0; v < areas[k].size(); ++v)
       {
-        sum += areas[k][v] * f((*values[k])[v] / largest);
+        if(areas[k][v] > 0.)
+          sum += areas[k][v] * f((*values[k])[v] / largest);
         area += areas[k][v];
       }
       result += area > 0. ? 0.5 * sum / area : 0.;
