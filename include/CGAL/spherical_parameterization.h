@@ -64,6 +64,7 @@
 #include <CGAL/Spherical_parameterization/measure_distance.h>
 #include <CGAL/Spherical_parameterization/measure_distortion.h>
 #include <CGAL/Spherical_parameterization/measure_distortion_between.h>
+#include <CGAL/Spherical_parameterization/measure_folding.h>
 #include <CGAL/Spherical_parameterization/overlay.h>
 #include <CGAL/Spherical_parameterization/parameterize.h>
 #include <CGAL/Spherical_parameterization/remesh_through_sphere.h>

@@ -20,6 +20,7 @@ from ._core import ErrorCode, __version__
 from ._errors import Error
 from ._measuring import (
     Distortion,
+    Folding,
     Measure,
     OneWayDistance,
     SurfaceDistance,
@@ -27,6 +28,7 @@ from ._measuring import (
     is_bijective,
     measure_distance,
     measure_distortion,
+    measure_folding,
     round_to_float,
 )
 from ._parameterization import Report, parameterize
@@ -51,6 +53,7 @@ __all__ = [
     "Error",
     "ErrorCode",
     "FilledSurface",
+    "Folding",
     "Handle",
     "Hole",
     "Locator",
@@ -73,6 +76,7 @@ __all__ = [
     "measure_distance",
     "measure_distortion",
     "measure_distortion_between",
+    "measure_folding",
     "overlay",
     "parameterize",
     "remesh",

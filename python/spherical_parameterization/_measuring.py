@@ -145,6 +145,64 @@ def round_to_float(faces: ArrayLike, sphere: ArrayLike, *, threads: Optional[int
     return _core.round_to_float(read_faces("faces", faces), read_points("sphere", sphere), read_threads(threads))
 
 
+class Folding(NamedTuple):
+    """How a surface is folded: a number for each vertex, positive in furrows and negative on ridges.
+
+    Attributes
+    ----------
+    curvature : (n,) ndarray of float64
+        Mean curvature, in units of one over that of the coordinates.
+    depth : (n,) ndarray of float64
+        How far the vertex is inside of the smoothed surface, in the unit of the coordinates; 0 on average.
+    inflated_curvature : (n,) ndarray of float64
+        Mean curvature of the smoothed surface, which has the lobes and the deepest furrows alone.
+    """
+
+    curvature: NDArray[np.float64]
+    depth: NDArray[np.float64]
+    inflated_curvature: NDArray[np.float64]
+
+
+def measure_folding(vertices: ArrayLike, faces: ArrayLike, *, threads: Optional[int] = None) -> Folding:
+    """Measures the curvature and the depth of the folds of a surface, such as a cortex: features for `map_surface`.
+
+    Parameters
+    ----------
+    vertices : (n, 3) array_like of numbers
+        The points.
+    faces : (m, 3) array_like of integers
+        The vertices of each triangle, counterclockwise as seen from outside.
+    threads : int, optional
+        The largest number of threads; by default all cores. The result does not depend on it.
+
+    Returns
+    -------
+    Folding
+        0 for vertices without a face.
+
+    Raises
+    ------
+    Error
+        If the arrays are no closed surface without handles.
+
+    Notes
+    -----
+    The surface is smoothed by heat that is conducted on it, for times in units of its area: 1.5e-5 for the curvature and
+    1e-3 for the depth. So the values do not depend on where the surface is and how it is sampled.
+
+    Examples
+    --------
+    The folds of two cortical surfaces lead a map from one to the other:
+
+    >>> folding1, folding2 = sp.measure_folding(vertices1, faces1), sp.measure_folding(vertices2, faces2)
+    >>> features = [(folding1.depth, folding2.depth), (folding1.inflated_curvature, folding2.inflated_curvature)]
+    >>> directions, report = sp.map_surface(surface1, surface2, features=features, feature_weight=2, compare_values=True)
+    """
+    return Folding(
+        *_core.measure_folding(read_points("vertices", vertices), read_faces("faces", faces), read_threads(threads))
+    )
+
+
 def measure_distortion(
     vertices: ArrayLike, faces: ArrayLike, sphere: ArrayLike, *, threads: Optional[int] = None
 ) -> Distortion:

@@ -99,7 +99,8 @@ def map_surface(
     ----------
     surface1, surface2 : (vertices, faces, sphere)
         Each surface: its points, (n, 3) numbers; its triangles, (m, 3) integers; and the images of its vertices, (n, 3)
-        numbers, a one-to-one map, at any distance from the origin.
+        numbers, a one-to-one map, at any distance from the origin. An atlas that is a sphere with features, and no surface
+        otherwise, is ``(sphere, faces, sphere)``.
     landmarks : (k, 2) array_like of integers, optional
         Vertices that correspond, of the first surface and of the second one. With two or more in different directions,
         they alone decide how the spheres are turned.

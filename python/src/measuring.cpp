@@ -5,6 +5,7 @@
 #include <CGAL/Spherical_parameterization/is_bijective.h>
 #include <CGAL/Spherical_parameterization/measure_distance.h>
 #include <CGAL/Spherical_parameterization/measure_distortion.h>
+#include <CGAL/Spherical_parameterization/measure_folding.h>
 #include <CGAL/Spherical_parameterization/round_to_float.h>
 
 #include <algorithm>
@@ -73,6 +74,23 @@ py::array_t<float> round_to_float(const Indices& faces, const Points& sphere, st
       fail(error, SP::get_error_message(error));
   }
   return result;
+}
+
+py::tuple measure_folding(const Points& vertices, const Indices& faces, std::size_t threads)
+{
+  SP::Surface_folding folding;
+  {
+    const py::gil_scoped_release unlock;
+    const Mesh mesh = make_mesh("", vertices, faces);
+    check_surface("", mesh);
+    const SP::Error_code error = run_with_threads(threads, [&] { return SP::measure_folding(mesh, folding); });
+    if(error != SP::OK)
+      fail(error, SP::get_error_message(error));
+  }
+  const auto array = [](const std::vector<double>& values) {
+    return py::array_t<double>(static_cast<py::ssize_t>(values.size()), values.data());
+  };
+  return py::make_tuple(array(folding.curvature), array(folding.depth), array(folding.inflated_curvature));
 }
 
 py::dict measure_distortion(const Points& vertices, const Indices& faces, const Points& sphere, std::size_t threads)

@@ -264,6 +264,66 @@ TEST_F(Surface_files, features_are_compared_in_their_order)
   expect_message(map + "--features lh.nan lh.sulc", "the property nan of vertex 1 is infinite or not a number");
 }
 
+TEST_F(Surface_files, a_surface_is_registered_to_an_atlas)
+{
+  const test_meshes::Triangle_list ball = test_meshes::icosphere(4);
+  const auto value = [](const auto& p, double turn) { // a mountain and a valley
+    const double x = std::cos(turn) * p[0] + std::sin(turn) * p[1], y = std::cos(turn) * p[1] - std::sin(turn) * p[0];
+    return std::exp(20. * (x - 1.)) - 0.7 * std::exp(30. * (0.6 * y + 0.8 * p[2] - 1.));
+  };
+  constexpr double turn = 2.;
+  Surface_file white, atlas;
+  std::vector<double> own, of_atlas;
+  for(const auto& p : ball.points)
+  {
+    const double r = 40. + 8. * value(p, 0.);
+    white.points.push_back({{r * p[0], r * p[1], r * p[2]}});
+    atlas.points.push_back({{50. * p[0], 50. * p[1], 50. * p[2]}});
+    own.push_back(value(p, 0.));
+    of_atlas.push_back(value(p, turn));
+  }
+  for(const auto& t : ball.triangles)
+    white.triangles.push_back({{std::uint32_t(t[0]), std::uint32_t(t[1]), std::uint32_t(t[2])}});
+  atlas.triangles = white.triangles;
+  write_file("lh.folded", [&](std::ostream& out) { return SP::IO::write_FreeSurfer_surface(out, white); });
+  write_file("lh.atlas", [&](std::ostream& out) { return SP::IO::write_FreeSurfer_surface(out, atlas); });
+  write_curv("lh.own", own);
+  write_curv("lh.atlas.own", of_atlas);
+
+  // The features agree where a vertex of the atlas turns up that far ahead.
+  const auto expect_turned = [&](const std::string& features) {
+    SCOPED_TRACE(features);
+    const Outcome outcome =
+        run("lh.folded --onto-atlas lh.atlas --features " + features + " -o lh.sphere.reg --sphere lh.sphere");
+    ASSERT_EQ(outcome.status, 0) << outcome.err;
+    EXPECT_NE(outcome.out.find("the sphere is written with the radius 100"), std::string::npos) << outcome.out;
+    const Surface_file result = read_freesurfer("lh.sphere.reg");
+    ASSERT_EQ(result.points.size(), white.points.size());
+    EXPECT_EQ(result.triangles, white.triangles);
+    EXPECT_EQ(read_freesurfer("lh.sphere").triangles, white.triangles);
+    double sum = 0.;
+    for(std::size_t v = 0; v < result.points.size(); ++v)
+    {
+      const auto& p = ball.points[v];
+      const auto& q = result.points[v];
+      EXPECT_NEAR(std::hypot(q[0], q[1], q[2]), 100., 1e-3);
+      sum += (std::cos(turn) * p[0] - std::sin(turn) * p[1]) * q[0] +
+             (std::sin(turn) * p[0] + std::cos(turn) * p[1]) * q[1] + p[2] * q[2];
+    }
+    EXPECT_GT(sum / 100. / static_cast<double>(result.points.size()), 0.99);
+  };
+  expect_turned("lh.own lh.atlas.own");
+  expect_turned("height lh.atlas.own --compare values --regularize spheres");
+
+  const std::string map = "lh.folded --onto-atlas lh.atlas -o lh.sphere.reg ";
+  expect_message("lh.folded --onto-atlas lh.own --features lh.own lh.own -o lh.sphere.reg", "lh.own");
+  expect_message("lh.folded --onto-atlas lh.white --features lh.own lh.sulc -o lh.sphere.reg",
+                 "lh.white: is no one-to-one sphere");
+  expect_message(map, "--onto-atlas needs --features");
+  expect_message(map + "--features depth depth", "--features has 'depth' for the atlas");
+  expect_message(map + "--features depth lh.atlas.own --split", "--split and --onto-atlas cannot be combined");
+}
+
 TEST_F(Surface_files, many_keep_their_names)
 {
   std::filesystem::create_directory(path("in"));
@@ -287,6 +347,7 @@ TEST_F(Surface_files, GIFTI_keeps_what_is_known_of_a_surface)
                                        {"GeometricType", "Anatomical"}};
   surface.origin.coordinate_systems.resize(1);
   surface.origin.coordinate_systems[0].data_space = "NIFTI_XFORM_TALAIRACH";
+  write("all.txt", "0\n1\n2\n3\n");
   write_file("a.surf.gii", [&](std::ostream& out) { return SP::IO::write_GIFTI(out, surface); });
   const auto read = [&](const std::string& name) {
     Surface_file file;
@@ -317,8 +378,8 @@ TEST_F(Surface_files, GIFTI_keeps_what_is_known_of_a_surface)
       "a.surf.gii --remesh octahedron=2 -o even.surf.gii --sphere even_sphere.surf.gii --method stereographic");
   EXPECT_EQ(read("even.surf.gii").points.size(), 18u);
   EXPECT_EQ(read("even.surf.gii").origin.metadata_of_points[2].second, "Anatomical");
-  expect_success(
-      "a.surf.gii --onto lh.white --sphere s.surf.gii -o on.surf.gii --morph 0.5 m.surf.gii --method hierarchical");
+  expect_success("a.surf.gii --onto lh.white --landmarks all.txt all.txt --sphere s.surf.gii -o on.surf.gii --morph "
+                 "0.5 m.surf.gii --method hierarchical");
   for(const char* name : {"s.surf.gii", "s_target.surf.gii", "m.surf.gii"})
     EXPECT_TRUE(std::filesystem::exists(path(name))) << name;
   EXPECT_EQ(read("on.surf.gii").origin.metadata_of_points[0].second, "CortexLeft"); // it lies there

@@ -13,6 +13,7 @@
 #include <CGAL/Spherical_parameterization/internal/align/Limb_search.h>
 #include <CGAL/Spherical_parameterization/is_bijective.h>
 #include <CGAL/Spherical_parameterization/map_surface.h>
+#include <CGAL/Spherical_parameterization/measure_folding.h>
 
 #include <gtest/gtest.h>
 
@@ -530,6 +531,98 @@ TEST(Landmarks, that_do_not_determine_a_rotation_are_refused)
   EXPECT_EQ(fit({{x, x}, {y, zero}}), SP::ERROR_INVALID_DIRECTION);
   EXPECT_EQ(result, before);
   EXPECT_EQ(fit({{x, x}, {y, y}}), SP::OK);
+}
+
+SP::Surface_folding folding_of(const Mesh& mesh)
+{
+  SP::Surface_folding result;
+  EXPECT_EQ(SP::measure_folding(mesh, result), SP::OK);
+  return result;
+}
+
+// Of a vertex with five neighbors, the share of the area is a tenth too small.
+TEST(Folding, of_a_sphere_is_its_curvature)
+{
+  constexpr double radius = 10.;
+  const Mapped_mesh sphere(
+      icosphere(5), [](const Point_3& p) { return Point_3(radius * p.x(), radius * p.y(), 3. + radius * p.z()); },
+      rotation(turns[0]));
+  const SP::Surface_folding folding = folding_of(sphere.mesh);
+  const double n = static_cast<double>(sphere.mesh.number_of_vertices());
+  double curvatures = 0., inflated_curvatures = 0.;
+  for(const Vertex_index v : sphere.mesh.vertices())
+  {
+    EXPECT_NEAR(folding.curvature[v] * radius, -1., 0.1);
+    EXPECT_NEAR(folding.depth[v] / radius, 0., 2e-4);
+    EXPECT_NEAR(folding.inflated_curvature[v] * radius, -1., 0.05);
+    curvatures += folding.curvature[v] * radius / n;
+    inflated_curvatures += folding.inflated_curvature[v] * radius / n;
+  }
+  EXPECT_NEAR(curvatures, -1., 2e-3);
+  EXPECT_NEAR(inflated_curvatures, -1., 0.03); // the sphere has shrunk by 1.3 per cent
+}
+
+TEST(Folding, does_not_depend_on_the_samples_the_place_and_the_threads)
+{
+  const auto waves = [](const Point_3& p) {
+    const double r = 1. + 0.05 * std::sin(12. * p.x()) * std::sin(11. * p.y() + 1.) * std::sin(10. * p.z() + 2.);
+    return Point_3(r * p.x(), r * p.y(), r * p.z());
+  };
+  const auto moved = [&](const Point_3& p) {
+    const Point_3 q = waves(p);
+    return Point_3(7. - 2e3 * q.y(), 2e3 * q.x(), 2e3 * q.z());
+  };
+  const Mapped_mesh first(icosphere(5), waves, rotation(turns[0])),
+      second(octahedron_of(64), moved, rotation(turns[0]));
+  const SP::Surface_folding a = folding_of(first.mesh), b = folding_of(second.mesh);
+  SP::Surface_folding sequential;
+  ASSERT_EQ(SP::measure_folding<CGAL::Sequential_tag>(second.mesh, sequential), SP::OK);
+  EXPECT_EQ(sequential.curvature, b.curvature);
+  EXPECT_EQ(sequential.depth, b.depth);
+  EXPECT_EQ(sequential.inflated_curvature, b.inflated_curvature);
+
+  // Where the first surface has a vertex, the second one has a face.
+  const SP::Sphere_locator_3 locator(second.mesh, second.sphere, true);
+  std::array<double, 3> squares = {}, differences = {};
+  for(const Vertex_index v : first.mesh.vertices())
+  {
+    const auto [face, weights] = locator.locate(first.sphere[v]);
+    std::array<double, 3> there = {};
+    const Mesh::Halfedge_index h = second.mesh.halfedge(face);
+    const std::array<Vertex_index, 3> corners = {second.mesh.source(h), second.mesh.target(h),
+                                                 second.mesh.target(second.mesh.next(h))};
+    for(std::size_t k = 0; k < 3; ++k)
+    {
+      there[0] += weights[k] * 2e3 * b.curvature[corners[k]];
+      there[1] += weights[k] * b.depth[corners[k]] / 2e3;
+      there[2] += weights[k] * 2e3 * b.inflated_curvature[corners[k]];
+    }
+    const std::array<double, 3> here = {a.curvature[v], a.depth[v], a.inflated_curvature[v]};
+    for(std::size_t i = 0; i < 3; ++i)
+    {
+      squares[i] += here[i] * here[i];
+      differences[i] += (here[i] - there[i]) * (here[i] - there[i]);
+    }
+    EXPECT_LT(std::abs(here[1]), 0.1);
+  }
+  for(std::size_t i = 0; i < 3; ++i)
+    EXPECT_LT(std::sqrt(differences[i] / squares[i]), 0.05) << i;
+}
+
+TEST(Folding, of_what_is_no_surface_is_left_as_it_was)
+{
+  Mapped_mesh body(icosphere(2), on_body, rotation(turns[1]));
+  const Vertex_index lonely = body.mesh.add_vertex(Point_3(1., 2., 3.));
+  SP::Surface_folding folding = folding_of(body.mesh);
+  EXPECT_EQ(folding.depth.size(), body.mesh.number_of_vertices());
+  EXPECT_EQ(folding.depth[lonely], 0.);
+  const std::vector<double> before = folding.depth;
+  const Vertex_index v = *body.mesh.vertices().begin();
+  body.mesh.point(v) = Point_3(0., std::numeric_limits<double>::infinity(), 0.);
+  EXPECT_EQ(SP::measure_folding(body.mesh, folding), SP::ERROR_NON_FINITE_COORDINATE);
+  CGAL::Euler::remove_face(body.mesh.halfedge(v), body.mesh);
+  EXPECT_EQ(SP::measure_folding(body.mesh, folding), SP::ERROR_NON_CLOSED_MESH);
+  EXPECT_EQ(folding.depth, before);
 }
 
 } // namespace

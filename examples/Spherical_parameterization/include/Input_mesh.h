@@ -57,6 +57,7 @@ public:
   /// \throws Program_error with what is wrong, where, and what helps
   Input_mesh(const std::string& path, Polygon_soup soup)
     : m_name(printable(path))
+    , m_is_of_cortical_format(!is_among(file_format(path), input_formats))
     , m_origin(std::move(soup.origin))
     , m_polygons(std::move(soup.polygons))
   {
@@ -161,6 +162,9 @@ public:
 
   /// returns the name of the file for a message.
   const std::string& name() const { return m_name; }
+
+  /// returns whether the format of the file is one of those for cortical surfaces.
+  bool is_of_cortical_format() const { return m_is_of_cortical_format; }
 
   Mesh& mesh() { return m_mesh; }
 
@@ -304,6 +308,7 @@ private:
   }
 
   std::string m_name;
+  bool m_is_of_cortical_format;
   SP::IO::Surface_origin m_origin;
   Mesh m_mesh;
   std::optional<Mesh> m_unfilled; // if holes have been filled

@@ -95,11 +95,10 @@ public:
     // A vertex without a face stays at the origin.
     m_sphere = mesh().add_property_map<Vertex_index, Point_3>("v:sphere", Point_3(0, 0, 0)).first;
     m_report.result = run_method(m_options, *m_input, m_sphere);
-    const bool is_its_sphere = m_options.onto.empty(); // and not that of a target
+    const bool is_its_sphere = m_options.onto.empty() || m_options.is_onto_atlas; // and not that of a target
     if(m_options.follows_convention(m_names.sphere) && is_its_sphere)
       turn_to_surface(*m_input, m_sphere, m_report.result.is_one_to_one);
-    if(m_options.follows_convention(m_names.sphere) && !m_names.sphere.empty() && !m_options.keeps_radius)
-      m_report.written_radius = radius_of_convention;
+    m_report.written_radius = radius_of(m_options.is_onto_atlas ? m_names.onto : m_names.sphere);
   }
 
   /// samples the surface, if that is wanted.
@@ -199,10 +198,10 @@ public:
         const std::string format = m_options.format_of(m_names.sphere);
         if(m_match && m_options.onto.empty())
           m_match->write_positions(out, format);
-        else if(m_match)
-          m_match->write_directions(out, m_names.sphere, format, m_report.written_radius);
+        else if(m_match && !m_options.is_onto_atlas)
+          m_match->write_directions(out, m_names.sphere, format, radius_of(m_names.sphere));
         else
-          write_sphere(out, m_names.sphere, format, *m_input, m_sphere, m_report.written_radius);
+          write_sphere(out, m_names.sphere, format, *m_input, m_sphere, radius_of(m_names.sphere));
       });
       m_report.sphere_checksum = m_files.sphere->checksum();
     }
@@ -213,11 +212,17 @@ public:
     if(m_files.values)
       m_files.values->write([&](std::ostream& out) { m_remesh->write_values(out); });
     if(m_files.onto)
-      m_files.onto->write([&](std::ostream& out) { m_match->write_positions(out, m_options.format_of(m_names.onto)); });
+      m_files.onto->write([&](std::ostream& out) {
+        const std::string format = m_options.format_of(m_names.onto);
+        if(m_options.is_onto_atlas)
+          m_match->write_directions(out, m_names.onto, format, radius_of(m_names.onto));
+        else
+          m_match->write_positions(out, format);
+      });
     if(m_files.target_sphere)
       m_files.target_sphere->write([&](std::ostream& out) {
         write_sphere(out, m_names.target_sphere, m_options.format_of(m_names.target_sphere), m_other->input,
-                     m_other->sphere, m_report.written_radius);
+                     m_other->sphere, radius_of(m_names.target_sphere));
       });
     if(m_files.overlay)
       m_files.overlay->write([&](std::ostream& out) { m_match->write_overlay(out); });
@@ -250,6 +255,14 @@ public:
 private:
   Mesh& mesh() { return m_input->mesh(); }
   Mesh& mesh_of_file() { return m_input->mesh_of_file(); }
+
+  // returns the radius of a sphere in its file, if it is not that of the map
+  std::optional<double> radius_of(const std::string& name) const
+  {
+    return !name.empty() && m_options.follows_convention(name) && !m_options.keeps_radius
+               ? std::optional<double>(radius_of_convention)
+               : std::nullopt;
+  }
 
   // Writes where the handles are. Their files appear at once if there are any, as there is nothing else to wait for.
   void show_handles()

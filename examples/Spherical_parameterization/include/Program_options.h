@@ -75,6 +75,7 @@ public:
     std::ostringstream text;
     text << R"(Usage: spherical_parameterization INPUT [-o SPHERE] [options]
        spherical_parameterization INPUT --onto TARGET [-o RESULT] [options]
+       spherical_parameterization INPUT --onto-atlas SPHERE --features A B [-o SPHERE] [options]
        spherical_parameterization INPUT ... --output-folder FOLDER [options]
        spherical_parameterization VALUES --resample SPHERE SPHERE2 -o RESULT [options]
 
@@ -123,13 +124,16 @@ none; 2, all have one, but some fold.
         result.push_back(name);
     for(const Words* names : {&landmark_files, &spheres, &area_files})
       result.insert(result.end(), names->begin(), names->end());
-    Words lists = feature_files;
+    Words lists = mask_files;
     if(!values_file.empty())
       lists.push_back(values_file);
-    lists.insert(lists.end(), mask_files.begin(), mask_files.end());
     for(const std::string& list : lists)
       for(const std::string& name : split_list(list))
         result.push_back(name);
+    for(const std::string& list : feature_files)
+      for(const std::string& name : split_list(list))
+        if(!is_among(name, own_features))
+          result.push_back(name);
     return result;
   }
 
@@ -157,12 +161,14 @@ none; 2, all have one, but some fold.
   unsigned int image_size = 0;  ///< pixels in a row of the geometry image; 0 if none is wanted
   std::string values_file;      ///< with the properties that the remesh gets; empty if there is none
   std::string values_sphere;    ///< the map of that mesh, if it is not the input
-  std::string onto;             ///< the surface to map onto, empty if there is none
+  std::string onto;             ///< the surface, or the atlas, to map onto, empty if there is none
+  bool is_onto_atlas = false;   ///< whether that is its own sphere
   std::string template_file;    ///< the surface to map onto each of many, empty if there is none
   Words landmark_files, feature_files, mask_files; ///< of both surfaces, or none
   std::map<std::string, double> feature_weights;   ///< by the names of the features; 1 for others
   bool compares_values = false;                    ///< of the features, and not ranks
-  double landmark_weight = 0.;                     ///< 0 if landmarks are met exactly
+  bool regularizes_spheres = false; ///< whether the distortion is kept low between the spheres, and not the surfaces
+  double landmark_weight = 0.; ///< 0 if landmarks are met exactly
   double morph_time = 0.;
   Words spheres;                  ///< to resample from one to the other, none if nothing is resampled
   bool carries_sphere = false;    ///< whether the second one is a registration that spheres are carried through
@@ -279,17 +285,25 @@ private:
       ("image-size", word("N"), "pixels in each of its rows and columns, odd; 257")
       ("onto", word("TARGET"), "map the surface onto this one: -o is INPUT with its vertices on TARGET. The spheres are aligned "
                                "by features of the surfaces, if there are no landmarks")
+      ("onto-atlas", word("ATLAS"), "register the surface to an atlas, a sphere whose features are given by --features: -o is the sphere of "
+                                    "INPUT in register, its vertices on that of ATLAS; --sphere is as it was before")
       ("landmarks", words("A B"), "with --onto, files with the vertices of INPUT and TARGET that correspond, one a line, counted "
                                   "from 0; further columns are not looked at. They are met exactly, with a warning for each "
                                   "that cannot be")
       ("soft-landmarks", word("W"), "with --landmarks, the weight of their mean squared distance on the unit sphere instead")
       ("features", words("A B"), "with --onto, .ply files with the vertices of INPUT and TARGET, whose properties of the same "
                                  "names are what the spheres are aligned by; or files of values as for --transfer, "
-                                 "of which the first of A and of B correspond, and so on")
+                                 "of which the first of A and of B correspond, and so on. In place of a file, four words stand for what is "
+                                 "measured: depth, that of the folds, positive in furrows, as lh.sulc of FreeSurfer; height, the "
+                                 "opposite, as sulc of the Human Connectome Project; curvature, positive in furrows too; and inflated, "
+                                 "that of the surface without its small folds. Cortical surfaces are aligned by the values of "
+                                 "depth,inflated if nothing is given")
       ("feature-weights", word("NAME=W,..."), "with --features, how much those of these names count beside the others, which have the weight "
                                               "1; 0 leaves one out")
       ("compare", word("WHAT"), "with --features, compare their ranks, or their values, in units of their deviation over both "
                                 "surfaces; ranks")
+      ("regularize", word("WHAT"), "with --onto or --onto-atlas, keep the distortion low of the map between the surfaces, the default, or of that "
+                                   "between their spheres: surfaces or spheres")
       ("masks", words("A B"), "with --onto, files with one value for each vertex of INPUT and TARGET, 0 where features are not to be "
                               "compared")
       ("split", "with --onto, split edges of INPUT where its faces are too large for what they cover of TARGET, or keep landmarks from "
@@ -569,8 +583,8 @@ private:
   // What is preferred decides on other settings, and what is sampled on that.
   void read_sampling()
   {
-    if(has("sphere") && !has("remesh") && !has("onto"))
-      fail("--sphere goes with --remesh or --onto; without them, -o is the sphere");
+    if(has("sphere") && !has("remesh") && !has("onto") && !has("onto-atlas"))
+      fail("--sphere goes with --remesh, --onto or --onto-atlas; without them, -o is the sphere");
     if(has("transfer") && !has("remesh"))
       fail("--transfer goes with --remesh");
     if(has("image-size") && !has("geometry-image"))
@@ -785,14 +799,30 @@ private:
 
   void read_match()
   {
-    onto = text("onto");
+    refuse_both("onto", "onto-atlas");
+    is_onto_atlas = has("onto-atlas");
+    onto = text(is_onto_atlas ? "onto-atlas" : "onto");
     template_file = text("template");
-    for(const char* option : {"landmarks", "features", "masks", "split", "overlay", "morph"})
+    for(const char* option : {"landmarks", "features", "masks", "split", "overlay", "morph", "regularize"})
       if(has(option) && onto.empty())
         fail("--" + std::string(option) + " goes with --onto");
     for(const char* option : {"remesh", "geometry-image", "output-folder", "initial"})
       if(has(option) && !onto.empty())
         fail("--" + std::string(option) + " and --onto cannot be combined");
+    if(is_onto_atlas && !has("features"))
+      fail("--onto-atlas needs --features, as a sphere has none of its own: what INPUT is compared by, such as depth "
+           "or lh.sulc, and "
+           "a file of what ATLAS has for it");
+    if(is_onto_atlas)
+      for(const std::string& name : split_list(feature_files[1]))
+        if(is_among(name, own_features))
+          fail("--features has '" + name + "' for the atlas, which is a sphere without folds: give a file of values");
+    for(const char* option : {"split", "morph"})
+      if(has(option) && is_onto_atlas)
+        fail("--" + std::string(option) + " and --onto-atlas cannot be combined, as the atlas is no surface");
+    regularizes_spheres = read_word("regularize", {"surfaces", "spheres"}, "surfaces") == "spheres";
+    if(has("split") && regularizes_spheres)
+      fail("--split and --regularize spheres contradict each other: edges are split where faces bend over the surface");
     if(!template_file.empty() && (!has("output-folder") || !start_file.empty()))
       fail("--template goes with --output-folder, and without the map of --initial");
     splits = has("split");
@@ -840,7 +870,7 @@ private:
     is_quiet = has("quiet");
     const bool is_for_many = has("output-folder");
     for(const char* option : {"output", "sphere", "transfer", "values-sphere", "json", "colored", "page",
-                              "output-folder", "onto", "template", "overlay"})
+                              "output-folder", "onto", "onto-atlas", "template", "overlay"})
       if(has(option) && text(option).empty())
         fail("--" + std::string(option) + " needs a name");
     if(has("resume") && !is_for_many)
@@ -852,7 +882,7 @@ private:
       if(has(option) && is_for_many)
         fail("--" + std::string(option) + " is for one mesh; with --output-folder, the sphere of each and its report " +
              "are written there");
-    const bool has_result = has("remesh") || has("onto");
+    const bool has_result = has("remesh") || !onto.empty();
     file_names.sphere = text(has_result ? "sphere" : "output");
     if(has_result)
       (has("remesh") ? file_names.remesh : file_names.onto) = text("output");

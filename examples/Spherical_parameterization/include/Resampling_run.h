@@ -240,8 +240,7 @@ private:
     if(!defect.empty())
       throw Program_error(defect);
     if(!is_one_to_one(mesh))
-      throw Program_error(name, "is no one-to-one sphere: not all of its faces are positively oriented as seen from "
-                                "the origin, or they do not cover the sphere once");
+      throw Program_error(name, no_sphere);
   }
 
   // Replaces what the vertices of the first sphere have by what those of the second one get.

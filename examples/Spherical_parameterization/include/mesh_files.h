@@ -21,6 +21,9 @@ inline const Words input_formats = {".off", ".obj", ".ply", ".stl", ".ts"};
 /// forgets their order.
 inline const Words output_formats = {".off", ".obj", ".ply", ".ts", ".gii"};
 
+/// What a surface can be compared by without a file: how it is folded.
+inline const Words own_features = {"depth", "height", "curvature", "inflated"};
+
 /// The format of FreeSurfer, whose files are called `lh.sphere`, say.
 inline const std::string freesurfer_format = "freesurfer";
 

@@ -156,15 +156,18 @@ inline Polygon_soup read_soup(const std::string& path, bool keeps_values = false
 
 /// reads a file with values of vertices, or several, whose names have commas between them. The mesh is that of the first.
 ///
+/// \param read reads one of them
+///
 /// \throws Program_error if that fails, or they are values of surfaces that differ in the number of their vertices
-inline Polygon_soup read_values(const std::string& paths)
+template <class Read>
+Polygon_soup read_values(const std::string& paths, const Read& read)
 {
   Polygon_soup result;
   std::set<std::string> names;
   const Words files = split_list(paths);
   for(const std::string& path : files)
   {
-    Polygon_soup soup = read_soup(path, true);
+    Polygon_soup soup = read(path);
     if(result.number_of_vertices() > 0 && soup.number_of_vertices() != result.number_of_vertices())
       throw Program_error(path, "has values of " + std::to_string(soup.number_of_vertices()) + " vertices, but " +
                                     printable(files.front()) + " of " + std::to_string(result.number_of_vertices()));
@@ -181,6 +184,11 @@ inline Polygon_soup read_values(const std::string& paths)
     }
   }
   return result;
+}
+
+inline Polygon_soup read_values(const std::string& paths)
+{
+  return read_values(paths, [](const std::string& path) { return read_soup(path, true); });
 }
 
 } // namespace Program

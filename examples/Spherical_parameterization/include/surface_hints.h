@@ -7,9 +7,12 @@
 #include "mesh_files.h"
 #include "readers/Scanner.h"
 
+#include <CGAL/Spherical_parameterization/measure_folding.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <map>
 #include <string>
 #include <string_view>
@@ -56,6 +59,43 @@ inline std::vector<Landmark> parse_landmarks(std::string content, const Mesh& me
   }
   return result;
 }
+
+/// The `own_features` of a surface.
+class Own_features
+{
+public:
+  /// \param n_vertices of the file of the surface, which are the first ones
+  ///
+  /// \pre the mesh lives longer
+  Own_features(const Mesh& mesh, std::size_t n_vertices)
+    : m_mesh(mesh)
+    , m_n_vertices(n_vertices)
+  {}
+
+  /// returns the values of one of the names, as a file has them.
+  ///
+  /// \throws Program_error if there are none
+  Polygon_soup operator()(const std::string& name)
+  {
+    if(m_folding.depth.empty())
+      if(const SP::Error_code error = SP::measure_folding(m_mesh, m_folding); error != SP::OK)
+        throw Program_error(name, "cannot be measured. " + std::string(SP::get_error_message(error)));
+    Polygon_soup soup;
+    std::vector<double> values = name == "depth" || name == "height" ? m_folding.depth
+                                 : name == "curvature"               ? m_folding.curvature
+                                                                     : m_folding.inflated_curvature;
+    if(name == "height")
+      std::transform(values.begin(), values.end(), values.begin(), std::negate<>());
+    values.resize(m_n_vertices);
+    soup.values_of_vertices.push_back({name, double(), std::move(values)});
+    return soup;
+  }
+
+private:
+  const Mesh& m_mesh;
+  std::size_t m_n_vertices;
+  SP::Surface_folding m_folding;
+};
 
 /// What surfaces can be aligned by of all that files of values hold.
 struct File_features

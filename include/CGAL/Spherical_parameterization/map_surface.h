@@ -42,6 +42,10 @@ namespace CGAL::Spherical_parameterization {
 /// sphere. If the spheres agree as they are, the result is the rotation itself, unless the descent has lowered the energy of
 /// the common refinement.
 ///
+/// An atlas that is a sphere with features, and no surface otherwise, is one whose vertices lie on it: the `vertex_point_map` of
+/// the second mesh is its map to the sphere. The distortion that is lowered then is that of the first surface on
+/// the atlas; if the `vertex_point_map` of the first mesh is its map to the sphere as well, that between the spheres.
+///
 /// A visitor or a time limit may end a run at any time, in the alignment as well: the map that has been reached is certified
 /// and written. Landmarks may be missed then that more sweeps would have met.
 ///

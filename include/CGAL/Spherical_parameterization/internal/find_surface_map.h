@@ -18,7 +18,7 @@
 #include <CGAL/Spherical_parameterization/internal/Surface_map_hints.h>
 #include <CGAL/Spherical_parameterization/internal/align/Coarse_surface.h>
 #include <CGAL/Spherical_parameterization/internal/align/Surface_alignment.h>
-#include <CGAL/Spherical_parameterization/internal/align/mean_curvature.h>
+#include <CGAL/Spherical_parameterization/internal/align/Surface_diffusion.h>
 #include <CGAL/Spherical_parameterization/internal/certificate/Bijectivity_certificate.h>
 #include <CGAL/Spherical_parameterization/internal/certificate/is_safely_positive.h>
 #include <CGAL/Spherical_parameterization/internal/surface/Surface.h>

@@ -15,7 +15,7 @@
 #include <CGAL/license/Spherical_parameterization.h>
 
 #include <CGAL/Spherical_parameterization/internal/align/Surface_paths.h>
-#include <CGAL/Spherical_parameterization/internal/align/mean_curvature.h>
+#include <CGAL/Spherical_parameterization/internal/align/Surface_diffusion.h>
 #include <CGAL/Spherical_parameterization/internal/align/surface_features.h>
 #include <CGAL/Spherical_parameterization/internal/certificate/is_safely_positive.h>
 #include <CGAL/Spherical_parameterization/internal/levels/Mesh_hierarchy.h>
