@@ -22,6 +22,7 @@
 #include <iostream>
 #include <mutex>
 #include <optional>
+#include <sstream>
 #include <string>
 #include <system_error>
 #include <vector>
@@ -114,16 +115,23 @@ private:
     const std::lock_guard<std::mutex> lock(m_mutex);
     ++m_mapped;
     print_line(printable(report.input()), report.short_text());
+    std::istringstream warnings(report.warnings());
+    for(std::string line; std::getline(warnings, line);)
+      print_error(with_name(printable(report.input()), line));
     if(report.result.is_one_to_one)
       return;
     ++m_folded;
     print_error(report.explain_fault());
   }
 
+  static std::string with_name(const std::string& input, const std::string& text)
+  {
+    return text.compare(0, input.size() + 1, input + ':') == 0 ? text : input + ": " + text;
+  }
+
   void tell_failure(const std::string& input, const std::string& message)
   {
-    const bool names_input = message.compare(0, input.size(), input) == 0;
-    const std::string text = names_input ? message : input + ": " + message;
+    const std::string text = with_name(input, message);
     const std::size_t begin = (std::min)(input.size() + 2, text.size());
     const std::lock_guard<std::mutex> lock(m_mutex);
     ++m_failed;

@@ -757,7 +757,7 @@ private:
       fail("--" + option + " has to be a name that ends with one of " + output_names + ", not '" + printable(name) +
            "'");
 #ifndef PROGRAM_READS_GIFTI
-    if(format_of(name) == ".gii")
+    if(is_gifti(format_of(name)))
       fail("--" + option + ": this program was built without expat and zlib, which GIFTI files take");
 #endif
   }
@@ -872,12 +872,12 @@ private:
     if(has("transfer") && has("output"))
     {
       const std::string format_of_remesh = format_of(file_names.remesh);
-      if(format_of_remesh != ".ply" && format_of_remesh != ".gii")
+      if(format_of_remesh != ".ply" && !is_gifti(format_of_remesh))
         refuse("output", "the name of a .ply or .gii file, as other formats do not hold the properties of --transfer");
-      if(format_of_remesh == ".gii")
+      if(is_gifti(format_of_remesh))
       {
         const std::string& name = file_names.remesh;
-        file_names.values = name.substr(0, name.size() - ending_of(name).size()) + ".func.gii";
+        file_names.values = name.substr(0, name.size() - ending_of(name).size()) + ".func" + format_of_remesh;
       }
     }
   }

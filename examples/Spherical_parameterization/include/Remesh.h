@@ -78,7 +78,7 @@ public:
   /// writes the values that have been carried over to the vertices as a GIFTI file.
   ///
   /// \throws Program_error if a number is too large for it
-  void write_values(std::ostream& out)
+  void write_values(std::ostream& out, const std::string& format)
   {
     SP::IO::Surface_file file;
     for(const auto& pair : m_origin.metadata_of_points)
@@ -97,7 +97,7 @@ public:
           },
           values.type);
     }
-    write_surface_file(out, ".gii", file);
+    write_surface_file(out, format, file);
   }
 
   /// writes a geometry image of the points, or of the normals; as an OpenEXR file or a PNG file, as its name says.
@@ -144,6 +144,9 @@ public:
     const bool is_of_input = options.values_sphere.empty();
     Polygon_soup soup = read_values(name);
     add_surface(soup, options, input);
+    Hemispheres files = input.hemispheres();
+    files.insert(files.end(), soup.hemispheres.begin(), soup.hemispheres.end());
+    m_warnings += mixed_hemispheres(files);
     const std::vector<Values> of_vertices = std::move(soup.values_of_vertices),
                               of_faces = std::move(soup.values_of_faces);
     Words left_out = std::move(soup.left_out);
@@ -203,6 +206,7 @@ private:
                           "has values of " + std::to_string(values.number_of_vertices()) + " vertices, but " +
                               (options.values_sphere.empty() ? input.name() : printable(options.values_sphere)) +
                               " has " + std::to_string(surface.points.size()));
+    values.hemispheres.insert(values.hemispheres.end(), surface.hemispheres.begin(), surface.hemispheres.end());
     values.points = std::move(surface.points);
     values.polygons = std::move(surface.polygons);
   }

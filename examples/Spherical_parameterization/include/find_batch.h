@@ -38,7 +38,8 @@ inline std::filesystem::path canonical(const std::filesystem::path& path)
 /// same brain in a folder, and their names do not tell them from other files.
 inline bool is_mesh_of_folder(const std::filesystem::path& path)
 {
-  return is_among(file_format(path.string()), input_formats) || ending_of(path.string()) == ".surf.gii";
+  return is_among(file_format(path.string()), input_formats) ||
+         is_among(ending_of(path.string()), {".surf.gii", ".surf.gii.gz"});
 }
 
 /// returns the mesh files of a folder, sorted. Hidden files are no meshes, whatever their names end with: some systems keep
@@ -78,7 +79,7 @@ inline File_names names_in_batch(const std::filesystem::path& path, const Progra
   if(format.empty())
     names.sphere = options.format_of(input).empty() ? beginning + output_formats.front() : result;
   else
-    names.sphere = beginning + (format == ".gii" ? ".surf.gii" : format == freesurfer_format ? "" : format);
+    names.sphere = beginning + (is_gifti(format) ? ".surf" + format : format == freesurfer_format ? "" : format);
   names.json = beginning + ".json";
   return names;
 }
