@@ -383,6 +383,8 @@ TEST_F(Surface_files, GIFTI_may_be_packed)
   EXPECT_EQ(run_script("gzip -dc b.surf.gii.gz | cmp - b.surf.gii").status, 0);
   expect_success("in --output-folder out");
   EXPECT_EQ(names_of_files("out"), (std::set<std::string>{"a.surf.gii.gz", "a.json"}));
+  expect_success("in --output-folder study --surfaces '*.gz'");
+  EXPECT_EQ(names_of_files("study"), (std::set<std::string>{"a_sphere.surf.gii.gz", "a_sphere.json"}));
   expect_success(
       "in/a.surf.gii.gz --method stereographic --remesh octahedron=2 -o even.surf.gii.gz --transfer lh.sulc");
   EXPECT_TRUE(std::filesystem::exists(path("even.func.gii.gz")));

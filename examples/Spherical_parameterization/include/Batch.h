@@ -46,8 +46,7 @@ public:
   /// maps all meshes that are not done; what fails with one of them does not stop the others. Returns the exit status.
   int run()
   {
-    if(m_options.is_resumed)
-      leave_out_what_is_done();
+    look_at_earlier_results();
     std::vector<std::uintmax_t> sizes;
     for(const File_names& names : m_meshes)
     {
@@ -68,11 +67,19 @@ public:
   }
 
 private:
-  void leave_out_what_is_done()
+  // Leaves out what is done, if that is wanted. Among the files of a study, whose names are those that other programs give, none is
+  // replaced that this one has not written.
+  void look_at_earlier_results()
   {
-    const auto is_done = [this](const File_names& names) {
+    const bool is_careful = !m_options.surfaces.empty() && !m_options.overwrites;
+    if(!m_options.is_resumed && !is_careful)
+      return;
+    Words foreign;
+    const auto is_done = [&](const File_names& names) {
       const Earlier_report report(names);
-      if(!report.tells_the_same_run(m_options))
+      if(const std::string file = is_careful ? report.foreign_file() : ""; !file.empty())
+        foreign.push_back(file);
+      if(!m_options.is_resumed || !report.tells_the_same_run(m_options))
         return false;
       ++m_left_out;
       if(!report.is_one_to_one())
@@ -83,6 +90,12 @@ private:
       return true;
     };
     m_meshes.erase(std::remove_if(m_meshes.begin(), m_meshes.end(), is_done), m_meshes.end());
+    if(!foreign.empty())
+      throw Program_error(
+          foreign.front(),
+          "is there already, and no report beside it tells that this program has written it" +
+              (foreign.size() > 1 ? "; so are " + std::to_string(foreign.size() - 1) + " other files" : "") +
+              ".\nChoose another --output-folder, or replace such files by --overwrite.");
   }
 
   // A mesh that is interrupted leaves nothing: whatever is in the output folder has all the sweeps that the options ask
@@ -93,6 +106,10 @@ private:
       return;
     try
     {
+      const std::filesystem::path folder = std::filesystem::path(names.json).parent_path();
+      std::error_code error;
+      if(!std::filesystem::create_directories(folder, error) && error)
+        throw Program_error(folder.string(), "cannot be made: " + error.message());
       Mesh_run run(m_options, names);
       run.remove_earlier_files();
       run.map();

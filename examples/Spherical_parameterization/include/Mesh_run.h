@@ -90,6 +90,7 @@ public:
       m_report.holes = m_input->fill_holes(m_options.max_hole_edges);
     if(m_files.handles || m_files.page)
       show_handles();
+    m_report.subject = m_names.subject;
     m_report.hemisphere = m_input->hemispheres().front().second;
     m_report.seconds_for_input = seconds_now() - start;
 

@@ -76,6 +76,7 @@ public:
     text << R"(Usage: spherical_parameterization INPUT [-o SPHERE] [options]
        spherical_parameterization INPUT --onto TARGET [-o RESULT] [options]
        spherical_parameterization INPUT ... --output-folder FOLDER [options]
+       spherical_parameterization SUBJECTS --surfaces lh.white rh.white --output-folder FOLDER [options]
        spherical_parameterization VALUES --resample SPHERE SPHERE2 -o RESULT [options]
 
 Maps a closed triangle mesh of genus 0 to a sphere, one-to-one and with low distortion. INPUT is a file of
@@ -174,6 +175,8 @@ none; 2, all have one, but some fold.
   bool picks_component = false;   ///< whether one part of the surface is mapped
   bool takes_each_component = false;
   std::string output_folder; ///< of the many, empty otherwise
+  Words surfaces;            ///< what the many are called in the folders below; empty if they are in the folder itself
+  bool overwrites = false;   ///< whether files of those folders are replaced that the program has not written
   std::string format;        ///< of all meshes that are written, empty if their names tell it
   std::string convention;    ///< of spheres; empty if their formats tell it
   bool keeps_radius = false; ///< whether that of a map is the one to be written, as it was chosen
@@ -310,6 +313,12 @@ private:
       ("output-folder", word("FOLDER"), "map many meshes: each INPUT is a mesh, or a folder, which stands for the mesh "
                                         "files in it; write each sphere and its report to FOLDER, as NAME.off, say, "
                                         "and NAME.json")
+      ("surfaces", words("NAME ..."), "with --output-folder, map the files of these names in all folders below each INPUT, such as the "
+                                      "surfaces lh.white and rh.white of the subjects of FreeSurfer; each may be a pattern, such as "
+                                      "'*_white.surf.gii', or, with a slash, the path from INPUT on. Results go to the "
+                                      "folders of the same names below FOLDER, as SUBJECT/surf/lh.sphere, say, and lh.sphere.json; "
+                                      "beside the surfaces if FOLDER is INPUT")
+      ("overwrite", "with --surfaces, replace files of these names that the program has not written; they are an error otherwise")
       ("template", word("T"), "with --output-folder, map the surface T onto each INPUT, and write T with its vertices there "
                               "instead of the sphere: all get the same faces")
       ("format", word("FORMAT"), "the format of all meshes that are written, if names are not to tell it, or with --output-folder that "
@@ -472,8 +481,16 @@ private:
       refuse_both("resample", "through");
       spheres = registration;
     }
+    if(has("surfaces"))
+      surfaces = m_values["surfaces"].as<Words>();
+    for(std::string& name : surfaces)
+    {
+      name = std::filesystem::path(name).lexically_normal().string();
+      if(name.empty() || name[0] == '/' || name.compare(0, 2, "..") == 0)
+        fail("--surfaces takes names of files, or their paths from INPUT on, not '" + printable(name) + "'");
+    }
     if(inputs.empty())
-      fail("there is no INPUT");
+      fail(surfaces.empty() ? "there is no INPUT" : "there is no INPUT; it comes before --surfaces and its names");
     if(has("output-folder"))
       return;
     if(inputs.size() > 1)
@@ -843,8 +860,11 @@ private:
                               "output-folder", "onto", "template", "overlay"})
       if(has(option) && text(option).empty())
         fail("--" + std::string(option) + " needs a name");
-    if(has("resume") && !is_for_many)
-      fail("--resume goes with --output-folder");
+    for(const char* option : {"resume", "surfaces"})
+      if(has(option) && !is_for_many)
+        fail("--" + std::string(option) + " goes with --output-folder");
+    if(has("overwrite") && !has("surfaces"))
+      fail("--overwrite goes with --surfaces; other results are replaced as they are");
     for(const char* option : {"remesh", "geometry-image", "page"})
       if(has(option) && is_for_many)
         fail("--" + std::string(option) + " is for one mesh: leave out --output-folder");
@@ -866,6 +886,7 @@ private:
       refuse("page", "a name that ends with .html");
     output_folder = text("output-folder");
     is_resumed = has("resume");
+    overwrites = has("overwrite");
     for(const char* option : {"output", "sphere"})
       if(has(option))
         check_output(option, text(option));

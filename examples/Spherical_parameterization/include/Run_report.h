@@ -90,7 +90,7 @@ public:
   double seconds_for_matching = 0.;         ///< the other surface, and the map between both
   double seconds_for_output = 0.;           ///< writing all files but that with this report
   Words files;                              ///< that were written
-  std::string hemisphere;                   ///< that the surface is of; empty if that is not known
+  std::string subject, hemisphere;          ///< that the surface is of; empty if that is not known
   File_stamp input_stamp;                   ///< of the file, before it was read
   File_stamp start_stamp;                   ///< of the file with the map to start from; empty if there is none
   std::optional<Checksum> sphere_checksum;  ///< if it was written, and to an ordinary file
@@ -255,6 +255,8 @@ public:
     };
     Json_object all;
     all.add("program", program_version()).add("input", m_input);
+    if(!subject.empty())
+      all.add("subject", subject);
     if(!hemisphere.empty())
       all.add("hemisphere", hemisphere);
     all.add("input_stamp", stamp_of(input_stamp))

@@ -123,6 +123,7 @@ struct File_names
   std::string input;
   std::string sphere, handles, filled, remesh, values, image, page, json; ///< empty if not wanted
   std::string onto, target_sphere, overlay, morph; ///< of a map onto another surface, empty if not wanted
+  std::string subject;                             ///< of a study that the mesh is of, empty otherwise
   std::string colored; ///< what the names of the coloured meshes begin with, empty if they are not wanted
 
   /// returns the names for a part of a surface: all that are written get its number, from 1 on.
