@@ -403,8 +403,9 @@ TEST_F(Surface_files, values_are_carried_over_to_GIFTI)
                     {"region", "NIFTI_INTENT_LABEL", Vertex_values::Type::int32, {7., 7., 7., 7.}, {}}};
   values.labels = {{7, "all", {{0., 0., 0., 1.}}}};
   write_file("v.func.gii", [&](std::ostream& out) { return SP::IO::write_GIFTI(out, values); });
-  expect_success(remesh + "-o even.surf.gii --transfer lh.sulc,v.func.gii",
-                 "lh.sulc,v.func.gii: not carried over: the names and colours of its 1 labels\n");
+  expect_success(remesh + "-o even.ply --transfer v.func.gii",
+                 "v.func.gii: not carried over: the names and colours of its labels, which a GIFTI file can hold\n");
+  expect_success(remesh + "-o even.surf.gii --transfer lh.sulc,v.func.gii");
   Surface_file file;
   std::string message;
   std::ifstream in(path("even.func.gii"), std::ios::binary);
@@ -413,6 +414,17 @@ TEST_F(Surface_files, values_are_carried_over_to_GIFTI)
   EXPECT_EQ(file.columns[0].name, "sulc");
   EXPECT_EQ(file.columns[1].name, "thickness");
   EXPECT_EQ(file.columns[2].values, std::vector<double>(18, 7.));
+  EXPECT_EQ(file.columns[2].intent, "NIFTI_INTENT_LABEL");
+  ASSERT_EQ(file.labels.size(), 1u);
+  EXPECT_EQ(file.labels[0].name, "all");
+  values.columns[1].name = "region2";
+  write_file("w.label.gii", [&](std::ostream& out) {
+    values.columns.erase(values.columns.begin());
+    return SP::IO::write_GIFTI(out, values);
+  });
+  expect_success(remesh + "-o even.surf.gii --transfer v.func.gii,w.label.gii",
+                 "v.func.gii,w.label.gii: not carried over: the names and colours of the labels of w.label.gii, as a "
+                 "file before it has some\n");
   EXPECT_EQ(file.origin.metadata.at(0).second, "CortexLeft");
   expect_message(remesh + "-o even.func.gii --transfer lh.sulc", "even.func.gii: would be written twice");
 }

@@ -44,6 +44,7 @@ struct Polygon_soup
   std::vector<Polygon> polygons;
   std::vector<Values> values_of_vertices, values_of_faces; ///< if they were asked for; their names are different
   std::vector<std::uint32_t> vertices;                     ///< that the values are of, if not all
+  std::vector<SP::IO::Label> labels;                       ///< what whole numbers among the values stand for
   std::vector<std::string> left_out;                       ///< in words, what there is beside them
   SP::IO::Surface_origin origin; ///< what a file of a cortical surface tells of where that is from
   Hemispheres hemispheres;       ///< of the files that this is from

@@ -187,6 +187,11 @@ inline Polygon_soup read_values(const std::string& paths)
       std::move(soup.values_of_vertices.begin(), soup.values_of_vertices.end(),
                 std::back_inserter(result.values_of_vertices));
       result.hemispheres.push_back(soup.hemispheres.front());
+      if(result.labels.empty())
+        result.labels = std::move(soup.labels);
+      else if(!soup.labels.empty())
+        result.left_out.push_back("the names and colours of the labels of " + printable(path) +
+                                  ", as a file before it has some");
       std::move(soup.left_out.begin(), soup.left_out.end(), std::back_inserter(result.left_out));
     }
   }

@@ -144,8 +144,7 @@ inline Polygon_soup parse_surface_file(Surface_file_kind kind, const std::string
   soup.vertices = std::move(file.vertices);
   if(!message.empty())
     soup.left_out.push_back(message.substr(0, message.find(':')));
-  if(!file.labels.empty())
-    soup.left_out.push_back("the names and colours of its " + std::to_string(file.labels.size()) + " labels");
+  soup.labels = std::move(file.labels);
   std::set<std::string> names;
   const std::string usual_name = name_of_values(path);
   for(std::size_t k = 0; k < file.columns.size(); ++k)
