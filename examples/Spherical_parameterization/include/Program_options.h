@@ -81,7 +81,7 @@ public:
 
 Maps a closed triangle mesh of genus 0 to a sphere, one-to-one and with low distortion. INPUT is a file of
 one of the formats )"
-         << list_of(input_formats) << R"(, a surface in the format GIFTI (.gii), or one of
+         << list_of(input_formats) << R"(, a surface in the format GIFTI (.gii, .gii.gz), or one of
 FreeSurfer, such as lh.white. The result is certified by exact arithmetic.
 Without -o nothing but the report is printed. Ctrl-C or SIGTERM ends the sweeps; the map reached is written.
 
@@ -294,7 +294,7 @@ private:
       ("compare", word("WHAT"), "with --features, compare their ranks, or their values, in units of their deviation over both "
                                 "surfaces; ranks")
       ("masks", words("A B"), "with --onto, files with one value for each vertex of INPUT and TARGET, 0 where features are not to be "
-                              "compared")
+                              "compared; or labels of FreeSurfer, which are the vertices where they are")
       ("split", "with --onto, split edges of INPUT where its faces are too large for what they cover of TARGET, or keep landmarks from "
                 "their places, as long as that lowers the energy by much; at most half as many vertices again. -o and --sphere "
                 "have them behind those of INPUT, --json tells which faces they make")
@@ -317,7 +317,7 @@ private:
                                       "surfaces lh.white and rh.white of the subjects of FreeSurfer; each may be a pattern, such as "
                                       "'*_white.surf.gii', or, with a slash, the path from INPUT on. Results go to the "
                                       "folders of the same names below FOLDER, as SUBJECT/surf/lh.sphere, say, and lh.sphere.json; "
-                                      "beside the surfaces if FOLDER is INPUT")
+                                      "beside the surfaces if FOLDER is INPUT; with several, to folders of their names")
       ("overwrite", "with --surfaces, replace files of these names that the program has not written; they are an error otherwise")
       ("template", word("T"), "with --output-folder, map the surface T onto each INPUT, and write T with its vertices there "
                               "instead of the sphere: all get the same faces")
