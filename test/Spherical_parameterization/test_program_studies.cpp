@@ -187,6 +187,8 @@ TEST_F(Studies, what_is_not_in_order_is_told)
       {"SUBJECTS --overwrite --output-folder out", "--overwrite goes with --surfaces"},
       {"--surfaces lh.white SUBJECTS --output-folder out", "there is no INPUT; it comes before --surfaces"},
       {"SUBJECTS --surfaces ../lh.white --output-folder out", "--surfaces takes names of files"},
+      {"SUBJECTS --surfaces lh.white/ --output-folder out", "--surfaces takes names of files"},
+      {"SUBJECTS --surfaces . --output-folder out", "--surfaces takes names of files"},
       {"SUBJECTS --surfaces '' --output-folder out", "--surfaces takes names of files"},
   };
   for(const auto& [arguments, message] : table)
@@ -227,7 +229,7 @@ TEST_F(Studies, derivatives_of_BIDS)
   add("bids/sub-1/anat", "sub-1_hemi-R_white.surf.gii", "CortexRight");
   add("bids/sub-2/ses-b/anat", "sub-2_ses-b_hemi-L_desc-white_white.surf.gii", "CortexLeft");
   write("bids/sub-1/anat/sub-1_hemi-L_curv.shape.gii", "of no interest");
-  expect_mapped("bids --surfaces '*_white.surf.gii' --output-folder out", 3);
+  EXPECT_EQ(expect_mapped("bids --surfaces '*_white.surf.gii' --output-folder out", 3), "");
   EXPECT_EQ(files_in("out"), (Names{"sub-1/anat/sub-1_hemi-L_sphere.surf.gii", "sub-1/anat/sub-1_hemi-L_sphere.json",
                                     "sub-1/anat/sub-1_hemi-R_sphere.surf.gii", "sub-1/anat/sub-1_hemi-R_sphere.json",
                                     "sub-2/ses-b/anat/sub-2_ses-b_hemi-L_desc-white_sphere.surf.gii",
@@ -235,6 +237,11 @@ TEST_F(Studies, derivatives_of_BIDS)
   EXPECT_EQ(json("out/sub-2/ses-b/anat/sub-2_ses-b_hemi-L_desc-white_sphere.json").get<std::string>("subject"),
             "sub-2/ses-b");
   EXPECT_EQ(json("out/sub-1/anat/sub-1_hemi-R_sphere.json").get<std::string>("hemisphere"), "right");
+  add("bids/sub-3", "sub-3_hemi-R_white.surf.gii", "CortexLeft");
+  EXPECT_EQ(expect_mapped("bids --surfaces sub-3/*.gii --output-folder out", 1),
+            "spherical_parameterization: bids/sub-3/sub-3_hemi-R_white.surf.gii: "
+            "bids/sub-3/sub-3_hemi-R_white.surf.gii by its metadata is of the left hemisphere, but "
+            "bids/sub-3/sub-3_hemi-R_white.surf.gii by its name of the right one\n");
 }
 
 #endif

@@ -92,6 +92,7 @@ public:
       show_handles();
     m_report.subject = m_names.subject;
     m_report.hemisphere = m_input->hemispheres().front().second;
+    m_report.mixed_hemispheres = mixed_hemispheres(m_input->hemispheres());
     m_report.seconds_for_input = seconds_now() - start;
 
     // A vertex without a face stays at the origin.

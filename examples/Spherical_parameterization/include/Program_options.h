@@ -486,7 +486,7 @@ private:
     for(std::string& name : surfaces)
     {
       name = std::filesystem::path(name).lexically_normal().string();
-      if(name.empty() || name[0] == '/' || name.compare(0, 2, "..") == 0)
+      if(name.empty() || name == "." || name.front() == '/' || name.back() == '/' || name.compare(0, 2, "..") == 0)
         fail("--surfaces takes names of files, or their paths from INPUT on, not '" + printable(name) + "'");
     }
     if(inputs.empty())

@@ -115,6 +115,8 @@ private:
   using Resampler = SP::Sphere_resampler_3<>;
   using Type = SP::IO::Vertex_values::Type;
 
+  void add(const Hemispheres& files) { m_hemispheres.insert(m_hemispheres.end(), files.begin(), files.end()); }
+
   // Reads a surface, or values, as they are in a file.
   SP::IO::Surface_file read_arrays(const std::string& path)
   {
@@ -128,11 +130,11 @@ private:
         std::string message;
         return read_surface_file(kind, in, message);
       });
-      m_hemispheres.emplace_back(path, hemisphere_of(path, file.origin));
+      add(hemispheres_of(path, file.origin));
       return file;
     }
     const Polygon_soup soup = read_soup(path);
-    m_hemispheres.push_back(soup.hemispheres.front());
+    add(soup.hemispheres);
     SP::IO::Surface_file file;
     for(const Point_3& p : soup.points)
       file.points.push_back({{p.x(), p.y(), p.z()}});

@@ -91,6 +91,7 @@ public:
   double seconds_for_output = 0.;           ///< writing all files but that with this report
   Words files;                              ///< that were written
   std::string subject, hemisphere;          ///< that the surface is of; empty if that is not known
+  std::string mixed_hemispheres;            ///< a line, if the name and the metadata of the file disagree
   File_stamp input_stamp;                   ///< of the file, before it was read
   File_stamp start_stamp;                   ///< of the file with the map to start from; empty if there is none
   std::optional<Checksum> sphere_checksum;  ///< if it was written, and to an ordinary file
@@ -226,15 +227,15 @@ public:
            fixed_text(seconds(), 2) + " s" + (result.is_one_to_one ? "" : ", folds: " + fault());
   }
 
-  /// returns what is to be said of filler, and of the map between surfaces or the remesh, a line each, empty if there is nothing.
+  /// returns what is to be said of filler, of a name that disagrees with the metadata, and of the map between surfaces or the remesh,
+  /// a line each, empty if there is nothing.
   std::string warnings() const
   {
+    const std::string others = match ? match->warnings : remesh ? remesh->warnings : "";
     return (share_of_filler() > 0.5 ? printable(m_input) + ": more than half of the area that is mapped is filler: the "
                                                            "surface has little to say of its sphere\n"
                                     : "") +
-           (match    ? match->warnings
-            : remesh ? remesh->warnings
-                     : "");
+           (others.find(mixed_hemispheres) == others.npos ? mixed_hemispheres : "") + others;
   }
 
   /// returns what is wrong with a map that is not one-to-one, and what helps.

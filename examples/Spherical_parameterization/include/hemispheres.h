@@ -17,22 +17,25 @@ namespace Program {
 using Hemispheres = std::vector<std::pair<std::string, std::string>>;
 
 /// returns which half of the brain a file is of, as its metadata say, or else its name as FreeSurfer, BIDS or the Human Connectome
-/// Project has it.
-inline std::string hemisphere_of(const std::string& path,
-                                 const CGAL::Spherical_parameterization::IO::Surface_origin& origin)
+/// Project has it; or as both say, if they disagree.
+inline Hemispheres hemispheres_of(const std::string& path,
+                                  const CGAL::Spherical_parameterization::IO::Surface_origin& origin)
 {
-  for(const auto* metadata : {&origin.metadata_of_points, &origin.metadata})
+  std::string by_metadata, by_name;
+  for(const auto* metadata : {&origin.metadata, &origin.metadata_of_points})
     for(const auto& [name, value] : *metadata)
       if(name == "AnatomicalStructurePrimary")
         for(const char* side : {"Left", "Right"})
           if(value.find(side) != value.npos)
-            return side[0] == 'L' ? "left" : "right";
+            by_metadata = side[0] == 'L' ? "left" : "right";
   const std::string name = '.' + std::filesystem::path(path).filename().string();
   for(const auto& [left, right] :
       {std::pair(".lh.", ".rh."), std::pair("_hemi-L_", "_hemi-R_"), std::pair(".L.", ".R.")})
-    if(const bool is_left = name.find(left) != name.npos; is_left || name.find(right) != name.npos)
-      return is_left ? "left" : "right";
-  return "";
+    if(by_name.empty())
+      by_name = name.find(left) != name.npos ? "left" : name.find(right) != name.npos ? "right" : "";
+  if(!by_metadata.empty() && !by_name.empty() && by_metadata != by_name)
+    return {{path + " by its metadata", by_metadata}, {path + " by its name", by_name}};
+  return {{path, by_metadata.empty() ? by_name : by_metadata}};
 }
 
 /// returns what is to be said of files that are used together, if they are of different halves of the brain: a line; empty otherwise.

@@ -156,7 +156,7 @@ inline Polygon_soup read_soup(const std::string& path, bool keeps_values = false
           {"AnatomicalStructurePrimary", name[0] == 'l' ? "CortexLeft" : "CortexRight"}};
     return result;
   });
-  soup.hemispheres = {{path, hemisphere_of(path, soup.origin)}};
+  soup.hemispheres = hemispheres_of(path, soup.origin);
   return soup;
 }
 
@@ -186,7 +186,7 @@ inline Polygon_soup read_values(const std::string& paths)
     {
       std::move(soup.values_of_vertices.begin(), soup.values_of_vertices.end(),
                 std::back_inserter(result.values_of_vertices));
-      result.hemispheres.push_back(soup.hemispheres.front());
+      std::move(soup.hemispheres.begin(), soup.hemispheres.end(), std::back_inserter(result.hemispheres));
       if(result.labels.empty())
         result.labels = std::move(soup.labels);
       else if(!soup.labels.empty())
