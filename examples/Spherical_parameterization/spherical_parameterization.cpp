@@ -46,10 +46,7 @@ int map_to_sphere(const Program_options& options, const File_names& names, std::
     std::cout << report.json();
   else if(!options.is_quiet)
     report.print(std::cout);
-  std::cerr << report.warning_of_filler()
-            << (report.match    ? report.match->warnings
-                : report.remesh ? report.remesh->warnings
-                                : "");
+  std::cerr << report.warnings();
   if(!report.result.is_one_to_one)
     std::cerr << "spherical_parameterization: " << report.explain_fault() << '\n';
   if(!std::cout.flush() && !report.files.empty()) // a map may have taken hours: it is not lost with its report

@@ -237,7 +237,7 @@ TEST_F(Resampling_program, what_is_wrong_is_told)
 TEST_F(Resampling_program, names_labels_and_metadata_survive)
 {
   Surface_file file;
-  file.origin.metadata = {{"AnatomicalStructurePrimary", "CortexRight"}};
+  file.origin.metadata = {{"AnatomicalStructurePrimary", "CortexLeft"}};
   file.labels = {{0, "???", {0., 0., 0., 0.}}, {3, "north", {1., 0., 0., 1.}}, {7, "south", {0., 0., 1., 1.}}};
   file.columns.push_back({"halves", "NIFTI_INTENT_LABEL", Vertex_values::Type::int32, {}, {{"a", "b"}}});
   const auto points = test_meshes::icosphere(3).points;

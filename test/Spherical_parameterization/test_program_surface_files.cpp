@@ -242,7 +242,7 @@ TEST_F(Surface_files, values_are_carried_over)
   expect_message(remesh + "-o lh.even --transfer lh.sulc", "the name of a .ply or .gii file");
   write("cortex.label", "#!ascii label\n1\n2 0 0 0 1\n");
   expect_message(remesh + "-o even.ply --transfer cortex.label",
-                 "cortex.label: the file has values of 1 vertices of a surface, not of all");
+                 "cortex.label: has values of 1 vertices of a surface, not of all");
   // those of another surface, whose sphere has its faces
   expect_success("lh.white -o lh.sphere");
   expect_success(remesh + "-o even.ply --transfer lh.sulc --values-sphere lh.sphere");
@@ -324,6 +324,43 @@ TEST_F(Surface_files, a_surface_is_registered_to_an_atlas)
   expect_message(map + "--features depth lh.atlas.own --split", "--split and --onto-atlas cannot be combined");
 }
 
+TEST_F(Surface_files, hemispheres_that_are_mixed_up_are_told)
+{
+  const std::string map = "lh.white --method hierarchical -o on.off --convention none --onto ";
+  std::filesystem::copy(path("lh.white"), path("rh.white"));
+  write_curv("rh.sulc", {0.5, -1., 2., 3.25});
+  expect_success(map + "rh.white", "lh.white is of the left hemisphere, but rh.white of the right one\n");
+  expect_success(map + "lh.white --features lh.sulc rh.sulc",
+                 std::string("lh.white is of the left hemisphere, but rh.sulc of the right one\n") + uncertain);
+  expect_success(map + "lh.white --features lh.sulc lh.sulc", uncertain);
+  expect_success(map + "corner.off");
+  expect_success(remesh + "-o even.ply --transfer lh.curv,rh.sulc",
+                 "lh.white is of the left hemisphere, but rh.sulc of the right one\n");
+  expect_success("lh.white -o lh.sphere");
+  std::filesystem::copy(path("lh.sphere"), path("sub-1_hemi-R_sphere"));
+  expect_success("lh.sulc --resample lh.sphere sub-1_hemi-R_sphere -o lh.out",
+                 "lh.sphere is of the left hemisphere, but sub-1_hemi-R_sphere of the right one\n");
+  std::filesystem::copy(path("lh.sphere"), path("a.R.sphere"));
+  expect_success("rh.sulc --resample a.R.sphere a.R.sphere -o rh.out");
+  expect_success(
+      "lh.white rh.white --template lh.white --output-folder out --method hierarchical",
+      "spherical_parameterization: rh.white: lh.white is of the left hemisphere, but rh.white of the right one\n");
+}
+
+TEST_F(Surface_files, masks_may_be_labels)
+{
+  const std::string map = "lh.white --onto lh.white --method hierarchical -o on.off --convention none --masks ";
+  write("lh.cortex.label", "#!ascii label\n3\n0 0 0 0 0\n1 0 0 0 0\n3 0 0 0 0\n");
+  write_curv("lh.mask", {1., 1., 0., 1.});
+  expect_success(map + "lh.cortex.label lh.mask");
+  write("lh.large.label", "#!ascii label\n1\n4 0 0 0 0\n");
+  expect_message(map + "lh.cortex.label lh.large.label",
+                 "lh.large.label: is no mask for the mesh: it has a vertex 4, the mesh has 4 vertices");
+  expect_message(map + "lh.cortex.label lh.short", "it has 2 vertices, the mesh has 4");
+  expect_message("lh.white --onto lh.white -o on.off --features lh.cortex.label lh.sulc",
+                 "lh.cortex.label: has values of 3 vertices of a surface, not of all");
+}
+
 TEST_F(Surface_files, many_keep_their_names)
 {
   std::filesystem::create_directory(path("in"));
@@ -379,7 +416,8 @@ TEST_F(Surface_files, GIFTI_keeps_what_is_known_of_a_surface)
   EXPECT_EQ(read("even.surf.gii").points.size(), 18u);
   EXPECT_EQ(read("even.surf.gii").origin.metadata_of_points[2].second, "Anatomical");
   expect_success("a.surf.gii --onto lh.white --landmarks all.txt all.txt --sphere s.surf.gii -o on.surf.gii --morph "
-                 "0.5 m.surf.gii --method hierarchical");
+                 "0.5 m.surf.gii --method hierarchical",
+                 "a.surf.gii is of the right hemisphere, but lh.white of the left one\n");
   for(const char* name : {"s.surf.gii", "s_target.surf.gii", "m.surf.gii"})
     EXPECT_TRUE(std::filesystem::exists(path(name))) << name;
   EXPECT_EQ(read("on.surf.gii").origin.metadata_of_points[0].second, "CortexLeft"); // it lies there
@@ -396,6 +434,29 @@ TEST_F(Surface_files, GIFTI_keeps_what_is_known_of_a_surface)
   expect_message("e.gii -o f.off", "e.gii: Line 2: the document type has declarations of its own");
 }
 
+TEST_F(Surface_files, GIFTI_may_be_packed)
+{
+  std::filesystem::create_directory(path("in"));
+  write_file("in/a.surf.gii.gz", [&](std::ostream& out) { return SP::IO::write_GIFTI(out, surface, true); });
+  EXPECT_EQ(content(path("in/a.surf.gii.gz")).substr(0, 2), "\x1F\x8B");
+  expect_success("in/a.surf.gii.gz -o b.surf.gii.gz");
+  expect_success("in/a.surf.gii.gz -o b.surf.gii");
+  EXPECT_EQ(run_script("gzip -dc b.surf.gii.gz | cmp - b.surf.gii").status, 0);
+  expect_success("in --output-folder out");
+  EXPECT_EQ(names_of_files("out"), (std::set<std::string>{"a.surf.gii.gz", "a.json"}));
+  expect_success("in --output-folder study --surfaces '*.gz'");
+  EXPECT_EQ(names_of_files("study"), (std::set<std::string>{"a_sphere.surf.gii.gz", "a_sphere.json"}));
+  expect_success(
+      "in/a.surf.gii.gz --method stereographic --remesh octahedron=2 -o even.surf.gii.gz --transfer lh.sulc");
+  EXPECT_TRUE(std::filesystem::exists(path("even.func.gii.gz")));
+
+  // as little as a hostile file may fill the memory with
+  ASSERT_EQ(run_script("head -c 100000000 /dev/zero | gzip > bomb.surf.gii.gz").status, 0);
+  expect_message("bomb.surf.gii.gz -o c.off", "bytes are to be unpacked to");
+  std::ofstream(path("short.gii.gz"), std::ios::binary) << content(path("in/a.surf.gii.gz")).substr(0, 200);
+  expect_message("short.gii.gz -o c.off", "short.gii.gz: The packed data end too early");
+}
+
 TEST_F(Surface_files, values_are_carried_over_to_GIFTI)
 {
   Surface_file values;
@@ -403,8 +464,9 @@ TEST_F(Surface_files, values_are_carried_over_to_GIFTI)
                     {"region", "NIFTI_INTENT_LABEL", Vertex_values::Type::int32, {7., 7., 7., 7.}, {}}};
   values.labels = {{7, "all", {{0., 0., 0., 1.}}}};
   write_file("v.func.gii", [&](std::ostream& out) { return SP::IO::write_GIFTI(out, values); });
-  expect_success(remesh + "-o even.surf.gii --transfer lh.sulc,v.func.gii",
-                 "lh.sulc,v.func.gii: not carried over: the names and colours of its 1 labels\n");
+  expect_success(remesh + "-o even.ply --transfer v.func.gii",
+                 "v.func.gii: not carried over: the names and colours of its labels, which a GIFTI file can hold\n");
+  expect_success(remesh + "-o even.surf.gii --transfer lh.sulc,v.func.gii");
   Surface_file file;
   std::string message;
   std::ifstream in(path("even.func.gii"), std::ios::binary);
@@ -413,6 +475,17 @@ TEST_F(Surface_files, values_are_carried_over_to_GIFTI)
   EXPECT_EQ(file.columns[0].name, "sulc");
   EXPECT_EQ(file.columns[1].name, "thickness");
   EXPECT_EQ(file.columns[2].values, std::vector<double>(18, 7.));
+  EXPECT_EQ(file.columns[2].intent, "NIFTI_INTENT_LABEL");
+  ASSERT_EQ(file.labels.size(), 1u);
+  EXPECT_EQ(file.labels[0].name, "all");
+  values.columns[1].name = "region2";
+  write_file("w.label.gii", [&](std::ostream& out) {
+    values.columns.erase(values.columns.begin());
+    return SP::IO::write_GIFTI(out, values);
+  });
+  expect_success(remesh + "-o even.surf.gii --transfer v.func.gii,w.label.gii",
+                 "v.func.gii,w.label.gii: not carried over: the names and colours of the labels of w.label.gii, as a "
+                 "file before it has some\n");
   EXPECT_EQ(file.origin.metadata.at(0).second, "CortexLeft");
   expect_message(remesh + "-o even.func.gii --transfer lh.sulc", "even.func.gii: would be written twice");
 }

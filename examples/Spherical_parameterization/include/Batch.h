@@ -22,6 +22,7 @@
 #include <iostream>
 #include <mutex>
 #include <optional>
+#include <sstream>
 #include <string>
 #include <system_error>
 #include <vector>
@@ -45,8 +46,7 @@ public:
   /// maps all meshes that are not done; what fails with one of them does not stop the others. Returns the exit status.
   int run()
   {
-    if(m_options.is_resumed)
-      leave_out_what_is_done();
+    look_at_earlier_results();
     std::vector<std::uintmax_t> sizes;
     for(const File_names& names : m_meshes)
     {
@@ -67,11 +67,19 @@ public:
   }
 
 private:
-  void leave_out_what_is_done()
+  // Leaves out what is done, if that is wanted. Among the files of a study, whose names are those that other programs give, none is
+  // replaced that this one has not written.
+  void look_at_earlier_results()
   {
-    const auto is_done = [this](const File_names& names) {
+    const bool is_careful = !m_options.surfaces.empty() && !m_options.overwrites;
+    if(!m_options.is_resumed && !is_careful)
+      return;
+    Words foreign;
+    const auto is_done = [&](const File_names& names) {
       const Earlier_report report(names);
-      if(!report.tells_the_same_run(m_options))
+      if(const std::string file = is_careful ? report.foreign_file() : ""; !file.empty())
+        foreign.push_back(file);
+      if(!m_options.is_resumed || !report.tells_the_same_run(m_options))
         return false;
       ++m_left_out;
       if(!report.is_one_to_one())
@@ -82,6 +90,12 @@ private:
       return true;
     };
     m_meshes.erase(std::remove_if(m_meshes.begin(), m_meshes.end(), is_done), m_meshes.end());
+    if(!foreign.empty())
+      throw Program_error(
+          foreign.front(),
+          "is there already, and no report beside it tells that this program has written it" +
+              (foreign.size() > 1 ? "; so are " + std::to_string(foreign.size() - 1) + " other files" : "") +
+              ".\nChoose another --output-folder, or replace such files by --overwrite.");
   }
 
   // A mesh that is interrupted leaves nothing: whatever is in the output folder has all the sweeps that the options ask
@@ -92,6 +106,10 @@ private:
       return;
     try
     {
+      const std::filesystem::path folder = std::filesystem::path(names.json).parent_path();
+      std::error_code error;
+      if(!std::filesystem::create_directories(folder, error) && error)
+        throw Program_error(folder.string(), "cannot be made: " + error.message());
       Mesh_run run(m_options, names);
       run.remove_earlier_files();
       run.map();
@@ -114,16 +132,23 @@ private:
     const std::lock_guard<std::mutex> lock(m_mutex);
     ++m_mapped;
     print_line(printable(report.input()), report.short_text());
+    std::istringstream warnings(report.warnings());
+    for(std::string line; std::getline(warnings, line);)
+      print_error(with_name(printable(report.input()), line));
     if(report.result.is_one_to_one)
       return;
     ++m_folded;
     print_error(report.explain_fault());
   }
 
+  static std::string with_name(const std::string& input, const std::string& text)
+  {
+    return text.compare(0, input.size() + 1, input + ':') == 0 ? text : input + ": " + text;
+  }
+
   void tell_failure(const std::string& input, const std::string& message)
   {
-    const bool names_input = message.compare(0, input.size(), input) == 0;
-    const std::string text = names_input ? message : input + ": " + message;
+    const std::string text = with_name(input, message);
     const std::size_t begin = (std::min)(input.size() + 2, text.size());
     const std::lock_guard<std::mutex> lock(m_mutex);
     ++m_failed;

@@ -92,6 +92,18 @@ public:
            has_its_sphere();
   }
 
+  /// returns a file that the results of the mesh would replace, and that is of no run of this program; empty if there is none.
+  std::string foreign_file() const
+  {
+    const auto exists = [](const std::string& name) {
+      std::error_code error;
+      return std::filesystem::exists(std::filesystem::symlink_status(name, error));
+    };
+    return exists(m_names.sphere) && !has_its_sphere() ? m_names.sphere
+           : exists(m_names.json) && m_tree.empty()    ? m_names.json
+                                                       : "";
+  }
+
   /// returns whether the map was certified.
   bool is_one_to_one() const { return text("one_to_one") == "true"; }
 

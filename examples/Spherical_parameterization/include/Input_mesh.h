@@ -59,6 +59,7 @@ public:
     : m_name(printable(path))
     , m_is_of_cortical_format(!is_among(file_format(path), input_formats))
     , m_origin(std::move(soup.origin))
+    , m_hemispheres(std::move(soup.hemispheres))
     , m_polygons(std::move(soup.polygons))
   {
     if(m_polygons.empty())
@@ -175,6 +176,9 @@ public:
 
   /// returns what a file of a cortical surface tells of where that is from.
   const SP::IO::Surface_origin& origin() const { return m_origin; }
+
+  /// returns which half of the brain the files are of.
+  const Hemispheres& hemispheres() const { return m_hemispheres; }
 
   /// returns the triangles of the file.
   const std::vector<Polygon>& triangles() const { return m_polygons; }
@@ -310,6 +314,7 @@ private:
   std::string m_name;
   bool m_is_of_cortical_format;
   SP::IO::Surface_origin m_origin;
+  Hemispheres m_hemispheres;
   Mesh m_mesh;
   std::optional<Mesh> m_unfilled; // if holes have been filled
   std::vector<Polygon> m_polygons;

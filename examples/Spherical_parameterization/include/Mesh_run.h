@@ -90,6 +90,9 @@ public:
       m_report.holes = m_input->fill_holes(m_options.max_hole_edges);
     if(m_files.handles || m_files.page)
       show_handles();
+    m_report.subject = m_names.subject;
+    m_report.hemisphere = m_input->hemispheres().front().second;
+    m_report.mixed_hemispheres = mixed_hemispheres(m_input->hemispheres());
     m_report.seconds_for_input = seconds_now() - start;
 
     // A vertex without a face stays at the origin.
@@ -210,7 +213,7 @@ public:
     if(m_files.remesh)
       m_files.remesh->write([&](std::ostream& out) { m_remesh->write(out, m_options.format_of(m_names.remesh)); });
     if(m_files.values)
-      m_files.values->write([&](std::ostream& out) { m_remesh->write_values(out); });
+      m_files.values->write([&](std::ostream& out) { m_remesh->write_values(out, file_format(m_names.values)); });
     if(m_files.onto)
       m_files.onto->write([&](std::ostream& out) {
         const std::string format = m_options.format_of(m_names.onto);

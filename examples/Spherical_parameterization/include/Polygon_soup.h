@@ -1,6 +1,8 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_EXAMPLES_POLYGON_SOUP_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_EXAMPLES_POLYGON_SOUP_H
 
+#include "hemispheres.h"
+
 #include <CGAL/Spherical_parameterization/IO/Surface_file.h>
 
 #include <CGAL/Simple_cartesian.h>
@@ -41,8 +43,11 @@ struct Polygon_soup
   std::vector<Point_3> points;
   std::vector<Polygon> polygons;
   std::vector<Values> values_of_vertices, values_of_faces; ///< if they were asked for; their names are different
+  std::vector<std::uint32_t> vertices;                     ///< that the values are of, if not all
+  std::vector<SP::IO::Label> labels;                       ///< what whole numbers among the values stand for
   std::vector<std::string> left_out;                       ///< in words, what there is beside them
   SP::IO::Surface_origin origin; ///< what a file of a cortical surface tells of where that is from
+  Hemispheres hemispheres;       ///< of the files that this is from
 
   std::size_t number_of_vertices() const
   {

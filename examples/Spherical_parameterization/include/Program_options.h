@@ -77,11 +77,12 @@ public:
        spherical_parameterization INPUT --onto TARGET [-o RESULT] [options]
        spherical_parameterization INPUT --onto-atlas SPHERE --features A B [-o SPHERE] [options]
        spherical_parameterization INPUT ... --output-folder FOLDER [options]
+       spherical_parameterization SUBJECTS --surfaces lh.white rh.white --output-folder FOLDER [options]
        spherical_parameterization VALUES --resample SPHERE SPHERE2 -o RESULT [options]
 
 Maps a closed triangle mesh of genus 0 to a sphere, one-to-one and with low distortion. INPUT is a file of
 one of the formats )"
-         << list_of(input_formats) << R"(, a surface in the format GIFTI (.gii), or one of
+         << list_of(input_formats) << R"(, a surface in the format GIFTI (.gii, .gii.gz), or one of
 FreeSurfer, such as lh.white. The result is certified by exact arithmetic.
 Without -o nothing but the report is printed. Ctrl-C or SIGTERM ends the sweeps; the map reached is written.
 
@@ -180,6 +181,8 @@ none; 2, all have one, but some fold.
   bool picks_component = false;   ///< whether one part of the surface is mapped
   bool takes_each_component = false;
   std::string output_folder; ///< of the many, empty otherwise
+  Words surfaces;            ///< what the many are called in the folders below; empty if they are in the folder itself
+  bool overwrites = false;   ///< whether files of those folders are replaced that the program has not written
   std::string format;        ///< of all meshes that are written, empty if their names tell it
   std::string convention;    ///< of spheres; empty if their formats tell it
   bool keeps_radius = false; ///< whether that of a map is the one to be written, as it was chosen
@@ -305,7 +308,7 @@ private:
       ("regularize", word("WHAT"), "with --onto or --onto-atlas, keep the distortion low of the map between the surfaces, the default, or of that "
                                    "between their spheres: surfaces or spheres")
       ("masks", words("A B"), "with --onto, files with one value for each vertex of INPUT and TARGET, 0 where features are not to be "
-                              "compared")
+                              "compared; or labels of FreeSurfer, which are the vertices where they are")
       ("split", "with --onto, split edges of INPUT where its faces are too large for what they cover of TARGET, or keep landmarks from "
                 "their places, as long as that lowers the energy by much; at most half as many vertices again. -o and --sphere "
                 "have them behind those of INPUT, --json tells which faces they make")
@@ -324,6 +327,12 @@ private:
       ("output-folder", word("FOLDER"), "map many meshes: each INPUT is a mesh, or a folder, which stands for the mesh "
                                         "files in it; write each sphere and its report to FOLDER, as NAME.off, say, "
                                         "and NAME.json")
+      ("surfaces", words("NAME ..."), "with --output-folder, map the files of these names in all folders below each INPUT, such as the "
+                                      "surfaces lh.white and rh.white of the subjects of FreeSurfer; each may be a pattern, such as "
+                                      "'*_white.surf.gii', or, with a slash, the path from INPUT on. Results go to the "
+                                      "folders of the same names below FOLDER, as SUBJECT/surf/lh.sphere, say, and lh.sphere.json; "
+                                      "beside the surfaces if FOLDER is INPUT; with several, to folders of their names")
+      ("overwrite", "with --surfaces, replace files of these names that the program has not written; they are an error otherwise")
       ("template", word("T"), "with --output-folder, map the surface T onto each INPUT, and write T with its vertices there "
                               "instead of the sphere: all get the same faces")
       ("format", word("FORMAT"), "the format of all meshes that are written, if names are not to tell it, or with --output-folder that "
@@ -486,8 +495,16 @@ private:
       refuse_both("resample", "through");
       spheres = registration;
     }
+    if(has("surfaces"))
+      surfaces = m_values["surfaces"].as<Words>();
+    for(std::string& name : surfaces)
+    {
+      name = std::filesystem::path(name).lexically_normal().string();
+      if(name.empty() || name == "." || name.front() == '/' || name.back() == '/' || name.compare(0, 2, "..") == 0)
+        fail("--surfaces takes names of files, or their paths from INPUT on, not '" + printable(name) + "'");
+    }
     if(inputs.empty())
-      fail("there is no INPUT");
+      fail(surfaces.empty() ? "there is no INPUT" : "there is no INPUT; it comes before --surfaces and its names");
     if(has("output-folder"))
       return;
     if(inputs.size() > 1)
@@ -771,7 +788,7 @@ private:
       fail("--" + option + " has to be a name that ends with one of " + output_names + ", not '" + printable(name) +
            "'");
 #ifndef PROGRAM_READS_GIFTI
-    if(format_of(name) == ".gii")
+    if(is_gifti(format_of(name)))
       fail("--" + option + ": this program was built without expat and zlib, which GIFTI files take");
 #endif
   }
@@ -873,8 +890,11 @@ private:
                               "output-folder", "onto", "onto-atlas", "template", "overlay"})
       if(has(option) && text(option).empty())
         fail("--" + std::string(option) + " needs a name");
-    if(has("resume") && !is_for_many)
-      fail("--resume goes with --output-folder");
+    for(const char* option : {"resume", "surfaces"})
+      if(has(option) && !is_for_many)
+        fail("--" + std::string(option) + " goes with --output-folder");
+    if(has("overwrite") && !has("surfaces"))
+      fail("--overwrite goes with --surfaces; other results are replaced as they are");
     for(const char* option : {"remesh", "geometry-image", "page"})
       if(has(option) && is_for_many)
         fail("--" + std::string(option) + " is for one mesh: leave out --output-folder");
@@ -896,18 +916,19 @@ private:
       refuse("page", "a name that ends with .html");
     output_folder = text("output-folder");
     is_resumed = has("resume");
+    overwrites = has("overwrite");
     for(const char* option : {"output", "sphere"})
       if(has(option))
         check_output(option, text(option));
     if(has("transfer") && has("output"))
     {
       const std::string format_of_remesh = format_of(file_names.remesh);
-      if(format_of_remesh != ".ply" && format_of_remesh != ".gii")
+      if(format_of_remesh != ".ply" && !is_gifti(format_of_remesh))
         refuse("output", "the name of a .ply or .gii file, as other formats do not hold the properties of --transfer");
-      if(format_of_remesh == ".gii")
+      if(is_gifti(format_of_remesh))
       {
         const std::string& name = file_names.remesh;
-        file_names.values = name.substr(0, name.size() - ending_of(name).size()) + ".func.gii";
+        file_names.values = name.substr(0, name.size() - ending_of(name).size()) + ".func" + format_of_remesh;
       }
     }
   }

@@ -78,9 +78,10 @@ public:
   /// writes the values that have been carried over to the vertices as a GIFTI file.
   ///
   /// \throws Program_error if a number is too large for it
-  void write_values(std::ostream& out)
+  void write_values(std::ostream& out, const std::string& format)
   {
     SP::IO::Surface_file file;
+    file.labels = m_labels;
     for(const auto& pair : m_origin.metadata_of_points)
       if(pair.first == "AnatomicalStructurePrimary")
         file.origin.metadata.push_back(pair);
@@ -88,7 +89,10 @@ public:
     {
       SP::IO::Vertex_values& column = file.columns.emplace_back();
       column.name = values.name;
-      column.intent = "NIFTI_INTENT_SHAPE";
+      const bool is_label = !m_labels.empty() && std::holds_alternative<std::int32_t>(values.type);
+      column.intent = is_label ? "NIFTI_INTENT_LABEL" : "NIFTI_INTENT_SHAPE";
+      if(is_label)
+        column.type = SP::IO::Vertex_values::Type::int32;
       std::visit(
           [&](auto number) {
             const auto map = m_mesh.add_property_map<Vertex_index, decltype(number)>("v:" + values.name).first;
@@ -97,7 +101,7 @@ public:
           },
           values.type);
     }
-    write_surface_file(out, ".gii", file);
+    write_surface_file(out, format, file);
   }
 
   /// writes a geometry image of the points, or of the normals; as an OpenEXR file or a PNG file, as its name says.
@@ -144,9 +148,16 @@ public:
     const bool is_of_input = options.values_sphere.empty();
     Polygon_soup soup = read_values(name);
     add_surface(soup, options, input);
+    Hemispheres files = input.hemispheres();
+    files.insert(files.end(), soup.hemispheres.begin(), soup.hemispheres.end());
+    m_warnings += mixed_hemispheres(files);
     const std::vector<Values> of_vertices = std::move(soup.values_of_vertices),
                               of_faces = std::move(soup.values_of_faces);
     Words left_out = std::move(soup.left_out);
+    if(!options.file_names.values.empty())
+      m_labels = std::move(soup.labels);
+    else if(!soup.labels.empty())
+      left_out.push_back("the names and colours of its labels, which a GIFTI file can hold");
     Input_mesh values(name, std::move(soup));
     if(is_of_input)
       input.check_faces_of(name, "has no values for this mesh", values.mesh().number_of_vertices(), values.triangles());
@@ -203,6 +214,7 @@ private:
                           "has values of " + std::to_string(values.number_of_vertices()) + " vertices, but " +
                               (options.values_sphere.empty() ? input.name() : printable(options.values_sphere)) +
                               " has " + std::to_string(surface.points.size()));
+    values.hemispheres.insert(values.hemispheres.end(), surface.hemispheres.begin(), surface.hemispheres.end());
     values.points = std::move(surface.points);
     values.polygons = std::move(surface.polygons);
   }
@@ -226,6 +238,7 @@ private:
   SP::IO::Surface_origin m_origin;
   Sphere_map m_images;
   std::vector<Values> m_values; // of vertices, without the numbers
+  std::vector<SP::IO::Label> m_labels;
   Mesh::Property_map<Vertex_index, Kernel::Vector_3> m_normals;
   std::string m_warnings;
 };

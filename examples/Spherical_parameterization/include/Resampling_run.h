@@ -115,21 +115,26 @@ private:
   using Resampler = SP::Sphere_resampler_3<>;
   using Type = SP::IO::Vertex_values::Type;
 
+  void add(const Hemispheres& files) { m_hemispheres.insert(m_hemispheres.end(), files.begin(), files.end()); }
+
   // Reads a surface, or values, as they are in a file.
-  static SP::IO::Surface_file read_arrays(const std::string& path)
+  SP::IO::Surface_file read_arrays(const std::string& path)
   {
     if(!is_among(file_format(path), input_formats))
     {
       const Surface_file_kind kind = read_named(path, [&] { return kind_of_file(path); });
       if(kind == Surface_file_kind::none)
         throw Program_error(path, "is neither a mesh nor a file with values of vertices");
-      return read_named(path, [&] {
+      SP::IO::Surface_file file = read_named(path, [&] {
         std::ifstream in = open_file(path);
         std::string message;
         return read_surface_file(kind, in, message);
       });
+      add(hemispheres_of(path, file.origin));
+      return file;
     }
     const Polygon_soup soup = read_soup(path);
+    add(soup.hemispheres);
     SP::IO::Surface_file file;
     for(const Point_3& p : soup.points)
       file.points.push_back({{p.x(), p.y(), p.z()}});
@@ -144,7 +149,7 @@ private:
     return file;
   }
 
-  static SP::IO::Surface_file read_sphere(const std::string& name)
+  SP::IO::Surface_file read_sphere(const std::string& name)
   {
     SP::IO::Surface_file file = read_arrays(name);
     if(file.points.empty())
@@ -172,7 +177,7 @@ private:
                  n);
   }
 
-  static std::vector<double> read_areas(const std::string& name, std::size_t n, const std::string& sphere)
+  std::vector<double> read_areas(const std::string& name, std::size_t n, const std::string& sphere)
   {
     SP::IO::Surface_file file = read_arrays(name);
     for(const auto& t : file.triangles)
@@ -189,7 +194,7 @@ private:
     return areas;
   }
 
-  static std::vector<bool> read_mask(const std::string& name, std::size_t n, const std::string& sphere)
+  std::vector<bool> read_mask(const std::string& name, std::size_t n, const std::string& sphere)
   {
     const SP::IO::Surface_file file = read_arrays(name);
     std::vector<bool> mask(n, false);
@@ -352,7 +357,7 @@ private:
   static std::string format_of_values(const std::string& name)
   {
     const std::string format = file_format(name);
-    if(is_among(format, {".gii", ".mgh", ".mgz", ".annot"}))
+    if(is_among(format, {".gii", ".gii.gz", ".mgh", ".mgz", ".annot"}))
       return format;
     return has_hemisphere(std::filesystem::path(name).filename().string()) && !is_among(format, output_formats)
                ? freesurfer_format
@@ -382,6 +387,8 @@ private:
 
   void commit()
   {
+    if(const std::string warning = mixed_hemispheres(m_hemispheres); !warning.empty())
+      std::cerr << warning << std::flush;
     for(const auto& output : m_outputs)
       output->commit();
   }
@@ -389,6 +396,7 @@ private:
   const Program_options& m_options;
   std::vector<std::unique_ptr<Output_file>> m_outputs; // of the inputs, and of the vertices that get something
   Resampler m_resampler;
+  Hemispheres m_hemispheres; // of all that is read
 };
 
 } // namespace Program

@@ -90,6 +90,8 @@ public:
   double seconds_for_matching = 0.;         ///< the other surface, and the map between both
   double seconds_for_output = 0.;           ///< writing all files but that with this report
   Words files;                              ///< that were written
+  std::string subject, hemisphere;          ///< that the surface is of; empty if that is not known
+  std::string mixed_hemispheres;            ///< a line, if the name and the metadata of the file disagree
   File_stamp input_stamp;                   ///< of the file, before it was read
   File_stamp start_stamp;                   ///< of the file with the map to start from; empty if there is none
   std::optional<Checksum> sphere_checksum;  ///< if it was written, and to an ordinary file
@@ -225,12 +227,15 @@ public:
            fixed_text(seconds(), 2) + " s" + (result.is_one_to_one ? "" : ", folds: " + fault());
   }
 
-  /// returns what is to be said of filler, a line, empty if there is nothing.
-  std::string warning_of_filler() const
+  /// returns what is to be said of filler, of a name that disagrees with the metadata, and of the map between surfaces or the remesh,
+  /// a line each, empty if there is nothing.
+  std::string warnings() const
   {
-    return share_of_filler() > 0.5 ? printable(m_input) + ": more than half of the area that is mapped is filler: the "
-                                                          "surface has little to say of its sphere\n"
-                                   : "";
+    const std::string others = match ? match->warnings : remesh ? remesh->warnings : "";
+    return (share_of_filler() > 0.5 ? printable(m_input) + ": more than half of the area that is mapped is filler: the "
+                                                           "surface has little to say of its sphere\n"
+                                    : "") +
+           (others.find(mixed_hemispheres) == others.npos ? mixed_hemispheres : "") + others;
   }
 
   /// returns what is wrong with a map that is not one-to-one, and what helps.
@@ -250,9 +255,12 @@ public:
       return Json_object().add("maximum", of.maximum).add("average", of.average).add("deviation", of.deviation);
     };
     Json_object all;
-    all.add("program", program_version())
-        .add("input", m_input)
-        .add("input_stamp", stamp_of(input_stamp))
+    all.add("program", program_version()).add("input", m_input);
+    if(!subject.empty())
+      all.add("subject", subject);
+    if(!hemisphere.empty())
+      all.add("hemisphere", hemisphere);
+    all.add("input_stamp", stamp_of(input_stamp))
         .add("vertices", run.number_of_vertices)
         .add("faces", run.number_of_faces)
         .add("isolated_vertices", run.number_of_isolated_vertices)

@@ -115,6 +115,8 @@ public:
     , m_triangles(m_input.triangles())
     , m_directions(Match_refinement::directions_of(m_first))
   {
+    add(first.hemispheres());
+    add(second.hemispheres());
     Mapper mapper;
     std::vector<Mapper::Landmark> landmarks;
     if(!options.landmark_files.empty())
@@ -176,11 +178,11 @@ public:
 
   const SP::Surface_overlay_3<Mesh, Mesh>& overlay() const { return m_overlay; }
 
-  /// returns what is to be said of properties that are no features, of a map that may be wrong, and of landmarks that are missed,
-  /// a line each, empty if there is none.
+  /// returns what is to be said of files of different hemispheres, of properties that are no features, of a map that may be wrong,
+  /// and of landmarks that are missed, a line each, empty if there is none.
   std::string warnings() const
   {
-    std::string text = m_left_out;
+    std::string text = mixed_hemispheres(m_hemispheres) + m_left_out;
     if(report.is_uncertain)
       text +=
           "it is not clear that the surfaces lie well on each other: look at the map, for example with --page, or give "
@@ -262,6 +264,8 @@ public:
 private:
   using Mapper = SP::Surface_mapper_3<Mesh>;
 
+  void add(const Hemispheres& files) { m_hemispheres.insert(m_hemispheres.end(), files.begin(), files.end()); }
+
   // the bytes of a number, the lowest one first
   template <class T>
   static void put(std::ostream& out, const T& x)
@@ -301,7 +305,7 @@ private:
   }
 
   // The filler of holes does not count.
-  Mapper::Masks read_masks(const Program_options& options) const
+  Mapper::Masks read_masks(const Program_options& options)
   {
     const bool has_filler = m_first.number_of_vertices() > m_n_written;
     if(options.mask_files.empty() && !has_filler)
@@ -312,6 +316,7 @@ private:
     {
       const std::string& name = options.mask_files[k];
       const Polygon_soup soup = read_soup(name, true);
+      add(soup.hemispheres);
       counts[k] = read_named(name, [&] { return mask_of(soup, counts[k].size()); });
     }
     const auto function = [this](std::vector<char>& values) {
@@ -337,6 +342,8 @@ private:
     };
     Polygon_soup soup1 = read_list(name1, m_first, m_n_written),
                  soup2 = read_list(name2, m_second, m_second.number_of_vertices());
+    add(soup1.hemispheres);
+    add(soup2.hemispheres);
     // The names that files of cortical surfaces have often tell the subject.
     const std::size_t n = soup1.values_of_vertices.size();
     if(soup1.points.empty() && soup2.points.empty() && soup2.values_of_vertices.size() == n)
@@ -394,6 +401,7 @@ private:
   SP::Surface_overlay_3<Mesh, Mesh> m_overlay;
   std::vector<std::string> m_landmark_names;
   std::string m_left_out; // of the files of features
+  Hemispheres m_hemispheres;
   bool m_is_soft = false;
 };
 

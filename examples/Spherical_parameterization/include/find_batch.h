@@ -5,15 +5,18 @@
 #include "Program_error.h"
 #include "Program_options.h"
 #include "Temporary_name.h"
+#include "find_surfaces.h"
 #include "mesh_files.h"
 #include "read_soup.h"
 
 #include <algorithm>
 #include <filesystem>
+#include <iostream>
 #include <map>
 #include <set>
 #include <string>
 #include <system_error>
+#include <utility>
 #include <vector>
 
 namespace Program {
@@ -26,19 +29,12 @@ inline std::filesystem::path canonical_place(const std::filesystem::path& path)
   return error ? path : result;
 }
 
-/// returns the path behind links and dots, as far as it can be told.
-inline std::filesystem::path canonical(const std::filesystem::path& path)
-{
-  std::error_code error;
-  const std::filesystem::path result = place_of(path, error);
-  return error ? path : result;
-}
-
-/// returns whether a file of a folder is a mesh. Those of FreeSurfer have to be named one by one, as there are several surfaces of the
-/// same brain in a folder, and their names do not tell them from other files.
+/// returns whether a file of a folder is a mesh. Those of FreeSurfer have to be named, as there are several surfaces of the same
+/// brain in a folder, and their names do not tell them from other files.
 inline bool is_mesh_of_folder(const std::filesystem::path& path)
 {
-  return is_among(file_format(path.string()), input_formats) || ending_of(path.string()) == ".surf.gii";
+  return is_among(file_format(path.string()), input_formats) ||
+         is_among(ending_of(path.string()), {".surf.gii", ".surf.gii.gz"});
 }
 
 /// returns the mesh files of a folder, sorted. Hidden files are no meshes, whatever their names end with: some systems keep
@@ -58,29 +54,65 @@ inline std::vector<std::filesystem::path> meshes_of_folder(const std::filesystem
     throw Program_error(folder.string(), "cannot be read: " + error.message());
   if(paths.empty())
     throw Program_error(folder.string(), "there is no mesh file in this folder, whose name ends with one of " +
-                                             list_of(input_formats) + ", .surf.gii");
+                                             list_of(input_formats) +
+                                             ", .surf.gii; --surfaces names those of folders below it");
   std::sort(paths.begin(), paths.end());
   return paths;
 }
 
-/// returns the names of the files of the mesh `path` in a batch.
-inline File_names names_in_batch(const std::filesystem::path& path, const Program_options& options)
+/// returns the names of the files of the mesh `path` in a batch, whose results are called as `result` in the output folder.
+inline File_names names_in_batch(const std::filesystem::path& path, const std::filesystem::path& result_path,
+                                 const Program_options& options)
 {
   const std::string input = path.string(), ending = ending_of(input);
-  if(!is_among(file_format(input), input_formats) && kind_of_file(input) == Surface_file_kind::none)
-    throw Program_error(input, "the name of a mesh file has to end with one of " + input_names);
-
   File_names names;
   names.input = input;
-  const std::string result = (options.output_folder / path.filename()).string(),
+  const std::string result = (options.output_folder / result_path).string(),
                     beginning = result.substr(0, result.size() - ending.size());
   const std::string& format = options.format;
   if(format.empty())
     names.sphere = options.format_of(input).empty() ? beginning + output_formats.front() : result;
   else
-    names.sphere = beginning + (format == ".gii" ? ".surf.gii" : format == freesurfer_format ? "" : format);
+    names.sphere = beginning + (is_gifti(format) ? ".surf" + format : format == freesurfer_format ? "" : format);
   names.json = beginning + ".json";
   return names;
+}
+
+/// returns the names of the files of the surfaces that `--surfaces` names in the folders below one.
+inline std::vector<File_names> names_in_study(const std::filesystem::path& folder, const Program_options& options)
+{
+  namespace fs = std::filesystem;
+  std::error_code ignored;
+  if(!fs::is_directory(folder, ignored))
+    throw Program_error(folder.string(), "is a file; with --surfaces, each INPUT is a folder that has them below it");
+  fs::path results = options.output_folder, name_of_folder; // results of several folders go to folders of their names
+  if(options.inputs.size() > 1)
+    results /= name_of_folder = fs::absolute(folder / "x").lexically_normal().parent_path().filename();
+  const fs::path place = true_place(folder);
+  const Surface_finder finder(folder, options.surfaces, results);
+  for(const fs::path& link : finder.links_left_out)
+    std::cerr << "spherical_parameterization: " << printable((folder / link).string())
+              << ": left out, as it is a link, and results beside the surfaces are not written through links\n";
+  std::vector<File_names> meshes;
+  for(const fs::path& path : finder.paths)
+  {
+    // The faces of a template are no sphere.
+    const std::string name = path.filename().string();
+    const fs::path result = options.template_file.empty() ? path.parent_path() / name_of_sphere(name) : path;
+    File_names& names = meshes.emplace_back(names_in_batch(folder / path, name_of_folder / result, options));
+    names.subject = subject_of(place, path);
+    const fs::path result_in_place = true_place(options.output_folder) / name_of_folder / path;
+    if(canonical_place(result_in_place) != result_in_place)
+      throw Program_error(fs::path(names.sphere).parent_path().string(),
+                          "there is a link on the way to this folder, and results are not written through links; "
+                          "choose another --output-folder");
+    if(place == true_place(results))
+      for(const std::string& pattern : options.surfaces)
+        if(matches(pattern, path.parent_path() / fs::path(names.sphere).filename(), false))
+          throw Program_error(names.sphere, "the next run would take this result for a surface, as --surfaces has " +
+                                                printable(pattern));
+  }
+  return meshes;
 }
 
 /// finds the files of all meshes of a batch, in the order of the inputs, checks that none of them would replace an input or
@@ -95,23 +127,31 @@ inline std::vector<File_names> find_batch(const Program_options& options)
   {
     if(!std::filesystem::exists(input, error)) // in a folder, such a link is a mesh that fails
       throw Program_error(input, error ? error.message() : "there is no such file");
-    if(!std::filesystem::is_directory(input, error))
+    if(!options.surfaces.empty())
     {
-      meshes.push_back(names_in_batch(input, options));
+      for(File_names& names : names_in_study(input, options))
+        meshes.push_back(std::move(names));
       continue;
     }
-    if(canonical(input) == canonical(options.output_folder))
+    if(!std::filesystem::is_directory(input, error))
+    {
+      if(!is_among(file_format(input), input_formats) && kind_of_file(input) == Surface_file_kind::none)
+        throw Program_error(input, "the name of a mesh file has to end with one of " + input_names);
+      meshes.push_back(names_in_batch(input, std::filesystem::path(input).filename(), options));
+      continue;
+    }
+    if(true_place(input) == true_place(options.output_folder))
       throw Program_error(options.output_folder,
                           "the results would be among the meshes; choose another --output-folder");
     for(const std::filesystem::path& path : meshes_of_folder(input))
-      meshes.push_back(names_in_batch(path, options));
+      meshes.push_back(names_in_batch(path, path.filename(), options));
   }
 
   std::set<std::filesystem::path> inputs;
   for(const File_names& names : meshes)
-    inputs.insert({canonical(names.input), canonical_place(names.input)});
+    inputs.insert({true_place(names.input), canonical_place(names.input)});
   if(const std::string& name = options.start_or_template(); !name.empty())
-    inputs.insert({canonical(name), canonical_place(name)});
+    inputs.insert({true_place(name), canonical_place(name)});
   std::map<std::filesystem::path, std::string> input_of;
   for(const File_names& names : meshes)
     for(const std::string& name : {names.json, names.sphere})
@@ -122,7 +162,7 @@ inline std::vector<File_names> find_batch(const Program_options& options)
       const auto [entry, is_new] = input_of.emplace(path, names.input);
       if(!is_new)
       {
-        if(canonical(entry->second) == canonical(names.input))
+        if(true_place(entry->second) == true_place(names.input))
           throw Program_error(names.input, "is given twice");
         throw Program_error(name, "would be written for both " + printable(entry->second) + " and " +
                                       printable(names.input) +
@@ -135,7 +175,11 @@ inline std::vector<File_names> find_batch(const Program_options& options)
     throw Program_error(options.output_folder, "cannot be made: " + error.message());
   const Output_file check((std::filesystem::path(options.output_folder) / ".spherical_parameterization").string(),
                           Output_file::Policy::replace);
-  Temporary_name::sweep(options.output_folder);
+  std::set<std::filesystem::path> folders = {options.output_folder};
+  for(const File_names& names : meshes)
+    folders.insert(std::filesystem::path(names.json).parent_path());
+  for(const std::filesystem::path& folder : folders)
+    Temporary_name::sweep(folder);
   return meshes;
 }
 

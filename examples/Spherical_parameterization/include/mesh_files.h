@@ -19,7 +19,7 @@ inline const Words input_formats = {".off", ".obj", ".ply", ".stl", ".ts"};
 
 /// The formats that are written and told by the end of the name. An STL file is not among them: it repeats the vertices and
 /// forgets their order.
-inline const Words output_formats = {".off", ".obj", ".ply", ".ts", ".gii"};
+inline const Words output_formats = {".off", ".obj", ".ply", ".ts", ".gii", ".gii.gz"};
 
 /// What a surface can be compared by without a file: how it is folded.
 inline const Words own_features = {"depth", "height", "curvature", "inflated"};
@@ -27,30 +27,37 @@ inline const Words own_features = {"depth", "height", "curvature", "inflated"};
 /// The format of FreeSurfer, whose files are called `lh.sphere`, say.
 inline const std::string freesurfer_format = "freesurfer";
 
+inline bool is_among(const std::string& word, const Words& words)
+{
+  return std::find(words.begin(), words.end(), word) != words.end();
+}
+
+/// returns whether a format is GIFTI, perhaps packed by gzip.
+inline bool is_gifti(const std::string& format)
+{
+  return format == ".gii" || format == ".gii.gz";
+}
+
 /// returns whether a format is one of cortical surfaces; the numbers of these have 32 bits.
 inline bool is_cortical(const std::string& format)
 {
-  return format == ".gii" || format == freesurfer_format;
+  return is_gifti(format) || format == freesurfer_format;
 }
 
 /// What the names of meshes that are read, and written, have to be like.
 inline const std::string input_names =
-    ".off, .obj, .ply, .stl, .ts or .gii, or the file has to be a surface of FreeSurfer";
+    ".off, .obj, .ply, .stl, .ts, .gii or .gii.gz, or the file has to be a surface of FreeSurfer";
 inline const std::string output_names =
-    ".off, .obj, .ply, .ts or .gii, or begin with lh. or rh. for the format of FreeSurfer";
+    ".off, .obj, .ply, .ts, .gii or .gii.gz, or begin with lh. or rh. for the format of FreeSurfer";
 
-/// returns the end of a file's name in lower case, with the dot.
+/// returns the end of a file's name in lower case, with the dot, and with `.gii` before `.gz`.
 inline std::string file_format(const std::string& path)
 {
-  std::string extension = std::filesystem::path(path).extension().string();
+  const std::filesystem::path name(path);
+  std::string extension = name.extension().string();
   for(char& c : extension)
     c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return extension;
-}
-
-inline bool is_among(const std::string& word, const Words& words)
-{
-  return std::find(words.begin(), words.end(), word) != words.end();
+  return extension == ".gz" && file_format(name.stem().string()) == ".gii" ? ".gii.gz" : extension;
 }
 
 /// returns "a, b, c", with another word before the last one if wanted.
@@ -97,13 +104,13 @@ inline std::string output_format(const std::string& path)
 /// of FreeSurfer.
 inline std::string ending_of(const std::string& path)
 {
-  const std::filesystem::path name(path);
-  if(output_format(path) == freesurfer_format &&
-     !is_among(file_format(path), {".json", ".html", ".png", ".exr", ".stl"}))
+  const std::string format = file_format(path);
+  if(output_format(path) == freesurfer_format && !is_among(format, {".json", ".html", ".png", ".exr", ".stl"}))
     return "";
-  const std::string extension = name.extension().string(), before = name.stem().extension().string();
-  const bool is_double = file_format(path) == ".gii" && is_among(before, {".surf", ".shape", ".func", ".label"});
-  return (is_double ? before : "") + extension;
+  const std::string beginning = path.substr(0, path.size() - format.size()),
+                    before = std::filesystem::path(beginning).extension().string();
+  const bool is_double = is_gifti(format) && is_among(before, {".surf", ".shape", ".func", ".label"});
+  return (is_double ? before : "") + path.substr(beginning.size());
 }
 
 /// returns the name with something put before its end.
@@ -119,6 +126,7 @@ struct File_names
   std::string input;
   std::string sphere, handles, filled, remesh, values, image, page, json; ///< empty if not wanted
   std::string onto, target_sphere, overlay, morph; ///< of a map onto another surface, empty if not wanted
+  std::string subject;                             ///< of a study that the mesh is of, empty otherwise
   std::string colored; ///< what the names of the coloured meshes begin with, empty if they are not wanted
 
   /// returns the names for a part of a surface: all that are written get its number, from 1 on.

@@ -134,24 +134,30 @@ inline Surface_file_kind kind_of_file(const std::string& path)
 inline Polygon_soup read_soup(const std::string& path, bool keeps_values = false)
 {
   const std::string format = file_format(path);
-  return read_named(path, [&] {
+  Polygon_soup soup = read_named(path, [&] {
     if(is_among(format, input_formats))
       return parse_soup(format, read_file(path), keeps_values);
     const Surface_file_kind kind = kind_of_file(path);
+    std::error_code ignored;
+    if(std::filesystem::file_size(path, ignored) == 0)
+      throw Program_error("the file is empty");
     if(kind == Surface_file_kind::none)
       throw Program_error(keeps_values ? "this is no file with values of vertices: those are .ply, .gii, .mgh and .mgz "
                                          "files, and files of FreeSurfer such as lh.sulc"
                                        : "the name of a mesh file has to end with one of " + input_names);
     std::ifstream in = open_file(path);
-    Polygon_soup soup = parse_surface_file(kind, path, in, keeps_values);
-    if(soup.points.empty() && !keeps_values)
+    Polygon_soup result = parse_surface_file(kind, path, in, keeps_values);
+    if(result.points.empty() && !keeps_values)
       throw Program_error("the file has no surface, but values of the vertices of one");
     // FreeSurfer says by the name which half of the brain a surface is.
     const std::string name = std::filesystem::path(path).filename().string();
     if(kind == Surface_file_kind::freesurfer_surface && has_hemisphere(name))
-      soup.origin.metadata_of_points = {{"AnatomicalStructurePrimary", name[0] == 'l' ? "CortexLeft" : "CortexRight"}};
-    return soup;
+      result.origin.metadata_of_points = {
+          {"AnatomicalStructurePrimary", name[0] == 'l' ? "CortexLeft" : "CortexRight"}};
+    return result;
   });
+  soup.hemispheres = hemispheres_of(path, soup.origin);
+  return soup;
 }
 
 /// reads a file with values of vertices, or several, whose names have commas between them. The mesh is that of the first.
@@ -168,6 +174,9 @@ Polygon_soup read_values(const std::string& paths, const Read& read)
   for(const std::string& path : files)
   {
     Polygon_soup soup = read(path);
+    if(!soup.vertices.empty())
+      throw Program_error(path, "has values of " + std::to_string(soup.vertices.size()) +
+                                    " vertices of a surface, not of all.\nWrite a file with a value for each vertex.");
     if(result.number_of_vertices() > 0 && soup.number_of_vertices() != result.number_of_vertices())
       throw Program_error(path, "has values of " + std::to_string(soup.number_of_vertices()) + " vertices, but " +
                                     printable(files.front()) + " of " + std::to_string(result.number_of_vertices()));
@@ -180,6 +189,12 @@ Polygon_soup read_values(const std::string& paths, const Read& read)
     {
       std::move(soup.values_of_vertices.begin(), soup.values_of_vertices.end(),
                 std::back_inserter(result.values_of_vertices));
+      std::move(soup.hemispheres.begin(), soup.hemispheres.end(), std::back_inserter(result.hemispheres));
+      if(result.labels.empty())
+        result.labels = std::move(soup.labels);
+      else if(!soup.labels.empty())
+        result.left_out.push_back("the names and colours of the labels of " + printable(path) +
+                                  ", as a file before it has some");
       std::move(soup.left_out.begin(), soup.left_out.end(), std::back_inserter(result.left_out));
     }
   }

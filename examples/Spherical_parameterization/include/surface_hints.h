@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <map>
 #include <string>
@@ -135,18 +136,30 @@ inline File_features features_of(Polygon_soup soup, std::size_t n_vertices)
   return result;
 }
 
-/// takes from a file where a mesh counts: the one value that each vertex has is not 0.
+/// takes from a file where a mesh counts: the vertices that a label has, or those whose one value is not 0.
 ///
 /// \throws Program_error if there is none, or more than one, or they are not those of as many vertices
 inline std::vector<char> mask_of(const Polygon_soup& soup, std::size_t n_vertices)
 {
+  std::vector<char> result;
+  if(!soup.vertices.empty())
+  {
+    result.assign(n_vertices, 0);
+    for(const std::uint32_t v : soup.vertices)
+    {
+      if(v >= n_vertices)
+        throw Program_error("is no mask for the mesh: it has a vertex " + std::to_string(v) + ", the mesh has " +
+                            std::to_string(n_vertices) + " vertices. (Vertices are counted from 0.)");
+      result[v] = 1;
+    }
+    return result;
+  }
   if(soup.values_of_vertices.size() != 1)
     throw Program_error("is no mask: it has " + std::to_string(soup.values_of_vertices.size()) +
                         " values for each vertex, not one, which is 0 where the surface does not count");
   if(soup.number_of_vertices() != n_vertices)
     throw Program_error("is no mask for the mesh: it has " + std::to_string(soup.number_of_vertices()) +
                         " vertices, the mesh has " + std::to_string(n_vertices));
-  std::vector<char> result;
   for(const double x : soup.values_of_vertices.front().numbers)
     result.push_back(x != 0.);
   if(std::find(result.begin(), result.end(), 1) == result.end())

@@ -51,7 +51,7 @@ inline void write_surface_file(std::ostream& out, const std::string& format, con
 #endif
 #ifdef PROGRAM_READS_GIFTI
   else
-    error = SP::IO::write_GIFTI(out, file);
+    error = SP::IO::write_GIFTI(out, file, format == ".gii.gz");
 #else
   else
     throw Program_error("this program was built without expat and zlib, which GIFTI files take");

@@ -53,7 +53,7 @@ inline Surface_file_kind kind_of(const std::string& path, std::string_view begin
     return result;
   };
   const std::string format = file_format(path);
-  if(format == ".gii" ||
+  if(is_gifti(format) ||
      (beginning.substr(0, 16).find('<') != beginning.npos && beginning.find("<GIFTI") != beginning.npos))
     return Kind::gifti;
   if(format == ".mgz" || format == ".mgh")
@@ -80,7 +80,7 @@ inline std::string name_of_values(const std::string& path)
   std::string name = std::filesystem::path(path).filename().string();
   if(has_hemisphere(name))
     name.erase(0, 3);
-  for(const char* ending : {".gii", ".mgz", ".mgh", ".annot", ".shape", ".func", ".label"})
+  for(const char* ending : {".gz", ".gii", ".mgz", ".mgh", ".annot", ".shape", ".func", ".label"})
     if(const std::size_t n = std::string(ending).size();
        name.size() > n && name.compare(name.size() - n, n, ending) == 0)
       name.erase(name.size() - n);
@@ -141,13 +141,10 @@ inline Polygon_soup parse_surface_file(Surface_file_kind kind, const std::string
   soup.origin = std::move(file.origin);
   if(!keeps_values)
     return soup;
-  if(!file.vertices.empty())
-    throw Program_error("the file has values of " + std::to_string(file.vertices.size()) +
-                        " vertices of a surface, not of all.\nWrite a file with a value for each vertex.");
+  soup.vertices = std::move(file.vertices);
   if(!message.empty())
     soup.left_out.push_back(message.substr(0, message.find(':')));
-  if(!file.labels.empty())
-    soup.left_out.push_back("the names and colours of its " + std::to_string(file.labels.size()) + " labels");
+  soup.labels = std::move(file.labels);
   std::set<std::string> names;
   const std::string usual_name = name_of_values(path);
   for(std::size_t k = 0; k < file.columns.size(); ++k)

@@ -81,7 +81,7 @@ struct Mgh_header
 
 inline void read_mgh(const std::string& content, IO::Surface_file& file)
 {
-  const bool is_packed = content.compare(0, 2, "\x1F\x8B") == 0;
+  const bool is_packed = is_packed_by_gzip(content);
   const Mgh_header header(is_packed ? unpack(content, Mgh_header::size, true) : content.substr(0, Mgh_header::size));
   std::string unpacked;
   const std::size_t size = Mgh_header::size + header.size_of_data();

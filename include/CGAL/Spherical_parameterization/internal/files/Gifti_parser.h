@@ -43,6 +43,11 @@ namespace CGAL::Spherical_parameterization::internal {
 class Gifti_parser
 {
 public:
+  // `file_size` is that of the file, which bounds the memory, before it was unpacked.
+  explicit Gifti_parser(std::size_t file_size)
+    : m_file_size(file_size)
+  {}
+
   void read(std::string_view content, IO::Surface_file& file, std::string& message)
   {
     const std::unique_ptr<XML_ParserStruct, void (*)(XML_Parser)> parser(XML_ParserCreate(nullptr), XML_ParserFree);
@@ -50,7 +55,6 @@ public:
       throw std::bad_alloc();
     m_parser = parser.get();
     m_file = &file;
-    m_file_size = content.size();
     XML_SetUserData(m_parser, this);
     XML_SetElementHandler(m_parser, start, end);
     XML_SetCharacterDataHandler(m_parser, add_text);
@@ -370,7 +374,7 @@ private:
   XML_Parser m_parser = nullptr;
   IO::Surface_file* m_file = nullptr;
   std::exception_ptr m_exception;
-  std::size_t m_file_size = 0, m_unpacked_size = 0, m_depth = 0, m_n_declared = 0, m_n_arrays = 0;
+  std::size_t m_file_size, m_unpacked_size = 0, m_depth = 0, m_n_declared = 0, m_n_arrays = 0;
   bool m_is_gifti = false, m_has_text = false, m_has_points = false, m_has_triangles = false;
   std::string m_text; // of the element
   std::pair<std::string, std::string> m_pair;

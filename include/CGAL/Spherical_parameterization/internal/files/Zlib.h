@@ -28,15 +28,27 @@
 
 namespace CGAL::Spherical_parameterization::internal {
 
-// Throws if packed data of this size claim to be so large that memory could run out. zlib packs a thousand zeros into one
+// Returns how large packed data of this size may be, such that they do not fill the memory. zlib packs a thousand zeros into one
 // byte, but measurements do not repeat so much.
-inline void check_unpacked_size(std::size_t size, std::size_t packed_size)
+inline std::size_t max_unpacked_size(std::size_t packed_size)
 {
   constexpr std::size_t usual_size = std::size_t(1) << 26, usual_factor = 250;
-  if(size > usual_size && size / usual_factor > packed_size)
+  return (std::max)(usual_size, usual_factor * packed_size);
+}
+
+// Throws if packed data of this size claim to be larger than that.
+inline void check_unpacked_size(std::size_t size, std::size_t packed_size)
+{
+  if(size > max_unpacked_size(packed_size))
     throw File_error(packed_size, " bytes are to be unpacked to ", size,
                      ", which no measurements are: the numbers in the header are wrong, or the file is there to fill "
                      "the memory.");
+}
+
+// Returns whether bytes are what gzip has packed.
+inline bool is_packed_by_gzip(std::string_view bytes)
+{
+  return bytes.substr(0, 2) == "\x1F\x8B";
 }
 
 // The functions of zlib take lengths of 32 bits.
