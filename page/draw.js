@@ -10,7 +10,6 @@ import {
   ShaderMaterial,
   WebGLRenderer,
 } from "three";
-import { palette } from "./scale.js";
 
 export const PAINTS = { measure: 0, pattern: 1, plain: 2 };
 
@@ -99,15 +98,14 @@ export class WebGLPainter {
     geometry.setAttribute("normal", new BufferAttribute(left.normals, 3, true));
     geometry.setAttribute("right", new BufferAttribute(right.corners, 3));
     geometry.setAttribute("rightNormal", new BufferAttribute(right.normals, 3, true));
-    this.shades = new BufferAttribute(new Uint8Array(surfaces.vertices.length), 1);
+    this.shades = new BufferAttribute(new Uint16Array(surfaces.vertices.length), 1);
     geometry.setAttribute("shade", this.shades);
-    const colours = new DataTexture(new Uint8Array(palette.flatMap((colour) => [...colour, 255])), palette.length, 1);
-    colours.needsUpdate = true;
+    this.palette = { value: null };
     this.scenes = surfaces.sides.map(() => {
       const uniforms = {
         morph: { value: 0 },
         paint: { value: 0 },
-        palette: { value: colours },
+        palette: this.palette,
         has_sphere: { value: surfaces.numbers === null },
       };
       const material = new ShaderMaterial({
@@ -122,7 +120,10 @@ export class WebGLPainter {
     });
   }
 
-  set shadesOfFaces(shades) {
+  paintFaces({ shades, colours }) {
+    this.palette.value?.dispose();
+    this.palette.value = new DataTexture(new Uint8Array(colours.flatMap((c) => [...c, 255])), colours.length, 1);
+    this.palette.value.needsUpdate = true;
     for (let i = 0; i < this.shades.array.length; ++i) this.shades.array[i] = shades[Math.floor(i / 3)];
     this.shades.needsUpdate = true;
   }
@@ -153,6 +154,10 @@ export class CanvasPainter {
   constructor(canvas, surfaces) {
     this.context = canvas.getContext("2d");
     this.surfaces = surfaces;
+  }
+
+  paintFaces({ shades, colours }) {
+    Object.assign(this, { shades, colours });
   }
 
   resize(width, height) {
@@ -194,7 +199,7 @@ export class CanvasPainter {
       const light = LIGHTS.reduce((sum, [strength, to]) => {
         return sum + strength * Math.max((n[0] * to[0] + n[1] * to[1] + n[2] * to[2]) / length, 0);
       }, AMBIENT);
-      const colour = paint === PAINTS.measure ? palette[this.shadesOfFaces[f]] : PLAIN;
+      const colour = paint === PAINTS.measure ? this.colours[this.shades[f]] : PLAIN;
       context.fillStyle = context.strokeStyle = `rgb(${colour.map((value) => value * light).join(" ")})`;
       context.beginPath();
       context.moveTo(ax, ay);

@@ -1,14 +1,14 @@
 // A surface and its map side by side: reads what the program has written into the page, and puts its parts together.
 
 import { CanvasPainter, PAINTS, WebGLPainter } from "./draw.js";
-import { drawHistogram, markValue, scaleOf, shadesOf } from "./scale.js";
+import { drawClasses, drawHistogram, markValue, scaleOf, shadesOf } from "./scale.js";
 import { firstOnRay, placeOf, readSurfaces } from "./surfaces.js";
 import { View, fit, startOf } from "./view.js";
 
 const byId = (id) => document.getElementById(id);
 const surfaces = readSurfaces();
 const { facts, measures } = surfaces;
-const scales = measures.map(scaleOf);
+const scales = measures.map((one) => (one.classes ? null : scaleOf(one)));
 const [colour, morph, together] = ["colour", "morph", "together"].map(byId);
 const area = byId("views");
 
@@ -58,22 +58,26 @@ function tellPlace() {
   const vertex = surfaces.vertices[3 * face + weights.indexOf(Math.max(...weights))];
   const { centre, scale } = surfaces.sides[0];
   const point = placeOf(surfaces, mark, 0).map((x, k) => Number((centre[k] + scale * x).toPrecision(6)));
-  const values = measures.map(({ name, values }) => [name, number(values[face])]);
+  const values = measures.map(({ name, values, classes }) => [
+    name,
+    classes ? classes[values[face]].name : number(values[face]),
+  ]);
   const folds = surfaces.folded.includes(face) ? " (folded)" : "";
   const places = surfaces.numbers
     ? { Faces: surfaces.numbers.map((faces, i) => `${faces[face]} of ${surfaces.sides[i].title}`).join(", ") }
     : { Face: face + folds, Vertex: `${vertex}, the nearest corner` };
   fill(byId("place"), { ...places, Point: point.join(", "), ...Object.fromEntries(values) });
   Object.assign(byId("place").dataset, { face, vertex });
-  markValue(byId("histogram"), scales[measure], measures[measure].values[face]);
+  if (scales[measure]) markValue(byId("histogram"), scales[measure], measures[measure].values[face]);
 }
 
 function choose() {
   const chosen = measures.findIndex(({ name }) => name === colour.value);
   if (chosen >= 0) measure = chosen;
   byId("measure").textContent = `${measures[measure].name}: ${measures[measure].meaning}`;
-  drawHistogram(byId("histogram"), measures[measure], scales[measure]);
-  painter.shadesOfFaces = shadesOf(measures[measure], scales[measure], surfaces.folded);
+  if (scales[measure]) drawHistogram(byId("histogram"), measures[measure], scales[measure]);
+  else drawClasses(byId("histogram"), measures[measure]);
+  painter.paintFaces(shadesOf(measures[measure], scales[measure], surfaces.folded));
   if (mark) tellPlace();
   redraw();
 }
@@ -154,10 +158,11 @@ function showSummary() {
     result.append(...cells);
     return result;
   };
-  const rows = measures.map((m) =>
+  const measured = measures.filter(({ statistics }) => statistics);
+  const rows = measured.map((m) =>
     row("td", [m.name, ...Object.values(m.statistics).map((x) => number(x ?? Infinity))]),
   );
-  byId("distortion").append(row("th", ["", ...Object.keys(measures[0].statistics)]), ...rows);
+  byId("distortion").append(row("th", ["", ...Object.keys(measured[0].statistics)]), ...rows);
   fill(byId("summary"), facts.summary);
   morph.closest("label").hidden = !facts.morphs;
 }

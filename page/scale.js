@@ -4,13 +4,12 @@ import { interpolateViridis } from "d3-scale-chromatic";
 
 // Those of the figures of the manual: without the darkest part, in which the shape would not be seen.
 const STEPS = 255;
-export const FOLDED = STEPS; // behind the colours of the scale, in a hue that it does not have
-const FOLDED_COLOUR = [228, 0, 110];
-export const palette = Array.from({ length: STEPS }, (_, i) =>
+const FOLDED_COLOUR = [228, 0, 110]; // behind the others, in a hue that the scale does not have
+const palette = Array.from({ length: STEPS }, (_, i) =>
   interpolateViridis(0.12 + (0.88 * i) / (STEPS - 1))
     .match(/[0-9a-f]{2}/g)
     .map((hex) => parseInt(hex, 16)),
-).concat([FOLDED_COLOUR]);
+);
 
 const css = (colour) => `rgb(${colour.join(" ")})`;
 
@@ -26,12 +25,14 @@ export function scaleOf({ values, minimum }) {
   };
 }
 
-// For each face, the index of its colour in the palette.
-export function shadesOf({ values }, scale, folded) {
-  const shades = new Uint8Array(values.length);
-  for (let f = 0; f < values.length; ++f) shades[f] = Math.round((STEPS - 1) * scale.position(values[f]));
-  for (const f of folded) shades[f] = FOLDED;
-  return shades;
+// The colours, and for each face the index of its own.
+export function shadesOf({ values, classes }, scale, folded) {
+  const colours = classes ? classes.map(({ colour }) => colour) : palette;
+  const shades = Uint16Array.from(values, (value) =>
+    classes ? value : Math.round((STEPS - 1) * scale.position(value)),
+  );
+  for (const f of folded) shades[f] = colours.length;
+  return { shades, colours: [...colours, FOLDED_COLOUR] };
 }
 
 const [LEFT, RIGHT, TOP, BASE, BINS] = [8, 292, 14, 130, 48];
@@ -42,6 +43,26 @@ function element(name, attributes, text = "") {
   for (const [key, value] of Object.entries(attributes)) result.setAttribute(key, value);
   result.textContent = text;
   return result;
+}
+
+const MOST_CLASSES = 8;
+
+// The largest classes, with the shares of the faces that they have.
+export function drawClasses(svg, { name, values, classes }) {
+  const counts = new Array(classes.length).fill(0);
+  for (const value of values) ++counts[value];
+  const largest = [...counts.keys()].filter((k) => counts[k]).sort((k, l) => counts[l] - counts[k]);
+  const rows = largest.slice(0, MOST_CLASSES).flatMap((k, i) => {
+    const y = TOP + 19 * i;
+    const share = ((100 * counts[k]) / values.length).toFixed(1);
+    return [
+      element("rect", { x: LEFT, y: y - 10, width: 12, height: 12, fill: css(classes[k].colour) }),
+      element("text", { x: LEFT + 20, y }, classes[k].name),
+      element("text", { x: RIGHT, y, "text-anchor": "end" }, `${share} %`),
+    ];
+  });
+  svg.replaceChildren(...rows);
+  svg.setAttribute("aria-label", `The largest of ${largest.length} classes of ${name}, by their shares of the faces`);
 }
 
 export function drawHistogram(svg, measure, scale) {

@@ -65,6 +65,8 @@ export function readSurfaces() {
     return { ...facts[name], ...cornersOf(points, vertices) };
   });
   const measures = Object.entries(facts.measures).map(([name, fact]) => ({ name, ...fact, values: floatsOf(name) }));
+  for (const [name, fact] of Object.entries(facts.classes))
+    measures.push({ name, ...fact, values: new Uint16Array(bytesOf(name).buffer) });
   // Faces may be parts of those of the files.
   const numbers = facts.has_numbers
     ? ["left_faces", "right_faces"].map((id) => new Uint32Array(bytesOf(id).buffer))

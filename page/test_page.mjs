@@ -91,6 +91,19 @@ function locate(point, { points, faces }) {
   assert.fail(`the mesh does not contain ${point}`);
 }
 
+// A GIFTI file with the label 7, called hill, for the first half of the vertices, and none for the others
+function writeLabels(name, { points }) {
+  const keys = points.map((_, v) => (2 * v < points.length ? 7 : 0)).join(" ");
+  writeFileSync(
+    file(name),
+    `<GIFTI Version="1.0" NumberOfDataArrays="1"><LabelTable><Label Key="0">???</Label>
+    <Label Key="7" Red="1" Green="0.5" Blue="0" Alpha="1">hill</Label></LabelTable>
+    <DataArray Intent="NIFTI_INTENT_LABEL" DataType="NIFTI_TYPE_INT32" ArrayIndexingOrder="RowMajorOrder"
+    Dimensionality="1" Dim0="${points.length}" Encoding="ASCII" Endian="LittleEndian"><Data>${keys}</Data>
+    </DataArray></GIFTI>`,
+  );
+}
+
 // The number of colours of a picture, and the share of pixels that differ from those of another one
 function examine(page, picture, other = picture) {
   const read = async (pictures) => {
@@ -255,6 +268,10 @@ try {
 
   execFileSync(program, [file("body.off"), "--onto", file("directions.off"), "--page", file("two.html"), "--quiet"]);
 
+  writeLabels("labels.gii", body);
+  const classes = ["--labels", file("labels.gii"), "--convention", "cortex"];
+  execFileSync(program, [file("body.off"), "--page", file("classes.html"), "--quiet", ...classes]);
+
   const torus = makeTorus(24, 8);
   writeOff("torus.off", torus);
   const { status, stderr } = spawnSync(program, [file("torus.off"), "--page", file("torus.html")]);
@@ -279,6 +296,16 @@ try {
       const before = await look(page, "#view-right");
       await page.select("#colour", "pattern");
       assert.ok(!(await isSame(page, await look(page, "#view-right"), before)), "the grid is not drawn");
+    },
+    "classes.html": async (page) => {
+      assert.match(await page.$eval("#histogram", (svg) => svg.textContent), /^hill(49|50|51)\.\d %/);
+      const before = await look(page, "#view-left");
+      await page.select("#colour", "folds");
+      assert.match(await page.$eval("#histogram", (svg) => svg.textContent), /furrow/);
+      assert.ok(!(await isSame(page, await look(page, "#view-left"), before)), "the folds are not drawn");
+      await page.focus("#view-left");
+      await page.keyboard.press("Enter");
+      assert.match(await page.$eval("#place", (place) => place.textContent), /labels(hill|no label).*folds(ridge|furrow)/);
     },
     "torus.html": async (page) => {
       await checkDrawing(page);

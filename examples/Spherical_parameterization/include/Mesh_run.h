@@ -242,8 +242,9 @@ public:
       write_colors();
     if(m_files.page)
     {
-      const Page page =
-          m_match ? Page(m_match->overlay(), m_report) : Page(*m_input, m_sphere, m_distortions, m_report);
+      Page page = m_match ? Page(m_match->overlay(), m_report) : Page(*m_input, m_sphere, m_distortions, m_report);
+      if(m_input->is_of_cortical_format() || m_options.convention == "cortex" || !m_options.labels_file.empty())
+        page.add_anatomy(*m_input, m_options.labels_file);
       m_files.page->write([&](std::ostream& out) { page.write(out); });
     }
     m_report.seconds_for_output = seconds_now() - start - m_report.seconds_for_measuring;

@@ -7,11 +7,13 @@
 #include "Polygon_soup.h"
 #include "Program_error.h"
 #include "Run_report.h"
+#include "read_soup.h"
 
 #include <CGAL/Bbox_3.h>
 #include <CGAL/Spherical_parameterization/overlay.h>
 #include <CGAL/Spherical_parameterization/align_spheres.h>
 #include <CGAL/Spherical_parameterization/measure_distortion.h>
+#include <CGAL/Spherical_parameterization/measure_folding.h>
 #include <CGAL/property_map.h>
 
 #include <boost/archive/iterators/base64_from_binary.hpp>
@@ -26,6 +28,7 @@
 #include <filesystem>
 #include <iterator>
 #include <limits>
+#include <map>
 #include <ostream>
 #include <string>
 #include <utility>
@@ -71,6 +74,36 @@ public:
       m_right.points.push_back(direction_of(sphere[v]));
     m_right.scale = report.result.report.radius;
     turn_like_left(m_right);
+  }
+
+  /// offers to colour what is shown by how the first surface is folded, and by its labels, if there are any.
+  ///
+  /// \param labels a file, empty if there is none
+  ///
+  /// \pre a constructor has put one or two surfaces with a map between them onto the page
+  ///
+  /// \throws Program_error if the labels are not those of the surface
+  void add_anatomy(Input_mesh& input, const std::string& labels)
+  {
+    const Mesh& mesh = input.mesh_of_file();
+    SP::Surface_folding folding;
+    if(SP::measure_folding(input.mesh(), folding) != SP::OK)
+      folding.curvature.assign(mesh.number_of_vertices(), 0.);
+    std::vector<std::uint16_t> folds, areas;
+    for(const Polygon& t : input.triangles())
+      folds.push_back(folding.curvature[t[0]] + folding.curvature[t[1]] + folding.curvature[t[2]] > 0. ? 1 : 0);
+    const std::vector<Class> grey = {{"ridge", {190, 190, 190}}, {"furrow", {105, 105, 105}}};
+    if(!labels.empty())
+    {
+      areas = folds;
+      std::vector<Class> classes = grey;
+      for(Class& one : classes)
+        one.name = "no label";
+      read_named(labels, [&] { add_labels(read_soup(labels, true), mesh, input.triangles(), classes, areas); });
+      add_classes({"labels", name_of(labels), std::move(classes), std::move(areas)});
+      m_shown = m_measures.size() + m_classes.size() - 1;
+    }
+    add_classes({"folds", "ridges and furrows, by the sign of the mean curvature", grey, std::move(folds)});
   }
 
   /// shows two surfaces by their common refinement.
@@ -141,6 +174,13 @@ public:
         append(bytes, value);
       write_array(out, measure.name, bytes);
     }
+    for(const Classes& classes : m_classes)
+    {
+      std::string bytes;
+      for(const std::uint16_t value : classes.values)
+        append(bytes, value);
+      write_array(out, classes.name, bytes);
+    }
     std::string folded;
     for(const std::uint32_t f : m_folded)
       append(folded, f);
@@ -169,6 +209,62 @@ private:
     Json_object statistics; ///< numbers by their names
     std::vector<float> values;
   };
+
+  struct Class
+  {
+    std::string name;
+    std::array<double, 3> colour; ///< red, green and blue, to 255
+  };
+
+  /// A class for each face
+  struct Classes
+  {
+    std::string name, meaning;
+    std::vector<Class> classes;
+    std::vector<std::uint16_t> values;
+  };
+
+  // Gives each face the label that most of its corners have, if they have one.
+  static void add_labels(const Polygon_soup& soup, const Mesh& mesh, const std::vector<Polygon>& triangles,
+                         std::vector<Class>& classes, std::vector<std::uint16_t>& of_faces)
+  {
+    if(soup.labels.empty() || soup.values_of_vertices.empty())
+      throw Program_error(
+          "has no labels with names and colours, as the annotations of FreeSurfer and .label.gii files have");
+    const std::vector<double>& keys = soup.values_of_vertices.front().numbers;
+    if(keys.size() != mesh.number_of_vertices())
+      throw Program_error("has labels of " + std::to_string(keys.size()) + " vertices, but the surface has " +
+                          std::to_string(mesh.number_of_vertices()));
+    std::map<double, std::uint16_t> class_of;
+    for(const SP::IO::Label& label : soup.labels)
+      if(!is_among(label.name, {"", "???", "unknown", "Unknown"}) &&
+         classes.size() < (std::numeric_limits<std::uint16_t>::max)())
+      {
+        class_of[label.key] = static_cast<std::uint16_t>(classes.size());
+        classes.push_back(
+            {printable(label.name), {255. * label.color[0], 255. * label.color[1], 255. * label.color[2]}});
+      }
+    for(std::size_t f = 0; f < triangles.size(); ++f)
+    {
+      const double a = keys[triangles[f][0]], b = keys[triangles[f][1]], c = keys[triangles[f][2]];
+      const auto found = class_of.find(b == c ? b : a);
+      if(found != class_of.end())
+        of_faces[f] = found->second;
+    }
+  }
+
+  // Of two surfaces, what is shown are parts of the faces of the first one.
+  void add_classes(Classes classes)
+  {
+    if(m_has_numbers)
+    {
+      std::vector<std::uint16_t> of_parts;
+      for(const std::uint32_t f : m_left.faces)
+        of_parts.push_back(classes.values[f]);
+      classes.values.swap(of_parts);
+    }
+    m_classes.push_back(std::move(classes));
+  }
 
   static std::string name_of(const std::string& path)
   {
@@ -331,14 +427,27 @@ private:
                                      .add("meaning", measure.meaning)
                                      .add("minimum", measure.minimum)
                                      .add("statistics", measure.statistics));
+    Json_object all_classes;
+    std::vector<std::string> names;
+    for(const Measure& measure : m_measures)
+      names.push_back(measure.name);
+    for(const Classes& of : m_classes)
+    {
+      std::vector<Json_object> classes;
+      for(const Class& one : of.classes)
+        classes.push_back(Json_object().add("name", one.name).add("colour", one.colour));
+      all_classes.add(of.name, Json_object().add("meaning", of.meaning).add("classes", classes));
+      names.push_back(of.name);
+    }
     return Json_object()
         .add("vertices", m_left.points.size())
         .add("left", side(m_left))
         .add("right", side(m_right))
         .add("has_numbers", m_has_numbers)
         .add("morphs", m_morphs)
-        .add("measure", m_measures[m_shown].name)
+        .add("measure", names[m_shown])
         .add("measures", measures)
+        .add("classes", all_classes)
         .add("one_to_one", m_is_one_to_one)
         .add("certificate", m_verdict)
         .add("summary", m_summary)
@@ -424,7 +533,8 @@ private:
   std::vector<std::array<std::uint32_t, 3>> m_triangles;
   Side m_left, m_right;
   std::vector<Measure> m_measures;
-  std::size_t m_shown = 0; // the number of the measure that is shown first
+  std::vector<Classes> m_classes;
+  std::size_t m_shown = 0; // the number of the measure, or behind them of the classes, that is shown first
   std::vector<std::uint32_t> m_folded;
   std::string m_verdict;
   Json_object m_summary;

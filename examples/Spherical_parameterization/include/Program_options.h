@@ -120,7 +120,7 @@ none; 2, all have one, but some fold.
   {
     Words result;
     for(const std::string& name :
-        {start_file, domain_size == 0 ? domain : "", values_sphere, onto, template_file, mask_file})
+        {start_file, domain_size == 0 ? domain : "", values_sphere, onto, template_file, mask_file, labels_file})
       if(!name.empty())
         result.push_back(name);
     for(const Words* names : {&landmark_files, &spheres, &area_files})
@@ -161,6 +161,7 @@ none; 2, all have one, but some fold.
   unsigned int domain_size = 0; ///< what the edges of the solid are divided into
   unsigned int image_size = 0;  ///< pixels in a row of the geometry image; 0 if none is wanted
   std::string values_file;      ///< with the properties that the remesh gets; empty if there is none
+  std::string labels_file;      ///< of the vertices, for the page, empty if there is none
   std::string values_sphere;    ///< the map of that mesh, if it is not the input
   std::string onto;             ///< the surface, or the atlas, to map onto, empty if there is none
   bool is_onto_atlas = false;   ///< whether that is its own sphere
@@ -169,7 +170,7 @@ none; 2, all have one, but some fold.
   std::map<std::string, double> feature_weights;   ///< by the names of the features; 1 for others
   bool compares_values = false;                    ///< of the features, and not ranks
   bool regularizes_spheres = false; ///< whether the distortion is kept low between the spheres, and not the surfaces
-  double landmark_weight = 0.; ///< 0 if landmarks are met exactly
+  double landmark_weight = 0.;      ///< 0 if landmarks are met exactly
   double morph_time = 0.;
   Words spheres;                  ///< to resample from one to the other, none if nothing is resampled
   bool carries_sphere = false;    ///< whether the second one is a registration that spheres are carried through
@@ -379,7 +380,10 @@ private:
       ("colored", word("PREFIX"), "write PREFIX_surface.ply and PREFIX_sphere.ply, with the distortion as colour")
       ("page", word("FILE"), "write a page for web browsers, which needs no network: the surface and its sphere, or "
                              "with --onto both surfaces, side by side, coloured, with the distortion of the place that is pointed at; "
-                             "of a surface with handles, where these are; .html")
+                             "of a surface with handles, where these are; .html. Cortical surfaces can be seen with furrows "
+                             "and ridges in grey")
+      ("labels", word("FILE"), "with --page, the labels of the vertices of INPUT, an annotation of FreeSurfer or a .label.gii file, whose "
+                               "colours the page shows")
       ("quiet", "print nothing but errors")
       ("help,h", "print this")
       ("version", "print the version");
@@ -887,7 +891,7 @@ private:
     is_quiet = has("quiet");
     const bool is_for_many = has("output-folder");
     for(const char* option : {"output", "sphere", "transfer", "values-sphere", "json", "colored", "page",
-                              "output-folder", "onto", "onto-atlas", "template", "overlay"})
+                              "output-folder", "onto", "onto-atlas", "template", "overlay", "labels"})
       if(has(option) && text(option).empty())
         fail("--" + std::string(option) + " needs a name");
     for(const char* option : {"resume", "surfaces"})
@@ -914,6 +918,9 @@ private:
     file_names.page = text("page");
     if(has("page") && file_format(file_names.page) != ".html")
       refuse("page", "a name that ends with .html");
+    labels_file = text("labels");
+    if(has("labels") && !has("page"))
+      fail("--labels goes with --page");
     output_folder = text("output-folder");
     is_resumed = has("resume");
     overwrites = has("overwrite");
