@@ -52,6 +52,7 @@ enum [[nodiscard]] Error_code
   ERROR_INVALID_SURFACE_FILE,             ///< A file is damaged, or none of the kind of surfaces or values that is read.
   ERROR_NON_MATCHING_BOUNDARY,            ///< Pixels of a geometry image that are the same vertex differ.
   ERROR_UNDETERMINED_ROTATION,            ///< Landmarks do not determine a rotation.
+  ERROR_TOO_HIGH_DEGREE,                  ///< An expansion has more coefficients than there are vertices.
   ERROR_INVALID_LANDMARK,                 ///< A landmark is no vertex of a face, or a vertex has two.
   ERROR_STOPPED                           ///< The visitor or the time limit ended the run before there was a result.
 };
@@ -148,6 +149,9 @@ inline const char* get_error_message(Error_code error_code)
   case ERROR_UNDETERMINED_ROTATION:
     return "The landmarks do not determine a rotation: give at least two whose directions are neither the same nor "
            "opposite, on both spheres.";
+  case ERROR_TOO_HIGH_DEGREE:
+    return "The vertices do not hold as many coefficients as the degree has: take a degree below the root of their "
+           "number, or areas of the surface or the sphere as weights.";
   case ERROR_INVALID_LANDMARK:
     return "A landmark is no vertex of a face of its mesh, or a vertex has two landmarks: leave it out.";
   case ERROR_STOPPED:
