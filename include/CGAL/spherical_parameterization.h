@@ -36,6 +36,7 @@
 #include <CGAL/Spherical_parameterization/Hierarchical_parameterizer_3.h>
 #include <CGAL/Spherical_parameterization/IO/FreeSurfer.h>
 #include <CGAL/Spherical_parameterization/IO/Surface_file.h>
+#include <CGAL/Spherical_parameterization/IO/spherical_harmonics_files.h>
 #include <CGAL/Spherical_parameterization/IO/write_OBJ.h>
 #include <CGAL/Spherical_parameterization/Isometric_energy_3.h>
 #include <CGAL/Spherical_parameterization/Optimal_radius_3.h>

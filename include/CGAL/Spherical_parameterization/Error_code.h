@@ -50,6 +50,7 @@ enum [[nodiscard]] Error_code
   ERROR_INVALID_IMAGE_FILE,               ///< A file is damaged, or no geometry image.
   ERROR_INVALID_IMAGE_SIZE,               ///< An image has not as many rows, columns or channels as a geometry image.
   ERROR_INVALID_SURFACE_FILE,             ///< A file is damaged, or none of the kind of surfaces or values that is read.
+  ERROR_INVALID_HARMONICS_FILE,           ///< A file is damaged, or none of coefficients of spherical harmonics.
   ERROR_NON_MATCHING_BOUNDARY,            ///< Pixels of a geometry image that are the same vertex differ.
   ERROR_UNDETERMINED_ROTATION,            ///< Landmarks do not determine a rotation.
   ERROR_TOO_HIGH_DEGREE,                  ///< An expansion has more coefficients than there are vertices.
@@ -142,6 +143,10 @@ inline const char* get_error_message(Error_code error_code)
            "each row, or six squares in a column, with three channels.";
   case ERROR_INVALID_SURFACE_FILE:
     return "The file is damaged, or of another kind than the function reads: see the message that the function gives "
+           "beside this code.";
+  case ERROR_INVALID_HARMONICS_FILE:
+    return "The file is damaged, or none of coefficients of spherical harmonics: see the message that the function "
+           "gives "
            "beside this code.";
   case ERROR_NON_MATCHING_BOUNDARY:
     return "Pixels of the geometry image differ that are the same vertex of the mesh, so that the surface would not "

@@ -48,8 +48,8 @@ enum class Harmonic_weights
 struct Harmonic_fit
 {
   Harmonic_weights weights = Harmonic_weights::surface; ///< what the squared error was weighed with
-  double error_over_surface = 0.; ///< root mean square error over all of the surface, by its area
-  double error_at_vertices = 0.;  ///< the same at the vertices, by the areas around them
+  double error_over_surface = 0.;                       ///< root mean square error over all of the surface, by its area
+  double error_at_vertices = 0.;                        ///< the same at the vertices, by the areas around them
   /// Root mean square, over the sphere, of the difference to the expansion at half as many parallels: larger than what the
   /// choice of the nodes does to the coefficients; 0 at the vertices, where there is no choice
   double aliasing = 0.;

@@ -34,6 +34,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <iterator>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -228,8 +229,8 @@ Error_code expand_in_spherical_harmonics(const TriangleMesh& tmesh, VertexSphere
 ///
 /// \return the same, and `ERROR_WRONG_PARAMETER` if vertices have no number or not equally many, `ERROR_NON_FINITE_COORDINATE` if
 ///         one is infinite or not a number
-template <class ConcurrencyTag = Parallel_if_available_tag, class TriangleMesh, class VertexSphereMap, class VertexValueMap,
-          typename CGAL_NP_TEMPLATE_PARAMETERS>
+template <class ConcurrencyTag = Parallel_if_available_tag, class TriangleMesh, class VertexSphereMap,
+          class VertexValueMap, typename CGAL_NP_TEMPLATE_PARAMETERS>
 Error_code expand_in_spherical_harmonics(const TriangleMesh& tmesh, VertexSphereMap vertex_sphere_map,
                                          VertexValueMap vertex_value_map, const Harmonic_expansion_3& expansion,
                                          Spherical_harmonics_3& harmonics,

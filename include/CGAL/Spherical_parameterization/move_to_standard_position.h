@@ -43,8 +43,8 @@ struct Standard_position
   /// Type of the rotations
   using Rotation = Aff_transformation_3<Exact_predicates_inexact_constructions_kernel>;
 
-  Rotation rotation_of_surface; ///< A point \f$ p \f$ has come to \f$ R (p - c) \f$.
-  Rotation rotation_of_sphere;  ///< A direction \f$ q \f$ has come to \f$ R q \f$.
+  Rotation rotation_of_surface;                  ///< A point \f$ p \f$ has come to \f$ R (p - c) \f$.
+  Rotation rotation_of_sphere;                   ///< A direction \f$ q \f$ has come to \f$ R q \f$.
   std::array<double, 3> center = {{0., 0., 0.}}; ///< \f$ c \f$, the mean of the surface over the sphere
   /// Half the lengths of the axes of the ellipsoid, the largest one first; the last one is negative if the surface is inside out
   std::array<double, 3> semi_axes = {{0., 0., 0.}};
@@ -97,7 +97,8 @@ template <class ConcurrencyTag = Parallel_if_available_tag, typename CGAL_NP_TEM
 Error_code move_to_standard_position(Spherical_harmonics_3& harmonics, Standard_position& position,
                                      const CGAL_NP_CLASS& np = parameters::default_values())
 {
-  constexpr double same = 0.01;  // of lengths and skewness: some five times what another map of the same surface makes of them
+  constexpr double same =
+      0.01; // of lengths and skewness: some five times what another map of the same surface makes of them
   constexpr double nothing = 1e-10; // of lengths
   if(harmonics.number_of_functions() != 3 || harmonics.degree() == 0)
     return ERROR_WRONG_PARAMETER;

@@ -139,8 +139,7 @@ Error_code reconstruct_from_spherical_harmonics(const Spherical_harmonics_3& har
   if(harmonics.number_of_functions() != 3)
     return ERROR_WRONG_PARAMETER;
   std::vector<double> values;
-  if(const Error_code error =
-         evaluate_spherical_harmonics<ConcurrencyTag>(harmonics, domain.directions(), values, np))
+  if(const Error_code error = evaluate_spherical_harmonics<ConcurrencyTag>(harmonics, domain.directions(), values, np))
     return error;
   internal::add_triangles(
       internal::link_triangles(domain.triangles(), domain.directions().size()), domain.directions().size(), tmesh,

@@ -67,9 +67,10 @@ namespace CGAL::Spherical_parameterization {
 /// \sa `CGAL::Spherical_parameterization::align_spheres()`
 /// \sa `CGAL::Spherical_parameterization::move_to_standard_position()`
 template <class ConcurrencyTag = Parallel_if_available_tag, typename CGAL_NP_TEMPLATE_PARAMETERS>
-Error_code rotate_spherical_harmonics(Spherical_harmonics_3& harmonics,
-                                      const Aff_transformation_3<Exact_predicates_inexact_constructions_kernel>& rotation,
-                                      const CGAL_NP_CLASS& np = parameters::default_values())
+Error_code rotate_spherical_harmonics(
+    Spherical_harmonics_3& harmonics,
+    const Aff_transformation_3<Exact_predicates_inexact_constructions_kernel>& rotation,
+    const CGAL_NP_CLASS& np = parameters::default_values())
 {
   constexpr double max_deviation = 1e-6; // of a matrix that was written to a file with seven digits
   internal::Rotation_matrix matrix;

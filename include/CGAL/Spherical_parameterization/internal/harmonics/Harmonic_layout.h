@@ -48,8 +48,8 @@ inline void write_coefficients(const Harmonic_transform& transform, const std::v
 }
 
 // Reads them again.
-inline std::vector<double> read_coefficients(const Harmonic_transform& transform, const Spherical_harmonics_3& harmonics,
-                                             std::size_t first)
+inline std::vector<double> read_coefficients(const Harmonic_transform& transform,
+                                             const Spherical_harmonics_3& harmonics, std::size_t first)
 {
   std::vector<double> result(transform.number_of_coefficients(), 0.);
   for_each_coefficient(transform, first, harmonics.number_of_functions(),

@@ -86,8 +86,8 @@ public:
   // and the area A on the surface, areas of the surface are those of the sphere at the direction of x times 2 A |x|^3 / det(p, q, r),
   // where x is the point of the flat triangle p, q, r.
   template <class K>
-  Harmonic_samples(const Sphere_triangulation<K>& sphere, const std::vector<Vector_3d>& surface, std::size_t degree_of_grid,
-                   bool weighs_surface, const Execution& execution)
+  Harmonic_samples(const Sphere_triangulation<K>& sphere, const std::vector<Vector_3d>& surface,
+                   std::size_t degree_of_grid, bool weighs_surface, const Execution& execution)
     : Harmonic_samples(sphere, surface, Gauss_grid(degree_of_grid), weighs_surface, execution)
   {}
 

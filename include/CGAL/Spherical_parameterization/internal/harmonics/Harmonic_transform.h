@@ -25,8 +25,6 @@
 
 namespace CGAL::Spherical_parameterization::internal {
 
-constexpr std::size_t max_harmonic_degree = 1000; // see Harmonic_transform
-
 // The sums of three functions over the real harmonics up to a degree, and the adjoint map. The harmonics are those with
 // normalisation 4 pi, whose squares have the mean 1 over the sphere, without the phase (-1)^m:
 //
@@ -79,26 +77,28 @@ public:
     values.assign(nodes.number_of_values(), 0.);
     for_each_part(nodes, execution, [&](auto number_type, std::size_t, std::size_t begin, std::size_t end) {
       using FT = typename decltype(number_type)::FT;
-      for_each_order<FT>(nodes, begin, end, [&](std::size_t m, std::size_t group, std::size_t lane, const FT& x,
-                                                const FT& diagonal, const double* turns) {
-        std::array<FT, n_sums> sums = zeros<FT>();
-        for_each_degree(m, x, [&](std::size_t step, const FT& q) {
-          const double* const c = coefficients.data() + n_sums * step;
-          for(std::size_t k = 0; k < n_sums; ++k)
-            sums[k] += q * FT(c[k]);
-        });
-        for(FT& sum : sums)
-          sum *= diagonal;
-        double* const v = values.data() + group * nodes.size_of_group() + lane;
-        const std::size_t width = nodes.width() * Sphere_nodes::lanes;
-        for(std::size_t i = 0; i < width; i += Sphere_nodes::lanes)
-        {
-          const FT cosine = Lanes<FT>::load(turns + i + lane), sine = Lanes<FT>::load(turns + width + i + lane);
-          for(std::size_t k = 0; k < n_functions; ++k)
-            Lanes<FT>::store(Lanes<FT>::load(v + k * width + i) + (sums[k] * cosine + sums[n_functions + k] * sine),
-                             v + k * width + i);
-        }
-      });
+      for_each_order<FT>(
+          nodes, begin, end,
+          [&](std::size_t m, std::size_t group, std::size_t lane, const FT& x, const FT& diagonal,
+              const double* turns) {
+            std::array<FT, n_sums> sums = zeros<FT>();
+            for_each_degree(m, x, [&](std::size_t step, const FT& q) {
+              const double* const c = coefficients.data() + n_sums * step;
+              for(std::size_t k = 0; k < n_sums; ++k)
+                sums[k] += q * FT(c[k]);
+            });
+            for(FT& sum : sums)
+              sum *= diagonal;
+            double* const v = values.data() + group * nodes.size_of_group() + lane;
+            const std::size_t width = nodes.width() * Sphere_nodes::lanes;
+            for(std::size_t i = 0; i < width; i += Sphere_nodes::lanes)
+            {
+              const FT cosine = Lanes<FT>::load(turns + i + lane), sine = Lanes<FT>::load(turns + width + i + lane);
+              for(std::size_t k = 0; k < n_functions; ++k)
+                Lanes<FT>::store(Lanes<FT>::load(v + k * width + i) + (sums[k] * cosine + sums[n_functions + k] * sine),
+                                 v + k * width + i);
+            }
+          });
     });
   }
 
@@ -122,34 +122,36 @@ public:
           sums[0] = sums[1] = sums[2] = sums[3] = 0.;
         }
       };
-      for_each_order<FT>(nodes, begin, end, [&](std::size_t m, std::size_t group, std::size_t lane, const FT& x,
-                                                const FT& diagonal, const double* turns) {
-        if(m != m_before)
-        {
-          add_up_lanes();
-          m_before = m;
-        }
-        std::array<FT, n_sums> factors = zeros<FT>();
-        const double* const v = values.data() + group * nodes.size_of_group() + lane;
-        const std::size_t width = nodes.width() * lanes;
-        for(std::size_t i = 0; i < width; i += lanes)
-        {
-          const FT cosine = Lanes<FT>::load(turns + i + lane), sine = Lanes<FT>::load(turns + width + i + lane);
-          for(std::size_t k = 0; k < n_functions; ++k)
-          {
-            const FT value = Lanes<FT>::load(v + k * width + i);
-            factors[k] += value * cosine;
-            factors[n_functions + k] += value * sine;
-          }
-        }
-        for(FT& factor : factors)
-          factor *= diagonal;
-        for_each_degree(m, x, [&](std::size_t step, const FT& q) {
-          double* const sums = sums_of_lanes.data() + lanes * n_sums * (step - m_begins[m]) + lane;
-          for(std::size_t k = 0; k < n_sums; ++k)
-            Lanes<FT>::store(Lanes<FT>::load(sums + lanes * k) + q * factors[k], sums + lanes * k);
-        });
-      });
+      for_each_order<FT>(nodes, begin, end,
+                         [&](std::size_t m, std::size_t group, std::size_t lane, const FT& x, const FT& diagonal,
+                             const double* turns) {
+                           if(m != m_before)
+                           {
+                             add_up_lanes();
+                             m_before = m;
+                           }
+                           std::array<FT, n_sums> factors = zeros<FT>();
+                           const double* const v = values.data() + group * nodes.size_of_group() + lane;
+                           const std::size_t width = nodes.width() * lanes;
+                           for(std::size_t i = 0; i < width; i += lanes)
+                           {
+                             const FT cosine = Lanes<FT>::load(turns + i + lane),
+                                      sine = Lanes<FT>::load(turns + width + i + lane);
+                             for(std::size_t k = 0; k < n_functions; ++k)
+                             {
+                               const FT value = Lanes<FT>::load(v + k * width + i);
+                               factors[k] += value * cosine;
+                               factors[n_functions + k] += value * sine;
+                             }
+                           }
+                           for(FT& factor : factors)
+                             factor *= diagonal;
+                           for_each_degree(m, x, [&](std::size_t step, const FT& q) {
+                             double* const sums = sums_of_lanes.data() + lanes * n_sums * (step - m_begins[m]) + lane;
+                             for(std::size_t k = 0; k < n_sums; ++k)
+                               Lanes<FT>::store(Lanes<FT>::load(sums + lanes * k) + q * factors[k], sums + lanes * k);
+                           });
+                         });
       add_up_lanes();
     });
     coefficients.assign(number_of_coefficients(), 0.);
@@ -159,7 +161,8 @@ public:
   }
 
 private:
-  static constexpr std::size_t max_parts = 16; // of the work: enough for as many threads; each has a copy of the coefficients
+  static constexpr std::size_t max_parts =
+      16; // of the work: enough for as many threads; each has a copy of the coefficients
 
   struct Step
   {

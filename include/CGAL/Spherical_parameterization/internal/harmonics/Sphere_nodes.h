@@ -18,6 +18,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Spherical_parameterization::internal {

@@ -33,7 +33,8 @@ namespace CGAL::Spherical_parameterization::internal {
 inline bool evaluate_harmonics(const Spherical_harmonics_3& harmonics, const std::vector<Vector_3d>& directions,
                                std::vector<double>& values, const Execution& execution, Run_control& control)
 {
-  constexpr std::size_t n_at_once = 1 << 14; // between two questions to the control, a tenth of a second at the degree 200
+  constexpr std::size_t n_at_once =
+      1 << 14; // between two questions to the control, a tenth of a second at the degree 200
   const Spherical_harmonics_3 same = in_normalization_of_transform(harmonics);
   const std::size_t n_functions = same.number_of_functions();
   const Harmonic_transform transform(same.degree());
