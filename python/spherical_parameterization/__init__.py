@@ -18,6 +18,7 @@ long have `threads`, the largest number of them, of which there are never more t
 
 from ._core import ErrorCode, __version__
 from ._errors import Error
+from ._harmonics import HarmonicFit, StandardPosition, expand, reconstruct, spectrum, standard_position
 from ._measuring import (
     Distortion,
     Measure,
@@ -52,6 +53,7 @@ __all__ = [
     "ErrorCode",
     "FilledSurface",
     "Handle",
+    "HarmonicFit",
     "Hole",
     "Locator",
     "Measure",
@@ -61,10 +63,12 @@ __all__ = [
     "Remesh",
     "Report",
     "SphereAlignment",
+    "StandardPosition",
     "SurfaceDistance",
     "SurfaceMapReport",
     "__version__",
     "align_spheres",
+    "expand",
     "fill_holes",
     "find_defect",
     "find_handles",
@@ -75,9 +79,12 @@ __all__ = [
     "measure_distortion_between",
     "overlay",
     "parameterize",
+    "reconstruct",
     "remesh",
     "resample",
     "resample_sphere",
     "round_to_float",
+    "spectrum",
+    "standard_position",
     "transfer",
 ]

@@ -52,7 +52,7 @@ enum [[nodiscard]] Error_code
   ERROR_INVALID_SURFACE_FILE,             ///< A file is damaged, or none of the kind of surfaces or values that is read.
   ERROR_INVALID_HARMONICS_FILE,           ///< A file is damaged, or none of coefficients of spherical harmonics.
   ERROR_NON_MATCHING_BOUNDARY,            ///< Pixels of a geometry image that are the same vertex differ.
-  ERROR_UNDETERMINED_ROTATION,            ///< Landmarks do not determine a rotation.
+  ERROR_UNDETERMINED_ROTATION,            ///< Landmarks, or the axes of an ellipsoid, do not determine a rotation.
   ERROR_TOO_HIGH_DEGREE,                  ///< An expansion has more coefficients than there are vertices.
   ERROR_INVALID_LANDMARK,                 ///< A landmark is no vertex of a face, or a vertex has two.
   ERROR_STOPPED                           ///< The visitor or the time limit ended the run before there was a result.
@@ -152,8 +152,8 @@ inline const char* get_error_message(Error_code error_code)
     return "Pixels of the geometry image differ that are the same vertex of the mesh, so that the surface would not "
            "be closed: write the image anew, and let no program smooth, scale or compress it with losses.";
   case ERROR_UNDETERMINED_ROTATION:
-    return "The landmarks do not determine a rotation: give at least two whose directions are neither the same nor "
-           "opposite, on both spheres.";
+    return "There is no rotation that is determined: give at least two landmarks whose directions are neither the same "
+           "nor opposite, on both spheres, or a surface whose ellipsoid of degree 1 is neither a point nor a line.";
   case ERROR_TOO_HIGH_DEGREE:
     return "The vertices do not hold as many coefficients as the degree has: take a degree below the root of their "
            "number, or areas of the surface or the sphere as weights.";

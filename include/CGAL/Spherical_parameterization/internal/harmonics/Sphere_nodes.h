@@ -48,11 +48,14 @@ public:
   }
 
   // A grid: as many parallels as cosines are given, of `width` nodes that are the same angle apart.
-  Sphere_nodes(const std::vector<double>& cosines, std::size_t width)
-    : Sphere_nodes(cosines.size(), width, true)
+  Sphere_nodes(const std::vector<double>& cosines_of_parallels, std::size_t width)
+    : Sphere_nodes(cosines_of_parallels.size(), width, true)
   {
-    for(std::size_t k = 0; k < cosines.size(); ++k)
-      set_parallel(k, cosines[k], std::sqrt((1. - cosines[k]) * (1. + cosines[k])));
+    for(std::size_t k = 0; k < cosines_of_parallels.size(); ++k)
+    {
+      const double x = cosines_of_parallels[k];
+      set_parallel(k, x, std::sqrt((1. - x) * (1. + x)));
+    }
     for(std::size_t i = 0; i < width; ++i)
     {
       const double longitude = 2. * pi * static_cast<double>(i) / static_cast<double>(width);
