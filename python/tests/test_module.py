@@ -836,12 +836,13 @@ def random_coefficients(*shape):
     return result
 
 
-@pytest.mark.parametrize("normalization, factor", [("4pi", lambda l: 4 * np.pi), ("ortho", lambda l: 1), ("schmidt", lambda l: 4 * np.pi / (2 * l + 1))])
+@pytest.mark.parametrize("normalization", ["4pi", "ortho", "schmidt"])
 @pytest.mark.parametrize("csphase", [1, -1])
-def test_harmonics_are_those_of_scipy(normalization, factor, csphase):
+def test_harmonics_are_those_of_scipy(normalization, csphase):
+    integral = {"4pi": lambda l: 4 * np.pi, "ortho": lambda l: 1, "schmidt": lambda l: 4 * np.pi / (2 * l + 1)}[normalization]
     special = pytest.importorskip("scipy.special")
     directions = np.random.default_rng(1).normal(size=(20, 3))
-    directions[:2] = [[0, 0, 2], [1e-7, 0, -1]]
+    directions[:2] = [[0, 0, 2], [0.01, 0, -1]]  # closer to a pole, scipy is not exact
     x, y, z = directions.T
     azimuth, polar = np.arctan2(y, x), np.arctan2(np.hypot(x, y), z)
     coefficients = random_coefficients(41)
@@ -852,10 +853,10 @@ def test_harmonics_are_those_of_scipy(normalization, factor, csphase):
                 harmonic = special.sph_harm_y(l, m, polar, azimuth)
             else:
                 harmonic = special.sph_harm(m, l, azimuth, polar)
-            harmonic = harmonic * np.sqrt(factor(l) * (2 if m else 1)) * ((-1) ** m if csphase == 1 else 1)
+            harmonic = harmonic * np.sqrt(integral(l) * (2 if m else 1)) * ((-1) ** m if csphase == 1 else 1)
             expected += coefficients[0, l, m] * harmonic.real + coefficients[1, l, m] * harmonic.imag
     values = sp.reconstruct(coefficients, directions, normalization=normalization, csphase=csphase)
-    assert values.shape == (20,) and np.allclose(values, expected, rtol=0, atol=1e-10)
+    assert values.shape == (20,) and np.allclose(values, expected, rtol=0, atol=1e-11)
 
 
 def test_expands_and_reconstructs():
@@ -865,9 +866,7 @@ def test_expands_and_reconstructs():
     assert 0 < fit.error_over_surface < 0.02 and fit.degree_of_vertices == int(len(vertices) ** 0.5) - 1
     again = sp.reconstruct(coefficients, (faces, sphere))
     assert np.sqrt(((again.vertices - vertices) ** 2).sum(axis=1).mean()) < 0.04
-    assert same(again.vertices, sp.reconstruct(coefficients, 3 * sphere)) or np.allclose(
-        again.vertices, sp.reconstruct(coefficients, 3 * sphere), rtol=0, atol=1e-12
-    )
+    assert np.allclose(again.vertices, sp.reconstruct(coefficients, 3 * sphere), rtol=0, atol=1e-12)
     even = sp.reconstruct(coefficients[..., :6, :6], ("icosahedron", 5))
     assert even.vertices.shape == (252, 3) and sp.find_defect(even.vertices, even.faces) is None
     for weights in ("surface", "sphere", "vertices"):
