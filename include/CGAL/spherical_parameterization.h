@@ -57,6 +57,7 @@
 #include <CGAL/Spherical_parameterization/Two_phase_radius_3.h>
 #include <CGAL/Spherical_parameterization/align_spheres.h>
 #include <CGAL/Spherical_parameterization/compute_texture_coordinates.h>
+#include <CGAL/Spherical_parameterization/evaluate_spherical_harmonics.h>
 #include <CGAL/Spherical_parameterization/expand_in_spherical_harmonics.h>
 #include <CGAL/Spherical_parameterization/fill_holes.h>
 #include <CGAL/Spherical_parameterization/find_defect.h>

@@ -104,19 +104,19 @@ public:
   /// returns whether the harmonics have the phase of Condon and Shortley.
   bool has_phase() const { return m_has_phase; }
 
-  /// returns the coefficient of a function, for a degree up to `degree()` and an order from minus the degree to the degree.
+  /// returns the coefficient of `function`, for a `degree` up to `degree()` and an `order` from minus the degree to the degree.
   double coefficient(std::size_t function, std::size_t degree, std::ptrdiff_t order) const
   {
     return m_coefficients[function][place(degree, order)];
   }
 
-  /// sets the coefficient.
+  /// sets the coefficient of `function` for `degree` and `order` to `value`.
   void set_coefficient(std::size_t function, std::size_t degree, std::ptrdiff_t order, double value)
   {
     m_coefficients[function][place(degree, order)] = value;
   }
 
-  /// leaves out the degrees above the given one, or adds coefficients of 0 up to it, or to `max_degree`.
+  /// leaves out what is above `degree`, or adds coefficients of 0 up to it, or to `max_degree`.
   void set_degree(std::size_t degree)
   {
     m_degree = (std::min)(degree, max_degree);
@@ -124,7 +124,7 @@ public:
       c.resize((m_degree + 1) * (m_degree + 1), 0.);
   }
 
-  /// turns the coefficients into those of the same functions in another normalization.
+  /// turns the coefficients into those of the same functions in `normalization`, with the phase of Condon and Shortley if `has_phase`.
   void convert(Harmonic_normalization normalization, bool has_phase = false)
   {
     for(std::size_t l = 0; l <= m_degree; ++l)

@@ -49,7 +49,7 @@ namespace CGAL::Spherical_parameterization {
 class Harmonic_expansion_3
 {
 public:
-  /// constructs an expansion up to the given degree, from 0 to `Spherical_harmonics_3::max_degree`.
+  /// constructs an expansion up to `degree`, from 0 to `Spherical_harmonics_3::max_degree`.
   Harmonic_expansion_3(int degree)
     : m_degree(degree)
   {}
