@@ -16,6 +16,7 @@
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Surface_mesh.h>
+#include <CGAL/tags.h>
 
 #include <boost/property_map/function_property_map.hpp>
 
@@ -312,6 +313,25 @@ TEST(Expansion, does_not_depend_on_the_unit)
     for_each_place(expected, [&](std::size_t k, std::size_t l, std::ptrdiff_t m) {
       EXPECT_DOUBLE_EQ(e.harmonics.coefficient(k, l, m) / unit, expected.coefficient(k, l, m));
     });
+  }
+}
+
+TEST(Expansion, has_the_same_bits_with_any_number_of_threads)
+{
+  const Surface mesh = make_mesh<Surface>(bumpy_sphere(3));
+  const auto images = make_vertex_map<Point_3>(mesh, icosphere(3).points);
+  for(const Harmonic_weights weights : all_weights)
+  {
+    const SP::Harmonic_expansion_3 expansion = SP::Harmonic_expansion_3(20).weights(weights);
+    Harmonics by_one, by_many;
+    ASSERT_EQ(SP::expand_in_spherical_harmonics<CGAL::Sequential_tag>(mesh, images, expansion, by_one), SP::OK);
+    ASSERT_EQ(SP::expand_in_spherical_harmonics<CGAL::Parallel_if_available_tag>(mesh, images, expansion, by_many),
+              SP::OK);
+    EXPECT_EQ(largest_difference(by_one, by_many), 0.);
+    const Rotation r = rotation_about(0.48, -0.6, 0.64, 2.);
+    ASSERT_EQ(SP::rotate_spherical_harmonics<CGAL::Sequential_tag>(by_one, r), SP::OK);
+    ASSERT_EQ(SP::rotate_spherical_harmonics<CGAL::Parallel_if_available_tag>(by_many, r), SP::OK);
+    EXPECT_EQ(largest_difference(by_one, by_many), 0.);
   }
 }
 

@@ -12,6 +12,7 @@
 #include <cstddef>
 #include <istream>
 #include <ostream>
+#include <random>
 #include <sstream>
 #include <string>
 #include <utility>
@@ -130,6 +131,26 @@ TEST(Coef_files, that_are_cut_anywhere_are_refused)
   const std::string content = coef_of(numbered(3, 2));
   for(std::size_t n = 0; n < content.size(); ++n)
     refusal(SP::IO::read_SPHARM_PDM, content.substr(0, n));
+}
+
+// Whatever is in a file, it is read or refused.
+TEST(Coef_files, with_any_bytes_come_to_an_end)
+{
+  std::mt19937 random(1);
+  for(const Reader read : {Reader(SP::IO::read_SPHARM_PDM), Reader(SP::IO::read_harmonics_table)})
+  {
+    const std::string content = read == SP::IO::read_SPHARM_PDM ? coef_of(numbered(3, 2)) : table_of(numbered(2, 2));
+    for(std::size_t k = 0; k < 2000; ++k)
+    {
+      std::string damaged = content;
+      for(std::size_t i = 0; i < 1 + k % 3; ++i)
+        damaged[random() % damaged.size()] = "{},-019.e\n \"\0x"[random() % 14];
+      std::istringstream in(damaged);
+      SP::Spherical_harmonics_3 result;
+      std::string message;
+      EXPECT_EQ(read(in, result, message) == SP::OK, message.empty());
+    }
+  }
 }
 
 TEST(Coef_files, are_refused_with_the_line)
