@@ -148,7 +148,8 @@ TEST(Coef_files, with_any_bytes_come_to_an_end)
       std::istringstream in(damaged);
       SP::Spherical_harmonics_3 result;
       std::string message;
-      EXPECT_EQ(read(in, result, message) == SP::OK, message.empty());
+      const SP::Error_code error = read(in, result, message);
+      EXPECT_EQ(error == SP::OK, message.empty()) << damaged;
     }
   }
 }
