@@ -36,6 +36,7 @@
 #include <CGAL/Spherical_parameterization/Hierarchical_parameterizer_3.h>
 #include <CGAL/Spherical_parameterization/IO/FreeSurfer.h>
 #include <CGAL/Spherical_parameterization/IO/Surface_file.h>
+#include <CGAL/Spherical_parameterization/IO/spherical_harmonics_files.h>
 #include <CGAL/Spherical_parameterization/IO/write_OBJ.h>
 #include <CGAL/Spherical_parameterization/Isometric_energy_3.h>
 #include <CGAL/Spherical_parameterization/Optimal_radius_3.h>
@@ -47,6 +48,7 @@
 #include <CGAL/Spherical_parameterization/Sphere_domain_3.h>
 #include <CGAL/Spherical_parameterization/Sphere_locator_3.h>
 #include <CGAL/Spherical_parameterization/Sphere_resampler_3.h>
+#include <CGAL/Spherical_parameterization/Spherical_harmonics_3.h>
 #include <CGAL/Spherical_parameterization/Stereographic_parameterizer_3.h>
 #include <CGAL/Spherical_parameterization/Stretch_energy_3.h>
 #include <CGAL/Spherical_parameterization/Surface_map_report.h>
@@ -55,6 +57,8 @@
 #include <CGAL/Spherical_parameterization/Two_phase_radius_3.h>
 #include <CGAL/Spherical_parameterization/align_spheres.h>
 #include <CGAL/Spherical_parameterization/compute_texture_coordinates.h>
+#include <CGAL/Spherical_parameterization/evaluate_spherical_harmonics.h>
+#include <CGAL/Spherical_parameterization/expand_in_spherical_harmonics.h>
 #include <CGAL/Spherical_parameterization/fill_holes.h>
 #include <CGAL/Spherical_parameterization/find_defect.h>
 #include <CGAL/Spherical_parameterization/find_handles.h>
@@ -65,9 +69,12 @@
 #include <CGAL/Spherical_parameterization/measure_distortion.h>
 #include <CGAL/Spherical_parameterization/measure_distortion_between.h>
 #include <CGAL/Spherical_parameterization/measure_folding.h>
+#include <CGAL/Spherical_parameterization/move_to_standard_position.h>
 #include <CGAL/Spherical_parameterization/overlay.h>
 #include <CGAL/Spherical_parameterization/parameterize.h>
+#include <CGAL/Spherical_parameterization/reconstruct_from_spherical_harmonics.h>
 #include <CGAL/Spherical_parameterization/remesh_through_sphere.h>
+#include <CGAL/Spherical_parameterization/rotate_spherical_harmonics.h>
 #include <CGAL/Spherical_parameterization/round_to_float.h>
 #include <CGAL/Spherical_parameterization/split_bent_faces.h>
 #include <CGAL/Spherical_parameterization/split_blocking_edges.h>

@@ -18,6 +18,7 @@ long have `threads`, the largest number of them, of which there are never more t
 
 from ._core import ErrorCode, __version__
 from ._errors import Error
+from ._harmonics import HarmonicFit, StandardPosition, expand, reconstruct, spectrum, standard_position
 from ._measuring import (
     Distortion,
     Folding,
@@ -55,6 +56,7 @@ __all__ = [
     "FilledSurface",
     "Folding",
     "Handle",
+    "HarmonicFit",
     "Hole",
     "Locator",
     "Measure",
@@ -64,10 +66,12 @@ __all__ = [
     "Remesh",
     "Report",
     "SphereAlignment",
+    "StandardPosition",
     "SurfaceDistance",
     "SurfaceMapReport",
     "__version__",
     "align_spheres",
+    "expand",
     "fill_holes",
     "find_defect",
     "find_handles",
@@ -79,9 +83,12 @@ __all__ = [
     "measure_folding",
     "overlay",
     "parameterize",
+    "reconstruct",
     "remesh",
     "resample",
     "resample_sphere",
     "round_to_float",
+    "spectrum",
+    "standard_position",
     "transfer",
 ]

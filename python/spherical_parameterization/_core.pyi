@@ -23,6 +23,8 @@ class ErrorCode:
     TOO_LARGE_MESH: ClassVar[ErrorCode]
     TOO_LARGE_OVERLAY: ClassVar[ErrorCode]
     INVALID_DIRECTION: ClassVar[ErrorCode]
+    UNDETERMINED_ROTATION: ClassVar[ErrorCode]
+    TOO_HIGH_DEGREE: ClassVar[ErrorCode]
     INVALID_LANDMARK: ClassVar[ErrorCode]
     STOPPED: ClassVar[ErrorCode]
     __members__: ClassVar[Dict[str, ErrorCode]]
@@ -95,6 +97,24 @@ def resample(
 def resample_sphere(
     faces: _Faces, sphere: _Points, registered: _Points, target_faces: _Faces, target_sphere: _Points, threads: int
 ) -> _Points: ...
+def expand(
+    vertices: _Points,
+    faces: _Faces,
+    sphere: _Points,
+    values: Optional[NDArray[np.float64]],
+    degree: int,
+    weights: str,
+    normalization: str,
+    has_phase: bool,
+    threads: int,
+) -> Tuple[NDArray[np.float64], Tuple[float, float, float, int, int]]: ...
+def evaluate_harmonics(
+    coefficients: NDArray[np.float64], normalization: str, has_phase: bool, directions: _Points, threads: int
+) -> NDArray[np.float64]: ...
+def make_domain(solid: str, subdivision: int) -> Tuple[_Faces, _Points]: ...
+def standard_position(
+    coefficients: NDArray[np.float64], normalization: str, has_phase: bool, threads: int
+) -> Tuple[Any, ...]: ...
 def map_surface(
     vertices1: _Points,
     faces1: _Faces,

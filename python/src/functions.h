@@ -45,6 +45,15 @@ py::tuple resample(const py::array& values, const Indices& faces, const Points& 
 Points resample_sphere(const Indices& faces, const Points& sphere, const Points& registered,
                        const Indices& target_faces, const Points& target_sphere, std::size_t threads);
 
+py::tuple expand(const Points& vertices, const Indices& faces, const Points& sphere,
+                 const std::optional<Values>& values, int degree, const std::string& weights,
+                 const std::string& normalization, bool has_phase, std::size_t threads);
+Values evaluate_harmonics(const Values& coefficients, const std::string& normalization, bool has_phase,
+                          const Points& directions, std::size_t threads);
+std::pair<Indices, Points> make_domain(const std::string& solid, std::uint32_t subdivision);
+py::tuple standard_position(const Values& coefficients, const std::string& normalization, bool has_phase,
+                            std::size_t threads);
+
 using Features = std::vector<std::pair<Values, Values>>;
 py::tuple map_surface(const Points& vertices1, const Indices& faces1, const Points& sphere1, const Points& vertices2,
                       const Indices& faces2, const Points& sphere2, const Indices& landmarks,

@@ -35,6 +35,8 @@ PYBIND11_MODULE(_core, module)
       .value("TOO_LARGE_MESH", SP::ERROR_TOO_LARGE_MESH)
       .value("TOO_LARGE_OVERLAY", SP::ERROR_TOO_LARGE_OVERLAY)
       .value("INVALID_DIRECTION", SP::ERROR_INVALID_DIRECTION)
+      .value("UNDETERMINED_ROTATION", SP::ERROR_UNDETERMINED_ROTATION)
+      .value("TOO_HIGH_DEGREE", SP::ERROR_TOO_HIGH_DEGREE)
       .value("INVALID_LANDMARK", SP::ERROR_INVALID_LANDMARK)
       .value("STOPPED", SP::ERROR_STOPPED);
 
@@ -64,6 +66,10 @@ PYBIND11_MODULE(_core, module)
   module.def("transfer", &transfer);
   module.def("resample", &resample);
   module.def("resample_sphere", &resample_sphere);
+  module.def("expand", &expand);
+  module.def("evaluate_harmonics", &evaluate_harmonics);
+  module.def("make_domain", &make_domain);
+  module.def("standard_position", &standard_position);
   module.def("map_surface", &map_surface);
   module.def("align_spheres", &align_spheres);
   module.def("overlay", &overlay);

@@ -33,6 +33,13 @@ def map_of(n, shift=0.0, threads=None):
     return vertices, faces, sp.parameterize(vertices, faces, threads=threads)[0]
 
 
+def ellipsoid(a, b, c, degree):
+    """The coefficients of a surface."""
+    result = np.zeros((3, 2, degree + 1, degree + 1))
+    result[0, 0, 1, 1], result[1, 1, 1, 1], result[2, 0, 1, 0] = np.array([a, b, c]) / np.sqrt(3)
+    return result
+
+
 def make_calls(n, **settings):
     """Each function that has threads as a function of its settings, which returns an array of what it finds."""
     first, second = map_of(n, **settings), map_of(n - 2, shift=0.3, **settings)
@@ -49,6 +56,9 @@ def make_calls(n, **settings):
         "transfer": lambda **s: sp.transfer(first, second[1:], first[0], **s),
         "resample": lambda **s: sp.resample(first[1:], second[1:], first[0], areas=(first[0], second[0]), **s),
         "resample_sphere": lambda **s: sp.resample_sphere(first[1:], first[2], second[1:], **s),
+        "expand": lambda **s: sp.expand(*first, 8, **s)[0],
+        "reconstruct": lambda **s: sp.reconstruct(np.ones((3, 2, 41, 41)), first[2], **s),
+        "standard_position": lambda **s: sp.standard_position(ellipsoid(3, 2, 1, 40), **s)[0],
         "map_surface": lambda **s: sp.map_surface(first, second, **s)[0],
         "align_spheres": lambda **s: sp.align_spheres(first, second, **s).rotations,
         "overlay": lambda **s: sp.overlay(first, second, **s).vertices1,
@@ -828,6 +838,115 @@ def test_says_what_is_wrong_with_two_surfaces():
     error = refused(sp.ErrorCode.NO_1_TO_1_MAPPING, sp.transfer, first, folded[1:], first[0])
     assert str(error).startswith("target: sphere is not")
     assert str(refused(wrong, sp.transfer, first, (second[1], second[2][:, :2]), first[0])).startswith("target: sphere has")
+
+
+# Spherical harmonics
+
+
+def random_coefficients(*shape):
+    *functions, n = shape
+    result = np.tril(np.random.default_rng(5).uniform(-1, 1, (*functions, 2, n, n)))
+    result[..., 1, :, 0] = 0
+    return result
+
+
+@pytest.mark.parametrize("normalization", ["4pi", "ortho", "schmidt"])
+@pytest.mark.parametrize("csphase", [1, -1])
+def test_harmonics_are_those_of_scipy(normalization, csphase):
+    integral = {"4pi": lambda l: 4 * np.pi, "ortho": lambda l: 1, "schmidt": lambda l: 4 * np.pi / (2 * l + 1)}[normalization]
+    special = pytest.importorskip("scipy.special")
+    directions = np.random.default_rng(1).normal(size=(20, 3))
+    directions[:2] = [[0, 0, 2], [0.01, 0, -1]]  # closer to a pole, scipy is not exact
+    x, y, z = directions.T
+    azimuth, polar = np.arctan2(y, x), np.arctan2(np.hypot(x, y), z)
+    coefficients = random_coefficients(41)
+    expected = np.zeros(len(directions))
+    for l in range(41):
+        for m in range(l + 1):
+            if hasattr(special, "sph_harm_y"):
+                harmonic = special.sph_harm_y(l, m, polar, azimuth)
+            else:
+                harmonic = special.sph_harm(m, l, azimuth, polar)
+            harmonic = harmonic * np.sqrt(integral(l) * (2 if m else 1)) * ((-1) ** m if csphase == 1 else 1)
+            expected += coefficients[0, l, m] * harmonic.real + coefficients[1, l, m] * harmonic.imag
+    values = sp.reconstruct(coefficients, directions, normalization=normalization, csphase=csphase)
+    assert values.shape == (20,) and np.allclose(values, expected, rtol=0, atol=1e-11)
+
+
+def test_expands_and_reconstructs():
+    vertices, faces, sphere = map_of(20)
+    coefficients, fit = sp.expand(vertices, faces, sphere, 20)
+    assert coefficients.shape == (3, 2, 21, 21) and same(np.tril(coefficients), coefficients)
+    assert 0 < fit.error_over_surface < 0.02 and fit.degree_of_vertices == int(len(vertices) ** 0.5) - 1
+    again = sp.reconstruct(coefficients, (faces, sphere))
+    assert np.sqrt(((again.vertices - vertices) ** 2).sum(axis=1).mean()) < 0.04
+    assert np.allclose(again.vertices, sp.reconstruct(coefficients, 3 * sphere), rtol=0, atol=1e-12)
+    even = sp.reconstruct(coefficients[..., :6, :6], ("icosahedron", 5))
+    assert even.vertices.shape == (252, 3) and sp.find_defect(even.vertices, even.faces) is None
+    for weights in ("surface", "sphere", "vertices"):
+        errors = sp.expand(vertices, faces, sphere, 12, weights=weights)[1]
+        assert (errors.number_of_iterations == 0) == (weights == "sphere")
+
+    by_values, _ = sp.expand(vertices, faces, sphere, 20, values=vertices)
+    assert same(by_values, coefficients)
+    height, _ = sp.expand(vertices, faces, sphere, 20, values=vertices[:, 2] > 0)
+    assert height.shape == (2, 21, 21) and sp.reconstruct(height, [[0, 0, 1], [0, 0, -1]]).shape == (2,)
+    table, _ = sp.expand(vertices, faces, sphere, 3, values=np.ones((len(vertices), 2, 2)))
+    assert table.shape == (2, 2, 2, 4, 4) and np.allclose(table[..., 0, 0, 0], 1)
+
+    for normalization in ("ortho", "schmidt"):
+        other, _ = sp.expand(vertices, faces, sphere, 20, normalization=normalization, csphase=-1)
+        assert np.allclose(sp.spectrum(other, normalization=normalization), sp.spectrum(coefficients))
+        assert np.allclose(other[:, 0, 4, 0], coefficients[:, 0, 4, 0] * (np.sqrt(4 * np.pi) if normalization == "ortho" else 3))
+
+
+def test_the_spectrum_is_the_mean_square():
+    coefficients = random_coefficients(2, 8)
+    sphere = sp.remesh(TETRAHEDRON, FACES, TETRAHEDRON, ("icosahedron", 60)).sphere
+    u, v, w = np.moveaxis(sphere[sp.remesh(TETRAHEDRON, FACES, TETRAHEDRON, ("icosahedron", 60)).faces], 1, 0)
+    values = sp.reconstruct(coefficients, u + v + w)
+    weights = np.linalg.norm(np.cross(v - u, w - u), axis=1)
+    assert np.isclose(sp.spectrum(coefficients).sum(), np.average((values**2).sum(axis=1), weights=weights), rtol=1e-2)
+    assert sp.spectrum(coefficients).shape == (8,)
+
+
+def test_moves_to_standard_position():
+    degree = 6
+    coefficients = ellipsoid(1, 3, 2, degree) + 0.1 * random_coefficients(3, degree + 1)
+    moved, position = sp.standard_position(coefficients)
+    assert np.allclose(sp.spectrum(moved)[1:], sp.spectrum(coefficients)[1:]) and np.allclose(moved[:, 0, 0, 0], 0)
+    assert position.axes_are_determined and list(position.semi_axes) == sorted(position.semi_axes, reverse=True)
+    directions = np.random.default_rng(2).normal(size=(5, 3))
+    points = sp.reconstruct(coefficients, directions) - position.center
+    at_images = sp.reconstruct(moved, directions @ position.rotation_of_sphere.T)
+    assert np.allclose(at_images, points @ position.rotation_of_surface.T)
+    assert not sp.standard_position(ellipsoid(1, 3, 2, 1))[1].signs_are_determined
+    assert not sp.standard_position(ellipsoid(1, 1, 2, 1))[1].axes_are_determined
+    refused(sp.ErrorCode.UNDETERMINED_ROTATION, sp.standard_position, ellipsoid(1, 0, 0, 1))
+
+
+def test_says_what_is_wrong_with_harmonics():
+    wrong = sp.ErrorCode.WRONG_PARAMETER
+    vertices, faces, sphere = first = map_of(4)
+    for degree in (-1, 1001):
+        assert "degree" in str(refused(wrong, sp.expand, *first, degree))
+    with pytest.raises(TypeError):
+        sp.expand(*first, 2.5)
+    error = refused(sp.ErrorCode.TOO_HIGH_DEGREE, sp.expand, *first, len(vertices), weights="vertices")
+    assert "vertices" in str(error)
+    refused(sp.ErrorCode.NO_1_TO_1_MAPPING, sp.expand, vertices, faces, -sphere, 3)
+    refused(sp.ErrorCode.NON_CLOSED_MESH, sp.expand, vertices, faces[1:], sphere, 3)
+    for setting, value in (("weights", "area"), ("normalization", "unnorm"), ("csphase", 0), ("values", [1, 2])):
+        assert setting in str(refused(wrong, sp.expand, *first, 3, **{setting: value}))
+    assert "vertex 1" in str(refused(wrong, sp.expand, *first, 3, values=np.where(np.arange(len(vertices)) == 1, np.nan, 0)))
+    for coefficients in (np.zeros((2, 3)), np.zeros((3, 4, 4)), np.zeros((2, 3, 4)), np.full((2, 3, 3), np.inf)):
+        assert "coefficients" in str(refused(wrong, sp.reconstruct, coefficients, sphere))
+        assert "coefficients" in str(refused(wrong, sp.spectrum, coefficients))
+    assert "coefficients" in str(refused(wrong, sp.reconstruct, np.zeros((2, 3, 3)), ("cube", 3)))
+    assert "where[1]" in str(refused(wrong, sp.reconstruct, ellipsoid(3, 2, 1, 1), ("cube", 0)))
+    refused(sp.ErrorCode.INVALID_DIRECTION, sp.reconstruct, ellipsoid(3, 2, 1, 1), [[0, 0, 0]])
+    for coefficients in (np.zeros((2, 3, 3)), np.zeros((3, 2, 1, 1))):
+        assert "coefficients" in str(refused(wrong, sp.standard_position, coefficients))
 
 
 # What users read

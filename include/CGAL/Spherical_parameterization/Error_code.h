@@ -50,8 +50,10 @@ enum [[nodiscard]] Error_code
   ERROR_INVALID_IMAGE_FILE,               ///< A file is damaged, or no geometry image.
   ERROR_INVALID_IMAGE_SIZE,               ///< An image has not as many rows, columns or channels as a geometry image.
   ERROR_INVALID_SURFACE_FILE,             ///< A file is damaged, or none of the kind of surfaces or values that is read.
+  ERROR_INVALID_HARMONICS_FILE,           ///< A file is damaged, or none of coefficients of spherical harmonics.
   ERROR_NON_MATCHING_BOUNDARY,            ///< Pixels of a geometry image that are the same vertex differ.
-  ERROR_UNDETERMINED_ROTATION,            ///< Landmarks do not determine a rotation.
+  ERROR_UNDETERMINED_ROTATION,            ///< Landmarks, or the axes of an ellipsoid, do not determine a rotation.
+  ERROR_TOO_HIGH_DEGREE,                  ///< An expansion has more coefficients than there are vertices.
   ERROR_INVALID_LANDMARK,                 ///< A landmark is no vertex of a face, or a vertex has two.
   ERROR_STOPPED                           ///< The visitor or the time limit ended the run before there was a result.
 };
@@ -142,12 +144,19 @@ inline const char* get_error_message(Error_code error_code)
   case ERROR_INVALID_SURFACE_FILE:
     return "The file is damaged, or of another kind than the function reads: see the message that the function gives "
            "beside this code.";
+  case ERROR_INVALID_HARMONICS_FILE:
+    return "The file is damaged, or none of coefficients of spherical harmonics: see the message that the function "
+           "gives "
+           "beside this code.";
   case ERROR_NON_MATCHING_BOUNDARY:
     return "Pixels of the geometry image differ that are the same vertex of the mesh, so that the surface would not "
            "be closed: write the image anew, and let no program smooth, scale or compress it with losses.";
   case ERROR_UNDETERMINED_ROTATION:
-    return "The landmarks do not determine a rotation: give at least two whose directions are neither the same nor "
-           "opposite, on both spheres.";
+    return "There is no rotation that is determined: give at least two landmarks whose directions are neither the same "
+           "nor opposite, on both spheres, or a surface whose ellipsoid of degree 1 is neither a point nor a line.";
+  case ERROR_TOO_HIGH_DEGREE:
+    return "The vertices do not hold as many coefficients as the degree has: take a degree below the root of their "
+           "number, or areas of the surface or the sphere as weights.";
   case ERROR_INVALID_LANDMARK:
     return "A landmark is no vertex of a face of its mesh, or a vertex has two landmarks: leave it out.";
   case ERROR_STOPPED:

@@ -60,7 +60,8 @@ public:
 
 // Calls read(), which throws a `File_error` or fills `result`; hands on its message.
 template <class Result, class Read>
-Error_code read_or_tell(Result& result, std::string& message, const Read& read)
+Error_code read_or_tell(Result& result, std::string& message, const Read& read,
+                        Error_code error_code = ERROR_INVALID_SURFACE_FILE)
 {
   message.clear();
   try
@@ -73,7 +74,7 @@ Error_code read_or_tell(Result& result, std::string& message, const Read& read)
   catch(const File_error& error)
   {
     message = error.what();
-    return ERROR_INVALID_SURFACE_FILE;
+    return error_code;
   }
 }
 
