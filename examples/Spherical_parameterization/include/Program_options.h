@@ -340,7 +340,8 @@ private:
                                  "of the INPUT, and off for .stl: off, obj, ply, ts, gifti or freesurfer")
       ("convention", word("WHICH"), "cortex: spheres as programs for cortical surfaces expect them, the default for .gii and the format "
                                     "of FreeSurfer: they lie as the surface does, seen from its centroid, and have the radius 100, or "
-                                    "that of --radius; none: as the method leaves them, the default for other formats")
+                                    "that of --radius; and cortical surfaces are mapped onto each other by their folds, see --features. "
+                                    "none: spheres as the method leaves them, the default for other formats")
       ("resume", "leave out the meshes whose sphere and report are there, made by the same version of the program from "
                  "the same file with the same options")
       ("method", word("METHOD"), "bld: lowest distortion, the default; or one of the methods that it can start from or "
@@ -880,8 +881,6 @@ private:
   {
     convention = read_word("convention", {"cortex", "none"}, "");
     keeps_radius = has("radius");
-    if(has("convention") && !template_file.empty())
-      fail("--convention and --template cannot be combined, as no sphere is written");
     if(has("convention"))
       describe("convention " + convention);
   }
