@@ -52,6 +52,7 @@ enum [[nodiscard]] Error_code
   ERROR_INVALID_SURFACE_FILE,             ///< A file is damaged, or none of the kind of surfaces or values that is read.
   ERROR_NON_MATCHING_BOUNDARY,            ///< Pixels of a geometry image that are the same vertex differ.
   ERROR_UNDETERMINED_ROTATION,            ///< Landmarks do not determine a rotation.
+  ERROR_INVALID_DENSITY,                  ///< A density is negative, infinite or not a number, or all are 0.
   ERROR_INVALID_LANDMARK,                 ///< A landmark is no vertex of a face, or a vertex has two.
   ERROR_STOPPED                           ///< The visitor or the time limit ended the run before there was a result.
 };
@@ -148,6 +149,10 @@ inline const char* get_error_message(Error_code error_code)
   case ERROR_UNDETERMINED_ROTATION:
     return "The landmarks do not determine a rotation: give at least two whose directions are neither the same nor "
            "opposite, on both spheres.";
+  case ERROR_INVALID_DENSITY:
+    return "A density is negative, infinite or not a number, or all of them are 0, so that they do not say how much of "
+           "the sphere each part of the surface is to get: repair what computes them, or replace them by small "
+           "numbers.";
   case ERROR_INVALID_LANDMARK:
     return "A landmark is no vertex of a face of its mesh, or a vertex has two landmarks: leave it out.";
   case ERROR_STOPPED:
