@@ -87,9 +87,9 @@ struct Area_report
 /// are solved with multipliers for the areas by a sparse factorisation. Steps that would turn a face over, or do not lower the
 /// sum, are halved, and damped.
 ///
-/// Not all areas can be had. A face with straight edges has less than half of the sphere; the cells of the three classes of vertices of
-/// a mesh with even degrees only, such as an octahedron, have the same area in all maps; and where slivers meet, the room for steps is
-/// little. The map is then as near as the steps came, and `area_report()` tells this for each vertex.
+/// Not all areas can be had: a face has less than half of the sphere, whatever density it has, the neighbours of a vertex of degree
+/// three bound its cell, and where slivers meet, the room for steps is little. The map is then as near as the steps came, and
+/// `area_report()` tells this for each vertex.
 ///
 /// A one-to-one mapping is guaranteed whenever `OK` is returned, also for a run that was stopped early. The radius is that of the
 /// sphere with the area of the surface. The result is the same to the last bit for any number of threads. A step takes a time of
@@ -154,7 +154,7 @@ public:
   ///
   /// The parameters are those of `CGAL::Spherical_parameterization::parameterize()`. The limit `number_of_iterations` and its default
   /// are those of `Bijective_low_distortion_parameterizer_3`, and bound the sweeps before the steps, of which there are 60 at
-  /// most. Steps are told to the visitor as further iterations.
+  /// most. Steps are told to the visitor as further iterations, with the sum that they lower as energy.
   ///
   /// \return `OK`, whether or not all areas could be had; or what is wrong with the mesh, see `find_defect()`;
   ///         `ERROR_INVALID_DENSITY` if a density is negative, infinite or NaN, or all are 0; `ERROR_WRONG_PARAMETER` if
@@ -267,7 +267,7 @@ private:
     constexpr std::size_t sweeps_per_level = 14; // as with a free radius, which only matters for the descent
     internal::embed_surface(m_energy, m_sharpness, sweeps_per_level, false, run, shares.of_vertices);
     const internal::Descent_settings settings;
-    internal::run_descent<internal::Newton_step>(
+    internal::descend<internal::Newton_step>(
         m_energy, Default(), m_sharpness, settings,
         run.number_of_iterations.value_or(internal::default_number_of_sweeps(run.surface.number_of_vertices())), run,
         shares.of_vertices);
@@ -275,6 +275,7 @@ private:
       m_area_report.number_of_steps =
           internal::lower_area_differences(run.surface, shares, m_energy, m_tolerance, run.positions, run.control);
     run.radius = run.surface.equal_area_radius();
+    run.control.on_optimization_end();
   }
 
   template <class TriangleMesh, class Run>

@@ -81,27 +81,34 @@ void embed_surface(const Energy& energy, const Sharpness& sharpness, std::size_t
 // above 1.7 million vertices, stay as they are. If `shares` are given, faces get the shapes that they have on the surface, but the
 // areas that these say.
 template <class Step, class Energy, class Radius, class Run>
-void run_descent(const Energy& energy, const Radius& radius, const Sharpness& sharpness,
-                 const Descent_settings& settings, std::size_t max_sweeps, Run& run,
-                 const std::vector<double>& shares = {})
+void descend(const Energy& energy, const Radius& radius, const Sharpness& sharpness, const Descent_settings& settings,
+             std::size_t max_sweeps, Run& run, const std::vector<double>& shares = {})
 {
   Parameterization_report& report = run.control.report();
   const bool can_be_swept = !report.used_last_resort || are_safely_positive(run.surface.rings(), run.positions);
-  const auto descend = [&](Radius_chooser* chooser) {
+  const auto lower = [&](Radius_chooser* chooser) {
     Descent_loop<Energy, Step> loop(
         run.surface, energy, Step(), sharpness, chooser, settings, run.control, run.execution,
         shares.empty() ? shares : vertex_densities(run.surface.rings(), run.surface.points(), shares));
     run.radius = loop.run(run.positions, can_be_swept ? max_sweeps : 0);
   };
   if constexpr(std::is_same<Radius, Default>::value)
-    descend(nullptr);
+    lower(nullptr);
   else
   {
     Radius_policy_chooser<Radius, Energy> chooser(radius, energy);
-    descend(&chooser);
+    lower(&chooser);
   }
   if(!can_be_swept && report.stop_reason == ITERATION_LIMIT)
     report.stop_reason = OBSTRUCTED;
+}
+
+// The same, and tells the visitor of the end.
+template <class Step, class Energy, class Radius, class Run>
+void run_descent(const Energy& energy, const Radius& radius, const Sharpness& sharpness,
+                 const Descent_settings& settings, std::size_t max_sweeps, Run& run)
+{
+  descend<Step>(energy, radius, sharpness, settings, max_sweeps, run);
   run.control.on_optimization_end();
 }
 

@@ -24,6 +24,7 @@
 #include <CGAL/Spherical_parameterization/internal/surface/Surface.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <vector>
 
@@ -41,7 +42,7 @@ std::size_t lower_area_differences(const Surface& surface, const Area_shares& sh
   // The first weight makes deviations of a third count as much as the energy of usual maps, and with the last one, what the
   // energy still does to areas is below 1e-4 on most surfaces.
   constexpr double first_penalty = 10., last_penalty = 1e6, growth = 10.;
-  constexpr std::size_t max_steps = 60;
+  constexpr std::size_t max_attempts = 60;
   constexpr int max_halvings = 6;
   constexpr double first_damping = 1., min_damping = 1e-6, max_damping = 1e12;
   constexpr double min_fall = 1e-4; // of the objective, over a step: less is none, where the weight is not to grow
@@ -52,60 +53,54 @@ std::size_t lower_area_differences(const Surface& surface, const Area_shares& sh
   std::vector<Vector_3d> moved;
   double penalty = first_penalty, damping = first_damping;
   double value = step.objective(positions, penalty);
-  report.stop_reason = ITERATION_LIMIT;
   const std::size_t first_iteration = report.number_of_iterations();
   std::size_t n_steps = 0;
-  while(n_steps < max_steps)
-  {
-    if(relative_deviation(step.ratios()) <= tolerance)
+  const auto descend = [&]() -> Stop_reason {
+    for(std::size_t k = 0; k < max_attempts; ++k)
     {
-      report.stop_reason = CONVERGED;
-      break;
-    }
-    if(!control.go_further(first_iteration + n_steps, value))
-    {
-      report.stop_reason = control.stop_reason();
-      break;
-    }
-    ++n_steps;
-    double t = 1., next = value;
-    bool is_found = false;
-    if(step.find(positions, penalty, damping))
-      for(int k = 0; k < max_halvings && !is_found; ++k, t *= is_found ? 1. : 0.5)
+      if(relative_deviation(step.ratios()) <= tolerance)
+        return CONVERGED;
+      if(control.is_stopped() || !control.check_clock())
+        return control.stop_reason();
+      double t = 1., next = value;
+      bool is_found = false;
+      if(step.find(positions, penalty, damping))
+        for(int halving = 0; halving < max_halvings && !is_found; ++halving)
+        {
+          t = std::ldexp(1., -halving);
+          step.move(positions, t, moved);
+          if(!are_safely_positive(surface.rings(), moved))
+            continue;
+          next = step.objective(moved, penalty);
+          is_found = next < value + sufficient_fall * t * step.slope();
+        }
+      if(!is_found)
       {
-        step.move(positions, t, moved);
-        if(!are_safely_positive(surface.rings(), moved))
-          continue;
-        next = step.objective(moved, penalty);
-        is_found = next < value + sufficient_fall * t * step.slope();
+        value = step.objective(positions, penalty); // so that the ratios are those of these positions again
+        damping *= 16.;
+        if(damping > max_damping)
+          return OBSTRUCTED;
+        continue;
       }
-    if(!is_found)
-    {
-      next = step.objective(positions, penalty); // the ratios are those of these positions again
-      damping *= 16.;
-      if(damping > max_damping)
+      positions.swap(moved);
+      damping = (std::max)(t == 1. ? damping / 8. : t < 0.5 ? damping * (2. / t) : damping, min_damping);
+      const double fall = (value - next) / value;
+      value = next;
+      ++n_steps;
+      control.after_iteration(first_iteration + n_steps, value, surface.equal_area_radius());
+      if(!control.go_further(first_iteration + n_steps, value))
+        return control.stop_reason();
+      if(penalty < last_penalty && (t >= 0.5 || fall < 0.01))
       {
-        report.stop_reason = OBSTRUCTED;
-        break;
+        penalty = (std::min)(growth * penalty, last_penalty);
+        value = step.objective(positions, penalty);
       }
-      continue;
+      else if(penalty >= last_penalty && fall < min_fall)
+        return CONVERGED;
     }
-    positions.swap(moved);
-    damping = (std::max)(t == 1. ? damping / 8. : t < 0.5 ? damping * (2. / t) : damping, min_damping);
-    const double fall = (value - next) / value;
-    value = next;
-    control.after_iteration(first_iteration + n_steps, value, surface.equal_area_radius());
-    if(penalty >= last_penalty && fall < min_fall)
-    {
-      report.stop_reason = CONVERGED;
-      break;
-    }
-    if(penalty < last_penalty && (t >= 0.5 || fall < 0.01))
-    {
-      penalty *= growth;
-      value = step.objective(positions, penalty);
-    }
-  }
+    return ITERATION_LIMIT;
+  };
+  report.stop_reason = descend();
   report.number_of_average_iterations += n_steps;
   report.seconds_for_optimization += control.lap();
   return n_steps;
