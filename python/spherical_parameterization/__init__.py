@@ -29,7 +29,7 @@ from ._measuring import (
     measure_distortion,
     round_to_float,
 )
-from ._parameterization import Report, parameterize
+from ._parameterization import Areas, Report, parameterize
 from ._repair import FilledSurface, Handle, Hole, fill_holes, find_handles
 from ._resampling import resample, resample_sphere
 from ._sampling import Locator, Remesh, remesh, transfer
@@ -46,6 +46,7 @@ from ._surfaces import (
 )
 
 __all__ = [
+    "Areas",
     "Distortion",
     "DistortionBetween",
     "Error",

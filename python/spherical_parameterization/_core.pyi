@@ -23,6 +23,7 @@ class ErrorCode:
     TOO_LARGE_MESH: ClassVar[ErrorCode]
     TOO_LARGE_OVERLAY: ClassVar[ErrorCode]
     INVALID_DIRECTION: ClassVar[ErrorCode]
+    INVALID_DENSITY: ClassVar[ErrorCode]
     INVALID_LANDMARK: ClassVar[ErrorCode]
     STOPPED: ClassVar[ErrorCode]
     __members__: ClassVar[Dict[str, ErrorCode]]
@@ -45,11 +46,13 @@ def parameterize(
     energy: str,
     initial: Optional[_Points],
     starts_from_drawing: bool,
+    density: Optional[NDArray[np.float64]],
+    is_of_faces: bool,
     threads: int,
     time_limit: float,
     callback: Optional[Callable[[int, float, float], Any]],
     returns_on_interrupt: bool,
-) -> Tuple[_Points, Dict[str, Any]]: ...
+) -> Tuple[_Points, Dict[str, Any], Optional[Dict[str, Any]]]: ...
 def fill_holes(
     vertices: _Points, faces: _Faces, max_edges: int
 ) -> Tuple[_Points, _Faces, Sequence[Tuple[int, int, float, int, float]]]: ...

@@ -153,7 +153,7 @@ public:
   /// computes a one-to-one map from `tmesh` to the sphere around the origin that has the area of the surface.
   ///
   /// The parameters are those of `CGAL::Spherical_parameterization::parameterize()`. The limit `number_of_iterations` and its default
-  /// are those of `Bijective_low_distortion_parameterizer_3`, and bound the sweeps before the steps, of which there are 60 at
+  /// are those of `Bijective_low_distortion_parameterizer_3`, and bound the sweeps before the steps, of which there are 200 at
   /// most. Steps are told to the visitor as further iterations, with the sum that they lower as energy.
   ///
   /// \return `OK`, whether or not all areas could be had; or what is wrong with the mesh, see `find_defect()`;

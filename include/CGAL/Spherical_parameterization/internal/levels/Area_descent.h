@@ -42,7 +42,7 @@ std::size_t lower_area_differences(const Surface& surface, const Area_shares& sh
   // The first weight makes deviations of a third count as much as the energy of usual maps, and with the last one, what the
   // energy still does to areas is below 1e-4 on most surfaces.
   constexpr double first_penalty = 10., last_penalty = 1e6, growth = 10.;
-  constexpr std::size_t max_attempts = 60;
+  constexpr std::size_t max_attempts = 200;
   constexpr int max_halvings = 6;
   constexpr double first_damping = 1., min_damping = 1e-6, max_damping = 1e12;
   constexpr double min_fall = 1e-4; // of the objective, over a step: less is none, where the weight is not to grow
