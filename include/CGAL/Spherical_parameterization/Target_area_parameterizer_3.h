@@ -83,7 +83,7 @@ struct Area_report
 /// The method is that of `Bijective_low_distortion_parameterizer_3` for the faces scaled to the areas that they are to have, in the
 /// hierarchy and on the mesh. Then all vertices are moved together, by steps of Newton's method for the sum of the energies of the
 /// faces and \f$ \mu / 2 \f$ times that of the squared differences of all ratios of areas from 1, see `Area_report`, while
-/// \f$ \mu \f$ grows from 10 to 10<sup>6</sup>. The Hessian of the energy is made positive definite face by face, and the equations
+/// \f$ \mu \f$ grows from 10 to 10<sup>6</sup>, and to 10<sup>9</sup> if that is not enough. The Hessian of the energy is made positive definite face by face, and the equations
 /// are solved with multipliers for the areas by a sparse factorisation. Steps that would turn a face over, or do not lower the
 /// sum, are halved, and damped.
 ///

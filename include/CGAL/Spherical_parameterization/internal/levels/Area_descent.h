@@ -40,8 +40,8 @@ std::size_t lower_area_differences(const Surface& surface, const Area_shares& sh
 {
 #ifdef CGAL_EIGEN3_ENABLED
   // The first weight makes deviations of a third count as much as the energy of usual maps, and with the last one, what the
-  // energy still does to areas is below 1e-4 on most surfaces.
-  constexpr double first_penalty = 10., last_penalty = 1e6, growth = 10.;
+  // energy still does to areas is below 1e-4 on most surfaces. It grows beyond where the map has settled and that is not enough.
+  constexpr double first_penalty = 10., last_penalty = 1e6, max_penalty = 1e9, growth = 10.;
   constexpr std::size_t max_attempts = 200;
   constexpr int max_halvings = 6;
   constexpr double first_damping = 1., min_damping = 1e-6, max_damping = 1e12;
@@ -90,13 +90,14 @@ std::size_t lower_area_differences(const Surface& surface, const Area_shares& sh
       control.after_iteration(first_iteration + n_steps, value, surface.equal_area_radius());
       if(!control.go_further(first_iteration + n_steps, value))
         return control.stop_reason();
-      if(penalty < last_penalty && (t >= 0.5 || fall < 0.01))
+      const bool has_settled = penalty >= last_penalty && fall < min_fall;
+      if(has_settled && penalty >= max_penalty)
+        return CONVERGED;
+      if(has_settled || (penalty < last_penalty && (t >= 0.5 || fall < 0.01)))
       {
-        penalty = (std::min)(growth * penalty, last_penalty);
+        penalty *= growth;
         value = step.objective(positions, penalty);
       }
-      else if(penalty >= last_penalty && fall < min_fall)
-        return CONVERGED;
     }
     return ITERATION_LIMIT;
   };
