@@ -35,6 +35,13 @@ using namespace test;
 namespace {
 
 using SP::Area_report;
+using SP::internal::cross;
+using SP::internal::dot;
+using SP::internal::length;
+using SP::internal::normalized;
+using SP::internal::operator-;
+using SP::internal::operator+;
+using SP::internal::operator*;
 using SP::internal::Spherical_area;
 using SP::internal::Vector_3d;
 
@@ -56,12 +63,11 @@ TEST(Spherical_area, is_that_of_an_octant)
 
 TEST(Spherical_area, keeps_its_precision_on_small_triangles)
 {
-  const Vector_3d x = SP::internal::normalized(Vector_3d{1., 2., 3.});
+  const Vector_3d x = normalized(Vector_3d{1., 2., 3.});
   const SP::internal::Tangent_frame frame(x);
   for(const double size : {1e-3, 1e-6, 1e-9})
   {
-    const Vector_3d p = SP::internal::normalized(x + frame.vector_of(size, 0.)),
-                    q = SP::internal::normalized(x + frame.vector_of(0., size));
+    const Vector_3d p = normalized(x + frame.vector_of(size, 0.)), q = normalized(x + frame.vector_of(0., size));
     EXPECT_NEAR(Spherical_area(x, p, q).value() / (0.5 * size * size), 1., size + 1e-6);
   }
 }
@@ -71,21 +77,19 @@ TEST(Spherical_area, has_the_gradient_of_difference_quotients)
   Random random(1);
   const auto direction = [&] {
     const double x = random.between(-1., 1.), y = random.between(-1., 1.), z = random.between(-1., 1.);
-    return SP::internal::normalized(Vector_3d{x, y, z});
+    return normalized(Vector_3d{x, y, z});
   };
   for(int k = 0; k < 100; ++k)
   {
     const Vector_3d x = direction(), p = direction(), q = direction(), along = direction();
-    const Vector_3d tangent = along - SP::internal::dot(along, x) * x;
+    const Vector_3d tangent = along - dot(along, x) * x;
     constexpr double h = 1e-5;
-    const auto area_at = [&](double t) {
-      return Spherical_area(SP::internal::normalized(x + t * tangent), p, q).value();
-    };
+    const auto area_at = [&](double t) { return Spherical_area(normalized(x + t * tangent), p, q).value(); };
     const double quotient = (area_at(h) - area_at(-h)) / (2. * h);
     const Vector_3d gradient = Spherical_area(x, p, q).gradient(x);
-    EXPECT_NEAR(SP::internal::dot(gradient, x), 0., 1e-9 * (1. + SP::internal::length(gradient)));
-    if(SP::internal::length(gradient) < 10.) // elsewhere, they are near where the area leaps
-      EXPECT_NEAR(SP::internal::dot(gradient, tangent), quotient, 1e-6);
+    EXPECT_NEAR(dot(gradient, x), 0., 1e-9 * (1. + length(gradient)));
+    const bool is_smooth = length(gradient) < 10.; // elsewhere, they are near where the area leaps
+    EXPECT_TRUE(!is_smooth || std::abs(dot(gradient, tangent) - quotient) < 1e-6);
   }
 }
 
@@ -111,7 +115,7 @@ std::vector<double> cell_areas(const Mesh& mesh, const Sphere_map& sphere)
     {
       const Vector_3d to_next = cross(corners[k], corners[(k + 1) % 3]),
                       to_last = cross(corners[k], corners[(k + 2) % 3]);
-      excess += std::atan2(SP::internal::length(cross(to_next, to_last)), dot(to_next, to_last));
+      excess += std::atan2(length(cross(to_next, to_last)), dot(to_next, to_last));
     }
     for(const std::size_t v : vertices)
       result[v] += excess / 3.;
@@ -254,7 +258,7 @@ TEST(Target_areas, are_told_where_they_cannot_be_had)
 
 TEST(Target_areas, may_be_of_a_contrast_of_a_million_or_zero)
 {
-  Mesh mesh = make(bumpy_sphere(3));
+  Mesh mesh = make(bumpy_sphere(2));
   const Sphere_map sphere = sphere_of(mesh);
   const auto density = mesh.add_property_map<Vertex_index, double>("v:density").first;
   for(const auto v : vertices(mesh))
