@@ -528,6 +528,7 @@ private:
     is_published = has("paper");
     if(is_published && has("method"))
       fail("--paper is a method of its own: leave out --method");
+    refuse_both("paper", "density");
     for(const Scope& scope : scopes)
       if(has(scope.option))
         check_scope(scope);
@@ -724,6 +725,11 @@ private:
 
   void read_radius()
   {
+    if(gives_areas)
+    {
+      describe("radius area");
+      return;
+    }
     const std::string fixed = "fixed=";
     const std::string usual = is_published            ? "two-phase"
                               : energy == "conformal" ? "fixed=1"
