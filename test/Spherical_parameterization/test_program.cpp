@@ -749,7 +749,7 @@ TEST_F(Command_line, gives_parts_of_the_surface_the_areas_that_are_wanted)
   };
   density_file("density.ply", "3");
   std::string last = "";
-  for(const std::string& density : {"equal", "density.ply"})
+  for(const std::string density : {"equal", "density.ply"})
   {
     const Outcome outcome = run("sphere.off -o result.off --json result.json --density " + density);
     ASSERT_EQ(outcome.status, 0) << outcome.err;
