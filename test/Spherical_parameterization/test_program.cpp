@@ -749,9 +749,9 @@ TEST_F(Command_line, gives_parts_of_the_surface_the_areas_that_are_wanted)
   };
   density_file("density.ply", "3");
   std::string last = "";
-  for(const std::string density : {"equal", "density.ply"})
+  for(const char* density : {"equal", "density.ply"})
   {
-    const Outcome outcome = run("sphere.off -o result.off --json result.json --density " + density);
+    const Outcome outcome = run(std::string("sphere.off -o result.off --json result.json --density ") + density);
     ASSERT_EQ(outcome.status, 0) << outcome.err;
     EXPECT_NE(outcome.out.find("0 of 162 vertices are off by more than 1 %\n"), std::string::npos) << outcome.out;
     EXPECT_TRUE(json().get<bool>("one_to_one"));
