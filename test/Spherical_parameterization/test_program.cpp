@@ -761,6 +761,8 @@ TEST_F(Command_line, gives_parts_of_the_surface_the_areas_that_are_wanted)
     last = content(path("result.off"));
   }
 
+  fs::remove(path("result.off"));
+  fs::remove(path("result.json"));
   density_file("negative.ply", "-1");
   density_file("nan.ply", "nan");
   write("other.ply", ply_with_values(1));

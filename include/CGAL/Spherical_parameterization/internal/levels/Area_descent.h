@@ -45,8 +45,8 @@ std::size_t lower_area_differences(const Surface& surface, const Area_shares& sh
   constexpr std::size_t max_attempts = 200;
   constexpr int max_halvings = 6;
   constexpr double first_damping = 1., min_damping = 1e-6, max_damping = 1e12;
-  constexpr double min_fall = 1e-4; // of the objective, over a step: less is none, where the weight is not to grow
-  constexpr double sufficient_fall = 1e-4; // Armijo's condition
+  constexpr double min_fall = 1e-4;        // of the objective in a step, relative: with less, it has settled
+  constexpr double sufficient_fall = 1e-4; // of what the slope promises
 
   Area_step<Energy> step(surface.rings(), surface.points(), shares.of_faces, shares.of_vertices, energy);
   Parameterization_report& report = control.report();
