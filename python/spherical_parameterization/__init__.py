@@ -32,7 +32,7 @@ from ._measuring import (
     measure_folding,
     round_to_float,
 )
-from ._parameterization import Report, parameterize
+from ._parameterization import Areas, Report, parameterize
 from ._repair import FilledSurface, Handle, Hole, fill_holes, find_handles
 from ._resampling import resample, resample_sphere
 from ._sampling import Locator, Remesh, remesh, transfer
@@ -49,6 +49,7 @@ from ._surfaces import (
 )
 
 __all__ = [
+    "Areas",
     "Distortion",
     "DistortionBetween",
     "Error",
