@@ -51,7 +51,7 @@ struct Surface_folding
 /// been measured otherwise. They do not depend on where the surface is and how it is sampled, and are proportional to
 /// its size.
 ///
-/// The surface is smoothed by heat that is conducted on it \cgalCite{cgal:dmsb-ifimdcf-99}: implicit steps with the
+/// The surface is smoothed by heat that is conducted on it \cgalCite{cgal:dmsb-ifimdcf-99}, by implicit steps with the
 /// cotangents of its triangles, in units in which its area is 1.
 /// - `curvature`: the way that a vertex goes inwards in the time \f$ t = 1.5 \cdot 10^{-5} \f$, over \f$ -2 t \f$. This is some 1.5
 ///   mm<sup>2</sup> on a human hemisphere.
