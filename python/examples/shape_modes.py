@@ -92,6 +92,15 @@ def draw(axes, vertices, faces, values):
     axes.add_collection3d(Poly3DCollection(triangles, facecolors=colors, edgecolors=colors, linewidths=0.2))
 
 
+def frame(axes, low, high, wide):
+    """Shows what is between two corners from a side where x, or y if `wide` is 1, goes across."""
+    for i, axis in enumerate("xyz"):
+        getattr(axes, f"set_{axis}lim")(low[i], high[i])
+    axes.view_init(10, 0 if wide else -90)
+    axes.set_box_aspect(high - low, zoom=1.15)
+    axes.set_axis_off()
+
+
 def draw_modes(path, result, faces, n):
     """Draws a row for each mode, all of the same size: the redder, the more it moves the place."""
     up = np.ptp(result.mean, axis=0).argmax()
@@ -99,16 +108,11 @@ def draw_modes(path, result, faces, n):
     shapes = [np.roll(result.shape(score), 2 - up, axis=1) for score in scores]  # the longest side upright
     low, high = np.min(shapes, axis=(0, 1)), np.max(shapes, axis=(0, 1))
     wide = int(np.ptp(shapes[1][:, :2], axis=0).argmax())
-    height = (high[2] - low[2]) / (high[wide] - low[wide])
-    figure, axes = plt.subplots(n, 3, figsize=(9, 3 * n * min(height, 1.5)), subplot_kw={"projection": "3d"}, squeeze=False)
+    figure, axes = plt.subplots(n, 3, figsize=(9, 3.2 * n), subplot_kw={"projection": "3d"}, squeeze=False)
     for k, (ax, shape) in enumerate(zip(axes.flat, shapes)):
         moves = np.linalg.norm(result.modes[k // 3], axis=1)
         draw(ax, shape, faces, moves / moves.max())
-        for i, axis in enumerate("xyz"):
-            getattr(ax, f"set_{axis}lim")(low[i], high[i])
-        ax.view_init(10, 0 if wide else -90)
-        ax.set_box_aspect(high - low, zoom=1.3)
-        ax.set_axis_off()
+        frame(ax, low, high, wide)
         name = f"mode {k // 3 + 1} ({result.shares[k // 3]:.0%}): " if k % 3 == 0 else ""
         ax.set_title(name + ("-2 deviations", "mean", "+2 deviations")[k % 3], fontsize=9)
     figure.subplots_adjust(0, 0, 1, 0.95, 0, 0.1)
