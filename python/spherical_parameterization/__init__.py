@@ -33,7 +33,7 @@ from ._measuring import (
     round_to_float,
 )
 from ._modes import ShapeModes, shape_modes
-from ._parameterization import Report, parameterize
+from ._parameterization import Areas, Report, parameterize
 from ._repair import FilledSurface, Handle, Hole, fill_holes, find_handles
 from ._resampling import resample, resample_sphere
 from ._sampling import Locator, Remesh, remesh, transfer
@@ -50,6 +50,7 @@ from ._surfaces import (
 )
 
 __all__ = [
+    "Areas",
     "Distortion",
     "DistortionBetween",
     "Error",

@@ -131,6 +131,36 @@ def read_masks(masks: Optional[Tuple[ArrayLike, ArrayLike]], *surfaces: SurfaceA
     return [pair]
 
 
+def read_density(density: Any, n_vertices: int, n_faces: int) -> Tuple[Optional[NDArray[np.float64]], bool]:
+    """Returns the densities, none of them if they are equal, and whether they are those of faces."""
+    if density is None:
+        return None, False
+    if isinstance(density, str):
+        check_word("density", density, ("equal",))
+        return np.empty(0), False
+    array = to_array("density", density)
+    if array.dtype.kind not in "fiu":
+        raise TypeError(f"density has the type {array.dtype}; it has to hold real numbers")
+    if array.shape not in ((n_vertices,), (n_faces,)):
+        refuse(
+            f"density has the shape {array.shape}; it has to be ({n_vertices},), a number for each vertex, "
+            f"or ({n_faces},), one for each face"
+        )
+    is_of_faces = array.shape != (n_vertices,)
+    is_wrong = ~((array >= 0) & (array < np.inf))
+    if is_wrong.any():
+        k = np.flatnonzero(is_wrong)[0]
+        what = f"face {k}" if is_of_faces else f"vertex {k}"
+        raise Error(
+            f"the density of {what} is {array[k]}; it has to be 0 or more, and finite.\n(Rows are counted from 0.)",
+            ErrorCode.INVALID_DENSITY,
+            **{"face" if is_of_faces else "vertex": int(k)},
+        )
+    if len(array) and not array.any():
+        raise Error("density is 0 everywhere: nothing would have a place on the sphere", ErrorCode.INVALID_DENSITY)
+    return np.ascontiguousarray(array, dtype=np.float64), is_of_faces
+
+
 def carry_rows(
     values: NDArray[Any], shape: Tuple[int, ...], carry: Callable[[NDArray[Any]], NDArray[Any]]
 ) -> NDArray[Any]:

@@ -25,6 +25,7 @@ class ErrorCode:
     INVALID_DIRECTION: ClassVar[ErrorCode]
     UNDETERMINED_ROTATION: ClassVar[ErrorCode]
     TOO_HIGH_DEGREE: ClassVar[ErrorCode]
+    INVALID_DENSITY: ClassVar[ErrorCode]
     INVALID_LANDMARK: ClassVar[ErrorCode]
     STOPPED: ClassVar[ErrorCode]
     __members__: ClassVar[Dict[str, ErrorCode]]
@@ -47,11 +48,13 @@ def parameterize(
     energy: str,
     initial: Optional[_Points],
     starts_from_drawing: bool,
+    density: Optional[NDArray[np.float64]],
+    is_of_faces: bool,
     threads: int,
     time_limit: float,
     callback: Optional[Callable[[int, float, float], Any]],
     returns_on_interrupt: bool,
-) -> Tuple[_Points, Dict[str, Any]]: ...
+) -> Tuple[_Points, Dict[str, Any], Optional[Dict[str, Any]]]: ...
 def fill_holes(
     vertices: _Points, faces: _Faces, max_edges: int
 ) -> Tuple[_Points, _Faces, Sequence[Tuple[int, int, float, int, float]]]: ...

@@ -7,7 +7,39 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _core
-from ._arguments import check_word, read_faces, read_points, read_run, refuse
+from ._arguments import check_word, read_density, read_faces, read_points, read_run, refuse
+
+
+@dataclass(frozen=True)
+class Areas:
+    """How near `parameterize` has come to the areas that were wanted.
+
+    Attributes
+    ----------
+    ratios : (n,) ndarray of float64
+        The area of the cell of each vertex on the sphere, a third of that of the spherical triangles around it, over the
+        area that was wanted; 1 for vertices without a face.
+    deviation : float
+        The standard deviation of the ratios over their mean.
+    largest_deviation : float
+        The largest difference of a ratio from 1.
+    number_of_off_vertices : int
+        Vertices whose ratio differs from 1 by more than 0.01.
+    number_of_raised_faces : int
+        Faces whose area times density is below a millionth of the mean, which was wanted for them instead.
+    number_of_steps : int
+        Steps of all vertices together, after the sweeps.
+    is_reached : bool
+        Whether the deviation is at most 0.001.
+    """
+
+    ratios: NDArray[np.float64]
+    deviation: float
+    largest_deviation: float
+    number_of_off_vertices: int
+    number_of_raised_faces: int
+    number_of_steps: int
+    is_reached: bool
 
 
 @dataclass(frozen=True)
@@ -37,6 +69,8 @@ class Report:
         The energy of a face: the average of the first map, the average and the largest of the last one.
     seconds : float
         The time of the run.
+    areas : Areas or None
+        How near the areas are to what was wanted, if `density` was given.
     """
 
     number_of_vertices: int
@@ -52,6 +86,7 @@ class Report:
     average_energy: float
     largest_energy: float
     seconds: float
+    areas: Optional[Areas] = None
 
 
 def parameterize(
@@ -61,6 +96,7 @@ def parameterize(
     prefer: str = "balance",
     energy: str = "symmetric-dirichlet",
     initial: Union[ArrayLike, str, None] = None,
+    density: Union[ArrayLike, str, None] = None,
     threads: Optional[int] = None,
     time_limit: Optional[float] = None,
     callback: Optional[Callable[[int, float, float], Any]] = None,
@@ -86,6 +122,10 @@ def parameterize(
     initial : (n, 3) array_like of numbers or "schnyder", optional
         The map to start from, one-to-one, at any distance from the origin; or Schnyder's, which the connectivity decides, and which
         is one-to-one by a theorem. By default, a hierarchy finds one.
+    density : (n,) or (m,) array_like of numbers or "equal", optional
+        What share of the sphere each part of the surface gets: that of its area times a density, given for each vertex or for
+        each face, finite, at least 0, and in any unit; "equal" is 1 everywhere. The areas are those of the cells of vertices,
+        see `Areas`. Not with `initial`; it takes some times longer.
     threads : int, optional
         The largest number of threads; by default all cores. The map has the same bits with any number.
     time_limit : float, optional
@@ -128,12 +168,16 @@ def parameterize(
         energy = "stretch"
     run = read_run(threads, time_limit, callback, on_interrupt)
     points = read_points("vertices", vertices)
+    corners = read_faces("faces", faces)
+    if density is not None and initial is not None:
+        refuse("density and initial cannot be combined: leave out one of them")
+    densities, is_of_faces = read_density(density, len(points), len(corners))
     first_images = None
     if isinstance(initial, str):
         check_word("initial", initial, ("schnyder",))
     elif initial is not None:
         first_images = read_points("initial", initial, len(points))
-    sphere, report = _core.parameterize(
-        points, read_faces("faces", faces), prefer, energy, first_images, isinstance(initial, str), *run
+    sphere, report, areas = _core.parameterize(
+        points, corners, prefer, energy, first_images, isinstance(initial, str), densities, is_of_faces, *run
     )
-    return sphere, Report(**report)
+    return sphere, Report(**report, areas=None if areas is None else Areas(**areas))

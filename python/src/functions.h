@@ -15,9 +15,13 @@ namespace Module {
 
 // What the Python part calls, once it has checked words, shapes and ranges; it documents them as well.
 
+using Values = py::array_t<double, py::array::c_style>;
+
+// `density` has a number for each vertex or for each face, or none, if areas are to be equal.
 py::tuple parameterize(const Points& vertices, const Indices& faces, const std::string& prefer,
                        const std::string& energy, const std::optional<Points>& initial, bool starts_from_drawing,
-                       std::size_t threads, double time_limit, const py::object& callback, bool returns_on_interrupt);
+                       const std::optional<Values>& density, bool is_of_faces, std::size_t threads, double time_limit,
+                       const py::object& callback, bool returns_on_interrupt);
 
 py::tuple fill_holes(const Points& vertices, const Indices& faces, std::size_t max_edges);
 py::list find_handles(const Points& vertices, const Indices& faces, std::size_t max_handles);
@@ -28,8 +32,6 @@ py::array_t<float> round_to_float(const Indices& faces, const Points& sphere, st
 py::dict measure_distortion(const Points& vertices, const Indices& faces, const Points& sphere, std::size_t threads);
 py::tuple measure_distance(const Points& vertices1, const Indices& faces1, const Points& vertices2,
                            const Indices& faces2, std::size_t number_of_points, std::size_t threads);
-
-using Values = py::array_t<double, py::array::c_style>;
 
 void define_locator(py::module_& module);
 py::tuple remesh(const Points& vertices, const Indices& faces, const Points& sphere, const std::string& solid,

@@ -11,11 +11,14 @@
 #include <CGAL/Spherical_parameterization/Schnyder_parameterizer_3.h>
 #include <CGAL/Spherical_parameterization/Sharpness.h>
 #include <CGAL/Spherical_parameterization/Stretch_energy_3.h>
+#include <CGAL/Spherical_parameterization/Target_area_parameterizer_3.h>
 #include <CGAL/Spherical_parameterization/parameterize.h>
 
 #include <algorithm>
 #include <functional>
 #include <limits>
+#include <optional>
+#include <utility>
 
 namespace Module {
 
@@ -73,17 +76,46 @@ py::dict to_dict(const SP::Parameterization_report& report)
                   "seconds"_a = report.seconds());
 }
 
+// A number for each vertex or for each face, from an array.
+template <class Index>
+struct Number_map
+{
+  using key_type = Index;
+  using value_type = double;
+  using reference = double;
+  using category = boost::readable_property_map_tag;
+
+  friend double get(const Number_map& map, Index i) { return map.numbers[std::size_t(i)]; }
+
+  const double* numbers;
+};
+
+py::dict to_dict(const SP::Area_report& report)
+{
+  using namespace py::literals;
+  return py::dict("ratios"_a = Values(static_cast<py::ssize_t>(report.ratios.size()), report.ratios.data()),
+                  "deviation"_a = report.deviation, "largest_deviation"_a = report.largest_deviation,
+                  "number_of_off_vertices"_a = report.number_of_off_vertices,
+                  "number_of_raised_faces"_a = report.number_of_raised_faces,
+                  "number_of_steps"_a = report.number_of_steps, "is_reached"_a = report.is_reached());
+}
+
+template <class Parameterizer>
+using Has_area_report = decltype(std::declval<Parameterizer&>().area_report());
+
 } // namespace
 
 py::tuple parameterize(const Points& vertices, const Indices& faces, const std::string& prefer,
                        const std::string& energy, const std::optional<Points>& initial, bool starts_from_drawing,
-                       std::size_t threads, double time_limit, const py::object& callback, bool returns_on_interrupt)
+                       const std::optional<Values>& density, bool is_of_faces, std::size_t threads, double time_limit,
+                       const py::object& callback, bool returns_on_interrupt)
 {
   const std::size_t n = number_of_rows(vertices);
   Points sphere = new_points(n);
   double* const images = sphere.mutable_data();
   std::fill_n(images, 3 * n, std::numeric_limits<double>::quiet_NaN()); // for vertices without faces
   SP::Parameterization_report report;
+  std::optional<SP::Area_report> areas;
   Interruption interruption(callback, returns_on_interrupt);
   Python_visitor visitor(interruption);
   {
@@ -95,6 +127,8 @@ py::tuple parameterize(const Points& vertices, const Indices& faces, const std::
                                 CGAL::parameters::visitor(std::ref(visitor)).maximum_running_time(time_limit));
       });
       report = parameterizer.report();
+      if constexpr(SP::internal::is_detected<Has_area_report, decltype(parameterizer)>)
+        areas = parameterizer.area_report();
       if(error == SP::OK)
         return;
       check_surface("", mesh);
@@ -110,9 +144,35 @@ py::tuple parameterize(const Points& vertices, const Indices& faces, const std::
       else
         run(bld);
     };
+    const auto run_for_areas = [&](const auto& energy_of_faces) {
+#ifdef CGAL_EIGEN3_ENABLED
+      const auto method = SP::Target_area_parameterizer_3<>().energy(energy_of_faces).sharpness(find_sharpness(prefer));
+      if(density->size() == 0)
+        run(method);
+      else if(is_of_faces)
+        run(method.target_density(Number_map<Face_index>{density->data()}));
+      else
+        run(method.target_density(Number_map<Vertex_index>{density->data()}));
+#else
+      static_cast<void>(energy_of_faces);
+      static_cast<void>(is_of_faces);
+      fail(SP::ERROR_WRONG_PARAMETER, "density takes Eigen, without which this module has been built");
+#endif
+    };
     // as the command line program chooses, if nothing is said of radius and tolerance
     const auto bld = SP::Bijective_low_distortion_parameterizer_3<>().sharpness(find_sharpness(prefer));
-    if(energy == "isometric")
+    if(density)
+    {
+      if(energy == "isometric")
+        run_for_areas(SP::Isometric_energy_3());
+      else if(energy == "conformal")
+        run_for_areas(SP::Conformal_energy_3());
+      else if(energy == "stretch")
+        run_for_areas(SP::Stretch_energy_3());
+      else
+        run_for_areas(SP::Symmetric_Dirichlet_energy_3());
+    }
+    else if(energy == "isometric")
       run_from_start(bld.energy(SP::Isometric_energy_3()));
     else if(energy == "conformal")
       run_from_start(bld.energy(SP::Conformal_energy_3()).radius(SP::Fixed_radius_3()));
@@ -121,7 +181,7 @@ py::tuple parameterize(const Points& vertices, const Indices& faces, const std::
     else
       run_from_start(bld);
   }
-  return py::make_tuple(sphere, to_dict(report));
+  return py::make_tuple(sphere, to_dict(report), areas ? py::object(to_dict(*areas)) : py::object(py::none()));
 }
 
 } // namespace Module

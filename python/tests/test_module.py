@@ -1062,3 +1062,76 @@ def test_the_example_finds_the_modes_of_cells(tmp_path):
         path.unlink()
     assert "12 surfaces" in run("demo/cells", "registered", "--template", "cell003.off", "--same-size", "--modes", "1")
     assert len(read_points(tmp_path / "registered/mode1_plus.off")) == len(read_points(tmp_path / "demo/cells/cell003.off"))
+
+
+def cells(faces, sphere):
+    """The areas of the cells of the vertices, by the angles of the spherical triangles."""
+    corners = (sphere / np.linalg.norm(sphere, axis=1)[:, None])[faces]
+    excess = np.full(len(faces), -np.pi)
+    for k in range(3):
+        a, b, c = (corners[:, (k + i) % 3] for i in range(3))
+        p, q = np.cross(a, b), np.cross(a, c)
+        excess += np.arctan2(np.linalg.norm(np.cross(p, q), axis=1), np.sum(p * q, axis=1))
+    return np.bincount(faces.ravel(), np.repeat(excess / 3, 3))
+
+
+def wanted_cells(vertices, faces, density):
+    a, b, c = (vertices[faces[:, k]] for k in range(3))
+    shares = np.linalg.norm(np.cross(b - a, c - a), axis=1) * density
+    return np.bincount(faces.ravel(), np.repeat(shares / 3, 3)) * 4 * np.pi / shares.sum()
+
+
+def test_areas_are_as_wanted():
+    vertices, faces = surface(12)
+    assert sp.parameterize(vertices, faces)[1].areas is None
+    of_vertices = np.exp(vertices[:, 0])
+    for density, of_faces in (
+        ("equal", np.ones(len(faces))),
+        (of_vertices, of_vertices[faces].mean(axis=1)),
+        (np.arange(1, len(faces) + 1) % 3 + 1, np.arange(1, len(faces) + 1) % 3 + 1.0),
+    ):
+        sphere, report = sp.parameterize(vertices, faces, density=density)
+        assert sp.is_bijective(faces, sphere)
+        areas = report.areas
+        ratios = cells(faces, sphere) / wanted_cells(vertices, faces, of_faces)
+        assert np.allclose(areas.ratios, ratios, atol=1e-6)
+        assert areas.is_reached and areas.deviation < 1e-3
+        assert np.isclose(areas.deviation, ratios.std() / ratios.mean(), atol=1e-6)
+        assert np.isclose(areas.largest_deviation, abs(ratios - 1).max(), atol=1e-6)
+        assert areas.number_of_off_vertices == (abs(areas.ratios - 1) > 0.01).sum()
+
+
+def test_areas_that_cannot_be_had_are_told():
+    sphere, report = sp.parameterize(TETRAHEDRON, FACES, density=np.array([1, 1, 1, 1]))
+    assert report.areas.is_reached
+    density = np.ones(len(FACES) + 2)
+    vertices = np.vstack([TETRAHEDRON, [[0, 0, 0]] * 2])  # without a face
+    faces = np.vstack([FACES[:3], [[1, 3, 4], [3, 2, 4], [2, 1, 4]]])
+    vertices[4] = [-2, -2, -2]
+    density[0] = 1e3  # more than half of the sphere
+    sphere, report = sp.parameterize(vertices[:5], faces, density=density)
+    assert not report.areas.is_reached and report.areas.number_of_off_vertices > 0
+    assert sp.is_bijective(faces, sphere)
+
+
+@pytest.mark.parametrize("bad", [-1.0, np.nan, np.inf])
+def test_densities_that_are_none_are_refused(bad):
+    vertices, faces = surface(4)
+    for n, place in ((len(vertices), "vertex"), (len(faces), "face")):
+        density = np.ones(n)
+        density[7] = bad
+        with pytest.raises(sp.Error, match=f"the density of {place} 7 is {bad}") as caught:
+            sp.parameterize(vertices, faces, density=density)
+        assert caught.value.code == sp.ErrorCode.INVALID_DENSITY
+        assert getattr(caught.value, place) == 7
+    for wrong in (np.ones(5), np.ones((len(vertices), 1))):
+        with pytest.raises(sp.Error, match="a number for each vertex"):
+            sp.parameterize(vertices, faces, density=wrong)
+    with pytest.raises(sp.Error, match="is 0 everywhere"):
+        sp.parameterize(vertices, faces, density=np.zeros(len(faces)))
+    with pytest.raises(sp.Error, match="'equal'"):
+        sp.parameterize(vertices, faces, density="even")
+    with pytest.raises(sp.Error, match="density and initial"):
+        sp.parameterize(vertices, faces, density="equal", initial="schnyder")
+    with pytest.raises(TypeError, match="real numbers"):
+        sp.parameterize(vertices, faces, density=["a"] * len(vertices))

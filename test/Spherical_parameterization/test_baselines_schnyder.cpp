@@ -35,7 +35,8 @@ struct Unmappable_energy : SP::Symmetric_Dirichlet_energy_3
 
 template <>
 bool SP::internal::embed_hierarchically(const Surface&, const Unmappable_energy&, const Sharpness&, std::size_t, bool,
-                                        std::vector<Vector_3d>& positions, Run_control& control, Execution)
+                                        std::vector<Vector_3d>& positions, Run_control& control, Execution,
+                                        const std::vector<double>&)
 {
   positions.clear();
   control.report().number_of_attempts = 9;

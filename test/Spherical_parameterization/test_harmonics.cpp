@@ -170,7 +170,7 @@ TEST(Harmonics, are_converted)
 {
   const Harmonics harmonics = random_harmonics(6, 0., 3);
   const std::vector<double> spectrum = harmonics.power_spectrum(), values = values_at(harmonics, some_directions());
-  const double sqrt_four_pi = std::sqrt(4. * pi);
+  const double sqrt_four_pi = std::sqrt(4. * CGAL_PI);
   for(const auto normalization :
       {Harmonic_normalization::four_pi, Harmonic_normalization::orthonormal, Harmonic_normalization::schmidt})
     for(const bool has_phase : {false, true})

@@ -203,6 +203,9 @@ TEST_F(Command_line, takes_every_setting_and_ignores_none)
                                        "--paper --s-first 1 --s-last 1 --average-sweeps 5 --iterations 30",
                                        "--tolerance 0",
                                        "--tolerance 0.01",
+                                       "--density equal",
+                                       "--density equal --energy isometric",
+                                       "--density equal --prefer average --iterations 2",
                                        "--iterations 3",
                                        "--iterations 0"};
   for(const char* energy : {"symmetric-dirichlet", "isometric", "conformal"})
@@ -730,6 +733,52 @@ TEST_F(Command_line, carries_values_over)
                  "is no map of this mesh");
   expect_refused("sphere.off --remesh cube=3 -o result.ply --transfer missing.ply", "No such file");
   EXPECT_FALSE(fs::exists(path("result.ply")));
+}
+
+TEST_F(Command_line, gives_parts_of_the_surface_the_areas_that_are_wanted)
+{
+  const auto density_file = [&](const std::string& name, const std::string& density_of_first) {
+    const Mesh mesh = mesh_in("sphere.off");
+    std::ostringstream text;
+    text << "ply\nformat ascii 1.0\nelement vertex " << mesh.number_of_vertices()
+         << "\nproperty double x\nproperty double y\nproperty double z\nproperty int label\nproperty float density\n"
+            "end_header\n";
+    for(const Vertex_index v : mesh.vertices())
+      text << mesh.point(v) << " 5 " << (v.idx() == 0 ? density_of_first : mesh.point(v).x() > 0. ? "10" : "1") << '\n';
+    write(name, text.str());
+  };
+  density_file("density.ply", "3");
+  std::string last = "";
+  for(const char* density : {"equal", "density.ply"})
+  {
+    const Outcome outcome = run(std::string("sphere.off -o result.off --json result.json --density ") + density);
+    ASSERT_EQ(outcome.status, 0) << outcome.err;
+    EXPECT_NE(outcome.out.find("0 of 162 vertices are off by more than 1 %\n"), std::string::npos) << outcome.out;
+    EXPECT_TRUE(json().get<bool>("one_to_one"));
+    EXPECT_TRUE(json().get<bool>("areas.reached"));
+    EXPECT_LT(json().get<double>("areas.deviation"), 1e-3);
+    EXPECT_NE(content(path("result.off")), last);
+    last = content(path("result.off"));
+  }
+
+  fs::remove(path("result.off"));
+  fs::remove(path("result.json"));
+  density_file("negative.ply", "-1");
+  density_file("nan.ply", "nan");
+  write("other.ply", ply_with_values(1));
+  for(const auto& [arguments, message] : std::vector<std::pair<std::string, std::string>>{
+          {"--density negative.ply", "the density of vertex 0 is negative"},
+          {"--density nan.ply", "the density of vertex 0 is negative, infinite or not a number"},
+          {"--density other.ply", "is no density"},
+          {"--density missing.ply", "No such file"},
+          {"--density sphere.off", "--density needs .ply files"},
+          {"--density ''", "the word equal"},
+          {"--density equal --radius area", "--radius and --density cannot be combined"},
+          {"--density equal --initial harmonic", "--initial and --density cannot be combined"},
+          {"--density equal --method arap", "--density goes with --method bld"},
+          {"--density density.ply --fill-holes all", "as the filler has no values"}})
+    expect_refused("sphere.off -o no.off " + arguments, message);
+  EXPECT_FALSE(fs::exists(path("no.off")));
 }
 
 TEST_F(Command_line, opens_all_that_it_reads_before_it_maps_anything)

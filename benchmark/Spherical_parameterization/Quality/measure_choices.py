@@ -64,7 +64,7 @@ TABLES = {
 | angles, certified | the same with `Conformal_energy_3` and `Fixed_radius_3` | one-to-one | @hand conformal time@ | D_angle @hand conformal D_angle@ |
 | angles, quickly, on shapes without long limbs | `Conformal_parameterizer_3` | may fold, and says so | @hand only_conformal time@ | D_angle @hand only_conformal D_angle@ |
 | angles nearly, and one-to-one | `Harmonic_parameterizer_3` | one-to-one or an error code | @hand only_harmonic time@ | D_angle @hand only_harmonic D_angle@ |
-| areas | the same as the default with an energy of your own: \ref SphericalParameterizationOwnEnergy | one-to-one | | |
+| areas: equal ones, or by a density | `Target_area_parameterizer_3`: \ref SphericalParameterizationAreas | one-to-one | | |
 | samples, for a remesh or a geometry image | the same with `Stretch_energy_3`, `Area_preserving_radius_3` and a sharpness of 3: \ref SphericalParameterizationStretch | one-to-one | | |
 | any one-to-one map, as soon as possible | the default with `number_of_iterations(0)` | one-to-one | @hand sweeps_0 time@ | @hand sweeps_0 D_iso@ |
 | the average of angles and areas, on every level of a hierarchy | `Hierarchical_parameterizer_3` | one-to-one | @hand only_hierarchical time@ | @hand only_hierarchical D_iso@ |

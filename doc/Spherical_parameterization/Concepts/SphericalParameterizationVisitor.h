@@ -18,6 +18,7 @@ parameterizer calls what applies to it, and `on_level()` only if it starts from 
 | \link CGAL::Spherical_parameterization::Stereographic_parameterizer_3 `%Stereographic_parameterizer_3` \endlink | yes | - | - | - | - |
 | \link CGAL::Spherical_parameterization::Schnyder_parameterizer_3 `%Schnyder_parameterizer_3` \endlink | yes | - | - | - | - |
 | \link CGAL::Spherical_parameterization::Harmonic_parameterizer_3 `%Harmonic_parameterizer_3` \endlink | yes | - | yes | yes | yes |
+| \link CGAL::Spherical_parameterization::Target_area_parameterizer_3 `%Target_area_parameterizer_3` \endlink | yes | yes | yes | yes | yes |
 | \link CGAL::Spherical_parameterization::Conformal_parameterizer_3 `%Conformal_parameterizer_3` \endlink | yes | - | yes | yes | yes |
 | \link CGAL::Spherical_parameterization::ARAP_parameterizer_3 `%ARAP_parameterizer_3` \endlink | yes | from a hierarchy | yes | yes | yes |
 | \link CGAL::Spherical_parameterization::Precomputed_parameterizer_3 `%Precomputed_parameterizer_3` \endlink | - | - | - | - | - |

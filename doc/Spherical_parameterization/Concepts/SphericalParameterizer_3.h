@@ -16,6 +16,7 @@ called with the named parameters `vertex_point_map` and `visitor`, and what it h
 \cgalHasModels{CGAL::Spherical_parameterization::Stereographic_parameterizer_3<SolverTraits>}
 \cgalHasModels{CGAL::Spherical_parameterization::Schnyder_parameterizer_3}
 \cgalHasModels{CGAL::Spherical_parameterization::Harmonic_parameterizer_3<SolverTraits>}
+\cgalHasModels{CGAL::Spherical_parameterization::Target_area_parameterizer_3<Energy, DensityMap>}
 \cgalHasModels{CGAL::Spherical_parameterization::Conformal_parameterizer_3<SolverTraits>}
 \cgalHasModels{CGAL::Spherical_parameterization::ARAP_parameterizer_3<InitialParameterizer, SolverTraits>}
 \cgalHasModels{CGAL::Spherical_parameterization::Precomputed_parameterizer_3<VertexSphereMap>}

@@ -54,6 +54,7 @@ public:
     read_method();
     if(knows("initial"))
       read_initial();
+    read_density();
     read_sampling();
     if(knows("energy"))
       read_energy();
@@ -119,8 +120,8 @@ none; 2, all have one, but some fold.
   Words other_inputs() const
   {
     Words result;
-    for(const std::string& name :
-        {start_file, domain_size == 0 ? domain : "", values_sphere, onto, template_file, mask_file, labels_file})
+    for(const std::string& name : {start_file, domain_size == 0 ? domain : "", values_sphere, onto, template_file,
+                                   mask_file, labels_file, density_file})
       if(!name.empty())
         result.push_back(name);
     for(const Words* names : {&landmark_files, &spheres, &area_files})
@@ -193,6 +194,8 @@ none; 2, all have one, but some fold.
   std::string start = "hierarchical"; ///< empty if the map to start from is in a file
   std::string start_file;
   std::string energy = "symmetric-dirichlet";
+  bool gives_areas = false; ///< whether each part of the surface gets the share of the sphere that is wanted
+  std::string density_file; ///< that says which; empty if it is its share of the area
   SP::Sharpness sharpness;
   std::optional<Radius_choice> radius; ///< if not, it is a variable of the objective
   bool is_unit_sphere = false;         ///< whether the radius is 1 because nothing else has chosen one
@@ -226,6 +229,7 @@ private:
       {"s-first", {"bld"}, true},
       {"s-last", {"bld"}, true},
       {"average-sweeps", {"bld"}, true},
+      {"density", {"bld"}, false},
       {"radius", {"bld"}, true},
       {"tolerance", {"bld"}, false},
       {"iterations", {"bld", "harmonic", "conformal", "arap"}, true},
@@ -340,7 +344,8 @@ private:
                                  "of the INPUT, and off for .stl: off, obj, ply, ts, gifti or freesurfer")
       ("convention", word("WHICH"), "cortex: spheres as programs for cortical surfaces expect them, the default for .gii and the format "
                                     "of FreeSurfer: they lie as the surface does, seen from its centroid, and have the radius 100, or "
-                                    "that of --radius; none: as the method leaves them, the default for other formats")
+                                    "that of --radius; and cortical surfaces are mapped onto each other by their folds, see --features. "
+                                    "none: spheres as the method leaves them, the default for other formats")
       ("resume", "leave out the meshes whose sphere and report are there, made by the same version of the program from "
                  "the same file with the same options")
       ("method", word("METHOD"), "bld: lowest distortion, the default; or one of the methods that it can start from or "
@@ -360,6 +365,9 @@ private:
                                "average, balance or worst, which is sharpness 0, 20 or 40; --method hierarchical "
                                "prefers average, if nothing is given. Or sampling: samples that are even on the sphere "
                                "describe the surface best, with an energy of its own, sharpness 3, --radius area and --tolerance 3e-3")
+      ("density", word("FILE"), "give each part of the surface a share of the sphere: of equal areas, by the word equal; or of its area times "
+                                "a density: the one value that each vertex has, or each face, in a file as for --transfer, or the property density. The "
+                                "report tells how near the areas of the cells of vertices have come, and --json where they have not")
       ("sharpness", word("B"), "anything between: 0 or more")
       ("s-first", word("S"), "the paper's schedule instead of a sharpness: exp(s E) with s from here, 0.1 ...")
       ("s-last", word("S"), "... to here, 10; the same as --s-first for a fixed s, as in AMIPS")
@@ -556,6 +564,7 @@ private:
     is_published = has("paper");
     if(is_published && has("method"))
       fail("--paper is a method of its own: leave out --method");
+    refuse_both("paper", "density");
     for(const Scope& scope : scopes)
       if(has(scope.option))
         check_scope(scope);
@@ -599,6 +608,31 @@ private:
       start_file = value;
     }
     describe(start.empty() ? "start from " + printable(start_file) : start + " start");
+  }
+
+  void read_density()
+  {
+    if(!has("density"))
+      return;
+    for(const char* option : {"initial", "radius", "tolerance", "onto", "template"})
+      if(has(option))
+        fail("--" + std::string(option) + " and --density cannot be combined");
+    gives_areas = true;
+    if(text("density") == "equal")
+    {
+      describe("equal areas");
+      return;
+    }
+    density_file = text("density");
+    if(density_file.empty())
+      fail("--density needs the name of a file, or the word equal");
+    check_values("density", density_file);
+    for(const char* option : {"output-folder", "fill-holes"})
+      if(has(option))
+        fail("--density with a file and --" + std::string(option) + " cannot be combined" +
+             (has("fill-holes") ? ", as the filler has no values; write the closed surface by --filled, and map that"
+                                : ", as it is for one mesh"));
+    describe("areas by " + printable(density_file));
   }
 
   // What is preferred decides on other settings, and what is sampled on that.
@@ -727,6 +761,11 @@ private:
 
   void read_radius()
   {
+    if(gives_areas)
+    {
+      describe("radius area");
+      return;
+    }
     const std::string fixed = "fixed=";
     const std::string usual = is_published            ? "two-phase"
                               : energy == "conformal" ? "fixed=1"
@@ -880,8 +919,6 @@ private:
   {
     convention = read_word("convention", {"cortex", "none"}, "");
     keeps_radius = has("radius");
-    if(has("convention") && !template_file.empty())
-      fail("--convention and --template cannot be combined, as no sphere is written");
     if(has("convention"))
       describe("convention " + convention);
   }

@@ -19,6 +19,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <filesystem>
 #include <iomanip>
@@ -202,6 +203,8 @@ public:
       print_line(out, "D_iso  ", balanced->isometric);
       print_line(out, "D_area ", balanced->area);
     }
+    if(result.areas)
+      print_areas(out, *result.areas);
     out << distortion.number_of_inverted_faces << " inverted faces, " << distortion.number_of_degenerate_faces
         << " degenerate faces" << (distortion.number_of_degenerate_faces > 0 ? ", which are left out" : "") << "\n\n"
         << verdict() << '\n';
@@ -290,6 +293,8 @@ public:
                                .add("degenerate_faces", distortion.number_of_degenerate_faces));
     if(written_radius)
       all.add("written_radius", *written_radius);
+    if(result.areas)
+      all.add("areas", json_of(*result.areas));
     if(!components.empty())
       all.add("component", component + 1).add("faces_of_components", components);
     if(m_options.max_hole_edges > 0)
@@ -473,6 +478,40 @@ private:
           << (m_options.landmark_weight > 0. ? "are soft" : "are met");
     out << "; " << SP::get_stop_message(report.stop_reason);
     out << "\nCertified: the map between the surfaces is one-to-one.\n";
+  }
+
+  void print_areas(std::ostream& out, const SP::Area_report& areas) const
+  {
+    constexpr int digits = 2;
+    const auto percent = [](double x) { return fixed_text(100. * x, digits, false) + " %"; };
+    out << "Areas of cells over what was wanted: deviation " << percent(areas.deviation) << ", "
+        << percent(areas.largest_deviation) << " at most; " << areas.number_of_off_vertices << " of "
+        << result.report.number_of_vertices << " vertices are off by more than 1 %"
+        << (areas.is_reached() ? "" : ": not all areas could be had") << '\n';
+    if(areas.number_of_raised_faces > 0)
+      out << "A millionth of the mean area was wanted for " << areas.number_of_raised_faces
+          << (areas.number_of_raised_faces == 1 ? " face that has" : " faces that have") << " less\n";
+  }
+
+  // with the number and the ratio of each vertex that is off, the place where areas could not be had
+  static Json_object json_of(const SP::Area_report& areas)
+  {
+    std::vector<std::size_t> vertices;
+    std::vector<double> ratios;
+    for(std::size_t v = 0; v < areas.ratios.size(); ++v)
+      if(std::abs(areas.ratios[v] - 1.) > 0.01)
+      {
+        vertices.push_back(v);
+        ratios.push_back(areas.ratios[v]);
+      }
+    return Json_object()
+        .add("reached", areas.is_reached())
+        .add("deviation", areas.deviation)
+        .add("largest_deviation", areas.largest_deviation)
+        .add("steps", areas.number_of_steps)
+        .add("raised_faces", areas.number_of_raised_faces)
+        .add("off_vertices", vertices)
+        .add("ratios_of_off_vertices", ratios);
   }
 
   void print_remesh(std::ostream& out) const

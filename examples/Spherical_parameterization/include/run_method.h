@@ -6,13 +6,20 @@
 #include "Program_error.h"
 #include "Program_options.h"
 #include "Progress_visitor.h"
+#include "mesh_files.h"
+#include "read_soup.h"
 
 #include <CGAL/spherical_parameterization.h>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
+#include <cstddef>
 #include <functional>
 #include <optional>
 #include <string>
+#include <type_traits>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -24,6 +31,7 @@ struct Run_result
   SP::Parameterization_report report;
   std::vector<std::array<double, 3>> history; ///< iteration, energy and radius of each sweep or global step
   bool is_one_to_one = false;                 ///< certified
+  std::optional<SP::Area_report> areas = {};  ///< if areas were wanted
 };
 
 /// The radius policy that was chosen at run time, so that methods are compiled once for all of them.
@@ -79,6 +87,42 @@ struct Chosen_parameterizer
   }
 };
 
+/// reads the density of each vertex or of each face of the mesh from a file.
+///
+/// \param is_of_vertices is set
+///
+/// \throws Program_error if the file has none, or they are none
+inline std::vector<double> read_density(const std::string& name, Input_mesh& input, bool& is_of_vertices)
+{
+  const Polygon_soup soup = read_soup(name, true);
+  return read_named(name, [&] {
+    const Values* density = nullptr;
+    for(const std::vector<Values>* all : {&soup.values_of_vertices, &soup.values_of_faces})
+      for(const Values& values : *all)
+        if(values.name == "density" ||
+           (density == nullptr && soup.values_of_vertices.size() + soup.values_of_faces.size() == 1))
+        {
+          density = &values;
+          is_of_vertices = all == &soup.values_of_vertices;
+        }
+    if(density == nullptr)
+      throw Program_error("is no density: it has not one value for each vertex or each face, nor a property density");
+    const std::vector<double>& result = density->numbers;
+    const std::string kind = is_of_vertices ? " vertices" : " faces";
+    const std::size_t n = is_of_vertices ? input.mesh().number_of_vertices() : input.mesh().number_of_faces();
+    if(result.size() != n)
+      throw Program_error("is no density for the mesh: it is that of " + std::to_string(result.size()) + kind +
+                          ", the mesh has " + std::to_string(n));
+    for(std::size_t k = 0; k < n; ++k)
+      if(!(result[k] >= 0. && std::isfinite(result[k])))
+        throw Program_error("the density of " + std::string(is_of_vertices ? "vertex " : "face ") + std::to_string(k) +
+                            " is negative, infinite or not a number. (They are counted from 0.)");
+    if(std::all_of(result.begin(), result.end(), [](double x) { return x == 0.; }))
+      throw Program_error("is 0 everywhere: nothing of the surface would have a place on the sphere");
+    return result;
+  });
+}
+
 /// says why a run has left no map and what helps, in the words of the command line.
 inline std::string explain_failure(SP::Error_code error, Input_mesh& input, const Program_options& options)
 {
@@ -116,6 +160,13 @@ inline std::string explain_failure(SP::Error_code error, Input_mesh& input, cons
   }
 }
 
+/// whether a parameterizer tells how near it has come to areas that were wanted
+template <class Parameterizer, class = void>
+constexpr bool has_area_report = false;
+template <class Parameterizer>
+constexpr bool has_area_report<Parameterizer, std::void_t<decltype(std::declval<Parameterizer&>().area_report())>> =
+    true;
+
 /// maps the mesh to a sphere by the method that the options name.
 ///
 /// \throws Program_error if no map was written
@@ -133,7 +184,10 @@ inline Run_result run_method(const Program_options& options, Input_mesh& input, 
             : SP::parameterize(input.mesh(), parameterizer, sphere, np);
     if(error != SP::OK && error != SP::ERROR_NO_1_TO_1_MAPPING)
       throw Program_error(explain_failure(error, input, options));
-    return {parameterizer.report(), visitor.history(), error == SP::OK};
+    Run_result result = {parameterizer.report(), visitor.history(), error == SP::OK};
+    if constexpr(has_area_report<decltype(parameterizer)>)
+      result.areas = parameterizer.area_report();
+    return result;
   };
 
   const auto choose = [&](const std::string& name) -> Chosen_parameterizer {
@@ -149,7 +203,25 @@ inline Run_result run_method(const Program_options& options, Input_mesh& input, 
   };
   const bool starts_hierarchically = options.start == "hierarchical";
 
+  bool is_of_vertices = false;
+  const std::vector<double> density =
+      options.density_file.empty() ? std::vector<double>() : read_density(options.density_file, input, is_of_vertices);
+  const auto run_for_areas = [&](const auto& method) {
+    if(density.empty())
+      return run(method);
+    const auto copy_to = [&](auto map) {
+      for(std::size_t k = 0; k < density.size(); ++k)
+        map[typename decltype(map)::key_type(static_cast<Mesh::size_type>(k))] = density[k];
+      return map;
+    };
+    if(is_of_vertices)
+      return run(method.target_density(copy_to(input.mesh().add_property_map<Vertex_index, double>().first)));
+    return run(method.target_density(copy_to(input.mesh().add_property_map<Mesh::Face_index, double>().first)));
+  };
+
   const auto run_with = [&](const auto& energy) {
+    if(options.gives_areas)
+      return run_for_areas(SP::Target_area_parameterizer_3<>().energy(energy).sharpness(options.sharpness));
     if(options.method == "hierarchical")
       return run(SP::Hierarchical_parameterizer_3<>().energy(energy).sharpness(options.sharpness));
     const auto run_from_start = [&](const auto& bld) {

@@ -54,6 +54,7 @@ enum [[nodiscard]] Error_code
   ERROR_NON_MATCHING_BOUNDARY,            ///< Pixels of a geometry image that are the same vertex differ.
   ERROR_UNDETERMINED_ROTATION,            ///< Landmarks, or the axes of an ellipsoid, do not determine a rotation.
   ERROR_TOO_HIGH_DEGREE,                  ///< An expansion has more coefficients than there are vertices.
+  ERROR_INVALID_DENSITY,                  ///< A density is negative, infinite or not a number, or all are 0.
   ERROR_INVALID_LANDMARK,                 ///< A landmark is no vertex of a face, or a vertex has two.
   ERROR_STOPPED                           ///< The visitor or the time limit ended the run before there was a result.
 };
@@ -157,6 +158,10 @@ inline const char* get_error_message(Error_code error_code)
   case ERROR_TOO_HIGH_DEGREE:
     return "The vertices do not hold as many coefficients as the degree has: take a degree below the root of their "
            "number, or areas of the surface or the sphere as weights.";
+  case ERROR_INVALID_DENSITY:
+    return "A density is negative, infinite or not a number, or all of them are 0, so that they do not say how much of "
+           "the sphere each part of the surface is to get: repair what computes them, or replace them by small "
+           "numbers.";
   case ERROR_INVALID_LANDMARK:
     return "A landmark is no vertex of a face of its mesh, or a vertex has two landmarks: leave it out.";
   case ERROR_STOPPED:

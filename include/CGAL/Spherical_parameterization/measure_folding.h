@@ -60,7 +60,7 @@ struct Surface_folding
 /// - `inflated_curvature`: the curvature of what there is then, in the time \f$ 4 \cdot 10^{-5} \f$.
 ///
 /// Maps between human hemispheres agree best with areas that were labelled independently if depth and inflated curvature are the
-/// features; see the \ref SphericalParameterizationCortex "manual".
+/// features; see the \ref SphericalParameterizationCortexRegistration "manual".
 ///
 /// The running time is \f$ O(n^{3/2}) \f$ for `n` vertices, 1.5 seconds for 164,000 in one thread.
 ///

@@ -41,12 +41,17 @@ SP::Error_code write_mgh(std::ostream& out, const Surface_file& file)
   return SP::IO::write_MGH(out, file, false);
 }
 
+SP::Error_code write_gifti(std::ostream& out, const Surface_file& file)
+{
+  return SP::IO::write_GIFTI(out, file);
+}
+
 const Format formats[] = {{SP::IO::read_FreeSurfer_surface, SP::IO::write_FreeSurfer_surface},
                           {SP::IO::read_FreeSurfer_curv, write_curv},
                           {SP::IO::read_FreeSurfer_annotation, SP::IO::write_FreeSurfer_annotation},
                           {SP::IO::read_FreeSurfer_label, nullptr},
                           {SP::IO::read_MGH, write_mgh},
-                          {SP::IO::read_GIFTI, SP::IO::write_GIFTI}};
+                          {SP::IO::read_GIFTI, write_gifti}};
 
 void check_consistency(const Surface_file& file)
 {

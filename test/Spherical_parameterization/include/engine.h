@@ -69,7 +69,8 @@ private:
   EXTERN template class Descent_loop<Energy, Step>;
 #define CGAL_SPHERICAL_PARAMETERIZATION_TEST_ENERGY(EXTERN, Energy)                                                    \
   EXTERN template bool embed_hierarchically(const Surface&, const Energy&, const Sharpness&, std::size_t, bool,        \
-                                            std::vector<Vector_3d>&, Run_control&, Execution);                         \
+                                            std::vector<Vector_3d>&, Run_control&, Execution,                          \
+                                            const std::vector<double>&);                                               \
   CGAL_SPHERICAL_PARAMETERIZATION_TEST_LOOP(EXTERN, Energy, Newton_step)
 #define CGAL_SPHERICAL_PARAMETERIZATION_TEST_ENGINE(EXTERN)                                                            \
   CGAL_SPHERICAL_PARAMETERIZATION_TEST_ENERGY(EXTERN, Symmetric_Dirichlet_energy_3)                                    \

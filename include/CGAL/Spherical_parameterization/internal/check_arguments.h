@@ -75,6 +75,10 @@ template <class Map, class TriangleMesh>
 constexpr bool is_for_vertices = std::is_convertible<typename boost::graph_traits<TriangleMesh>::vertex_descriptor,
                                                      typename boost::property_traits<Map>::key_type>::value;
 
+template <class Map, class TriangleMesh>
+constexpr bool is_for_faces = std::is_convertible<typename boost::graph_traits<TriangleMesh>::face_descriptor,
+                                                  typename boost::property_traits<Map>::key_type>::value;
+
 template <class Parameterizer, class TriangleMesh, class VertexSphereMap, class NamedParameters>
 using Parameterize_result = decltype(std::declval<Parameterizer&>().template parameterize<Sequential_tag>(
     std::declval<const TriangleMesh&>(), std::declval<VertexSphereMap>(), std::declval<const NamedParameters&>()));

@@ -22,11 +22,13 @@
 #include <CGAL/Spherical_parameterization/internal/levels/Descent_loop.h>
 #include <CGAL/Spherical_parameterization/internal/levels/Hierarchical_embedding.h>
 #include <CGAL/Spherical_parameterization/internal/run/policy_traits.h>
+#include <CGAL/Spherical_parameterization/internal/surface/mesh_measures.h>
 
 #include <CGAL/Default.h>
 
 #include <cstddef>
 #include <type_traits>
+#include <vector>
 
 namespace CGAL::Spherical_parameterization::internal {
 
@@ -58,14 +60,15 @@ void draw_surface(Run& run)
   run.control.report().seconds_for_embedding += run.control.lap();
 }
 
-// Makes the first map, by the hierarchy unless that fails, and tells the visitor of it.
+// Makes the first map, by the hierarchy unless that fails, and tells the visitor of it. If `shares` are given, they are the areas
+// that the vertices are to have, in the place of their own.
 template <class Energy, class Run>
 void embed_surface(const Energy& energy, const Sharpness& sharpness, std::size_t sweeps_per_level,
-                   bool sweeps_finest_level, Run& run)
+                   bool sweeps_finest_level, Run& run, const std::vector<double>& shares = {})
 {
   run.control.on_initialization_begin(run.surface.number_of_vertices());
   if(!embed_hierarchically(run.surface, energy, sharpness, sweeps_per_level, sweeps_finest_level, run.positions,
-                           run.control, run.execution))
+                           run.control, run.execution, shares))
   {
     draw_surface(run);
     run.control.report().used_last_resort = true;
@@ -75,27 +78,37 @@ void embed_surface(const Energy& energy, const Sharpness& sharpness, std::size_t
 }
 
 // Lowers the energy of a bijection by sweeps. Faces that rounding might turn over on the way, as the last resort may have some
-// above 1.7 million vertices, stay as they are.
+// above 1.7 million vertices, stay as they are. If `shares` are given, faces get the shapes that they have on the surface, but the
+// areas that these say.
+template <class Step, class Energy, class Radius, class Run>
+void descend(const Energy& energy, const Radius& radius, const Sharpness& sharpness, const Descent_settings& settings,
+             std::size_t max_sweeps, Run& run, const std::vector<double>& shares = {})
+{
+  Parameterization_report& report = run.control.report();
+  const bool can_be_swept = !report.used_last_resort || are_safely_positive(run.surface.rings(), run.positions);
+  const auto lower = [&](Radius_chooser* chooser) {
+    Descent_loop<Energy, Step> loop(
+        run.surface, energy, Step(), sharpness, chooser, settings, run.control, run.execution,
+        shares.empty() ? shares : vertex_densities(run.surface.rings(), run.surface.points(), shares));
+    run.radius = loop.run(run.positions, can_be_swept ? max_sweeps : 0);
+  };
+  if constexpr(std::is_same<Radius, Default>::value)
+    lower(nullptr);
+  else
+  {
+    Radius_policy_chooser<Radius, Energy> chooser(radius, energy);
+    lower(&chooser);
+  }
+  if(!can_be_swept && report.stop_reason == ITERATION_LIMIT)
+    report.stop_reason = OBSTRUCTED;
+}
+
+// The same, and tells the visitor of the end.
 template <class Step, class Energy, class Radius, class Run>
 void run_descent(const Energy& energy, const Radius& radius, const Sharpness& sharpness,
                  const Descent_settings& settings, std::size_t max_sweeps, Run& run)
 {
-  Parameterization_report& report = run.control.report();
-  const bool can_be_swept = !report.used_last_resort || are_safely_positive(run.surface.rings(), run.positions);
-  const auto descend = [&](Radius_chooser* chooser) {
-    Descent_loop<Energy, Step> loop(run.surface, energy, Step(), sharpness, chooser, settings, run.control,
-                                    run.execution);
-    run.radius = loop.run(run.positions, can_be_swept ? max_sweeps : 0);
-  };
-  if constexpr(std::is_same<Radius, Default>::value)
-    descend(nullptr);
-  else
-  {
-    Radius_policy_chooser<Radius, Energy> chooser(radius, energy);
-    descend(&chooser);
-  }
-  if(!can_be_swept && report.stop_reason == ITERATION_LIMIT)
-    report.stop_reason = OBSTRUCTED;
+  descend<Step>(energy, radius, sharpness, settings, max_sweeps, run);
   run.control.on_optimization_end();
 }
 

@@ -78,6 +78,13 @@ public:
   // Checks and copies the mesh. Returns whether it has no defect.
   bool read()
   {
+    return read([](const auto&) { return OK; });
+  }
+
+  // The same, and then calls read_more(arrays) for the arrays of the mesh, if it has none, which may return what else is wrong.
+  template <class Function>
+  bool read(const Function& read_more)
+  {
     run_both(
         execution, [] {}, [] {}); // the thread pool starts meanwhile
     Mesh_arrays<TriangleMesh> arrays;
@@ -87,6 +94,8 @@ public:
     report.number_of_vertices = surface.number_of_vertices();
     report.number_of_faces = arrays.triangles.size();
     report.number_of_flat_faces = surface.number_of_flat_faces();
+    if(error == OK)
+      error = read_more(arrays);
     report.seconds_for_reading = control.lap();
     m_vertices = std::move(arrays.vertices_of_mesh);
     m_is_read = error == OK;

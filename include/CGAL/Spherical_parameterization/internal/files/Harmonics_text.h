@@ -97,7 +97,8 @@ private:
   {
     for(; m_position < m_text.size() && std::string_view(" \t\r\n").find(m_text[m_position]) != std::string_view::npos;
         ++m_position)
-      m_line += m_text[m_position] == '\n' ? 1 : 0;
+      if(m_text[m_position] == '\n')
+        ++m_line;
   }
 
   std::string_view m_text;

@@ -16,14 +16,14 @@
 
 #include <CGAL/Spherical_parameterization/internal/numbers/Vector_3.h>
 
+#include <CGAL/number_type_config.h>
+
 #include <cmath>
 #include <cstddef>
 #include <utility>
 #include <vector>
 
 namespace CGAL::Spherical_parameterization::internal {
-
-constexpr double pi = 3.14159265358979323846;
 
 // Nodes on parallels of the sphere: those of a parallel share its Legendre functions. A direction that is on no grid is the
 // only node of its parallel. Parallels are in groups of four, for vector registers; the last group is filled up by nodes on the
@@ -58,7 +58,7 @@ public:
     }
     for(std::size_t i = 0; i < width; ++i)
     {
-      const double longitude = 2. * pi * static_cast<double>(i) / static_cast<double>(width);
+      const double longitude = 2. * CGAL_PI * static_cast<double>(i) / static_cast<double>(width);
       for(std::size_t k = 0; k < lanes; ++k)
         set_longitude(i * lanes + k, std::cos(longitude), std::sin(longitude));
     }
@@ -149,7 +149,7 @@ private:
     const double size = static_cast<double>(n);
     for(std::size_t k = 0; k < n; ++k)
     {
-      double x = std::cos(pi * (static_cast<double>(k) + 0.75) / (size + 0.5)), slope = 1.;
+      double x = std::cos(CGAL_PI * (static_cast<double>(k) + 0.75) / (size + 0.5)), slope = 1.;
       constexpr int n_steps = 5; // Three are enough for all n; the first guess is off by less than 1 / n^2.
       for(int step = 0; step < n_steps; ++step)
       {

@@ -45,8 +45,11 @@ template <class Energy, class Step>
 class Descent_loop
 {
 public:
+  // If `densities` are given, one for each vertex, faces get as many times their area as the mean of these; see
+  // Block_coordinate_descent.
   Descent_loop(const Surface& mesh, const Energy& energy, const Step& step, const Sharpness& sharpness,
-               Radius_chooser* radius, const Descent_settings& settings, Run_control& control, Execution execution);
+               Radius_chooser* radius, const Descent_settings& settings, Run_control& control, Execution execution,
+               std::vector<double> densities = {});
   ~Descent_loop();
 
   // Lowers the energy of the positions on the unit sphere in at most `max_sweeps` sweeps, and returns the radius.
@@ -295,7 +298,8 @@ private:
 template <class Energy, class Step>
 Descent_loop<Energy, Step>::Descent_loop(const Surface& mesh, const Energy& energy, const Step& step,
                                          const Sharpness& sharpness, Radius_chooser* radius,
-                                         const Descent_settings& settings, Run_control& control, Execution execution)
+                                         const Descent_settings& settings, Run_control& control, Execution execution,
+                                         std::vector<double> densities)
   : m_mesh(mesh)
   , m_descent(Round_sphere<Energy, Step>(Face_energy<Energy>(energy)), step, execution)
   , m_smooth_step(Round_sphere<Energy, Step>(Face_energy<Energy>(energy)), mesh.number_of_vertices(), !radius)
@@ -306,9 +310,9 @@ Descent_loop<Energy, Step>::Descent_loop(const Surface& mesh, const Energy& ener
   , m_settings(settings)
   , m_control(control)
 {
-  std::vector<double> densities;
   if constexpr(follows_curvature<Energy>)
-    densities = vertex_densities(mesh.rings(), mesh.points(), curvature_masses(mesh.rings(), mesh.points()));
+    if(densities.empty())
+      densities = vertex_densities(mesh.rings(), mesh.points(), curvature_masses(mesh.rings(), mesh.points()));
   m_descent.assign(mesh.rings(), Independent_sets(mesh.rings()), mesh.points(), densities, Rest_limits(),
                    sliver_vertices(mesh.rings(), mesh.points()));
 }

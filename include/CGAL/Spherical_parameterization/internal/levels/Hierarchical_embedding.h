@@ -179,15 +179,16 @@ inline void place_tetrahedron(const Mesh_hierarchy& hierarchy, std::vector<Vecto
 template <class Energy>
 bool embed_hierarchically(const Surface& mesh, const Energy& energy, const Sharpness& sharpness,
                           std::size_t sweeps_per_level, bool sweeps_finest_level, std::vector<Vector_3d>& positions,
-                          Run_control& control, Execution execution)
+                          Run_control& control, Execution execution, const std::vector<double>& shares = {})
 {
   Parameterization_report& report = control.report();
   const auto embed = [&](double guard, const Sharpness& level_sharpness, const Rest_limits& limits,
                          std::size_t sweeps_factor) {
     // An attempt uses the hierarchy up, and a second one is rare.
     Mesh_hierarchy hierarchy(mesh.rings(), mesh.points(),
-                             follows_curvature<Energy> ? curvature_masses(mesh.rings(), mesh.points())
-                                                       : vertex_areas(mesh.rings(), mesh.points()),
+                             !shares.empty()             ? shares
+                             : follows_curvature<Energy> ? curvature_masses(mesh.rings(), mesh.points())
+                                                         : vertex_areas(mesh.rings(), mesh.points()),
                              control, execution);
     if(++report.number_of_attempts == 1)
     {
