@@ -32,6 +32,7 @@ from ._measuring import (
     measure_folding,
     round_to_float,
 )
+from ._modes import ShapeModes, shape_modes
 from ._parameterization import Areas, Report, parameterize
 from ._repair import FilledSurface, Handle, Hole, fill_holes, find_handles
 from ._resampling import resample, resample_sphere
@@ -66,6 +67,7 @@ __all__ = [
     "Overlay",
     "Remesh",
     "Report",
+    "ShapeModes",
     "SphereAlignment",
     "StandardPosition",
     "SurfaceDistance",
@@ -89,6 +91,7 @@ __all__ = [
     "resample",
     "resample_sphere",
     "round_to_float",
+    "shape_modes",
     "spectrum",
     "standard_position",
     "transfer",

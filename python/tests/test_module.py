@@ -949,6 +949,67 @@ def test_says_what_is_wrong_with_harmonics():
         assert "coefficients" in str(refused(wrong, sp.standard_position, coefficients))
 
 
+# Modes of shapes
+
+
+def rotations(n, seed=3):
+    q = np.linalg.qr(np.random.default_rng(seed).normal(size=(n, 3, 3)))[0]
+    return q * np.linalg.det(q)[:, None, None]
+
+
+def test_finds_modes_and_makes_shapes_of_them():
+    random = np.random.default_rng(4)
+    mean, (first, second) = random.normal(size=(2, 7)), np.linalg.qr(random.normal(size=(14, 2)))[0].T.reshape(2, 2, 7)
+    scores = np.array([[1, 1, -1, -1], [1, -1, 1, -1]]) * np.sqrt(3) / 2
+    shapes = [mean + 3 * a * first + 0.5 * b * second for a, b in scores.T]
+    result = sp.shape_modes(shapes, align="none")
+    assert np.allclose(result.mean, mean) and result.modes.shape == (2, 2, 7)
+    assert np.allclose(result.deviations, [3, 0.5]) and np.allclose(result.shares, [9 / 9.25, 0.25 / 9.25])
+    assert np.allclose(np.abs(result.scores.T), np.abs(scores))
+    for mode, planted in zip(result.modes, (first, second)):
+        assert np.allclose(mode, planted * np.sign(planted.ravel()[np.abs(planted).argmax()]))
+    for shape, row in zip(shapes, result.scores):
+        assert np.allclose(result.shape(row), shape)
+    assert np.allclose(result.shape([2]) - result.shape([]), 6 * result.modes[0])
+    assert sp.shape_modes([[1, 2], [1, 2]], align="none").modes.shape == (0, 2)
+
+
+def test_aligns_shapes():
+    random = np.random.default_rng(5)
+    points = random.normal(size=(50, 3)) * [3, 2, 1]
+    same = [s * points @ turn + random.normal(size=3) for s, turn in zip((1, 2, 3), rotations(3))]
+    assert len(sp.shape_modes(same, align="similarity").modes) == 0
+    result = sp.shape_modes(same)
+    assert len(result.modes) == 1 and np.allclose(np.abs(result.scores[:, 0]), [1, 0, 1])
+    assert np.allclose(result.mean.mean(axis=0), 0) and np.allclose(result.mean, 2 * (same[0] - same[0].mean(axis=0)))
+    assert len(sp.shape_modes(same, align="none").modes) == 2
+    assert len(sp.shape_modes([points, points * [1, 1, -1]]).modes) == 1  # a mirror image is no other position
+
+    varied = [(points + 0.1 * random.normal(size=points.shape)) @ turn for turn in rotations(9)]
+    turned = [x @ turn + 5 for x, turn in zip(varied, np.concatenate([[np.eye(3)], rotations(8, 6)]))]
+    first, second = sp.shape_modes(varied), sp.shape_modes(turned)
+    for name in ("mean", "modes", "deviations", "scores", "shares"):
+        assert np.allclose(getattr(first, name), getattr(second, name)), name
+    assert np.allclose(first.scores.T @ first.scores, 8 * np.eye(8)) and np.isclose(first.shares.sum(), 1)
+
+
+def test_says_what_is_wrong_with_shapes():
+    wrong = sp.ErrorCode.WRONG_PARAMETER
+    shape = np.arange(12.0).reshape(4, 3) ** 2
+    for shapes in ([], [shape]):
+        assert "at least 2" in str(refused(wrong, sp.shape_modes, shapes))
+    assert "shapes[1]" in str(refused(wrong, sp.shape_modes, [shape, shape[1:]]))
+    assert "shapes[1]" in str(refused(wrong, sp.shape_modes, [shape, np.where(shape == 1, np.nan, shape)]))
+    assert "align" in str(refused(wrong, sp.shape_modes, [shape, shape], align="scale"))
+    assert "none" in str(refused(wrong, sp.shape_modes, np.zeros((2, 3, 2, 4, 4))))
+    assert "shapes[1]" in str(refused(wrong, sp.shape_modes, [shape, np.ones((4, 3))], align="similarity"))
+    with pytest.raises(TypeError):
+        sp.shape_modes([shape, shape.astype(str)])
+    result = sp.shape_modes([shape, 2 * shape])
+    for scores in ([1, 1], [np.inf], [[1]]):
+        assert "scores" in str(refused(wrong, result.shape, scores))
+
+
 # What users read
 
 
@@ -978,6 +1039,29 @@ def test_the_example_draws_a_picture(tmp_path):
     example = ROOT / "python/examples/distortion_picture.py"
     subprocess.run([sys.executable, example, "mesh.off", "picture.png"], cwd=tmp_path, check=True)
     assert len(np.unique(pyplot.imread(tmp_path / "picture.png").reshape(-1, 4), axis=0)) > 1000
+
+
+def test_the_example_finds_the_modes_of_cells(tmp_path):
+    pyplot = pytest.importorskip("matplotlib.pyplot")
+    example = ROOT / "python/examples/shape_modes.py"
+
+    def run(*words):
+        command = [sys.executable, example, *words]
+        return subprocess.run(command, cwd=tmp_path, check=True, stdout=subprocess.PIPE, text=True).stdout
+
+    lines = run("--demo", "demo", "--modes", "2")
+    correlations = [abs(float(x)) for x in re.findall(r"correlation of mode \d (.*)", lines)]
+    assert len(correlations) == 2 and min(correlations) >= 0.99
+    table = (tmp_path / "demo/scores.csv").read_text().splitlines()
+    assert len(table) == 101 and table[0].startswith("file,mode1,mode2,") and table[1].startswith("cell000.off,")
+    assert len(np.unique(pyplot.imread(tmp_path / "demo/modes.png").reshape(-1, 4), axis=0)) > 1000
+    minus, plus, mean = (read_points(tmp_path / f"demo/{name}.off") for name in ("mode1_minus", "mode1_plus", "mean"))
+    assert np.allclose((minus + plus) / 2, mean, atol=1e-6) and not np.allclose(minus, plus)
+
+    for path in sorted((tmp_path / "demo/cells").iterdir())[12:]:
+        path.unlink()
+    assert "12 surfaces" in run("demo/cells", "registered", "--template", "cell003.off", "--same-size", "--modes", "1")
+    assert len(read_points(tmp_path / "registered/mode1_plus.off")) == len(read_points(tmp_path / "demo/cells/cell003.off"))
 
 
 def cells(faces, sphere):
