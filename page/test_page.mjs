@@ -272,6 +272,9 @@ try {
   const classes = ["--labels", file("labels.gii"), "--convention", "cortex"];
   execFileSync(program, [file("body.off"), "--page", file("classes.html"), "--quiet", ...classes]);
 
+  writeOff("long.off", { points: body.points.map(([x, y, z]) => [x, 2 * y, z]), faces: body.faces });
+  execFileSync(program, [file("body.off"), "--page", file("beside.html"), "--beside", file("long.off"), "--quiet"]);
+
   const torus = makeTorus(24, 8);
   writeOff("torus.off", torus);
   const { status, stderr } = spawnSync(program, [file("torus.off"), "--page", file("torus.html")]);
@@ -306,6 +309,14 @@ try {
       await page.focus("#view-left");
       await page.keyboard.press("Enter");
       assert.match(await page.$eval("#place", (place) => place.textContent), /labels(hill|no label).*folds(ridge|furrow)/);
+    },
+    "beside.html": async (page) => {
+      await checkDrawing(page);
+      assert.match(await page.$eval("#certificate", (text) => text.textContent), /^The same faces/);
+      const before = await look(page, "#view-left");
+      await page.focus("#morph");
+      await page.keyboard.press("End");
+      assert.ok(!(await isSame(page, await look(page, "#view-left"), before)), "the slider does not change the surface");
     },
     "torus.html": async (page) => {
       await checkDrawing(page);

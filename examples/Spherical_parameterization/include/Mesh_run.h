@@ -242,7 +242,7 @@ public:
       write_colors();
     if(m_files.page)
     {
-      Page page = m_match ? Page(m_match->overlay(), m_report) : Page(*m_input, m_sphere, m_distortions, m_report);
+      Page page = page_of_maps();
       if(m_input->is_of_cortical_format() || m_options.convention == "cortex" || !m_options.labels_file.empty())
         page.add_anatomy(*m_input, m_options.labels_file);
       m_files.page->write([&](std::ostream& out) { page.write(out); });
@@ -259,6 +259,16 @@ public:
 private:
   Mesh& mesh() { return m_input->mesh(); }
   Mesh& mesh_of_file() { return m_input->mesh_of_file(); }
+
+  Page page_of_maps()
+  {
+    if(m_match)
+      return Page(m_match->overlay(), m_report);
+    if(m_options.beside.empty())
+      return Page(*m_input, m_sphere, m_distortions, m_report);
+    Input_mesh other(m_options.beside, read_soup(m_options.beside));
+    return Page(*m_input, other);
+  }
 
   // returns the radius of a sphere in its file, if it is not that of the map
   std::optional<double> radius_of(const std::string& name) const

@@ -66,7 +66,8 @@ public:
     place_surface(input, mesh);
     m_right.title = "its sphere";
     tell(report);
-    add_distortions({distortions.begin(), distortions.end()}, report);
+    add_distortions({distortions.begin(), distortions.end()},
+                    [&](auto of_sphere, auto of_both) { return report.statistics(of_sphere, of_both); });
     for(const Mesh::Face_index f : mesh.faces())
       if(distortions[f].is_inverted)
         m_folded.push_back(f);
@@ -126,8 +127,31 @@ public:
     place(m_left);
     place(m_right);
     tell(report);
-    add_distortions(distortions_between(), report);
+    add_distortions(distortions_between(),
+                    [&](auto of_sphere, auto of_both) { return report.statistics(of_sphere, of_both); });
     turn_like_left(m_right);
+  }
+
+  /// shows two surfaces with the same faces: the map between them takes each vertex to that of the same number.
+  ///
+  /// \throws Program_error if the faces differ
+  Page(Input_mesh& input, Input_mesh& other)
+  {
+    const Mesh &mesh = input.mesh_of_file(), &second = other.mesh();
+    input.check_faces_of(other.name(), "is no surface to show beside", second.number_of_vertices(), other.triangles());
+    place_surface(input, mesh);
+    m_right.title = name_of(other.name());
+    m_right.points.assign(second.points().begin(), second.points().end());
+    place(m_right);
+    m_verdict = "The same faces: each vertex is mapped to that of the same number.";
+    m_summary.add("Mesh", std::to_string(mesh.number_of_vertices()) + " vertices, " +
+                              std::to_string(mesh.number_of_faces()) + " faces");
+    SP::Distortion_summary summary;
+    const std::vector<SP::Face_distortion> distortions = distortions_between(&summary);
+    add_distortions(distortions, [&](auto of_summary, auto) {
+      const SP::Distortion_statistics& of = summary.*of_summary;
+      return Json_object().add("maximum", of.maximum).add("average", of.average).add("deviation", of.deviation);
+    });
   }
 
   /// shows a surface that has no map from two sides, and how far each face is from the handles.
@@ -357,7 +381,7 @@ private:
   }
 
   // Measures each face, with both surfaces scaled to the same area.
-  std::vector<SP::Face_distortion> distortions_between() const
+  std::vector<SP::Face_distortion> distortions_between(SP::Distortion_summary* summary = nullptr) const
   {
     const auto area = [&](const Side& side) {
       double sum = 0.;
@@ -379,7 +403,9 @@ private:
     }
     const Distortion_map distortions =
         refinement.mesh().add_property_map<Mesh::Face_index, SP::Face_distortion>("f:between").first;
-    measured_distortion(refinement.mesh(), map, distortions);
+    const SP::Distortion_summary measured = measured_distortion(refinement.mesh(), map, distortions);
+    if(summary != nullptr)
+      *summary = measured;
     return {distortions.begin(), distortions.end()};
   }
 
@@ -391,7 +417,9 @@ private:
     m_shown = report.shows_angles() ? 2 : 0;
   }
 
-  void add_distortions(const std::vector<SP::Face_distortion>& distortions, const Run_report& report)
+  // `statistics_of` tells those of a measure, by its members of both summaries.
+  template <class Statistics>
+  void add_distortions(const std::vector<SP::Face_distortion>& distortions, const Statistics& statistics_of)
   {
     const auto add = [&](const char* name, const char* meaning, double minimum, double SP::Face_distortion::*of_face,
                          const Json_object& statistics) {
@@ -405,11 +433,11 @@ private:
       m_measures.push_back(std::move(measure));
     };
     add("D_iso", "the largest factor by which a length is wrong", 1., &SP::Face_distortion::isometric,
-        report.statistics(&SP::Distortion_summary::isometric, &SP::Distortion_between::isometric));
+        statistics_of(&SP::Distortion_summary::isometric, &SP::Distortion_between::isometric));
     add("D_area", "how areas change; 2 is best", 2., &SP::Face_distortion::area,
-        report.statistics(&SP::Distortion_summary::area, &SP::Distortion_between::area));
+        statistics_of(&SP::Distortion_summary::area, &SP::Distortion_between::area));
     add("D_angle", "how angles change; 2 is best", 2., &SP::Face_distortion::angle,
-        report.statistics(&SP::Distortion_summary::angle, &SP::Distortion_between::angle));
+        statistics_of(&SP::Distortion_summary::angle, &SP::Distortion_between::angle));
   }
 
   std::string facts() const

@@ -121,7 +121,7 @@ none; 2, all have one, but some fold.
   {
     Words result;
     for(const std::string& name : {start_file, domain_size == 0 ? domain : "", values_sphere, onto, template_file,
-                                   mask_file, labels_file, density_file})
+                                   mask_file, labels_file, density_file, beside})
       if(!name.empty())
         result.push_back(name);
     for(const Words* names : {&landmark_files, &spheres, &area_files})
@@ -162,6 +162,7 @@ none; 2, all have one, but some fold.
   unsigned int domain_size = 0; ///< what the edges of the solid are divided into
   unsigned int image_size = 0;  ///< pixels in a row of the geometry image; 0 if none is wanted
   std::string values_file;      ///< with the properties that the remesh gets; empty if there is none
+  std::string beside;           ///< the surface that the page shows in place of the sphere; empty if it shows that
   std::string labels_file;      ///< of the vertices, for the page, empty if there is none
   std::string values_sphere;    ///< the map of that mesh, if it is not the input
   std::string onto;             ///< the surface, or the atlas, to map onto, empty if there is none
@@ -390,6 +391,8 @@ private:
                              "with --onto both surfaces, side by side, coloured, with the distortion of the place that is pointed at; "
                              "of a surface with handles, where these are; .html. Cortical surfaces can be seen with furrows "
                              "and ridges in grey")
+      ("beside", word("SURFACE"), "with --page, show this surface in place of the sphere: it has the faces of INPUT, as two ends of a mode "
+                                  "of shapes have")
       ("labels", word("FILE"), "with --page, the labels of the vertices of INPUT, an annotation of FreeSurfer or a .label.gii file, whose "
                                "colours the page shows")
       ("quiet", "print nothing but errors")
@@ -928,7 +931,7 @@ private:
     is_quiet = has("quiet");
     const bool is_for_many = has("output-folder");
     for(const char* option : {"output", "sphere", "transfer", "values-sphere", "json", "colored", "page",
-                              "output-folder", "onto", "onto-atlas", "template", "overlay", "labels"})
+                              "output-folder", "onto", "onto-atlas", "template", "overlay", "labels", "beside"})
       if(has(option) && text(option).empty())
         fail("--" + std::string(option) + " needs a name");
     for(const char* option : {"resume", "surfaces"})
@@ -956,8 +959,12 @@ private:
     if(has("page") && file_format(file_names.page) != ".html")
       refuse("page", "a name that ends with .html");
     labels_file = text("labels");
-    if(has("labels") && !has("page"))
-      fail("--labels goes with --page");
+    beside = text("beside");
+    for(const char* option : {"labels", "beside"})
+      if(has(option) && !has("page"))
+        fail("--" + std::string(option) + " goes with --page");
+    refuse_both("beside", "onto");
+    refuse_both("beside", "onto-atlas");
     output_folder = text("output-folder");
     is_resumed = has("resume");
     overwrites = has("overwrite");
