@@ -315,8 +315,18 @@ TEST_F(Surface_files, a_surface_is_registered_to_an_atlas)
 
   const std::string map = "lh.folded --onto-atlas lh.atlas -o lh.sphere.reg ";
   expect_message("lh.folded --onto-atlas lh.own --features lh.own lh.own -o lh.sphere.reg", "lh.own");
-  expect_message("lh.folded --onto-atlas lh.white --features lh.own lh.sulc -o lh.sphere.reg",
-                 "lh.white: is no one-to-one sphere");
+  expect_message("lh.folded --onto-atlas lh.folded --features lh.own lh.own -o lh.sphere.reg",
+                 "lh.folded: is no sphere around the origin: its vertices are from ");
+  write_curv("lh.flat", std::vector<double>(own.size(), 0.5));
+  expect_message(map + "--features lh.own lh.flat", "lh.flat: the property own is the same for all vertices");
+  expect_message(map + "--features depth,height lh.atlas.own",
+                 "lh.atlas.own: has 1 of the features, but depth,height has 2");
+  expect_message(map + "--features depht lh.atlas.own", "'depht', which is neither a file nor one of depth, height");
+  EXPECT_EQ(run("lh.folded --onto-atlas lh.atlas --features lh.own lh.atlas.own -o reg.off --radius fixed=7 "
+                "--convention none --json result.json")
+                .status,
+            0);
+  EXPECT_NEAR(std::stod(json().get<std::string>("written_radius")), 50., 1e-4);
   expect_message(map, "--onto-atlas needs --features");
   expect_message(map + "--features depth depth", "--features has 'depth' for the atlas");
   expect_message(map + "--features depth lh.atlas.own --split", "--split and --onto-atlas cannot be combined");

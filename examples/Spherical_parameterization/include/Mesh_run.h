@@ -4,6 +4,7 @@
 #include "Colored_mesh.h"
 #include "Components.h"
 #include "Input_mesh.h"
+#include "Interrupt_guard.h"
 #include "Output_file.h"
 #include "Output_files.h"
 #include "Page.h"
@@ -99,9 +100,10 @@ public:
     m_sphere = mesh().add_property_map<Vertex_index, Point_3>("v:sphere", Point_3(0, 0, 0)).first;
     m_report.result = run_method(m_options, *m_input, m_sphere);
     const bool is_its_sphere = m_options.onto.empty() || m_options.is_onto_atlas; // and not that of a target
-    if(m_options.follows_convention(m_names.sphere) && is_its_sphere)
+    // What a registration finds depends on the start, so that has to be the same whatever is written.
+    if(m_options.is_onto_atlas || (m_options.follows_convention(m_names.sphere) && is_its_sphere))
       turn_to_surface(*m_input, m_sphere, m_report.result.is_one_to_one);
-    m_report.written_radius = radius_of(m_options.is_onto_atlas ? m_names.onto : m_names.sphere);
+    m_report.written_radius = radius_of(m_names.sphere);
   }
 
   /// samples the surface, if that is wanted.
@@ -147,6 +149,9 @@ public:
     if(m_options.onto.empty() && model == nullptr)
       return;
     const double start = seconds_now();
+    std::optional<Interrupt_guard> guard;
+    if(!m_options.is_batch()) // which has one for all
+      guard.emplace();
     if(!m_report.result.is_one_to_one)
       throw Program_error(m_names.input,
                           "the map is not one-to-one: no surface can be mapped by it.\n--method bld excludes that.");
@@ -159,6 +164,8 @@ public:
     {
       m_other.emplace(m_options, m_options.onto);
       m_match.emplace(m_options, *m_input, m_sphere, m_other->input, m_other->sphere);
+      if(m_options.is_onto_atlas)
+        m_report.written_radius = m_options.follows_convention(m_names.onto) ? radius_of_convention : m_other->radius;
     }
     if(!m_match->distortion && (m_files.overlay || m_files.morph || m_files.page))
       throw Program_error(m_names.input, std::string("no --overlay, --morph or --page can be made. ") +
@@ -218,7 +225,7 @@ public:
       m_files.onto->write([&](std::ostream& out) {
         const std::string format = m_options.format_of(m_names.onto);
         if(m_options.is_onto_atlas)
-          m_match->write_directions(out, m_names.onto, format, radius_of(m_names.onto));
+          m_match->write_directions(out, m_names.onto, format, m_report.written_radius);
         else
           m_match->write_positions(out, format);
       });

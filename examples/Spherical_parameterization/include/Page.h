@@ -252,7 +252,7 @@ private:
   static void add_labels(const Polygon_soup& soup, const Mesh& mesh, const std::vector<Polygon>& triangles,
                          std::vector<Class>& classes, std::vector<std::uint16_t>& of_faces)
   {
-    if(soup.labels.empty() || soup.values_of_vertices.empty())
+    if(soup.labels.empty() || soup.values_of_vertices.empty() || soup.values_of_vertices.front().has_fractions())
       throw Program_error(
           "has no labels with names and colours, as the annotations of FreeSurfer and .label.gii files have");
     const std::vector<double>& keys = soup.values_of_vertices.front().numbers;

@@ -871,7 +871,13 @@ private:
         fail("--" + std::string(option) + " goes with --onto");
     for(const char* option : {"remesh", "geometry-image", "output-folder", "initial"})
       if(has(option) && !onto.empty())
-        fail("--" + std::string(option) + " and --onto cannot be combined");
+        fail("--" + std::string(option) + (is_onto_atlas ? " and --onto-atlas" : " and --onto") +
+             " cannot be combined");
+    for(const std::string& list : feature_files)
+      for(const std::string& name : split_list(list))
+        if(std::error_code ignored; !is_among(name, own_features) && name.find_first_of("./") == name.npos &&
+                                    !std::filesystem::exists(name, ignored))
+          fail("--features has '" + printable(name) + "', which is neither a file nor one of " + list_of(own_features));
     if(is_onto_atlas && !has("features"))
       fail("--onto-atlas needs --features, as a sphere has none of its own: what INPUT is compared by, such as depth "
            "or lh.sulc, and "

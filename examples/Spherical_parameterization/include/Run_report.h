@@ -124,7 +124,10 @@ public:
   /// returns what the certificate has found.
   std::string verdict() const
   {
-    return result.is_one_to_one ? "Certified: the map is one-to-one." : "Not one-to-one: " + fault();
+    return !result.is_one_to_one ? "Not one-to-one: " + fault()
+           : match && match->report.is_uncertain
+               ? "Certified: the map is one-to-one. It is not clear that the surfaces lie well on each other."
+               : "Certified: the map is one-to-one.";
   }
 
   /// returns the statistics of a measure, by their names: between the surfaces, if there are two.
@@ -351,6 +354,9 @@ public:
       };
       Json_object figures;
       figures.add(match->is_template ? "template" : "target", match->other)
+          .add("is_atlas", m_options.is_onto_atlas)
+          .add("features", m_options.feature_files)
+          .add("regularized", m_options.regularizes_spheres ? "spheres" : "surfaces")
           .add("vertices", match->number_of_vertices)
           .add("agreement", match->report.agreement)
           .add("margin", match->report.margin)

@@ -29,6 +29,7 @@
 #include <cstring>
 #include <functional>
 #include <iterator>
+#include <limits>
 #include <map>
 #include <optional>
 #include <ostream>
@@ -72,19 +73,33 @@ struct Mapped_mesh
 
   Input_mesh input;
   Sphere_map sphere;
+  double radius = 1.; ///< of an atlas
 
 private:
   // The mesh is a sphere itself, of any radius; it gets the radius 1.
   void take_own_sphere()
   {
+    constexpr double max_ratio =
+        1.01; // Workbench refuses 1.001, and what is no sphere, such as an inflated surface, has 2 and more.
     if(const std::string defect = input.find_defect(); !defect.empty())
       throw Program_error(defect);
+    double least = std::numeric_limits<double>::infinity(), largest = 0.;
     for(const Vertex_index v : input.mesh().vertices())
       if(const Point_3& p = input.mesh().point(v); !input.mesh().is_isolated(v))
       {
-        const double radius = std::hypot(p.x(), p.y(), p.z());
-        input.mesh().point(v) = sphere[v] = Point_3(p.x() / radius, p.y() / radius, p.z() / radius);
+        const double distance = std::hypot(p.x(), p.y(), p.z());
+        least = (std::min)(least, distance);
+        largest = (std::max)(largest, distance);
+        input.mesh().point(v) = sphere[v] = Point_3(p.x() / distance, p.y() / distance, p.z() / distance);
       }
+    if(largest > max_ratio * least)
+    {
+      std::ostringstream text;
+      text << "is no sphere around the origin: its vertices are from " << least << " to " << largest
+           << " away from that";
+      throw Program_error(input.name() + ": " + text.str());
+    }
+    radius = 0.5 * (least + largest);
     if(!SP::is_bijective(input.mesh(), sphere))
       throw Program_error(input.name(), no_sphere);
   }
@@ -133,9 +148,6 @@ public:
       mapper = read_features({features_of_cortex, features_of_cortex}, {},
                              mapper.compare_values().feature_weight(weight_of_cortex));
     mapper = mapper.masks(read_masks(options));
-    std::optional<Interrupt_guard> guard;
-    if(!options.is_batch()) // which has one for all
-      guard.emplace();
     Progress_visitor progress(!options.is_quiet && !options.is_batch());
     const auto start = std::chrono::steady_clock::now();
     const auto seconds_left = [&] { // of the limit, which is that of all rounds; 0 if there is none
@@ -330,6 +342,14 @@ private:
   static constexpr const char* features_of_cortex = "depth,inflated";
   static constexpr double weight_of_cortex = 2.;
 
+  static void check_feature(const std::string& file, const std::string& name, const std::vector<double>& values)
+  {
+    const auto [least, largest] = std::minmax_element(values.begin(), values.end());
+    if(*least == *largest)
+      throw Program_error(file, "the property " + printable(name) +
+                                    " is the same for all vertices, so that it tells no places apart");
+  }
+
   // reads the features of both surfaces, and takes those that these have themselves
   Mapper read_features(const Words& lists, std::map<std::string, double> wanted, const Mapper& mapper)
   {
@@ -346,7 +366,10 @@ private:
     add(soup2.hemispheres);
     // The names that files of cortical surfaces have often tell the subject.
     const std::size_t n = soup1.values_of_vertices.size();
-    if(soup1.points.empty() && soup2.points.empty() && soup2.values_of_vertices.size() == n)
+    if(soup1.points.empty() && soup2.points.empty() && soup2.values_of_vertices.size() != n)
+      throw Program_error(name2, "has " + std::to_string(soup2.values_of_vertices.size()) + " of the features, but " +
+                                     printable(name1) + " has " + std::to_string(n));
+    if(soup1.points.empty() && soup2.points.empty())
       for(std::size_t k = 0; k < n; ++k)
         soup2.values_of_vertices[k].name = soup1.values_of_vertices[k].name;
     const auto take = [](const std::string& name, Polygon_soup& soup, std::size_t n_vertices) {
@@ -358,6 +381,8 @@ private:
     for(auto& [name, values] : first.values)
       if(const auto other = second.values.find(name); other != second.values.end())
       {
+        check_feature(name1, name, values);
+        check_feature(name2, name, other->second);
         // what holes have been filled with is masked
         result.emplace_back(
             [this, values = std::move(values)](Vertex_index v) { return m_refinement.value_at(values, v); },

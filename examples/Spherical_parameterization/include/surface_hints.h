@@ -161,7 +161,12 @@ inline std::vector<char> mask_of(const Polygon_soup& soup, std::size_t n_vertice
     throw Program_error("is no mask for the mesh: it has " + std::to_string(soup.number_of_vertices()) +
                         " vertices, the mesh has " + std::to_string(n_vertices));
   for(const double x : soup.values_of_vertices.front().numbers)
+  {
+    if(x != x)
+      throw Program_error("is no mask: vertex " + std::to_string(result.size()) +
+                          " has a value that is not a number. (Vertices are counted from 0.)");
     result.push_back(x != 0.);
+  }
   if(std::find(result.begin(), result.end(), 1) == result.end())
     throw Program_error("is 0 for all vertices: nothing of the surface counts");
   return result;

@@ -67,9 +67,10 @@ def make_atlas():
     os.mkdir("fsaverage")
     p, faces = ball(20)
     white = 60 * p * (1 + folds(p))[:, None]
-    write_surface("fsaverage/lh.sphere", 100 * p, faces)
     write_surface("fsaverage/lh.white", white, faces)
-    write_values("fsaverage/lh.sulc", sp.measure_folding(white, faces).depth)
+    for half in "lr":
+        write_surface(f"fsaverage/{half}h.sphere", 100 * p, faces)
+        write_values(f"fsaverage/{half}h.sulc", sp.measure_folding(white, faces).depth)
     table = np.array([[25, 5, 25, 0], [220, 20, 20, 0]])
     labels = (p[:, 2] > 0).astype(int)
     nibabel.freesurfer.write_annot("fsaverage/lh.aparc.annot", labels, table, ["unknown", "up"], fill_ctab=True)
@@ -107,8 +108,9 @@ with tempfile.TemporaryDirectory() as folder:
     assert len(nibabel.freesurfer.read_geometry("lh.pial.fsaverage")[0]) == len(atlas)
     for subject in ("sub-1", "sub-2"):
         for half in "lr":
-            sphere, faces = nibabel.freesurfer.read_geometry(f"SUBJECTS/{subject}/surf/{half}h.sphere")
-            assert sp.is_bijective(faces, sphere)
+            for name in ("sphere", "sphere.reg"):
+                sphere, faces = nibabel.freesurfer.read_geometry(f"SUBJECTS/{subject}/surf/{half}h.{name}")
+                assert sp.is_bijective(faces, sphere)
 
     first, *pictures = codes("py")
     found = {}
