@@ -62,7 +62,7 @@ struct Surface_folding
 /// Maps between human hemispheres agree best with areas that were labelled independently if depth and inflated curvature are the
 /// features; see the \ref SphericalParameterizationCortexRegistration "manual".
 ///
-/// The running time is \f$ O(n^{3/2}) \f$ for `n` vertices, 1.5 seconds for 164,000 in one thread.
+/// The running time is \f$ O(n^{3/2}) \f$ for `n` vertices, 2 seconds for 164,000 in one thread.
 ///
 /// \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`; no result depends on it
 /// \tparam TriangleMesh a model of `FaceListGraph`

@@ -65,14 +65,11 @@ public:
     });
   }
 
-  // What becomes of values, or points, in the time t.
+  // What becomes of values, or points, in the time t, with an error of about `tolerance` of the ways that they go.
   template <class T>
-  std::vector<T> after(double t, const std::vector<T>& values) const
+  std::vector<T> after(double t, const std::vector<T>& values, double tolerance) const
   {
-    // The tolerance, of the square of the residual, stands for an error of 1e-5 of the ways, far less than by what samplings of
-    // the same surface differ; a smaller one takes more steps. The limit of these bounds the time on surfaces of needles.
-    constexpr std::size_t max_steps = 300;
-    constexpr double tolerance = 1e-10;
+    constexpr std::size_t max_steps = 300; // bounds the time on surfaces of needles
     std::vector<T> x = values, r(x.size()), z(x.size()), q(x.size());
     const auto precondition = [&](std::size_t v) { z[v] = (1. / (m_areas[v] + t * m_sums[v])) * r[v]; };
     double rz = sum_over_vertices([&](std::size_t v) { // M y - (M + t L) y
@@ -82,7 +79,7 @@ public:
     });
     std::vector<T> p = z;
     const double first = rz;
-    for(std::size_t k = 0; k < max_steps && rz > tolerance * first; ++k)
+    for(std::size_t k = 0; k < max_steps && rz > tolerance * tolerance * first; ++k)
     {
       const double pq = sum_over_vertices([&](std::size_t v) {
         q[v] = m_areas[v] * p[v] + t * flow(p, v);
@@ -167,8 +164,9 @@ private:
 inline Channel mean_curvature(const Vertex_rings& rings, const std::vector<Vector_3d>& points, double t,
                               double min_area, const Execution& execution = {})
 {
+  constexpr double tolerance = 1e-5; // with 1e-3, maps between some poses of people were worse by a quarter
   const Surface_diffusion diffusion(rings, points, min_area, execution);
-  return diffusion.outside(points, diffusion.after(t, points));
+  return diffusion.outside(points, diffusion.after(t, points, tolerance));
 }
 
 } // namespace CGAL::Spherical_parameterization::internal

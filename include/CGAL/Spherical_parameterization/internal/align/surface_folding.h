@@ -45,6 +45,8 @@ inline Folding folding_of(const Vertex_rings& rings, const std::vector<Vector_3d
   // Large steps go less far in deep folds. On a human hemisphere, the depths of 10, 5 and 3 steps have correlations of 0.999, 0.995
   // and 0.985 with those of 25, and those of 10 take half as long.
   constexpr std::size_t n_steps = 10;
+  // On a human hemisphere, the measures differ from those with 1e-5 by a thousandth of their deviation or less.
+  constexpr double tolerance = 1e-3;
   const auto curvature = [](Channel ways, double t) {
     for(double& x : ways)
       x /= -2. * t;
@@ -53,12 +55,12 @@ inline Folding folding_of(const Vertex_rings& rings, const std::vector<Vector_3d
   const Surface_diffusion diffusion(rings, points, min_area, execution);
   Folding result;
   result.curvature =
-      curvature(diffusion.outside(points, diffusion.after(time_of_curvature, points)), time_of_curvature);
+      curvature(diffusion.outside(points, diffusion.after(time_of_curvature, points, tolerance)), time_of_curvature);
   result.depth.assign(points.size(), 0.);
   std::vector<Vector_3d> inflated = points;
   for(std::size_t k = 0; k < n_steps; ++k)
   {
-    std::vector<Vector_3d> next = diffusion.after(time_of_depth / static_cast<double>(n_steps), inflated);
+    std::vector<Vector_3d> next = diffusion.after(time_of_depth / static_cast<double>(n_steps), inflated, tolerance);
     const Channel ways = diffusion.outside(inflated, next);
     for(std::size_t v = 0; v < points.size(); ++v)
       result.depth[v] -= ways[v];
