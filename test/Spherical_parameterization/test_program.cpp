@@ -450,6 +450,17 @@ TEST_F(Command_line, splits_faces_where_that_pays)
   Mesh overlay = mesh_in("overlay.ply");
   for(const int f : values_of<Mesh::Face_index, int>(overlay, "f:face"))
     EXPECT_LT(static_cast<std::size_t>(f), first.number_of_faces());
+  if(const Outcome with_page = run(map + " --split --page page.html --convention cortex --quiet");
+     with_page.status == 0)
+  {
+    const std::string page = content(path("page.html")), begin = "id=\"folds\">";
+    const std::size_t start = page.find(begin) + begin.size();
+    const std::string classes = page.substr(start, page.find("</script>", start) - start);
+    EXPECT_FALSE(classes.empty());
+    EXPECT_EQ(classes.find_first_not_of("ABEQ="), classes.npos); // 16 bits that are 0 or 1, in base 64
+  }
+  else
+    EXPECT_NE(with_page.err.find("was built without the page"), std::string::npos) << with_page.err;
   expect_refused("sphere.off -o result.off --split", "--split goes with --onto");
   expect_refused(map + " -o result.off --split --fill-holes all", "--split and --fill-holes cannot be combined");
 }

@@ -39,7 +39,7 @@ namespace Program {
 /// A page for web browsers with two surfaces side by side, or a surface and its sphere, and all that it needs.
 ///
 /// The scripts of the folder page/ read its data: two sides, `left` and `right`, which place the vertices of the same faces,
-/// measures of these faces, and texts.
+/// measures and classes of these faces, and texts.
 class Page
 {
 public:
@@ -88,8 +88,8 @@ public:
   {
     const Mesh& mesh = input.mesh_of_file();
     SP::Surface_folding folding;
-    if(SP::measure_folding(input.mesh(), folding) != SP::OK)
-      folding.curvature.assign(mesh.number_of_vertices(), 0.);
+    if(const SP::Error_code error = SP::measure_folding(input.mesh(), folding); error != SP::OK)
+      throw Program_error(input.name() + ": " + SP::get_error_message(error));
     std::vector<std::uint16_t> folds, areas;
     for(const Polygon& t : input.triangles())
       folds.push_back(folding.curvature[t[0]] + folding.curvature[t[1]] + folding.curvature[t[2]] > 0. ? 1 : 0);
@@ -119,9 +119,10 @@ public:
       m_left.points.emplace_back(p.x(), p.y(), p.z());
       m_right.points.emplace_back(q.x(), q.y(), q.z());
     }
+    const std::vector<std::size_t>& parents = report.match->parents; // of the faces of a surface that has been split
     for(const auto& [f, g] : overlay.faces)
     {
-      m_left.faces.push_back(std::uint32_t(f));
+      m_left.faces.push_back(parents.empty() ? std::uint32_t(f) : static_cast<std::uint32_t>(parents[f]));
       m_right.faces.push_back(std::uint32_t(g));
     }
     place(m_left);

@@ -134,7 +134,7 @@ none; 2, all have one, but some fold.
         result.push_back(name);
     for(const std::string& list : feature_files)
       for(const std::string& name : split_list(list))
-        if(!is_among(name, own_features))
+        if(!is_among(name, own_feature_names))
           result.push_back(name);
     return result;
   }
@@ -875,16 +875,17 @@ private:
              " cannot be combined");
     for(const std::string& list : feature_files)
       for(const std::string& name : split_list(list))
-        if(std::error_code ignored; !is_among(name, own_features) && name.find_first_of("./") == name.npos &&
+        if(std::error_code ignored; !is_among(name, own_feature_names) && name.find_first_of("./") == name.npos &&
                                     !std::filesystem::exists(name, ignored))
-          fail("--features has '" + printable(name) + "', which is neither a file nor one of " + list_of(own_features));
+          fail("--features has '" + printable(name) + "', which is neither a file nor one of " +
+               list_of(own_feature_names));
     if(is_onto_atlas && !has("features"))
       fail("--onto-atlas needs --features, as a sphere has none of its own: what INPUT is compared by, such as depth "
            "or lh.sulc, and "
            "a file of what ATLAS has for it");
     if(is_onto_atlas)
       for(const std::string& name : split_list(feature_files[1]))
-        if(is_among(name, own_features))
+        if(is_among(name, own_feature_names))
           fail("--features has '" + name + "' for the atlas, which is a sphere without folds: give a file of values");
     for(const char* option : {"split", "morph"})
       if(has(option) && is_onto_atlas)

@@ -22,7 +22,7 @@ inline const Words input_formats = {".off", ".obj", ".ply", ".stl", ".ts"};
 inline const Words output_formats = {".off", ".obj", ".ply", ".ts", ".gii", ".gii.gz"};
 
 /// What a surface can be compared by without a file: how it is folded.
-inline const Words own_features = {"depth", "height", "curvature", "inflated"};
+inline const Words own_feature_names = {"depth", "height", "curvature", "inflated"};
 
 /// The format of FreeSurfer, whose files are called `lh.sphere`, say.
 inline const std::string freesurfer_format = "freesurfer";

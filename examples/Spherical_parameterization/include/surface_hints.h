@@ -61,7 +61,7 @@ inline std::vector<Landmark> parse_landmarks(std::string content, const Mesh& me
   return result;
 }
 
-/// The `own_features` of a surface.
+/// The `own_feature_names` of a surface.
 class Own_features
 {
 public:

@@ -48,8 +48,8 @@ struct Surface_folding
 /// \ingroup PkgSphericalParameterizationSurfaces
 ///
 /// measures the curvature and the depth of the folds of a surface, such as a cortex: features for `map_surface()`, where none have
-/// been measured otherwise. They do not depend on where the surface is and how it is sampled, and are proportional to
-/// its size.
+/// been measured otherwise. They do not depend on where the surface is and, but for errors of sampling, on
+/// its triangles.
 ///
 /// The surface is smoothed by heat that is conducted on it \cgalCite{cgal:dmsb-ifimdcf-99}, by implicit steps with the
 /// cotangents of its triangles, in units in which its area is 1.
@@ -59,8 +59,8 @@ struct Surface_folding
 ///   on the surface that was given; the normals are those on the way.
 /// - `inflated_curvature`: the curvature of what there is then, in the time \f$ 4 \cdot 10^{-5} \f$.
 ///
-/// Maps between human hemispheres agree best with areas that were labelled independently if depth and inflated curvature are the
-/// features; see the \ref SphericalParameterizationCortexRegistration "manual".
+/// By depth and inflated curvature, maps between human hemispheres agree better with the areas of a probabilistic atlas; see the
+/// \ref SphericalParameterizationCortexFigures "manual".
 ///
 /// The running time is \f$ O(n^{3/2}) \f$ for `n` vertices, 2 seconds for 164,000 in one thread.
 ///
