@@ -38,9 +38,10 @@ class SurfaceMapReport:
         How well features agree after the surfaces have been aligned on coarse levels, a correlation, at most 1; 0 if
         landmarks aligned them.
     margin : float
-        How much better the alignment is than the next best one that differs from it: in agreement, where curvature counts
-        most, less a third of how much is stretched, the mean root of the logarithm of the symmetric Dirichlet energy. Below
-        0.1, the surface has a symmetry, or nearly, and the map may have exchanged its sides.
+        How much better the best alignment of coarse surfaces is than the next best one that differs from it: in agreement,
+        where curvature counts most, less a third of how much is stretched, the mean root of the logarithm of the symmetric
+        Dirichlet energy. Below 0.1, the surface has a symmetry, or nearly, and the map may have exchanged its sides, though
+        both have been compared on a finer level.
     is_uncertain : bool
         Whether it is not clear that the surfaces lie well on each other: they agree by less than 0.73, or the margin is below
         0.1. Look at the map, or give landmarks. It is never so if landmarks aligned the surfaces.

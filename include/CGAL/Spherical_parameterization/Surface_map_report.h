@@ -39,9 +39,10 @@ struct Surface_map_report
   /// aligned them
   double agreement = 0.;
 
-  /// How much better the alignment is than the next best one that differs from it: in agreement, where curvature counts most,
-  /// less a third of how much is stretched, the mean root of the logarithm of the symmetric Dirichlet energy. Below 0.1, the
-  /// surface has a symmetry, or nearly, and the map may have exchanged its sides.
+  /// How much better the best alignment of coarse surfaces is than the next best one that differs from it: in agreement, where
+  /// curvature counts most, less a third of how much is stretched, the mean root of the logarithm of the symmetric Dirichlet
+  /// energy. Below 0.1, the surface has a symmetry, or nearly, and the map may have exchanged its sides, though both have been
+  /// compared on a finer level.
   double margin = 0.;
 
   /// Whether it is not clear that the surfaces lie well on each other: they agree by less than 0.73, or the margin is below 0.1.

@@ -19,6 +19,7 @@
 #include <CGAL/Spherical_parameterization/internal/align/Coarse_surface.h>
 #include <CGAL/Spherical_parameterization/internal/align/Surface_alignment.h>
 #include <CGAL/Spherical_parameterization/internal/align/Surface_diffusion.h>
+#include <CGAL/Spherical_parameterization/internal/align/map_score.h>
 #include <CGAL/Spherical_parameterization/internal/certificate/Bijectivity_certificate.h>
 #include <CGAL/Spherical_parameterization/internal/certificate/is_safely_positive.h>
 #include <CGAL/Spherical_parameterization/internal/surface/Surface.h>
@@ -41,6 +42,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <numeric>
 #include <optional>
 #include <utility>
@@ -152,15 +154,43 @@ public:
   bool refine(const std::vector<Vector_3d>& coarse, const Target_goals& goals, std::vector<Vector_3d>& positions,
               Run_control& control, const Execution& execution)
   {
-    const Mesh_hierarchy::Level& level = m_hierarchy.level(m_hierarchy.number_of_levels() - 1);
-    positions = m_images;
-    for(std::size_t v = 0; v < coarse.size(); ++v)
-      positions[level.vertices[v]] = coarse[v];
-    return lower_on_levels(m_hierarchy, m_surface.mesh.points(), m_images, goals, Target_sweeps(), positions, control,
-                           execution);
+    return refine(m_hierarchy, coarse, goals, 0, positions, control, execution);
+  }
+
+  // The score of a map of the coarsest level, taken to a level that has up to 8000 vertices, where the features of the mesh itself
+  // tell more than on the coarsest one; least if doubles cannot hold it.
+  double score_on_finer_level(const std::vector<Vector_3d>& coarse, const Target_goals& goals, Run_control& control,
+                              const Execution& execution) const
+  {
+    // With a tenth to 0.3, none of 270 maps is turned; with a half, one is: a gorilla that lies on a person back to front has the lower
+    // energy.
+    constexpr double weight_of_stretching = 0.15;
+    constexpr std::size_t max_size = 8000;
+    std::size_t k = 0;
+    while(k + 1 < m_hierarchy.number_of_levels() && m_hierarchy.level(k).vertices.size() > max_size)
+      ++k;
+    Mesh_hierarchy levels = m_hierarchy;
+    std::vector<Vector_3d> positions;
+    if(!refine(levels, coarse, goals, k, positions, control, execution))
+      return std::numeric_limits<double>::lowest();
+    return feature_agreement(goals.features, levels.level(k), positions) -
+           weight_of_stretching *
+               stretching(goals.metric, levels.level(k), levels.rings(k), m_surface.mesh.points(), positions);
   }
 
 private:
+  bool refine(Mesh_hierarchy& levels, const std::vector<Vector_3d>& coarse, const Target_goals& goals,
+              std::size_t last_level, std::vector<Vector_3d>& positions, Run_control& control,
+              const Execution& execution) const
+  {
+    const Mesh_hierarchy::Level& level = levels.level(levels.number_of_levels() - 1);
+    positions = m_images;
+    for(std::size_t v = 0; v < coarse.size(); ++v)
+      positions[level.vertices[v]] = coarse[v];
+    return lower_on_levels(levels, m_surface.mesh.points(), m_images, goals, Target_sweeps(), positions, control,
+                           execution, last_level);
+  }
+
   const Located_surface<K>& m_surface;
   std::vector<Vector_3d> m_images; // in the order of the mesh
   Mesh_hierarchy m_hierarchy;
@@ -170,6 +200,7 @@ private:
 struct Surface_start
 {
   Alignment alignment;
+  std::vector<Alignment> rivals; // that are nearly as good
   double margin = 0.;
   std::vector<Sphere_image> features; // of both surfaces, if these could be compared
 };
@@ -190,9 +221,15 @@ Surface_start compare_surfaces(const Located_surface<K>& first, const Located_su
   result.features = {surfaces.features(0), surfaces.features(1)};
   if(!wants_alignment)
     return result;
+  // As close as this, the score on coarse surfaces is not exact enough to choose. Of 195 maps of animals and persons, with spheres
+  // turned at random, the finer level turns back the one that is turned, and leaves all others as they are.
+  constexpr double min_margin = 0.1;
   const std::vector<Alignment> best = surfaces.best(metric, hints.feature_weight, first.sphere, second.sphere);
   result.alignment = best[0];
   result.margin = best[0].score - (best.size() > 1 ? best[1].score : 0.);
+  for(std::size_t k = 1; k < best.size(); ++k)
+    if(best[0].score - best[k].score < min_margin && !best[k].directions.empty())
+      result.rivals.push_back(best[k]);
   return result;
 }
 
@@ -243,6 +280,14 @@ std::vector<Channel> own_features(const Located_surface<K>& surface, const Spher
   return result;
 }
 
+// The weight of the features once they have aligned the surfaces: those of the package count the less, the less they agree, as
+// they are noise on bodies without limbs.
+inline double feature_weight(const Alignment& alignment, const Surface_map_hints& hints)
+{
+  const double trust = hints.features[0].empty() ? std::clamp(alignment.agreement, 0., 1.) : 1.;
+  return hints.feature_weight * trust * trust * trust * trust;
+}
+
 // The goals by the features of the package, or by a caller's, at full resolution.
 template <class K>
 Feature_goals feature_goals(const Located_surface<K>& first, const Located_surface<K>& second,
@@ -252,16 +297,11 @@ Feature_goals feature_goals(const Located_surface<K>& first, const Located_surfa
   constexpr std::size_t max_steps = 512;
   Feature_goals result;
   std::array<std::vector<Channel>, 2> features = hints.features;
-  result.weight = hints.feature_weight;
+  result.weight = feature_weight(start.alignment, hints);
   if(features[0].empty() && !start.features.empty() && hints.feature_weight > 0.)
-  {
-    // They count the less, the less they agree: on bodies without limbs they are noise.
-    const double trust = std::clamp(start.alignment.agreement, 0., 1.);
-    result.weight *= trust * trust * trust * trust;
     run_both(
         execution, [&] { features[0] = own_features(first, start.features[0], hints.masks[0]); },
         [&] { features[1] = own_features(second, start.features[1], hints.masks[1]); });
-  }
   if(features[0].empty() || !(result.weight > 0.))
     return result;
   result.mask = hints.masks[0];
@@ -277,6 +317,25 @@ Feature_goals feature_goals(const Located_surface<K>& first, const Located_surfa
     for(const Channel& feature : features[0])
       result.values.push_back(feature[v]);
   return result;
+}
+
+// Puts the best one in the place of the alignment, after a descent on finer levels from each.
+template <class K>
+void choose_among_rivals(const Surface_levels<K>& levels, Target_goals& goals, const Surface_map_hints& hints,
+                         Surface_start& start, Run_control& control, const Execution& execution)
+{
+  const auto score = [&](const Alignment& alignment) {
+    goals.features.weight = feature_weight(alignment, hints);
+    return levels.score_on_finer_level(alignment.directions, goals, control, execution);
+  };
+  double best = score(start.alignment);
+  for(Alignment& rival : start.rivals)
+    if(const double s = score(rival); s > best && control.go_further(0, 0.))
+    {
+      best = s;
+      std::swap(start.alignment, rival);
+    }
+  goals.features.weight = feature_weight(start.alignment, hints);
 }
 
 // Finds the map of the first surface onto the second one: a start, and the descent from it. It is yet to be certified.
@@ -328,7 +387,12 @@ std::vector<Vector_3d> find_surface_map(const Located_surface<K>& first, const L
   {
     const Target_goals goals = {metric, feature_goals(first, second, start, hints, execution),
                                 landmark_goals(first, second, hints)};
-    const Target_goals features_alone = {metric, goals.features};
+    Target_goals features_alone = {metric, goals.features};
+    if(features_alone.features.image && !start.rivals.empty())
+    {
+      choose_among_rivals(*levels, features_alone, hints, start, control, execution);
+      report.agreement = start.alignment.agreement;
+    }
     std::vector<Vector_3d> lowered;
     bool is_lowered =
         is_rotation || levels->refine(start.alignment.directions, features_alone, lowered, control, execution);

@@ -16,6 +16,7 @@
 
 #include <CGAL/Spherical_parameterization/internal/numbers/Rotation_matrix.h>
 #include <CGAL/Spherical_parameterization/internal/align/Coarse_surface.h>
+#include <CGAL/Spherical_parameterization/internal/align/map_score.h>
 #include <CGAL/Spherical_parameterization/internal/locate/Sphere_image.h>
 #include <CGAL/Spherical_parameterization/internal/numbers/Vector_3.h>
 #include <CGAL/Spherical_parameterization/internal/run/Run_control.h>
@@ -40,22 +41,6 @@ std::uint32_t nearest_vertex(const std::vector<Linked_triangle>& triangles, cons
   const auto& w = place.coordinates;
   return triangles[place.triangle][static_cast<std::size_t>(std::max_element(w.begin(), w.end()) - w.begin())];
 }
-
-// How well two images of features agree: the correlation of their values, which are ranks and so have the mean 0.
-class Correlation
-{
-public:
-  void add(double a, double b)
-  {
-    m_ab += a * b;
-    m_aa += a * a;
-    m_bb += b * b;
-  }
-  double operator()() const { return m_aa > 0. && m_bb > 0. ? m_ab / std::sqrt(m_aa * m_bb) : 0.; }
-
-private:
-  double m_ab = 0., m_aa = 0., m_bb = 0.;
-};
 
 // A rotation of one image of features against another one, and their correlation.
 struct Scored_rotation

@@ -17,6 +17,7 @@
 #include <CGAL/Spherical_parameterization/internal/align/Coarse_surface.h>
 #include <CGAL/Spherical_parameterization/internal/align/Limb_search.h>
 #include <CGAL/Spherical_parameterization/internal/align/Rotation_search.h>
+#include <CGAL/Spherical_parameterization/internal/align/map_score.h>
 #include <CGAL/Spherical_parameterization/internal/align/polished_rotation.h>
 #include <CGAL/Spherical_parameterization/internal/levels/Target_levels.h>
 #include <CGAL/Spherical_parameterization/internal/levels/Target_metric.h>
@@ -77,13 +78,13 @@ public:
     for(const Vector_3d& p : m_surfaces[0].points())
       m_points.push_back(std::sqrt(4. * CGAL_PI) * p);
     m_nodes = Sphere_image::places_of_nodes(m_surfaces[1].sphere(), execution);
-    m_image = image(m_surfaces[1].features());
+    m_features = goals({}, 0.);
   }
 
   // The ranks of the features of a surface, 0 or 1.
   Sphere_image features(std::size_t surface) const
   {
-    return surface == 1 ? *m_image
+    return surface == 1 ? *m_features.image
                         : Sphere_image(Sphere_image::places_of_nodes(m_surfaces[0].sphere(), m_execution),
                                        m_surfaces[0].sphere().triangles(), m_surfaces[0].features());
   }
@@ -91,7 +92,7 @@ public:
   // The best rotations, the best one first; at least one.
   std::vector<Scored_rotation> best_rotations(std::size_t n) const
   {
-    return Rotation_search(m_surfaces[0], *m_image, m_execution).best(n, m_control);
+    return Rotation_search(m_surfaces[0], *m_features.image, m_execution).best(n, m_control);
   }
 
   // The best maps of the first coarse surface to the sphere of the second surface, which has this metric, the best one first; at
@@ -290,56 +291,11 @@ private:
     // Of 138 pairs, the best of ten starts by this score is wrong for 1. If all features count the same, it is for 2, with any
     // weight from a quarter to a half, and for 3 with a sixth; without the root in stretching(), and the weight 1, for 5.
     constexpr double weight_of_stretching = 1. / 3.;
-    start.alignment.agreement = agreement(level, start.alignment.directions, {});
+    const std::vector<Vector_3d>& directions = start.alignment.directions;
+    start.alignment.agreement = feature_agreement(m_features, level, directions);
     start.alignment.score =
-        agreement(level, start.alignment.directions, m_surfaces[0].weights_in_choice()) -
-        weight_of_stretching * stretching(metric, level, start.hierarchy->rings(k), start.alignment.directions);
-  }
-
-  // The correlation of the features over the first surface, each with a weight if there are any.
-  double agreement(const Mesh_hierarchy::Level& level, const std::vector<Vector_3d>& directions,
-                   const std::vector<double>& weights) const
-  {
-    Correlation result;
-    std::vector<double> b(m_image->number_of_channels());
-    for(std::size_t i = 0; i < level.vertices.size(); ++i)
-    {
-      const std::uint32_t v = level.vertices[i];
-      if(!m_surfaces[0].counts(v))
-        continue;
-      m_image->interpolate(directions[v], b.data());
-      for(std::size_t k = 0; k < b.size(); ++k)
-      {
-        const double weight = std::sqrt(level.areas[i] * (weights.empty() ? 1. : weights[k]));
-        result.add(weight * m_surfaces[0].features()[k][v], weight * b[k]);
-      }
-    }
-    return result();
-  }
-
-  // The mean over the first surface of the root of the logarithm of the symmetric Dirichlet energy, 0 for an isometry. The
-  // root grows in proportion to how far a face is from one; the mean of the energy itself is that of its worst faces.
-  double stretching(const Target_metric& metric, const Mesh_hierarchy::Level& level, const Vertex_rings& rings,
-                    const std::vector<Vector_3d>& directions) const
-  {
-    const std::size_t metric_level = metric.level_for(level.vertices.size());
-    double sum = 0., area = 0.;
-    rings.for_each_face([&](std::uint32_t i, std::uint32_t j, std::uint32_t k) {
-      const std::uint32_t a = level.vertices[i], b = level.vertices[j], c = level.vertices[k];
-      const Vector_3d u = m_points[b] - m_points[a], w = m_points[c] - m_points[a];
-      const Cube_place place = metric.place(directions[a] + directions[b] + directions[c], metric_level);
-      const Metric_sample s = metric.mixed(place, metric_level, place.weights());
-      const auto p = place.flattened(directions[b] - directions[a]), q = place.flattened(directions[c] - directions[a]);
-      const double uu = dot(u, u), uw = dot(u, w), ww = dot(w, w), pp = s.product(p, p), pq = s.product(p, q),
-                   qq = s.product(q, q);
-      const double squared_area = uu * ww - uw * uw, squared_image = pp * qq - pq * pq;
-      if(!(squared_area > 0.) || !(squared_image > 0.))
-        return;
-      const double squared_norm = (pp * ww - 2. * pq * uw + qq * uu) / squared_area, face = std::sqrt(squared_area);
-      sum += face * std::sqrt(std::log((std::max)(0.25 * squared_norm * (1. + squared_area / squared_image), 1.)));
-      area += face;
-    });
-    return area > 0. ? sum / area : 0.;
+        feature_agreement(m_features, level, directions, m_surfaces[0].weights_in_choice()) -
+        weight_of_stretching * stretching(metric, level, start.hierarchy->rings(k), m_points, directions);
   }
 
   // Removes the starts that doubles do not hold, and brings the best one to the front.
@@ -382,7 +338,7 @@ private:
   Run_control& m_control;
   Execution m_execution;
   std::vector<Sphere_triangulation<Coarse_surface::Kernel>::Place> m_nodes; // of images, on the second sphere
-  std::optional<Sphere_image> m_image;                                      // of the features of the second surface
+  Feature_goals m_features;                                                 // without a weight
 };
 
 } // namespace CGAL::Spherical_parameterization::internal
