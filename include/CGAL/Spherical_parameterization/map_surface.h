@@ -34,9 +34,9 @@ namespace CGAL::Spherical_parameterization {
 ///
 /// Landmarks turn the spheres against each other, or else features, see `align_spheres()`, and limbs that may be the same, by how
 /// far their ends are from each other along the surfaces. Unless the surfaces are copies, several such starts are taken through
-/// the descent on coarse levels, led by the features and by the distances from those ends; what agrees best and stretches
-/// least is taken to the finest level, and what is nearly as good to a finer one, where it may win. The symmetric Dirichlet energy of the map
-/// \cgalCite{cgal:ss-bpfb-15}, integrated over both surfaces, is lowered by the steps that
+/// the descent on coarse levels, led by the features and by the distances from those ends. What agrees best and stretches
+/// least is taken to the finest level; if others are nearly as good, a finer level chooses among them first. The symmetric
+/// Dirichlet energy of the map \cgalCite{cgal:ss-bpfb-15}, integrated over both surfaces, is lowered by the steps that
 /// `Bijective_low_distortion_parameterizer_3` makes, level by level of a hierarchy \cgalCite{cgal:saph-ism-04}, together with
 /// terms for soft landmarks and for features. What a face sees of the second surface is the metric that this gives to its
 /// sphere. If the spheres agree as they are, the result is the rotation itself, unless the descent has lowered the energy of
