@@ -963,7 +963,7 @@ double squared_length_on(const SP::internal::Target_metric& metric, const Vector
 {
   const SP::internal::Cube_place place = metric.place(p, level);
   const auto flat = place.flattened(e);
-  return metric.mixed(place, level, place.weights()).product(flat, flat);
+  return metric.at(place, level).product(flat, flat);
 }
 
 // On a sphere that is mapped to itself, lengths and areas are what they are.
@@ -983,7 +983,7 @@ TEST(Target_metric, of_a_sphere_is_that_of_its_tangent_planes)
     {
       const std::size_t level = metric.level_for(n);
       const SP::internal::Cube_place place = metric.place(p, level);
-      EXPECT_NEAR(metric.mixed(place, level, place.weights()).area(), 1., 0.05);
+      EXPECT_NEAR(metric.at(place, level).area(), 1., 0.05);
       EXPECT_NEAR(squared_length_on(metric, p, level, frame.vector_of(0.6, 0.8)), 1., 0.05);
       EXPECT_NEAR(squared_length_on(metric, p, level, p), 0., 1e-20); // what is along the direction does not count
     }
@@ -1018,36 +1018,48 @@ TEST(Target_metric, sees_the_lengths_of_images)
   }
 }
 
-// The star of a vertex of a surface, as the engine lays it out.
-class Star_of_vertex
+// The stars of all vertices of a surface, as the engine lays them out.
+SP::internal::Star_packets stars_of(const SP::internal::Surface& mesh)
 {
-public:
-  Star_of_vertex(const SP::internal::Surface& mesh, std::uint32_t v)
-    : m_vertex(v)
-    , m_degree(static_cast<std::uint32_t>(mesh.rings().degree(v)))
-    , m_rest(4 * (m_degree + SP::internal::packet_width))
+  struct Star
   {
-    const auto ring = mesh.rings().ring(v);
-    m_neighbors.assign(ring.begin(), ring.end());
-    for(std::size_t j = 0; j < m_degree; ++j)
+    const SP::internal::Surface& mesh;
+    std::uint32_t v;
+
+    std::size_t size() const { return mesh.rings().degree(v); }
+    std::uint32_t neighbor(std::size_t j) const { return mesh.rings().ring(v)[j]; }
+    SP::internal::Rest_triangle rest(std::size_t j) const
     {
-      const auto rest = SP::internal::Rest_triangle::from_points(mesh.points()[v], mesh.points()[ring[j]],
-                                                                 mesh.points()[ring.around(j + 1)]);
-      const std::array<double, 4> numbers = {rest.opposite_0, rest.opposite_1, rest.opposite_2,
-                                             rest.inverse_doubled_area};
-      for(std::size_t k = 0; k < 4; ++k)
-        m_rest[SP::internal::rest_index(j, k)] = numbers[k];
+      const auto ring = mesh.rings().ring(v);
+      return SP::internal::Rest_triangle::from_points(mesh.points()[v], mesh.points()[ring[j]],
+                                                      mesh.points()[ring.around(j + 1)]);
     }
+    bool is_at_sliver(std::size_t) const { return false; }
+  };
+  std::vector<std::uint32_t> vertices(mesh.number_of_vertices());
+  std::iota(vertices.begin(), vertices.end(), 0);
+  SP::internal::Star_packets result;
+  result.assign(
+      vertices, {0, vertices.size()}, [&](std::uint32_t v) { return mesh.rings().degree(v); }, false);
+  for(std::size_t k = 0; k < result.number_of_packets(); ++k)
+    result.fill(k, [&](std::uint32_t v) { return Star{mesh, v}; });
+  return result;
+}
+
+// Features of a sphere.
+SP::internal::Sphere_image features_of(
+    const SP::internal::Sphere_triangulation<SP::internal::Coarse_surface::Kernel>& images)
+{
+  std::vector<std::vector<double>> channels(2);
+  for(std::size_t v = 0; v < images.points().size(); ++v)
+  {
+    const Vector_3d q = images.direction(v);
+    channels[0].push_back(q[0] * q[1]);
+    channels[1].push_back(q[2]);
   }
-
-  using View = SP::internal::Star_view<double>;
-  View view() const { return View(&m_vertex, &m_degree, m_neighbors.data(), m_rest.data(), nullptr, 0, 1, m_degree); }
-
-private:
-  std::uint32_t m_vertex, m_degree;
-  std::vector<std::uint32_t> m_neighbors;
-  std::vector<double> m_rest;
-};
+  return SP::internal::Sphere_image(SP::internal::Sphere_image::places_of_nodes(images, {}), images.triangles(),
+                                    channels);
+}
 
 // The gradient is the derivative of the value, wherever the metric has one.
 TEST(Target_star, has_the_gradient_of_its_value)
@@ -1064,25 +1076,17 @@ TEST(Target_star, has_the_gradient_of_its_value)
   SP::internal::Target_star star(metric);
   const std::size_t level = metric.level_for(200);
   const Vector_3d goal = SP::internal::normalized(Vector_3d{1., 2., 3.});
-  std::vector<std::vector<double>> channels(2);
-  for(std::size_t v = 0; v < images.points().size(); ++v)
-  {
-    const Vector_3d q = images.direction(v);
-    channels[0].push_back(q[0] * q[1]);
-    channels[1].push_back(q[2]);
-  }
-  const SP::internal::Sphere_image features(SP::internal::Sphere_image::places_of_nodes(images, {}), images.triangles(),
-                                            channels);
-  const std::array<double, 2> feature_values = {0.2, -0.3};
+  const SP::internal::Sphere_image features = features_of(images);
+  const std::array<double, 4> feature_values = {0.2, -0.3, 0., 0.}; // a row of the image
+  const SP::internal::Star_packets stars = stars_of(mesh);
   std::size_t n_right = 0;
-  for(std::uint32_t v = 0; v < mesh.number_of_vertices(); ++v)
+  for(std::size_t v = 0; v < stars.number_of_places(); ++v)
   {
-    const Star_of_vertex of_vertex(mesh, v);
-    star.load(of_vertex.view(), positions.data(), level);
+    star.load(stars.star(v), positions.data(), level);
     if(v % 2 == 0)
-      star.set_goal(&goal, 3.);
+      star.set_goal(goal, 3.);
     if(v % 3 == 0)
-      star.set_features(&features, feature_values.data(), 5.);
+      star.set_features(&features, {feature_values.data()}, 5.);
     std::array<double, 2> gradient;
     std::array<double, 3> hessian;
     const double value = star.derivatives(gradient, hessian);
@@ -1091,7 +1095,7 @@ TEST(Target_star, has_the_gradient_of_its_value)
     const double dx = (star(h, 0.) - star(-h, 0.)) / (2. * h), dy = (star(0., h) - star(0., -h)) / (2. * h);
     n_right += std::hypot(dx - gradient[0], dy - gradient[1]) < 1e-4 * std::hypot(dx, dy) + 1e-6 * value;
   }
-  EXPECT_GT(n_right, mesh.number_of_vertices() * 95 / 100); // others have a face at the border of two texels
+  EXPECT_GT(n_right, stars.number_of_places() * 95 / 100); // others have a face at the border of two texels
 }
 
 // On a sphere that is mapped to itself by short edges, the metric hardly changes, and the Hessian, which leaves its change
@@ -1112,10 +1116,10 @@ TEST(Target_star, has_positive_curvature_where_the_metric_is_nearly_constant)
     p = SP::internal::normalized(p);
   SP::internal::Target_star star(metric);
   const std::size_t level = metric.level_for(positions.size());
-  for(std::uint32_t v = 0; v < positions.size(); ++v)
+  const SP::internal::Star_packets stars = stars_of(mesh);
+  for(std::size_t v = 0; v < stars.number_of_places(); ++v)
   {
-    const Star_of_vertex of_vertex(mesh, v);
-    star.load(of_vertex.view(), positions.data(), level);
+    star.load(stars.star(v), positions.data(), level);
     std::array<double, 2> gradient;
     std::array<double, 3> hessian;
     const double value = star.derivatives(gradient, hessian);
@@ -1127,6 +1131,62 @@ TEST(Target_star, has_positive_curvature_where_the_metric_is_nearly_constant)
     EXPECT_NEAR((star(0., h) + star(0., -h) - 2. * value) / (h * h), hessian[2], 0.1 * trace);
     EXPECT_NEAR((star(h, h) + star(-h, -h) - star(h, -h) - star(-h, h)) / (4. * h * h), hessian[1], 0.1 * trace);
   }
+}
+
+// What is computed for several stars at once, of different numbers of faces, is what each of them has alone.
+TEST(Target_star, is_the_same_beside_others)
+{
+  using Lanes = SP::internal::Lanes<SP::internal::Four_lanes>;
+  using FT = SP::internal::Four_lanes;
+  const Mapped_mesh target(octahedron_of(20), on_body, rotation(turns[1])),
+      source(octahedron_of(4), on_body, rotation(turns[2])); // of degrees 4 and 6
+  std::vector<Vector_3d> points, source_points;
+  const auto images = located(target, points), source_images = located(source, source_points);
+  const SP::internal::Target_metric metric(images, points, {});
+  const SP::internal::Surface mesh = indexed(source_images, source_points);
+  std::vector<Vector_3d> positions;
+  for(const Point_3& p : mesh.in_own_order(source_images.points()))
+    positions.push_back(SP::internal::normalized(Vector_3d{p.x(), p.y(), p.z()}));
+  const SP::internal::Sphere_image features = features_of(images);
+  const std::array<std::array<double, 4>, 2> values = {{{0.2, -0.3, 0., 0.}, {-0.1, 0.4, 0., 0.}}};
+  const Vector_3d goal = SP::internal::normalized(Vector_3d{1., 2., 3.});
+  const auto weight = [](std::size_t k, std::size_t modulus) { return k % modulus == 0 ? 3. : 0.; };
+  const SP::internal::Star_packets stars = stars_of(mesh);
+  const std::size_t level = metric.level_for(200);
+  SP::internal::Target_star<FT> together(metric);
+  SP::internal::Target_star<double> alone(metric);
+  std::size_t n_compared = 0;
+  for(std::size_t k = 0; k < stars.number_of_packets(); ++k)
+    for(std::size_t first = 0; first < stars.packet(k).stride; first += Lanes::width)
+    {
+      together.load(stars.view<FT>(stars.packet(k), first), positions.data(), level);
+      together.set_goal({goal[0], goal[1], goal[2]}, Lanes::generate([&](std::size_t i) { return weight(i, 2); }));
+      SP::internal::Target_star<FT>::Values rows;
+      for(std::size_t i = 0; i < Lanes::width; ++i)
+        rows[i] = values[i % 2].data();
+      together.set_features(&features, rows, Lanes::generate([&](std::size_t i) { return weight(i, 3); }));
+      std::array<FT, 2> gradient;
+      std::array<FT, 3> hessian;
+      const FT value = together.derivatives(gradient, hessian), x = 0.02, y = -0.01, moved = together(x, y);
+      for(std::size_t i = 0; i < Lanes::width && first + i < stars.packet(k).number_of_stars; ++i)
+      {
+        alone.load(stars.view<double>(stars.packet(k), first + i), positions.data(), level);
+        alone.set_goal(goal, weight(i, 2));
+        alone.set_features(&features, {values[i % 2].data()}, weight(i, 3));
+        std::array<double, 2> g;
+        std::array<double, 3> h;
+        EXPECT_EQ(alone.derivatives(g, h), lane(value, i));
+        for(std::size_t j = 0; j < 2; ++j)
+          EXPECT_EQ(g[j], lane(gradient[j], i));
+        for(std::size_t j = 0; j < 3; ++j)
+          EXPECT_EQ(h[j], lane(hessian[j], i));
+        EXPECT_EQ(alone(0.02, -0.01), lane(moved, i));
+        EXPECT_EQ(alone.squared_shortest_edge(), lane(together.squared_shortest_edge(), i));
+        EXPECT_EQ(alone.area(), lane(together.area(), i));
+        ++n_compared;
+      }
+    }
+  EXPECT_GE(n_compared, mesh.number_of_vertices());
 }
 
 TEST(Hierarchy_on_the_sphere, keeps_all_faces_positive_and_all_fixed_vertices)

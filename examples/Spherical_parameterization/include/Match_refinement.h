@@ -87,6 +87,7 @@ public:
         mesh = trial;
         best = *this;
         report.energy = next.energy;
+        report.distortion = next.distortion;
         report.landmark_distances = next.landmark_distances;
         report.number_of_missed_landmarks = n_missed;
       }

@@ -155,19 +155,20 @@ public:
     if(!m_report.result.is_one_to_one)
       throw Program_error(m_names.input,
                           "the map is not one-to-one: no surface can be mapped by it.\n--method bld excludes that.");
+    const bool needs_overlay = m_files.overlay || m_files.morph || m_files.page;
     if(model != nullptr)
     {
       m_other.emplace(*model);
-      m_match.emplace(m_options, m_other->input, m_other->sphere, *m_input, m_sphere);
+      m_match.emplace(m_options, m_other->input, m_other->sphere, *m_input, m_sphere, needs_overlay);
     }
     else
     {
       m_other.emplace(m_options, m_options.onto);
-      m_match.emplace(m_options, *m_input, m_sphere, m_other->input, m_other->sphere);
+      m_match.emplace(m_options, *m_input, m_sphere, m_other->input, m_other->sphere, needs_overlay);
       if(m_options.is_onto_atlas)
         m_report.written_radius = m_options.follows_convention(m_names.onto) ? radius_of_convention : m_other->radius;
     }
-    if(!m_match->distortion && (m_files.overlay || m_files.morph || m_files.page))
+    if(!m_match->distortion && needs_overlay)
       throw Program_error(m_names.input, std::string("no --overlay, --morph or --page can be made. ") +
                                              SP::get_error_message(SP::ERROR_TOO_LARGE_OVERLAY));
     m_report.match = Run_report::Match_figures{model != nullptr ? m_options.template_file : m_options.onto,

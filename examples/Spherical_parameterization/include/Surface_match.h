@@ -115,11 +115,11 @@ private:
 class Surface_match
 {
 public:
-  /// finds the map.
+  /// finds the map; `needs_overlay` says whether `overlay()` will be asked for.
   ///
   /// \throws Program_error if there is none, or what the options name is not in order
   Surface_match(const Program_options& options, Input_mesh& first, const Sphere_map& sphere1, Input_mesh& second,
-                const Sphere_map& sphere2)
+                const Sphere_map& sphere2, bool needs_overlay)
     : m_copy(options.splits ? std::optional<Input_mesh>(first) : std::nullopt)
     , m_input(m_copy ? *m_copy : first)
     , m_first(m_input.mesh())
@@ -175,11 +175,16 @@ public:
       m_input.take_triangles_of_mesh();
       m_n_written = m_first.number_of_vertices();
     }
-    SP::Error_code error = SP::overlay(m_first, m_directions, m_second, m_sphere2, m_overlay);
-    if(error == SP::OK)
-      error = SP::measure_distortion_between(m_overlay, distortion.emplace());
-    if(error != SP::OK && error != SP::ERROR_TOO_LARGE_OVERLAY)
-      throw Program_error(first.name() + ": " + SP::get_error_message(error));
+    if(!spheres && !needs_overlay && (report.distortion || report.is_energy_sampled))
+      distortion = report.distortion;
+    else // The report of a run that was stopped has none, and that between spheres is not the one between surfaces.
+    {
+      SP::Error_code error = SP::overlay(m_first, m_directions, m_second, m_sphere2, m_overlay);
+      if(error == SP::OK)
+        error = SP::measure_distortion_between(m_overlay, distortion.emplace());
+      if(error != SP::OK && error != SP::ERROR_TOO_LARGE_OVERLAY)
+        throw Program_error(first.name() + ": " + SP::get_error_message(error));
+    }
   }
 
   SP::Surface_map_report report;

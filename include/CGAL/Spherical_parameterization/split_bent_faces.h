@@ -133,7 +133,8 @@ Error_code split_bent_faces(TriangleMesh1& tmesh1, VertexDirectionMap vertex_dir
         const auto f = refinement.faces[k].first;
         const double energy = 0.5 * stretch.angle * stretch.area;
         put(energies, f, get(energies, f) + 0.5 * (shares[0] + shares[1]) * std::log(0.5 * energy));
-      });
+      },
+      internal::Execution());
 
   struct Bent_face
   {

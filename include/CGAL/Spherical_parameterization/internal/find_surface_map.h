@@ -89,6 +89,7 @@ struct Energy_between
 {
   std::optional<double> value; // There is none once the run has been stopped.
   bool is_sampled = false;
+  std::optional<Distortion_between> distortion; // unless it is sampled
 };
 
 // Measures the map that puts the vertices of the first surface at these directions of the second one's sphere: on the common
@@ -111,13 +112,15 @@ bool measure_energy_between(const Located_surface<K>& first, const std::vector<V
       overlay.assign(sphere, first.points, second.sphere, second.points, max_vertices, control, execution);
   if(error == OK)
   {
-    const Weighted_statistics measured =
-        distortion_between(overlay.triangles.size(), default_smallest_area, [&](std::size_t k, std::size_t surface) {
+    const Distortion_between measured = distortion_between(
+        overlay.triangles.size(), default_smallest_area,
+        [&](std::size_t k, std::size_t surface) {
           const auto& t = overlay.triangles[k];
           const std::vector<Vector_3d>& points = overlay.points[surface];
           return std::array<Vector_3d, 3>{points[t[0]], points[t[1]], points[t[2]]};
-        }).energy;
-    energy = {0.5 * (measured.averages[0] + measured.averages[1]), false};
+        },
+        execution);
+    energy = {0.5 * (measured.energy.average_over_first + measured.energy.average_over_second), false, measured};
   }
   else if(error == ERROR_TOO_LARGE_OVERLAY)
   {
@@ -125,7 +128,7 @@ bool measure_energy_between(const Located_surface<K>& first, const std::vector<V
     const double there = mean_energy_over_first(sphere, first.points, second.sphere, second.points, control, execution),
                  back = mean_energy_over_first(second.sphere, second.points, sphere, first.points, control, execution);
     if(!control.is_stopped())
-      energy = {0.5 * (there + back), true};
+      energy = {0.5 * (there + back), true, std::nullopt};
   }
   return error != ERROR_NO_1_TO_1_MAPPING;
 }
@@ -158,13 +161,15 @@ public:
   }
 
   // The score of a map of the coarsest level, taken to a level that has up to 8000 vertices, where the features of the mesh itself
-  // tell more than on the coarsest one; least if doubles cannot hold it.
-  double score_on_finer_level(const std::vector<Vector_3d>& coarse, const Target_goals& goals, Run_control& control,
+  // tell more than on the coarsest one; least if doubles cannot hold it. The weights of the
+  // features are as feature_agreement() has them.
+  double score_on_finer_level(const std::vector<Vector_3d>& coarse, const Target_goals& goals,
+                              const std::vector<double>& weights, Run_control& control,
                               const Execution& execution) const
   {
-    // With a tenth to 0.3, none of 270 maps is turned; with a half, two are, a gorilla and a four-legged animal: the energy is lower
-    // back to front.
-    constexpr double weight_of_stretching = 0.15;
+    // Of 48 choices, most of them between a gorilla and a person, five are wrong with this, with 0.1 and a half seven: the energy is often
+    // lower back to front.
+    constexpr double weight_of_stretching = 0.25;
     constexpr std::size_t max_size = 8000;
     std::size_t k = 0;
     while(k + 1 < m_hierarchy.number_of_levels() && m_hierarchy.level(k).vertices.size() > max_size)
@@ -173,7 +178,7 @@ public:
     std::vector<Vector_3d> positions;
     if(!refine(levels, coarse, goals, k, positions, control, execution))
       return std::numeric_limits<double>::lowest();
-    return feature_agreement(goals.features, levels.level(k), positions) -
+    return feature_agreement(goals.features, levels.level(k), positions, weights) -
            weight_of_stretching *
                stretching(goals.metric, levels.level(k), levels.rings(k), m_surface.mesh.points(), positions);
   }
@@ -226,7 +231,7 @@ Surface_start compare_surfaces(const Located_surface<K>& first, const Located_su
   constexpr double min_margin = 0.1;
   const std::vector<Alignment> best = surfaces.best(metric, hints.feature_weight, first.sphere, second.sphere);
   result.alignment = best[0];
-  result.margin = best[0].score - (best.size() > 1 ? best[1].score : 0.);
+  result.margin = best.size() > 1 ? best[0].score - best[1].score : Surface_alignment::max_lag;
   for(std::size_t k = 1; k < best.size(); ++k)
     if(best[0].score - best[k].score < min_margin && !best[k].directions.empty())
       result.rivals.push_back(best[k]);
@@ -313,9 +318,7 @@ Feature_goals feature_goals(const Located_surface<K>& first, const Located_surfa
     feature = second.mesh.in_callers_order(feature);
   result.image.emplace(Sphere_image::places_of_nodes(second.sphere, execution, n_steps), second.sphere.triangles(),
                        features[1], n_steps);
-  for(std::size_t v = 0; v < first.points.size(); ++v)
-    for(const Channel& feature : features[0])
-      result.values.push_back(feature[v]);
+  result.set_values(features[0]);
   return result;
 }
 
@@ -324,9 +327,14 @@ template <class K>
 void choose_among_rivals(const Surface_levels<K>& levels, Target_goals& goals, const Surface_map_hints& hints,
                          Surface_start& start, Run_control& control, const Execution& execution)
 {
+  // Of the features of the package, the curvature that is coarse has said all it can on the coarse surfaces: with it, two more choices
+  // are wrong, see there.
+  std::vector<double> weights(goals.features.image->number_of_channels(), 1.);
+  if(hints.features[0].empty() && Coarse_surface::coarse_curvature < weights.size())
+    weights[Coarse_surface::coarse_curvature] = 0.;
   const auto score = [&](const Alignment& alignment) {
     goals.features.weight = feature_weight(alignment, hints);
-    return levels.score_on_finer_level(alignment.directions, goals, control, execution);
+    return levels.score_on_finer_level(alignment.directions, goals, weights, control, execution);
   };
   double best = score(start.alignment);
   for(Alignment& rival : start.rivals)
@@ -431,6 +439,7 @@ std::vector<Vector_3d> find_surface_map(const Located_surface<K>& first, const L
     report.stop_reason = control.stop_reason();
   report.energy = energy.value.value_or(0.);
   report.is_energy_sampled = energy.is_sampled;
+  report.distortion = energy.distortion;
   for(const auto& [v, w] : hints.landmarks)
   {
     const bool is_met = directions[v] == second.sphere.direction(w);

@@ -59,10 +59,11 @@ inline double feature_agreement(const Feature_goals& features, const Mesh_hierar
     if(!features.mask.empty() && features.mask[v])
       continue;
     features.image->interpolate(directions[v], b.data());
+    const double* values = features.values_of(v);
     for(std::size_t k = 0; k < b.size(); ++k)
     {
       const double weight = std::sqrt(level.areas[i] * (weights.empty() ? 1. : weights[k]));
-      result.add(weight * features.values[v * b.size() + k], weight * b[k]);
+      result.add(weight * values[k], weight * b[k]);
     }
   }
   return result();
@@ -80,7 +81,7 @@ inline double stretching(const Target_metric& metric, const Mesh_hierarchy::Leve
     const std::uint32_t a = level.vertices[i], b = level.vertices[j], c = level.vertices[k];
     const Vector_3d u = points[b] - points[a], w = points[c] - points[a];
     const Cube_place place = metric.place(directions[a] + directions[b] + directions[c], metric_level);
-    const Metric_sample s = metric.mixed(place, metric_level, place.weights());
+    const Metric_sample<double> s = metric.at(place, metric_level);
     const auto p = place.flattened(directions[b] - directions[a]), q = place.flattened(directions[c] - directions[a]);
     const double uu = dot(u, u), uw = dot(u, w), ww = dot(w, w), pp = s.product(p, p), pq = s.product(p, q),
                  qq = s.product(q, q);

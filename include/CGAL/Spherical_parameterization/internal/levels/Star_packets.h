@@ -84,7 +84,10 @@ public:
     return points_in_lanes<FT>(m_neighbors + m_first + j * m_stride, positions);
   }
 
-  std::uint32_t neighbor(std::size_t j) const { return m_neighbors[m_first + j * m_stride]; }
+  std::uint32_t neighbor(std::size_t j, std::size_t lane = 0) const
+  {
+    return m_neighbors[m_first + j * m_stride + lane];
+  }
 
   // see Rest_triangle
   FT opposite_0(std::size_t j) const { return rest(j, 0); }

@@ -35,20 +35,21 @@ namespace CGAL::Spherical_parameterization::internal {
 //
 // S leaves out what a vector has along the direction. So it has three numbers, and acts on vectors that are flattened into
 // the plane of a side of a cube around the sphere, see Cube_place.
+template <class FT>
 struct Metric_sample
 {
-  std::array<double, 4> numbers; // uu, uv and vv of S, and the area
+  std::array<FT, 4> numbers; // uu, uv and vv of S, and the area
 
-  std::array<double, 2> operator()(const std::array<double, 2>& e) const
+  std::array<FT, 2> operator()(const std::array<FT, 2>& e) const
   {
     return {numbers[0] * e[0] + numbers[1] * e[1], numbers[1] * e[0] + numbers[2] * e[1]};
   }
-  double product(const std::array<double, 2>& e, const std::array<double, 2>& f) const
+  FT product(const std::array<FT, 2>& e, const std::array<FT, 2>& f) const
   {
     const auto s = (*this)(f);
     return e[0] * s[0] + e[1] * s[1];
   }
-  double area() const { return numbers[3]; }
+  const FT& area() const { return numbers[3]; }
 };
 
 // The metric of a surface, of area 4 pi, as images on the faces of a cube around the sphere, from fine to coarse: a value
@@ -104,20 +105,37 @@ public:
     return level;
   }
 
-  Cube_place place(const Vector_3d& p, std::size_t level) const { return Cube_place(p, m_images[level].n); }
-
-  // The metric in a place of this level with the weights of the place, or its derivative with how these change.
-  Metric_sample mixed(const Cube_place& place, std::size_t level, const std::array<double, 4>& weights) const
+  template <class FT>
+  Basic_cube_place<FT> place(const Vector_3<FT>& p, std::size_t level) const
   {
-    Metric_sample result{};
-    const auto nodes = place.nodes();
-    for(std::size_t i = 0; i < 4; ++i)
-    {
-      const Texel& s = m_images[level].texels[nodes[i]];
-      for(std::size_t k = 0; k < 4; ++k)
-        result.numbers[k] += weights[i] * static_cast<double>(s[k]);
-    }
-    return result;
+    return Basic_cube_place<FT>(p, m_images[level].n);
+  }
+
+  // The metric in a place of this level.
+  template <class FT>
+  Metric_sample<FT> at(const Basic_cube_place<FT>& place, std::size_t level) const
+  {
+    const auto weights = place.weights();
+    Numbers_of_lanes<FT> mixed;
+    for_each_lane(place, level, [&](std::size_t l, std::size_t k, const auto& c) {
+      const auto weight = [&](std::size_t i) { return Numbers(lane(weights[i], l)); };
+      Lanes<Numbers>::store(weight(0) * c[0] + weight(1) * c[1] + weight(2) * c[2] + weight(3) * c[3], &mixed[l][k]);
+    });
+    return in_lanes<FT>(mixed);
+  }
+
+  // The same, and how it changes along both sides of the square.
+  template <class FT>
+  std::array<Metric_sample<FT>, 3> with_slopes_at(const Basic_cube_place<FT>& place, std::size_t level) const
+  {
+    Numbers_of_lanes<FT> value, along_u, along_v;
+    for_each_lane(place, level, [&](std::size_t l, std::size_t k, const auto& c) {
+      const Bilinear<Numbers> metric(c[0], c[1], c[2], c[3], lane(place.u(), l), lane(place.v(), l));
+      Lanes<Numbers>::store(metric.value, &value[l][k]);
+      Lanes<Numbers>::store(metric.along_u, &along_u[l][k]);
+      Lanes<Numbers>::store(metric.along_v, &along_v[l][k]);
+    });
+    return {in_lanes<FT>(value), in_lanes<FT>(along_u), in_lanes<FT>(along_v)};
   }
 
 private:
@@ -133,6 +151,37 @@ private:
     std::size_t n; // steps along an edge of the cube
     std::vector<Texel> texels;
   };
+
+  // In each lane there are other texels; what is done with their four numbers is done at once.
+  using Numbers = Four_lanes;
+  template <class FT>
+  using Numbers_of_lanes = std::array<std::array<double, 4>, Lanes<FT>::width>;
+
+  // Calls f(lane, k, corners) with the numbers from k on of the corners around the place in each lane.
+  template <class FT, class Function>
+  void for_each_lane(const Basic_cube_place<FT>& place, std::size_t level, const Function& f) const
+  {
+    for(std::size_t l = 0; l < Lanes<FT>::width; ++l)
+    {
+      const auto nodes = place.nodes(l);
+      for(std::size_t k = 0; k < 4; k += Lanes<Numbers>::width)
+      {
+        const auto corner = [&](std::size_t i) {
+          return Lanes<Numbers>::load(m_images[level].texels[nodes[i]].data() + k);
+        };
+        f(l, k, std::array<Numbers, 4>{corner(0), corner(1), corner(2), corner(3)});
+      }
+    }
+  }
+
+  template <class FT>
+  static Metric_sample<FT> in_lanes(const Numbers_of_lanes<FT>& numbers)
+  {
+    const auto number = [&](std::size_t k) {
+      return Lanes<FT>::generate([&](std::size_t l) { return numbers[l][k]; });
+    };
+    return {{number(0), number(1), number(2), number(3)}};
+  }
 
   // S in space, which does not depend on the side, for what looks at several: xx, xy, xz, yy, yz, zz, and the area.
   using Tensor = std::array<double, 7>;

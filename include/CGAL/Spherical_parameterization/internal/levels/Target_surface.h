@@ -28,6 +28,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <tuple>
 #include <vector>
 
 namespace CGAL::Spherical_parameterization::internal {
@@ -45,9 +46,23 @@ struct Landmark_goals
 struct Feature_goals
 {
   std::optional<Sphere_image> image;
-  std::vector<double> values;
-  std::vector<char> mask; // of the vertices that have none; empty if all have them
-  double weight = 0.;     // of the mean of their squared differences, beside the mean energy
+  std::vector<double> values; // in rows of the image
+  std::vector<char> mask;     // of the vertices that have none; empty if all have them
+  double weight = 0.;         // of the mean of their squared differences, beside the mean energy
+
+  // Takes the values of each feature.
+  void set_values(const std::vector<std::vector<double>>& channels)
+  {
+    const std::size_t row = Sphere_image::row_size(channels.size());
+    values.assign(channels.empty() ? 0 : row * channels[0].size(), 0.);
+    for(std::size_t k = 0; k < channels.size(); ++k)
+      for(std::size_t v = 0; v < channels[k].size(); ++v)
+        values[v * row + k] = channels[k][v];
+  }
+  const double* values_of(std::size_t v) const
+  {
+    return &values[v * Sphere_image::row_size(image->number_of_channels())];
+  }
 };
 
 // The sphere of another surface as the space that vertices move on, see Block_coordinate_descent: its metric, goals for
@@ -56,9 +71,9 @@ class Target_surface
 {
 public:
   using Energy = Two_way_energy;
-  using Scratch = Target_star;
+  using Scratch = std::tuple<Target_star<double>, Target_star<Two_lanes>, Target_star<Four_lanes>>;
 
-  static constexpr bool is_lanewise = false; // to look up a metric for each face leaves nothing to gain
+  static constexpr bool is_lanewise = true;
 
   // All have to last as long as this.
   Target_surface(const Target_metric& metric, const Landmark_goals& goals, const Feature_goals& features,
@@ -71,7 +86,7 @@ public:
   {}
 
   const Energy& energy() const { return m_energy; }
-  Scratch scratch() const { return Target_star(*m_metric); }
+  Scratch scratch() const { return Scratch(*m_metric, *m_metric, *m_metric); }
 
   // Starts with a level, whose vertices have these numbers in the mesh.
   void start_level(const std::vector<std::uint32_t>& vertices)
@@ -96,75 +111,126 @@ public:
                        [&](std::uint32_t v) { return m_goals->directions[v] && !m_is_pinned[v]; });
   }
 
-  // A vertex is passed over once neither it nor a neighbor has moved by more than a small part of its shortest edge.
-  void move(const Star_view<double>& view, const std::uint32_t* vertices, std::size_t, Vector_3d* positions, double,
-            const Face_objective&, const Newton_step& vertex_step, Target_star& star)
+  // Moves the vertices of the star in each lane, but no more than `n_vertices`. A vertex is passed over once neither it nor a
+  // neighbor has moved by more than a small part of its shortest edge.
+  template <class FT>
+  void move(const Star_view<FT>& view, const std::uint32_t* vertices, std::size_t n_vertices, Vector_3d* positions,
+            double, const Face_objective&, const Newton_step& vertex_step, Scratch& scratch)
   {
-    const std::uint32_t v = *vertices;
-    bool is_settled = m_is_settled[v];
-    for(std::size_t j = 0; j < view.size(); ++j)
-      is_settled = is_settled && m_is_settled[view.neighbor(j)];
-    if(is_settled)
+    constexpr std::size_t width = Lanes<FT>::width;
+    std::array<bool, width> is_open{};
+    for(std::size_t k = 0; k < width && k < n_vertices; ++k)
+      is_open[k] = !has_settled_star(view, vertices[k], k);
+    if(std::none_of(is_open.begin(), is_open.end(), [](bool x) { return x; }))
       return;
+    Target_star<FT>& star = std::get<width / 2>(scratch);
     star.load(view, positions, m_metric_level);
-    const std::uint32_t number = (*m_vertices)[v];
-    if(m_features->image && (m_features->mask.empty() || !m_features->mask[number]))
-    {
-      // A vertex stands for a third of the area of its faces, as all have it on this level.
-      const std::size_t n = m_features->image->number_of_channels();
-      const double weight =
-          2. * m_features->weight * star.area() / 3. / static_cast<double>(n); // 8 pi over the area of 4 pi
-      star.set_features(&*m_features->image, &m_features->values[number * n], weight);
-    }
-    const Vector_3d old = positions[v];
-    const bool may_settle = move(star, number, vertex_step, positions[v]);
-    m_is_settled[v] = may_settle && squared_length(positions[v] - old) <=
-                                        m_settled_part * m_settled_part * star.squared_shortest_edge();
+    if(m_features->image)
+      set_features(star, vertices);
+    std::array<bool, width> is_placed{}; // by a goal
+    if(!m_goals->directions.empty())
+      set_goals(star, vertices, positions, is_open, is_placed);
+    star.set_open(is_open);
+    std::array<FT, 2> step = {FT(0.), FT(0.)};
+    const auto is_moved = vertex_step(star, step);
+    const Vector_3<FT> point = star.point_at(step[0], step[1]);
+    for(std::size_t k = 0; k < width; ++k)
+      if(is_open[k])
+      {
+        const std::uint32_t v = vertices[k], number = (*m_vertices)[v];
+        const Vector_3d old = positions[v];
+        if(is_placed[k])
+          positions[v] = *m_goals->directions[number];
+        else if(lane(is_moved, k))
+          positions[v] = {lane(point[0], k), lane(point[1], k), lane(point[2], k)};
+        const bool is_on_its_way = has_goal(number) && m_goals->is_hard() && !m_is_pinned[number];
+        m_is_settled[v] = !is_on_its_way && squared_length(positions[v] - old) <=
+                                                m_settled_part * m_settled_part * lane(star.squared_shortest_edge(), k);
+      }
   }
 
-  // I and d of a face with these corners and rest shape, see Face_invariants_3.
+  // I and d of faces with these corners and rest shapes, see Face_invariants_3.
   template <class FT>
-  std::array<double, 3> invariants(const std::array<Vector_3d, 3>& p, const std::array<double, 3>& opposite,
-                                   double inverse_doubled_area, double, double, const Face_objective&) const
+  std::array<FT, 3> invariants(const std::array<Vector_3<FT>, 3>& p, const std::array<FT, 3>& opposite,
+                               const FT& inverse_doubled_area, const FT&, double, const Face_objective&) const
   {
-    const Cube_place place = m_metric->place(p[0] + p[1] + p[2], m_metric_level);
-    const Metric_sample s = m_metric->mixed(place, m_metric_level, place.weights());
+    const auto place = m_metric->place(p[0] + p[1] + p[2], m_metric_level);
+    const Metric_sample<FT> s = m_metric->at(place, m_metric_level);
     const auto a0 = place.flattened(p[2] - p[1]), a1 = place.flattened(p[0] - p[2]), a2 = place.flattened(p[1] - p[0]);
-    const double d = inverse_doubled_area * dot(p[0], cross(p[1], p[2])) * s.area();
+    const FT d = inverse_doubled_area * dot(p[0], cross(p[1], p[2])) * s.area();
     return {opposite[0] * s.product(a0, a0) + opposite[1] * s.product(a1, a1) + opposite[2] * s.product(a2, a2), d, d};
   }
 
 private:
+  bool has_goal(std::uint32_t number) const
+  {
+    return !m_goals->directions.empty() && m_goals->directions[number].has_value();
+  }
+
+  template <class FT>
+  bool has_settled_star(const Star_view<FT>& view, std::uint32_t v, std::size_t lane) const
+  {
+    bool result = m_is_settled[v];
+    for(std::size_t j = 0; result && j < view.size(); ++j)
+      result = m_is_settled[view.neighbor(j, lane)];
+    return result;
+  }
+
+  template <class FT>
+  void set_features(Target_star<FT>& star, const std::uint32_t* vertices) const
+  {
+    typename Target_star<FT>::Values values;
+    for(std::size_t k = 0; k < values.size(); ++k)
+      values[k] = m_features->values_of((*m_vertices)[vertices[k]]);
+    // A vertex stands for a third of the area of its faces, as all have it on this level. The factor is 8 pi over 4 pi, the area.
+    const double factor = 2. * m_features->weight / 3. / static_cast<double>(m_features->image->number_of_channels());
+    const FT counts = Lanes<FT>::generate([&](std::size_t k) {
+      return m_features->mask.empty() || !m_features->mask[(*m_vertices)[vertices[k]]] ? 1. : 0.;
+    });
+    star.set_features(&*m_features->image, values, factor * counts * star.area());
+  }
+
   // A hard landmark is drawn to its goal ever harder, its weight doubling for 20 sweeps, until its star has less than
   // twice the energy there: the faces around it make way meanwhile. In the last sweep any energy will do that is not
-  // next to a face that turns over. Returns false for one that is on its way.
-  bool move(Target_star& star, std::uint32_t v, const Newton_step& vertex_step, Vector_3d& position)
+  // next to a face that turns over. It is placed then, and stays.
+  template <class FT>
+  void set_goals(Target_star<FT>& star, const std::uint32_t* vertices, const Vector_3d* positions,
+                 std::array<bool, Lanes<FT>::width>& is_open, std::array<bool, Lanes<FT>::width>& is_placed)
   {
     constexpr double max_growth = 2., largest = 1e6, first_weight = 1., max_weight = 1e6;
-    const bool is_hard = m_goals->is_hard(),
-               has_goal = !m_goals->directions.empty() && m_goals->directions[v].has_value();
-    if(has_goal)
+    constexpr std::size_t width = Lanes<FT>::width;
+    std::array<double, width> counts{};
+    std::array<std::array<double, width>, 3> goals;
+    for(std::size_t k = 0; k < width; ++k)
     {
-      if(m_is_pinned[v])
-        return true;
-      const Vector_3d& goal = *m_goals->directions[v];
-      if(is_hard)
+      const std::uint32_t v = vertices[k], number = (*m_vertices)[v];
+      if(m_is_pinned[number])
       {
-        const double energy = star.at(goal);
-        if(energy < max_growth * star(0., 0.) || (m_is_last_sweep && energy < largest))
-        {
-          position = goal;
-          m_is_pinned[v] = 1;
-          return true;
-        }
+        is_open[k] = false;
+        m_is_settled[v] = 1;
       }
-      star.set_goal(&goal, is_hard ? (std::min)(std::ldexp(first_weight, static_cast<int>(m_sweep)), max_weight)
-                                   : m_goals->weight);
+      counts[k] = is_open[k] && has_goal(number);
+      for(std::size_t i = 0; i < 3; ++i)
+        goals[i][k] = counts[k] > 0. ? (*m_goals->directions[number])[i] : positions[v][i];
     }
-    std::array<double, 2> step;
-    if(vertex_step(star, step))
-      position = star.point_at(step[0], step[1]);
-    return !(has_goal && is_hard);
+    if(std::none_of(counts.begin(), counts.end(), [](double x) { return x > 0.; }))
+      return;
+    const auto in_lanes = [](const std::array<double, width>& values) { return Lanes<FT>::load(values.data()); };
+    const Vector_3<FT> goal = {in_lanes(goals[0]), in_lanes(goals[1]), in_lanes(goals[2])};
+    if(m_goals->is_hard())
+    {
+      const FT energy = star.at(goal), limit = max_growth * star(FT(0.), FT(0.));
+      for(std::size_t k = 0; k < width; ++k)
+        if(counts[k] > 0. && (lane(energy, k) < lane(limit, k) || (m_is_last_sweep && lane(energy, k) < largest)))
+        {
+          is_placed[k] = true;
+          m_is_pinned[(*m_vertices)[vertices[k]]] = 1;
+        }
+    }
+    const double weight = m_goals->is_hard()
+                              ? (std::min)(std::ldexp(first_weight, static_cast<int>(m_sweep)), max_weight)
+                              : m_goals->weight;
+    star.set_goal(goal, weight * in_lanes(counts));
   }
 
   double m_settled_part; // of the shortest edge

@@ -27,55 +27,63 @@
 namespace CGAL::Spherical_parameterization::internal {
 
 // Where a direction is on a cube around the sphere, whose sides have n x n squares: in which of them, and between which
-// nodes. An image with values at the nodes is looked up by it, without a search.
+// nodes. An image with values at the nodes is looked up by it, without a search. With a packed number type, it is the place of
+// a direction in each lane.
 //
 // The nodes are numbered side by side, and on a side row by row; those on the edges of the cube are on two sides or three.
-class Cube_place
+template <class FT>
+class Basic_cube_place
 {
 public:
-  Cube_place(const Vector_3d& p, std::size_t n)
+  Basic_cube_place(const Vector_3<FT>& p, std::size_t n)
     : m_n(n)
+    , m_is_along_x(!(absolute(p[0]) < absolute(p[1])) && !(absolute(p[0]) < absolute(p[2])))
+    , m_is_along_y(!(absolute(p[1]) < absolute(p[2])))
   {
-    const double a = std::abs(p[0]), b = std::abs(p[1]), c = std::abs(p[2]);
-    m_axis = a >= b && a >= c ? 0 : b >= c ? 1 : 2;
-    const bool is_negative = p[m_axis] < 0.;
-    const double half = 0.5 * static_cast<double>(n);
-    m_inverse = 1. / p[m_axis];
-    m_scale = half * std::abs(m_inverse);
-    m_slope = {m_inverse * p[axis(1)], m_inverse * p[axis(2)]};
-    const double x = std::clamp(half + m_scale * p[axis(1)], 0., 2. * half);
-    const double y = std::clamp(half + m_scale * p[axis(2)], 0., 2. * half);
-    const std::size_t i = (std::min)(static_cast<std::size_t>(x), n - 1);
-    const std::size_t j = (std::min)(static_cast<std::size_t>(y), n - 1);
-    m_first = ((2 * m_axis + is_negative) * (n + 1) + i) * (n + 1) + j;
-    m_u = x - static_cast<double>(i);
-    m_v = y - static_cast<double>(j);
+    const Vector_3<FT> q = turned(p);
+    const FT half = 0.5 * static_cast<double>(n), whole = static_cast<double>(n);
+    m_inverse = 1. / q[2];
+    m_scale = half * absolute(m_inverse);
+    m_slope = {m_inverse * q[0], m_inverse * q[1]};
+    const FT x = maximum(FT(0.), minimum(half + m_scale * q[0], whole)),
+             y = maximum(FT(0.), minimum(half + m_scale * q[1], whole));
+    const FT side =
+        select(m_is_along_x, FT(0.), select(m_is_along_y, FT(2.), FT(4.))) + select(q[2] < 0., FT(1.), FT(0.));
+    const FT i = begin_of_step(x), j = begin_of_step(y);
+    m_u = x - i;
+    m_v = y - j;
+    for(std::size_t k = 0; k < width; ++k)
+      m_first[k] = (static_cast<std::size_t>(static_cast<int>(lane(side, k))) * (n + 1) +
+                    static_cast<std::size_t>(static_cast<int>(lane(i, k)))) *
+                       (n + 1) +
+                   static_cast<std::size_t>(static_cast<int>(lane(j, k)));
   }
 
-  // the corners of the square
-  std::array<std::size_t, 4> nodes() const { return {m_first, m_first + 1, m_first + m_n + 1, m_first + m_n + 2}; }
-  std::size_t nearest_node() const { return m_first + (m_u < 0.5 ? 0 : m_n + 1) + (m_v < 0.5 ? 0 : 1); }
+  // the corners of the square in a lane
+  std::array<std::size_t, 4> nodes(std::size_t lane = 0) const
+  {
+    const std::size_t first = m_first[lane];
+    return {first, first + 1, first + m_n + 1, first + m_n + 2};
+  }
+  std::size_t nearest_node() const { return m_first[0] + (m_u < 0.5 ? 0 : m_n + 1) + (m_v < 0.5 ? 0 : 1); }
 
   // A vector less a multiple of the direction, so that it is in the plane of the side: its two coordinates there.
-  std::array<double, 2> flattened(const Vector_3d& t) const
+  std::array<FT, 2> flattened(const Vector_3<FT>& t) const
   {
-    return {t[axis(1)] - m_slope[0] * t[m_axis], t[axis(2)] - m_slope[1] * t[m_axis]};
+    const Vector_3<FT> s = turned(t);
+    return {s[0] - m_slope[0] * s[2], s[1] - m_slope[1] * s[2]};
   }
   // That multiple, in units of the vector `p` that the place was made of. As p moves along t, flattened(e) changes by
   // -height(e) flattened(t).
-  double height(const Vector_3d& t) const { return m_inverse * t[m_axis]; }
+  FT height(const Vector_3<FT>& t) const { return m_inverse * turned(t)[2]; }
 
-  // The bilinear weights of the corners, and how these change as `p` moves along a vector that has been flattened.
-  std::array<double, 4> weights() const
-  {
-    return {(1. - m_u) * (1. - m_v), (1. - m_u) * m_v, m_u * (1. - m_v), m_u * m_v};
-  }
-  std::array<double, 4> change_of_weights(const std::array<double, 2>& t) const
-  {
-    const double du = m_scale * t[0], dv = m_scale * t[1];
-    return {-(1. - m_v) * du - (1. - m_u) * dv, -m_v * du + (1. - m_u) * dv, (1. - m_v) * du - m_u * dv,
-            m_v * du + m_u * dv};
-  }
+  // Where it is in the square, from 0 to 1, and how that changes as `p` moves along a vector that has been flattened.
+  const FT& u() const { return m_u; }
+  const FT& v() const { return m_v; }
+  std::array<FT, 2> change(const std::array<FT, 2>& t) const { return {m_scale * t[0], m_scale * t[1]}; }
+
+  // The bilinear weights of the corners.
+  std::array<FT, 4> weights() const { return {(1. - m_u) * (1. - m_v), (1. - m_u) * m_v, m_u * (1. - m_v), m_u * m_v}; }
 
   // The half of the square, cut along its diagonal, that the direction is in: its number, its corners, and the weights
   // that interpolate linearly in it.
@@ -87,9 +95,9 @@ public:
   };
   Half half() const
   {
-    const std::size_t last = m_first + m_n + 2;
-    return m_u > m_v ? Half{2 * m_first + 1, {m_first, m_first + m_n + 1, last}, {1. - m_u, m_u - m_v, m_v}}
-                     : Half{2 * m_first, {m_first, m_first + 1, last}, {1. - m_v, m_v - m_u, m_u}};
+    const std::size_t first = m_first[0], last = first + m_n + 2;
+    return m_u > m_v ? Half{2 * first + 1, {first, first + m_n + 1, last}, {1. - m_u, m_u - m_v, m_v}}
+                     : Half{2 * first, {first, first + 1, last}, {1. - m_v, m_v - m_u, m_u}};
   }
 
   // A point of a side, with coordinates from -1 to 1.
@@ -114,11 +122,46 @@ public:
   }
 
 private:
-  std::size_t axis(std::size_t k) const { return m_axis + k < 3 ? m_axis + k : m_axis + k - 3; }
+  static constexpr std::size_t width = Lanes<FT>::width;
+  using Condition = decltype(std::declval<FT>() < std::declval<FT>());
 
-  std::size_t m_n, m_axis, m_first;
-  double m_inverse, m_scale, m_u, m_v;
-  std::array<double, 2> m_slope;
+  // A vector as seen from the side: the two coordinates in its plane, and the one along its axis.
+  Vector_3<FT> turned(const Vector_3<FT>& t) const
+  {
+    return {select(m_is_along_x, t[1], select(m_is_along_y, t[2], t[0])),
+            select(m_is_along_x, t[2], select(m_is_along_y, t[0], t[1])),
+            select(m_is_along_x, t[0], select(m_is_along_y, t[1], t[2]))};
+  }
+
+  FT begin_of_step(const FT& x) const
+  {
+    return minimum(
+        Lanes<FT>::generate([&](std::size_t k) { return static_cast<double>(static_cast<int>(lane(x, k))); }),
+        FT(static_cast<double>(m_n - 1)));
+  }
+
+  std::size_t m_n;
+  Condition m_is_along_x, m_is_along_y; // the latter if the former does not hold
+  std::array<std::size_t, width> m_first;
+  FT m_inverse, m_scale, m_u, m_v;
+  std::array<FT, 2> m_slope;
+};
+
+using Cube_place = Basic_cube_place<double>;
+
+// What is interpolated between the corners of a square, (0, 0), (0, 1), (1, 0) and (1, 1), and how it changes along both sides.
+template <class T>
+struct Bilinear
+{
+  Bilinear(const T& c00, const T& c01, const T& c10, const T& c11, const T& u, const T& v)
+  {
+    const T to_v = c01 - c00, twist = c11 - c10 - to_v;
+    along_u = c10 - c00 + v * twist;
+    along_v = to_v + u * twist;
+    value = c00 + u * along_u + v * to_v;
+  }
+
+  T value, along_u, along_v;
 };
 
 // An image on the sphere with several values for each direction, on the faces of a cube: fast to look up.
@@ -148,94 +191,120 @@ public:
                const std::vector<std::vector<double>>& channels, std::size_t n_steps = default_steps)
     : m_n_steps(n_steps)
     , m_n_channels(channels.size())
-    , m_values(places_of_nodes.size() * channels.size())
+    , m_row(row_size(channels.size()))
+    , m_values(places_of_nodes.size() * m_row, 0.)
   {
     for(std::size_t i = 0; i < places_of_nodes.size(); ++i)
     {
       const Place& place = places_of_nodes[i];
       const Linked_triangle& t = triangles[place.triangle];
       for(std::size_t k = 0; k < m_n_channels; ++k)
-        m_values[i * m_n_channels + k] = place.coordinates[0] * channels[k][t[0]] +
-                                         place.coordinates[1] * channels[k][t[1]] +
-                                         place.coordinates[2] * channels[k][t[2]];
+        m_values[i * m_row + k] = place.coordinates[0] * channels[k][t[0]] + place.coordinates[1] * channels[k][t[1]] +
+                                  place.coordinates[2] * channels[k][t[2]];
     }
   }
 
   std::size_t number_of_channels() const { return m_n_channels; }
+
+  // How many numbers the values of one place take: so many that they are worked on in lanes without a rest. The others are 0.
+  static std::size_t row_size(std::size_t n_channels) { return (n_channels + 3) / 4 * 4; }
 
   // the values at the node that is nearest to a direction, in the side of the cube that it leads to
   const double* nearest(const Vector_3d& p) const { return at_node(Cube_place(p, m_n_steps).nearest_node()); }
 
   void interpolate(const Vector_3d& p, double* result) const
   {
-    const Square square(*this, p);
-    const auto w = square.place.weights();
+    const Cube_place place(p, m_n_steps);
+    const auto c = corners(place, 0);
+    const auto w = place.weights();
     for(std::size_t k = 0; k < m_n_channels; ++k)
-      result[k] = square.mixed(k, w);
+      result[k] = w[0] * c[0][k] + w[1] * c[1][k] + w[2] * c[2][k] + w[3] * c[3][k];
   }
 
-  // The sum of the squares of the differences from given values.
-  double squared_difference(const Vector_3d& p, const double* values) const
+  // For a direction in each lane, the sum of the squares of the differences from given values, rows of row_size() numbers.
+  template <class FT>
+  FT squared_difference(const Vector_3<FT>& p, const std::array<const double*, Lanes<FT>::width>& values) const
   {
-    const Square square(*this, p);
-    const auto w = square.place.weights();
-    double result = 0.;
-    for(std::size_t k = 0; k < m_n_channels; ++k)
-    {
-      const double difference = square.mixed(k, w) - values[k];
-      result += difference * difference;
-    }
-    return result;
+    const Basic_cube_place<FT> place(p, m_n_steps);
+    const auto weights = place.weights();
+    return Lanes<FT>::generate([&](std::size_t l) {
+      const auto c = corners(place, l);
+      const std::array<Channels, 4> w = {lane(weights[0], l), lane(weights[1], l), lane(weights[2], l),
+                                         lane(weights[3], l)};
+      Channels sum = 0.;
+      for(std::size_t k = 0; k < m_row; k += Lanes<Channels>::width)
+      {
+        const auto at = [&](const double* row) { return Lanes<Channels>::load(row + k); };
+        const Channels difference =
+            w[0] * at(c[0]) + w[1] * at(c[1]) + w[2] * at(c[2]) + w[3] * at(c[3]) - at(values[l]);
+        sum += difference * difference;
+      }
+      return sum_of_lanes(sum);
+    });
   }
 
   // The same with half of its derivatives in two tangential directions; the second ones are those of Gauss and Newton,
   // without those of the image.
-  double squared_difference(const Vector_3d& p, const double* values, const Vector_3d& t1, const Vector_3d& t2,
-                            std::array<double, 2>& gradient, std::array<double, 3>& hessian) const
+  template <class FT>
+  FT squared_difference(const Vector_3<FT>& p, const std::array<const double*, Lanes<FT>::width>& values,
+                        const Vector_3<FT>& t1, const Vector_3<FT>& t2, std::array<FT, 2>& gradient,
+                        std::array<FT, 3>& hessian) const
   {
-    const Square square(*this, p);
-    const auto w = square.place.weights(), w1 = square.place.change_of_weights(square.place.flattened(t1)),
-               w2 = square.place.change_of_weights(square.place.flattened(t2));
-    double result = 0.;
-    gradient = {0., 0.};
-    hessian = {0., 0., 0.};
-    for(std::size_t k = 0; k < m_n_channels; ++k)
+    constexpr std::size_t width = Lanes<FT>::width;
+    const Basic_cube_place<FT> place(p, m_n_steps);
+    std::array<std::array<double, width>, 6> sums; // of the products of the difference and its slopes, in the lanes
+    for(std::size_t l = 0; l < width; ++l)
     {
-      const double difference = square.mixed(k, w) - values[k], x = square.mixed(k, w1), y = square.mixed(k, w2);
-      result += difference * difference;
-      gradient[0] += difference * x;
-      gradient[1] += difference * y;
-      hessian[0] += x * x;
-      hessian[1] += x * y;
-      hessian[2] += y * y;
+      const auto c = corners(place, l);
+      const Channels u = lane(place.u(), l), v = lane(place.v(), l);
+      std::array<Channels, 6> sum = {0., 0., 0., 0., 0., 0.};
+      for(std::size_t k = 0; k < m_row; k += Lanes<Channels>::width)
+      {
+        const auto at = [&](const double* row) { return Lanes<Channels>::load(row + k); };
+        const Bilinear<Channels> image(at(c[0]), at(c[1]), at(c[2]), at(c[3]), u, v);
+        const Channels difference = image.value - at(values[l]);
+        sum[0] += difference * difference;
+        sum[1] += difference * image.along_u;
+        sum[2] += difference * image.along_v;
+        sum[3] += image.along_u * image.along_u;
+        sum[4] += image.along_u * image.along_v;
+        sum[5] += image.along_v * image.along_v;
+      }
+      for(std::size_t i = 0; i < 6; ++i)
+        sums[i][l] = sum_of_lanes(sum[i]);
     }
-    return result;
+    const auto in_lanes = [&](std::size_t i) { return Lanes<FT>::load(sums[i].data()); };
+    const FT du = in_lanes(1), dv = in_lanes(2), uu = in_lanes(3), uv = in_lanes(4), vv = in_lanes(5);
+    const auto x = place.change(place.flattened(t1)), y = place.change(place.flattened(t2));
+    gradient = {du * x[0] + dv * x[1], du * y[0] + dv * y[1]};
+    const std::array<FT, 2> to_x = {uu * x[0] + uv * x[1], uv * x[0] + vv * x[1]};
+    hessian = {x[0] * to_x[0] + x[1] * to_x[1], y[0] * to_x[0] + y[1] * to_x[1],
+               y[0] * (uu * y[0] + uv * y[1]) + y[1] * (uv * y[0] + vv * y[1])};
+    return in_lanes(0);
   }
 
 private:
-  const double* at_node(std::size_t node) const { return &m_values[node * m_n_channels]; }
+  using Channels = Four_lanes; // several channels at once
 
-  // The values around a direction.
-  struct Square
+  static double sum_of_lanes(const Channels& a)
   {
-    Square(const Sphere_image& image, const Vector_3d& p)
-      : place(p, image.m_n_steps)
-    {
-      const auto nodes = place.nodes();
-      for(std::size_t i = 0; i < 4; ++i)
-        corners[i] = image.at_node(nodes[i]);
-    }
+    double result = lane(a, 0);
+    for(std::size_t k = 1; k < Lanes<Channels>::width; ++k)
+      result += lane(a, k);
+    return result;
+  }
 
-    double mixed(std::size_t k, const std::array<double, 4>& w) const
-    {
-      return w[0] * corners[0][k] + w[1] * corners[1][k] + w[2] * corners[2][k] + w[3] * corners[3][k];
-    }
+  const double* at_node(std::size_t node) const { return &m_values[node * m_row]; }
 
-    Cube_place place;
-    std::array<const double*, 4> corners;
-  };
+  // the rows of the nodes around a place
+  template <class FT>
+  std::array<const double*, 4> corners(const Basic_cube_place<FT>& place, std::size_t lane) const
+  {
+    const auto nodes = place.nodes(lane);
+    return {at_node(nodes[0]), at_node(nodes[1]), at_node(nodes[2]), at_node(nodes[3])};
+  }
 
-  std::size_t m_n_steps, m_n_channels;
+  std::size_t m_n_steps, m_n_channels, m_row;
   std::vector<double> m_values;
 };
 

@@ -47,6 +47,7 @@ struct Packed_vectors<2>
 {
   typedef double Doubles __attribute__((vector_size(16)));
   typedef std::int64_t Integers __attribute__((vector_size(16)));
+  typedef float Floats __attribute__((vector_size(8)));
 
   // v[k] = f(k)
   template <class Function>
@@ -81,6 +82,7 @@ struct Packed_vectors<4>
   using Half = Packed_vectors<2>;
   typedef double Doubles __attribute__((vector_size(32)));
   typedef std::int64_t Integers __attribute__((vector_size(32)));
+  typedef float Floats __attribute__((vector_size(16)));
 
   template <class Function>
   static CGAL_SP_INLINE void generate(Doubles& v, const Function& f)
@@ -169,6 +171,14 @@ public:
     Packed_double result;
     std::memcpy(&result.m_lanes, values, sizeof(Doubles));
     return result;
+  }
+
+  // the same of floats
+  static CGAL_SP_INLINE Packed_double load(const float* values)
+  {
+    Floats floats;
+    std::memcpy(&floats, values, sizeof(Floats));
+    return generate([&](std::size_t k) { return static_cast<double>(floats[k]); });
   }
 
   static CGAL_SP_INLINE void store(const Packed_double& a, double* values)
@@ -269,6 +279,7 @@ private:
   using Vectors = Packed_vectors<W>;
   using Doubles = typename Vectors::Doubles;
   using Integers = typename Vectors::Integers;
+  using Floats = typename Vectors::Floats;
 
   CGAL_SP_INLINE explicit Packed_double(const Doubles& lanes)
     : m_lanes(lanes)
@@ -325,6 +336,7 @@ struct Lanes<double>
 {
   static constexpr std::size_t width = 1;
   static CGAL_SP_INLINE double load(const double* values) { return *values; }
+  static CGAL_SP_INLINE double load(const float* values) { return *values; }
   static CGAL_SP_INLINE void store(double a, double* values) { *values = a; }
   template <class Function>
   static CGAL_SP_INLINE double generate(const Function& f)
