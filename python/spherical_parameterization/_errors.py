@@ -10,7 +10,7 @@ _IN_PYTHON = (
     ("duplicate the edge, for example with CGAL::Polygon_mesh_processing::orient_polygon_soup()",
      "duplicate the edge, for example with meshing_repair_non_manifold_edges() of pymeshlab"),
     ("CGAL::Polygon_mesh_processing::orient_polygon_soup()", "trimesh.repair.fix_winding()"),
-    ("CGAL::Polygon_mesh_processing::repair_polygon_soup()", "process(validate=True) of trimesh"),
+    ("CGAL::Polygon_mesh_processing::repair_polygon_soup()", "trimesh.Trimesh(vertices, faces, validate=True)"),
     ("CGAL::Polygon_mesh_processing::stitch_borders()", "merge_vertices() of trimesh"),
     ("CGAL::Polygon_mesh_processing::duplicate_non_manifold_vertices()",
      "meshing_repair_non_manifold_vertices() of pymeshlab"),
