@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Usage: distortion_picture.py MESH.off PICTURE.png
+"""Usage: distortion_picture.py MESH PICTURE.png
 
 Draws a surface and its map to the sphere side by side, coloured by the distortion of each face. The arrays may as well be
 those of trimesh (mesh.vertices, mesh.faces) or PyVista (mesh.points, mesh.faces.reshape(-1, 4)[:, 1:])."""
@@ -15,14 +15,6 @@ from matplotlib.colors import LogNorm
 from mpl_toolkits.mplot3d.art3d import Poly3DCollection
 
 import spherical_parameterization as sp
-
-
-def read_off(path):
-    words = open(path).read().split()
-    n, m = int(words[1]), int(words[2])
-    end = 4 + 3 * n
-    vertices = np.array(words[4:end], float).reshape(n, 3)
-    return vertices, np.array(words[end : end + 4 * m], int).reshape(m, 4)[:, 1:]
 
 
 def draw(axes, vertices, faces, values, norm):
@@ -41,7 +33,7 @@ def draw(axes, vertices, faces, values, norm):
 
 
 def main():
-    vertices, faces = read_off(sys.argv[1])
+    vertices, faces = sp.read_mesh(sys.argv[1])
     sphere, report = sp.parameterize(vertices, faces)
     distortion = sp.measure_distortion(vertices, faces, sphere).isometric
 
@@ -58,4 +50,9 @@ def main():
 
 
 if __name__ == "__main__":
-    main()
+    if len(sys.argv) != 3:
+        sys.exit(__doc__)
+    try:
+        main()
+    except (OSError, sp.Error) as error:
+        sys.exit(str(error))

@@ -5,9 +5,9 @@
     shape_modes.py FOLDER RESULTS --standard-position    cells and other blobs: by spherical harmonics
     shape_modes.py --demo RESULTS                        the same with 100 cells that are made, whose two modes are known
 
-FOLDER has OFF files as text: closed surfaces of triangles, without handles. RESULTS gets scores.csv, a line for each surface;
-modes.png; and mean.off, mode1_minus.off, mode1_plus.off and so on, the mean and two standard deviations to both sides, with the
-same faces."""
+FOLDER has OFF, OBJ, PLY or STL files, or links to them: closed surfaces of triangles, without handles. RESULTS, which is another
+folder, gets scores.csv, a line for each surface; modes.csv, a line for each mode; modes.png; and mean.off, mode1_minus.off,
+mode1_plus.off and so on, the mean and two standard deviations to both sides, with the same faces."""
 
 import argparse
 import csv
@@ -15,28 +15,20 @@ import sys
 import time
 from pathlib import Path
 
-import matplotlib
+try:
+    import matplotlib
 
-matplotlib.use("Agg")  # needs no screen
-import matplotlib.pyplot as plt
-import numpy as np
-from mpl_toolkits.mplot3d.art3d import Poly3DCollection
+    matplotlib.use("Agg")  # needs no screen
+    import matplotlib.pyplot as plt
+    import numpy as np
+    from matplotlib.collections import PolyCollection
 
-import spherical_parameterization as sp
-
-
-def read_off(path):
-    """Returns vertices and faces; trimesh.load(path) and PyVista have them of other formats."""
-    lines = (line.split("#")[0] for line in path.read_text().splitlines())
-    words = " ".join(lines).split()
-    if not words or words[0] != "OFF":
-        sys.exit(f"{path} is no OFF file as text")
-    n, m = int(words[1]), int(words[2])
-    end = 4 + 3 * n
-    polygons = np.array(words[end : end + 4 * m], int).reshape(m, 4)
-    if (polygons[:, 0] != 3).any():
-        sys.exit(f"{path} has other faces than triangles")
-    return np.array(words[4:end], float).reshape(n, 3), polygons[:, 1:]
+    import spherical_parameterization as sp
+except ImportError as error:
+    sys.exit(
+        f"{error}, in {sys.executable}.\nnumpy, matplotlib and spherical_parameterization have to be installed for the Python"
+        " that runs this, as in build/venv/bin/python of the page 'From a Folder of Shapes to Their Mean and Modes'."
+    )
 
 
 def write_off(path, vertices, faces):
@@ -44,150 +36,225 @@ def write_off(path, vertices, faces):
     path.write_text(f"OFF\n{len(vertices)} {len(faces)} 0\n" + "\n".join(rows) + "\n")
 
 
-def read_surface(path, **settings):
-    """Returns a surface with its map to the sphere."""
-    vertices, faces = read_off(path)
-    try:
-        return vertices, faces, sp.parameterize(vertices, faces, **settings)[0]
-    except sp.Error as error:
-        sys.exit(f"{path}: {error}")
-
-
-def register(paths, template):
-    """Returns the vertices of each surface with the faces of the template, and these faces."""
-    first = read_surface(template)
-    shapes = []
+def read_surfaces(paths):
+    """Returns vertices and faces of each file; ends the program with all that is wrong with the files, if anything is."""
+    surfaces, wrong = [], []
     for path in paths:
-        if path == template:
-            shapes.append(first[0])
+        try:
+            vertices, faces = sp.read_mesh(path)
+            defect = sp.find_defect(vertices, faces)
+        except sp.Error as error:  # with the name of the file
+            wrong.append(str(error))
             continue
-        surface = read_surface(path)
+        if defect:
+            wrong.append(f"{path}: {defect}")
+        elif np.linalg.det(vertices[faces] - vertices[faces[0, 0]]).sum() < 0:  # six times the volume
+            print(f"{path.name}: is inside out, so its faces are turned")
+            faces = faces[:, ::-1]
+        surfaces.append((vertices, faces))
+    if wrong:
+        sys.exit("\n\n".join(wrong) + f"\n\n{len(wrong)} of {len(paths)} files cannot be used: repair them, or take them away.")
+    return surfaces
+
+
+def register(surfaces, template):
+    """Yields for each surface its vertices with the faces of the template, these, what to say, and whether the map is sure."""
+    first = (*surfaces[template], sp.parameterize(*surfaces[template])[0])
+    for k, surface in enumerate(surfaces):
+        if k == template:
+            yield first[0], first[1], "is the template", True
+            continue
+        surface = (*surface, sp.parameterize(*surface)[0])
         directions, report = sp.map_surface(first, surface)
-        shapes.append(sp.remesh(*surface, (first[1], directions)).vertices)
-        print(f"{path.name}: energy {report.energy:.2f}" + (", UNCERTAIN: look at it" if report.is_uncertain else ""))
-    return shapes, first[1]
+        vertices = sp.remesh(*surface, (first[1], directions)).vertices
+        yield vertices, first[1], f"energy {report.energy:.2f}", not report.is_uncertain
 
 
-def expand(paths, degree):
-    """Returns the surface of each one's harmonics in standard position, and the faces of all of them."""
-    shapes = []
-    for path in paths:
-        surface = read_surface(path, prefer="sampling")
-        coefficients, fit = sp.expand(*surface, degree)
+def expand(surfaces, degree):
+    """Yields the same, but by each surface's harmonics in standard position, with the faces of an icosahedron."""
+    for vertices, faces in surfaces:
+        sphere, _ = sp.parameterize(vertices, faces)
+        coefficients, fit = sp.expand(vertices, faces, sphere, degree)
         coefficients, position = sp.standard_position(coefficients)
-        even = sp.reconstruct(coefficients, ("icosahedron", 24))
-        shapes.append(even.vertices)
+        even = sp.reconstruct(coefficients, ("icosahedron", max(24, degree // 2)))  # twice as many vertices as coefficients
         is_sure = position.axes_are_determined and position.signs_are_determined
-        print(f"{path.name}: error {fit.error_over_surface:.2g}" + ("" if is_sure else ", UNCERTAIN: nearly symmetric"))
-    return shapes, even.faces
+        yield even.vertices, even.faces, f"error {fit.error_over_surface:.2g}", is_sure
 
 
-def draw(axes, vertices, faces, values):
+def draw(axes, vertices, faces, moves, colors, place):
+    """Draws a surface as seen from where z is large, with its x and y from `place` on."""
     triangles = vertices[faces]
     normals = np.cross(triangles[:, 1] - triangles[:, 0], triangles[:, 2] - triangles[:, 0])
-    lengths = np.linalg.norm(normals, axis=1)
-    light = 0.65 + 0.35 * (normals @ [0.6, -0.5, 0.6]) / np.where(lengths > 0, lengths, 1)
-    colors = plt.get_cmap("YlOrRd")(0.8 * values[faces].mean(axis=1))
-    colors[:, :3] *= light[:, None]
-    axes.add_collection3d(Poly3DCollection(triangles, facecolors=colors, edgecolors=colors, linewidths=0.2))
+    order = np.argsort(triangles[:, :, 2].mean(axis=1))  # what is in front comes last
+    order = order[normals[order, 2] > 0]
+    normals = normals[order] / np.linalg.norm(normals[order], axis=1)[:, None]
+    rgba = colors.to_rgba(moves[faces[order]].mean(axis=1))
+    rgba[:, :3] *= (0.65 + 0.35 * normals @ [0.5, 0.6, 0.6])[:, None]
+    axes.add_collection(PolyCollection(triangles[order, :, :2] + place, facecolors=rgba, edgecolors=rgba, linewidths=0.2))
 
 
-def frame(axes, low, high, wide):
-    """Shows what is between two corners from a side where x, or y if `wide` is 1, goes across."""
-    for i, axis in enumerate("xyz"):
-        getattr(axes, f"set_{axis}lim")(low[i], high[i])
-    axes.view_init(10, 0 if wide else -90)
-    axes.set_box_aspect(high - low, zoom=1.15)
-    axes.set_axis_off()
-
-
-def draw_modes(path, result, faces, n):
-    """Draws a row for each mode, all of the same size: the redder, the more it moves the place."""
-    up = np.ptp(result.mean, axis=0).argmax()
-    scores = [[0] * i + [score] for i in range(n) for score in (-2, 0, 2)]
-    shapes = [np.roll(result.shape(score), 2 - up, axis=1) for score in scores]  # the longest side upright
-    low, high = np.min(shapes, axis=(0, 1)), np.max(shapes, axis=(0, 1))
-    wide = int(np.ptp(shapes[1][:, :2], axis=0).argmax())
-    figure, axes = plt.subplots(n, 3, figsize=(9, 3.2 * n), subplot_kw={"projection": "3d"}, squeeze=False)
-    for k, (ax, shape) in enumerate(zip(axes.flat, shapes)):
-        moves = np.linalg.norm(result.modes[k // 3], axis=1)
-        draw(ax, shape, faces, moves / moves.max())
-        frame(ax, low, high, wide)
+def draw_modes(path, result, faces, n, up):
+    """Draws a row for each mode, all of the same size and with the same colors: how far one deviation moves each place."""
+    upright = np.eye(3)["xyz".index(up)]
+    across = max(np.eye(3)[upright == 0], key=lambda axis: np.ptp(result.mean @ axis))
+    front = np.cross(across, upright)
+    view = np.array([across, 0.97 * upright - 0.24 * front, 0.97 * front + 0.24 * upright])  # from slightly above
+    shapes = [result.shape([0] * i + [score]) @ view.T for i in range(n) for score in (-2, 0, 2)]
+    low, high = (f(shapes, axis=(0, 1))[:2] for f in (np.min, np.max))
+    width, height = (high - low) * 1.1
+    height += 0.1 * width  # for a title
+    moves = np.linalg.norm(result.modes[:n], axis=2) * result.deviations[:n, None]
+    colors = plt.cm.ScalarMappable(plt.Normalize(0, moves.max()), "YlOrRd")
+    figure, axes = plt.subplots(figsize=(13, 0.3 + 3.8 * n * height / width), layout="constrained")
+    for k, shape in enumerate(shapes):
+        place = np.array([k % 3 * width, -(k // 3) * height])
+        draw(axes, shape, faces, moves[k // 3], colors, place)
         name = f"mode {k // 3 + 1} ({result.shares[k // 3]:.0%}): " if k % 3 == 0 else ""
-        ax.set_title(name + ("-2 deviations", "mean", "+2 deviations")[k % 3], fontsize=9)
-    figure.subplots_adjust(0, 0, 1, 0.95, 0, 0.1)
-    figure.savefig(path, dpi=120)
+        title = name + ("-2 deviations", "mean", "+2 deviations")[k % 3]
+        axes.text(*(place + [(low[0] + high[0]) / 2, high[1] + 0.03 * width]), title, ha="center", fontsize=11)
+    axes.set(xlim=(low[0], low[0] + 3 * width), ylim=(high[1] - n * height + 0.1 * width, high[1] + 0.1 * width), aspect="equal")
+    axes.set_axis_off()
+    figure.colorbar(colors, ax=axes, label="how far one deviation moves it", fraction=0.02, shrink=min(0.9, 1.2 / n))
+    figure.savefig(path, dpi=110)
 
 
 def make_cells(folder, n=100, seed=1):
-    """Writes cells as OFF files, and returns the scores of their two modes: how long they are, and how much they are bent.
+    """Writes cells as OFF files, and returns them and the scores of their two modes: how long they are, and how much bent.
 
-    Each cell has a mesh of its own, and lies somewhere else. The scores are uncorrelated, with the mean 0 and the deviation 1."""
+    Each cell has an irregular mesh of its own, and lies somewhere else. The scores are uncorrelated, with the mean 0 and the
+    deviation 1."""
     random = np.random.default_rng(seed)
     truth = np.linalg.qr(np.column_stack([np.ones(n), random.normal(size=(n, 2))]))[0][:, 1:] * np.sqrt(n - 1)
     corners = np.array([[1, 1, 1], [1, -1, -1], [-1, 1, -1], [-1, -1, 1]])
-    solid = sp.remesh(corners, [[0, 1, 2], [0, 3, 1], [0, 2, 3], [1, 3, 2]], corners, ("icosahedron", 8))
     folder.mkdir(parents=True, exist_ok=True)
-    for k, (length, bend) in enumerate(truth):
-        turns = [np.linalg.qr(random.normal(size=(3, 3)))[0] for _ in range(2)]
-        of_mesh, of_cell = (turn * np.linalg.det(turn) for turn in turns)
-        directions = solid.sphere @ of_mesh
+    paths = [folder / f"cell{k:03}.off" for k in range(n)]
+    for path, (length, bend) in zip(paths, truth):
+        solid = (("octahedron", "cube", "icosahedron")[random.integers(3)], int(random.integers(10, 14)))
+        mesh = sp.remesh(corners, [[0, 1, 2], [0, 3, 1], [0, 2, 3], [1, 3, 2]], corners, solid)
+        of_mesh, of_cell = (turn * np.linalg.det(turn) for turn in np.linalg.qr(random.normal(size=(2, 3, 3)))[0])
+        directions = mesh.sphere @ of_mesh + 0.015 * random.normal(size=mesh.sphere.shape)
+        directions /= np.linalg.norm(directions, axis=1, keepdims=True)
         points = directions * [3.5 + 0.3 * length, 2, 1.4]
         points[:, 1:] *= 1 + 0.3 * directions[:, :1]  # thicker at one end
         points[:, 1] += (0.9 + 0.2 * bend) * directions[:, 0] ** 2
         points += 0.005 * random.normal(size=points.shape)
-        write_off(folder / f"cell{k:03}.off", points @ of_cell + random.normal(size=3), solid.faces)
-    return truth
+        write_off(path, points @ of_cell + random.normal(size=3), mesh.faces)
+    return paths, truth
+
+
+def read_options():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("folder", nargs="?", type=Path, metavar="FOLDER", help="where the surfaces are; not with --demo")
+    parser.add_argument("results", type=Path, metavar="RESULTS", help="the folder to write to, which is made if it is not there")
+    parser.add_argument("--demo", action="store_true", help="make 100 cells in RESULTS/cells, and compare the modes with what is known")
+    parser.add_argument("--template", metavar="FILE", help="the file of FOLDER that all others are registered to (the first one by name)")
+    parser.add_argument("--standard-position", action="store_true", help="compare by harmonics instead of a template")
+    parser.add_argument("--degree", type=int, metavar="L", help="of the harmonics, 1 to 200, with --standard-position (15)")
+    parser.add_argument("--same-size", action="store_true", help="scale all to the same size, so that size is no mode")
+    parser.add_argument("--modes", type=int, default=3, metavar="N", help="how many are drawn and written as surfaces (%(default)s)")
+    parser.add_argument("--up", choices="xyz", default="y", help="the axis that is upright in the picture (%(default)s)")
+    options = parser.parse_args()
+    if (options.folder is None) != options.demo:
+        parser.error("FOLDER and RESULTS are needed, or --demo RESULTS")
+    options.standard_position |= options.demo
+    if options.standard_position and options.template:
+        parser.error("--template is for registration: leave it out, or --standard-position or --demo")
+    if options.degree is not None and not options.standard_position:
+        parser.error("--degree goes with --standard-position")
+    options.degree = 15 if options.degree is None else options.degree
+    if not 1 <= options.degree <= 200:
+        parser.error(f"--degree is {options.degree}; it has to be from 1 to 200")
+    if options.modes < 1:
+        parser.error(f"--modes is {options.modes}; it has to be at least 1")
+    if options.folder is not None and options.folder.resolve() == options.results.resolve():
+        parser.error("RESULTS has to be another folder than FOLDER: surfaces in it would count as shapes the next time")
+    if options.results.is_file():
+        parser.error(f"RESULTS has to be a folder, and {options.results} is a file")
+    return options
+
+
+def find_files(options):
+    """Returns the files of the folder that are meshes, and which of them is the template."""
+    if not options.folder.is_dir():
+        sys.exit(f"{options.folder} is no folder")
+    endings = (".off", ".obj", ".ply", ".stl")
+    paths = sorted(path for path in options.folder.iterdir() if path.suffix.lower() in endings and path.is_file())
+    if len(paths) < 2:
+        sys.exit(f"{options.folder} has {len(paths)} of the files {', '.join(endings)}; modes take two at least")
+    if not options.template:
+        return paths, 0
+    for k, path in enumerate(paths):
+        if path.name == options.template or path.resolve() == Path(options.template).resolve():
+            return paths, k
+    sys.exit(f"--template {options.template} is none of the {len(paths)} surfaces of {options.folder}")
+
+
+def check_degree(degree, paths, surfaces):
+    n, path = min((len(np.unique(faces)), path) for (_, faces), path in zip(surfaces, paths))
+    highest = int(n**0.5) - 1
+    if degree > highest:
+        sys.exit(
+            f"--degree {degree} takes {(degree + 1) ** 2} coefficients, and {path} has {n} vertices only: above the degree"
+            f" {highest}, they would tell of its flat faces. Take --degree {highest} or less, or finer meshes."
+        )
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("folder", nargs="?", type=Path)
-    parser.add_argument("results", type=Path)
-    parser.add_argument("--demo", action="store_true", help="make 100 cells, and compare the modes with what is known")
-    parser.add_argument("--template", help="the file of FOLDER that all others are registered to; by default the first one")
-    parser.add_argument("--standard-position", action="store_true", help="compare by harmonics instead of a template")
-    parser.add_argument("--degree", type=int, default=15, help="of the harmonics (%(default)s)")
-    parser.add_argument("--same-size", action="store_true", help="scale all to the same size")
-    parser.add_argument("--modes", type=int, default=3, help="how many are drawn and written (%(default)s)")
-    options = parser.parse_args()
-
+    sys.stdout.reconfigure(line_buffering=True)  # also into a pipe
+    options = read_options()
     start = time.perf_counter()
     options.results.mkdir(parents=True, exist_ok=True)
     if options.demo:
-        options.folder = options.results / "cells"
-        options.standard_position = True
-        truth = make_cells(options.folder)
-    elif options.folder is None:
-        parser.error("FOLDER and RESULTS are needed, or --demo RESULTS")
-    paths = sorted(options.folder.glob("*.off"))
-    if len(paths) < 2:
-        sys.exit(f"{options.folder} has {len(paths)} files whose names end with .off; two are needed at least")
-    if options.standard_position:
-        shapes, faces = expand(paths, options.degree)
+        paths, truth = make_cells(options.results / "cells")
     else:
-        template = options.folder / options.template if options.template else paths[0]
-        shapes, faces = register(paths, template)
+        paths, template = find_files(options)
+    surfaces = read_surfaces(paths)
+    if options.standard_position:
+        check_degree(options.degree, paths, surfaces)
+        steps = expand(surfaces, options.degree)
+    else:
+        steps = register(surfaces, template)
+    shapes, uncertain = [], []
+    try:
+        for path, (vertices, faces, text, is_sure) in zip(paths, steps):
+            print(f"{path.name}: {text}" + ("" if is_sure else ", UNCERTAIN"))
+            shapes.append(vertices)
+            uncertain += [] if is_sure else [path]
+    except sp.Error as error:
+        sys.exit(f"{paths[len(shapes)]}: {error}")
     result = sp.shape_modes(shapes, align="similarity" if options.same_size else "rotation")
+    if len(result.modes) == 0:
+        sys.exit("All of the surfaces are the same: there is no mode.")
 
     n = min(options.modes, len(result.modes))
     write_off(options.results / "mean.off", result.mean, faces)
     for i in range(n):
         for score, name in ((-2, "minus"), (2, "plus")):
             write_off(options.results / f"mode{i + 1}_{name}.off", result.shape([0] * i + [score]), faces)
+    for path in uncertain:
+        write_off(options.results / f"uncertain_{path.stem}.off", result.shape(result.scores[paths.index(path)]), faces)
     with open(options.results / "scores.csv", "w", newline="") as file:
         table = csv.writer(file)
         table.writerow(["file"] + [f"mode{i + 1}" for i in range(len(result.modes))])
         table.writerows([path.name, *scores] for path, scores in zip(paths, result.scores))
-    draw_modes(options.results / "modes.png", result, faces, n)
     deviations = result.deviations / len(result.mean) ** 0.5  # root mean square of how far vertices move
+    with open(options.results / "modes.csv", "w", newline="") as file:
+        table = csv.writer(file)
+        table.writerow(["mode", "share", "deviation"])
+        table.writerows((i + 1, *row) for i, row in enumerate(zip(result.shares, deviations)))
+    draw_modes(options.results / "modes.png", result, faces, n, options.up)
     for i in range(n):
         print(f"mode {i + 1}: {result.shares[i]:.1%} of the variance, deviation {deviations[i]:.3g}")
     if options.demo:
-        for i, what in enumerate(("length", "bend")):
+        for i, what in enumerate(("length", "bend")[:n]):
             print(f"{what}: correlation of mode {i + 1} {np.corrcoef(truth[:, i], result.scores[:, i])[0, 1]:+.4f}")
+    if uncertain:
+        print(f"{len(uncertain)} UNCERTAIN: compare uncertain_*.off with mean.off, and leave out what is turned")
     print(f"{len(paths)} surfaces, {time.perf_counter() - start:.1f} s")
 
 
 if __name__ == "__main__":
-    main()
+    try:
+        main()
+    except OSError as error:
+        sys.exit(str(error))

@@ -11,13 +11,25 @@ long have `threads`, the largest number of them, of which there are never more t
 `time_limit`, `callback` and `on_interrupt`.
 
 >>> import spherical_parameterization as sp
+>>> vertices, faces = sp.read_mesh("bunny.off")
 >>> sphere, report = sp.parameterize(vertices, faces)
 >>> sp.measure_distortion(vertices, faces, sphere).isometric.average
 >>> directions, report = sp.map_surface((vertices, faces, sphere), (other_vertices, other_faces, other_sphere))
+
+What there is, by task:
+
+- read and repair: `read_mesh`, `find_defect`, `fill_holes`, `find_handles`
+- a surface to the sphere: `parameterize`, `measure_distortion`, `is_bijective`, `round_to_float`
+- back from the sphere: `Locator`, `remesh`, `transfer`, `measure_distance`
+- spheres that exist, such as those of FreeSurfer: `resample`, `resample_sphere`
+- a surface to another one: `map_surface`, `align_spheres`, `measure_folding`, `overlay`, `measure_distortion_between`
+- shapes as numbers: `expand`, `reconstruct`, `spectrum`, `standard_position`, `write_coefficients`, `read_coefficients`
+- the mean and the modes of many shapes: `shape_modes`
 """
 
 from ._core import ErrorCode, __version__
 from ._errors import Error
+from ._files import read_coefficients, read_mesh, write_coefficients
 from ._harmonics import HarmonicFit, StandardPosition, expand, reconstruct, spectrum, standard_position
 from ._measuring import (
     Distortion,
@@ -86,6 +98,8 @@ __all__ = [
     "measure_folding",
     "overlay",
     "parameterize",
+    "read_coefficients",
+    "read_mesh",
     "reconstruct",
     "remesh",
     "resample",
@@ -95,4 +109,5 @@ __all__ = [
     "spectrum",
     "standard_position",
     "transfer",
+    "write_coefficients",
 ]

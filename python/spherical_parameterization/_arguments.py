@@ -27,7 +27,10 @@ def to_array(name: str, value: ArrayLike, columns: Optional[int] = None) -> NDAr
     is_nested = isinstance(value, (list, tuple))
     if np.ma.is_masked(value) or (is_nested and any(np.ma.is_masked(row) for row in value)):  # type: ignore[union-attr]
         refuse(f"{name} has masked values, which cannot be left out: fill them in, for example with filled()")
-    array = np.asarray(value)
+    try:
+        array = np.asarray(value)
+    except ValueError:
+        refuse(f"{name} is no array: its parts differ in their shapes")
     return np.empty((0, columns), int) if columns and array.shape == (0,) else array
 
 
@@ -139,7 +142,7 @@ def read_density(density: Any, n_vertices: int, n_faces: int) -> Tuple[Optional[
         check_word("density", density, ("equal",))
         return np.empty(0), False
     array = to_array("density", density)
-    if array.dtype.kind not in "fiu":
+    if array.dtype.kind not in "bfiu":
         raise TypeError(f"density has the type {array.dtype}; it has to hold real numbers")
     if array.shape not in ((n_vertices,), (n_faces,)):
         refuse(

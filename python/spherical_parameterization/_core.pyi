@@ -11,6 +11,7 @@ __version__: str
 class ErrorCode:
     EMPTY_MESH: ClassVar[ErrorCode]
     TOO_FEW_VERTICES: ClassVar[ErrorCode]
+    NON_TRIANGULAR_MESH: ClassVar[ErrorCode]
     NON_CLOSED_MESH: ClassVar[ErrorCode]
     SEVERAL_COMPONENTS: ClassVar[ErrorCode]
     NO_TOPOLOGICAL_SPHERE: ClassVar[ErrorCode]
@@ -23,6 +24,8 @@ class ErrorCode:
     TOO_LARGE_MESH: ClassVar[ErrorCode]
     TOO_LARGE_OVERLAY: ClassVar[ErrorCode]
     INVALID_DIRECTION: ClassVar[ErrorCode]
+    INVALID_SURFACE_FILE: ClassVar[ErrorCode]
+    INVALID_HARMONICS_FILE: ClassVar[ErrorCode]
     UNDETERMINED_ROTATION: ClassVar[ErrorCode]
     TOO_HIGH_DEGREE: ClassVar[ErrorCode]
     INVALID_DENSITY: ClassVar[ErrorCode]
@@ -118,6 +121,13 @@ def make_domain(solid: str, subdivision: int) -> Tuple[_Faces, _Points]: ...
 def standard_position(
     coefficients: NDArray[np.float64], normalization: str, has_phase: bool, threads: int
 ) -> Tuple[Any, ...]: ...
+def read_mesh(path: bytes) -> Tuple[_Points, _Faces]: ...
+def read_coefficients(
+    content: bytes, is_table: bool, normalization: str, has_phase: bool
+) -> NDArray[np.float64]: ...
+def write_coefficients(
+    coefficients: NDArray[np.float64], is_table: bool, normalization: str, has_phase: bool
+) -> bytes: ...
 def map_surface(
     vertices1: _Points,
     faces1: _Faces,

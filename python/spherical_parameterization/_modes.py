@@ -7,6 +7,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ._arguments import check_word, refuse, to_array
+from ._sampling import Remesh
 
 MAX_ALIGNMENTS = 100
 
@@ -22,7 +23,8 @@ class ShapeModes:
     modes : (j, ...) ndarray of float64
         The directions in which shapes vary, of length 1 and at right angles to each other: at most k - 1 for k shapes.
     deviations : (j,) ndarray of float64
-        The standard deviation along each mode, in the unit of the shapes.
+        The standard deviation along each mode, in the unit of the shapes, as the root of the sum of squares over all numbers: of
+        n vertices, divided by the root of n, it is the root mean square of how far they move.
     scores : (k, j) ndarray of float64
         Where each shape lies along each mode, in standard deviations from the mean. Columns are uncorrelated.
     shares : (j,) ndarray of float64
@@ -127,6 +129,9 @@ def shape_modes(shapes: Sequence[ArrayLike], *, align: str = "rotation") -> Shap
     >>> result.mean, result.shape([-2]), result.shape([2]), result.scores[:, 0]
     """
     check_word("align", align, ("rotation", "similarity", "none"))
+    for i, shape in enumerate(shapes):
+        if isinstance(shape, Remesh):
+            raise TypeError(f"shapes[{i}] is what remesh or reconstruct returns: give its vertices")
     arrays = [to_array(f"shapes[{i}]", shape) for i, shape in enumerate(shapes)]
     if len(arrays) < 2:
         refuse(f"shapes has {len(arrays)} of them; there have to be at least 2")

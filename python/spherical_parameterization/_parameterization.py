@@ -1,5 +1,6 @@
 from __future__ import annotations
 
+import warnings
 from dataclasses import dataclass
 from typing import Any, Callable, Optional, Tuple, Union
 
@@ -8,6 +9,9 @@ from numpy.typing import ArrayLike, NDArray
 
 from . import _core
 from ._arguments import check_word, read_density, read_faces, read_points, read_run, refuse
+
+
+MAX_DEVIATION_OF_AREAS = 0.01  # from which on a warning is given; they count as reached up to 0.001
 
 
 @dataclass(frozen=True)
@@ -26,7 +30,8 @@ class Areas:
     number_of_off_vertices : int
         Vertices whose ratio differs from 1 by more than 0.01.
     number_of_raised_faces : int
-        Faces whose area times density is below a millionth of the mean, which was wanted for them instead.
+        Faces whose area times density is below a millionth of the mean, which was wanted for them instead: ratios and
+        `is_reached` are about that.
     number_of_steps : int
         Steps of all vertices together, after the sweeps.
     is_reached : bool
@@ -57,7 +62,7 @@ class Report:
     radius : float
         The radius of the sphere, in the unit of length of the mesh.
     stop_reason : str
-        Why the run ended: "converged", "iteration limit", "time limit", "stopped by the visitor" (the callback or an
+        Why the run ended, which does not tell whether areas are as wanted: "converged", "iteration limit", "time limit", "stopped by the visitor" (the callback or an
         interruption) or "no acceptable step left".
     number_of_levels : int
         Levels of the hierarchy that the first map was made by.
@@ -117,15 +122,17 @@ def parameterize(
         The lowest average distortion, the lowest worst, or a balance of both. Or samples that are even on the sphere
         and as even as possible on the surface, for `remesh` and `transfer`.
     energy : {"symmetric-dirichlet", "isometric", "conformal", "stretch"}
-        What is lowered. "conformal" keeps angles, and its sphere has the radius 1. ``prefer="sampling"`` has an energy
-        of its own, "stretch".
+        What is lowered. "conformal" keeps angles, on a sphere of the radius 1 unless there is a `density`, against which it
+        works: with it, areas are missed on most surfaces with limbs. ``prefer="sampling"`` has an energy of its own, "stretch".
     initial : (n, 3) array_like of numbers or "schnyder", optional
         The map to start from, one-to-one, at any distance from the origin; or Schnyder's, which the connectivity decides, and which
         is one-to-one by a theorem. By default, a hierarchy finds one.
     density : (n,) or (m,) array_like of numbers or "equal", optional
-        What share of the sphere each part of the surface gets: that of its area times a density, given for each vertex or for
-        each face, finite, at least 0, and in any unit; "equal" is 1 everywhere. The areas are those of the cells of vertices,
-        see `Areas`. Not with `initial`; it takes some times longer.
+        What share of the sphere each part of the surface gets: that of its area times a density, finite, at least 0, and in any
+        unit; "equal" is 1 everywhere. It is given for each face, or for each vertex, whose mean over the three of a face is that
+        of the face. Faces that are to get less than a millionth of the mean area, as by a density of 0, get a millionth. The
+        areas are those of the cells of vertices, see `Areas`; smooth densities are met up to a contrast of a million, those with
+        steps may be missed, which `Areas` tells. Not with `initial`; it takes some times longer.
     threads : int, optional
         The largest number of threads; by default all cores. The map has the same bits with any number.
     time_limit : float, optional
@@ -142,7 +149,12 @@ def parameterize(
     sphere : (n, 3) ndarray of float64
         The images of the vertices, in the unit of length of the mesh; NaN for vertices without a face.
     report : Report
-        What the run did.
+        What the run did; with a `density`, ``report.areas.is_reached`` says whether the areas are as wanted.
+
+    Warns
+    -----
+    RuntimeWarning
+        If the areas of a `density` are missed by a deviation above 0.01.
 
     Raises
     ------
@@ -180,4 +192,13 @@ def parameterize(
     sphere, report, areas = _core.parameterize(
         points, corners, prefer, energy, first_images, isinstance(initial, str), densities, is_of_faces, *run
     )
-    return sphere, Report(**report, areas=None if areas is None else Areas(**areas))
+    result = Report(**report, areas=None if areas is None else Areas(**areas))
+    if result.areas is not None and result.areas.deviation > MAX_DEVIATION_OF_AREAS:
+        warnings.warn(
+            f"the areas are not as wanted: their deviation is {result.areas.deviation:.2g}, the largest {result.areas.largest_deviation:.2g}"
+            f" (report.areas; the run ended for this reason: {result.stop_reason})."
+            + (' energy="conformal" works against them: leave it out.' if energy == "conformal" else ""),
+            RuntimeWarning,
+            stacklevel=2,
+        )
+    return sphere, result

@@ -3,6 +3,8 @@
 
 #include "arrays.h"
 
+#include <CGAL/Spherical_parameterization/Spherical_harmonics_3.h>
+
 #include <pybind11/stl.h>
 
 #include <cstddef>
@@ -55,6 +57,16 @@ Values evaluate_harmonics(const Values& coefficients, const std::string& normali
 std::pair<Indices, Points> make_domain(const std::string& solid, std::uint32_t subdivision);
 py::tuple standard_position(const Values& coefficients, const std::string& normalization, bool has_phase,
                             std::size_t threads);
+
+SP::Harmonic_normalization normalization_of(const std::string& word);
+SP::Spherical_harmonics_3 to_harmonics(const Values& coefficients, const std::string& normalization, bool has_phase);
+Values array_of(const SP::Spherical_harmonics_3& harmonics);
+
+std::pair<Points, Indices> read_mesh(const std::string& path);
+// of tables, or of SPHARM-PDM
+Values read_coefficients(const std::string& content, bool is_table, const std::string& normalization, bool has_phase);
+py::bytes write_coefficients(const Values& coefficients, bool is_table, const std::string& normalization,
+                             bool has_phase);
 
 using Features = std::vector<std::pair<Values, Values>>;
 py::tuple map_surface(const Points& vertices1, const Indices& faces1, const Points& sphere1, const Points& vertices2,

@@ -7,11 +7,11 @@
 #include <CGAL/Spherical_parameterization/move_to_standard_position.h>
 #include <CGAL/Spherical_parameterization/reconstruct_from_spherical_harmonics.h>
 
+#include <algorithm>
+#include <cmath>
 #include <functional>
 
 namespace Module {
-
-namespace {
 
 SP::Harmonic_normalization normalization_of(const std::string& word)
 {
@@ -19,6 +19,8 @@ SP::Harmonic_normalization normalization_of(const std::string& word)
          : word == "schmidt" ? SP::Harmonic_normalization::schmidt
                              : SP::Harmonic_normalization::four_pi;
 }
+
+namespace {
 
 // Calls f(function, l, m, place) for all coefficients and their places in an array (functions, 2, degree + 1, degree + 1).
 template <class Function>
@@ -34,6 +36,8 @@ void for_each_place(std::size_t n_functions, std::size_t degree, const Function&
           f(k, l, -static_cast<std::ptrdiff_t>(m), ((2 * k + 1) * n + l) * n + m);
       }
 }
+
+} // namespace
 
 SP::Spherical_harmonics_3 to_harmonics(const Values& coefficients, const std::string& normalization, bool has_phase)
 {
@@ -59,6 +63,8 @@ Values array_of(const SP::Spherical_harmonics_3& harmonics)
                  });
   return result;
 }
+
+namespace {
 
 // The rows of a table.
 struct Numbers_map
@@ -101,13 +107,20 @@ py::tuple expand(const Points& vertices, const Indices& faces, const Points& sph
                                 : SP::expand_in_spherical_harmonics(
                                       mesh, rows_of(sphere), Numbers_map{numbers, n_columns}, expansion, harmonics, np);
     });
+    if(error == SP::ERROR_TOO_HIGH_DEGREE)
+    {
+      const auto n = static_cast<std::size_t>(
+          std::count_if(mesh.vertices_begin(), mesh.vertices_end(), [&](auto v) { return !mesh.is_isolated(v); }));
+      fail(error, "degree is " + std::to_string(degree) + ", which takes " +
+                      std::to_string((std::size_t(degree) + 1) * (std::size_t(degree) + 1)) +
+                      " coefficients, and there are " + std::to_string(n) +
+                      " vertices to determine them: with weights=\"vertices\", it may be at most " +
+                      std::to_string(std::size_t(std::sqrt(double(n))) - 1));
+    }
     if(error != SP::OK)
     {
-      if(error != SP::ERROR_TOO_HIGH_DEGREE)
-      {
-        check_surface("", mesh);
-        check_map("", mesh, "sphere", sphere);
-      }
+      check_surface("", mesh);
+      check_map("", mesh, "sphere", sphere);
       fail(error, SP::get_error_message(error));
     }
     harmonics.convert(normalization_of(normalization), has_phase);

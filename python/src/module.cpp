@@ -19,10 +19,11 @@ void raise(const Program::Input_defect& defect)
 
 PYBIND11_MODULE(_core, module)
 {
-  // those that arrays and the default method can have
+  // those that arrays, files and the default method can have
   py::enum_<SP::Error_code>(module, "ErrorCode", "What is wrong: ``str(error)`` tells the place and what helps.")
       .value("EMPTY_MESH", SP::ERROR_EMPTY_MESH)
       .value("TOO_FEW_VERTICES", SP::ERROR_TOO_FEW_VERTICES)
+      .value("NON_TRIANGULAR_MESH", SP::ERROR_NON_TRIANGULAR_MESH)
       .value("NON_CLOSED_MESH", SP::ERROR_NON_CLOSED_MESH)
       .value("SEVERAL_COMPONENTS", SP::ERROR_SEVERAL_COMPONENTS)
       .value("NO_TOPOLOGICAL_SPHERE", SP::ERROR_NO_TOPOLOGICAL_SPHERE)
@@ -35,6 +36,8 @@ PYBIND11_MODULE(_core, module)
       .value("TOO_LARGE_MESH", SP::ERROR_TOO_LARGE_MESH)
       .value("TOO_LARGE_OVERLAY", SP::ERROR_TOO_LARGE_OVERLAY)
       .value("INVALID_DIRECTION", SP::ERROR_INVALID_DIRECTION)
+      .value("INVALID_SURFACE_FILE", SP::ERROR_INVALID_SURFACE_FILE)
+      .value("INVALID_HARMONICS_FILE", SP::ERROR_INVALID_HARMONICS_FILE)
       .value("UNDETERMINED_ROTATION", SP::ERROR_UNDETERMINED_ROTATION)
       .value("TOO_HIGH_DEGREE", SP::ERROR_TOO_HIGH_DEGREE)
       .value("INVALID_DENSITY", SP::ERROR_INVALID_DENSITY)
@@ -71,6 +74,9 @@ PYBIND11_MODULE(_core, module)
   module.def("evaluate_harmonics", &evaluate_harmonics);
   module.def("make_domain", &make_domain);
   module.def("standard_position", &standard_position);
+  module.def("read_mesh", &read_mesh);
+  module.def("read_coefficients", &read_coefficients);
+  module.def("write_coefficients", &write_coefficients);
   module.def("map_surface", &map_surface);
   module.def("align_spheres", &align_spheres);
   module.def("overlay", &overlay);

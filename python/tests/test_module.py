@@ -7,6 +7,7 @@ import subprocess
 import sys
 import threading
 import time
+import warnings
 from pathlib import Path
 
 import numpy as np
@@ -156,7 +157,7 @@ def test_says_what_is_wrong_with_a_mesh_and_where():
     def defect(expected, vertices, faces):
         raised = refused(expected, sp.parameterize, vertices, faces)
         found = sp.find_defect(vertices, faces)
-        assert str(found) == str(raised) and found.code == expected
+        assert str(found) == str(raised) and found.code == expected and "CGAL::" not in str(found)
         return found
 
     assert sp.find_defect(points, FACES) is None
@@ -203,6 +204,56 @@ def test_refuses_settings_out_of_range(calls):
     refused(wrong, sp.parameterize, TETRAHEDRON, FACES, prefer="sampling", energy="conformal")
     with pytest.raises(TypeError):
         sp.parameterize(TETRAHEDRON, FACES, "worst")
+
+
+# Files
+
+
+def test_reads_meshes(tmp_path):
+    vertices, faces = surface(4)
+    points = [" ".join(map(repr, row)) for row in vertices.tolist()]
+    n = f"{len(vertices)} {len(faces)} 0"
+    files = {
+        "colors.OFF": ["COFF", n, *(p + " 0.5 0 0 1" for p in points), *("3 %d %d %d 255 0 0" % tuple(f) for f in faces)],
+        "mesh.obj": [*("v " + p for p in points), *("f %d %d %d" % tuple(f) for f in faces + 1)],
+    }
+    for name, lines in files.items():
+        (tmp_path / name).write_text("\n".join(lines))
+        for path in (tmp_path / name, str(tmp_path / name)):
+            found = sp.read_mesh(path)
+            assert same(found[0], vertices) and same(found[1], faces)
+    (tmp_path / "cut.off").write_text("OFF\n" + "\n".join([n, *points[:60]]))
+    error = refused(sp.ErrorCode.INVALID_SURFACE_FILE, sp.read_mesh, tmp_path / "cut.off")
+    assert "cut.off: the file ends after 60 of 66" in str(error)
+    (tmp_path / "quad.off").write_text("OFF\n4 2 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n3 0 1 2\n4 0 1 2 3\n")
+    error = refused(sp.ErrorCode.NON_TRIANGULAR_MESH, sp.read_mesh, tmp_path / "quad.off")
+    assert error.face == 1 and "quad.off: face 1 is not a triangle but has 4 corners" in str(error)
+    refused(sp.ErrorCode.INVALID_SURFACE_FILE, sp.read_mesh, tmp_path)
+    with pytest.raises(FileNotFoundError, match="none.off"):
+        sp.read_mesh(tmp_path / "none.off")
+
+
+def test_writes_and_reads_coefficients(tmp_path):
+    coefficients = random_coefficients(3, 7)
+    coef, table = tmp_path / "shape.coef", tmp_path / "shape.csv"
+    sp.write_coefficients(coef, coefficients)
+    sp.write_coefficients(table, coefficients)
+    assert np.allclose(sp.read_coefficients(coef), coefficients, rtol=1e-14, atol=0) and same(sp.read_coefficients(table), coefficients)
+    ortho = sp.read_coefficients(coef, normalization="ortho", csphase=-1)
+    assert np.allclose(ortho[:, 0, 3, 2], coefficients[:, 0, 3, 2] * np.sqrt(4 * np.pi))
+    assert np.allclose(ortho[:, 0, 3, 1], -coefficients[:, 0, 3, 1] * np.sqrt(4 * np.pi))
+    sp.write_coefficients(coef, ortho, normalization="ortho", csphase=-1)
+    assert np.allclose(sp.read_coefficients(coef), coefficients, rtol=1e-13, atol=0)
+    sp.write_coefficients(table, ortho[0], normalization="ortho", csphase=-1)
+    assert table.read_text().startswith("degree,order,f1,normalization,csphase\n0,0,")
+    assert np.allclose(sp.read_coefficients(table), coefficients[:1])
+
+    wrong = sp.ErrorCode.WRONG_PARAMETER
+    assert ".coef" in str(refused(wrong, sp.write_coefficients, tmp_path / "shape.txt", coefficients))
+    assert "(2, 7, 7)" in str(refused(wrong, sp.write_coefficients, coef, coefficients[0]))
+    table.write_text("degree,order\n")
+    error = refused(sp.ErrorCode.INVALID_HARMONICS_FILE, sp.read_coefficients, table)
+    assert "shape.csv: " in str(error)
 
 
 # The map
@@ -882,6 +933,7 @@ def test_expands_and_reconstructs():
     assert np.sqrt(((again.vertices - vertices) ** 2).sum(axis=1).mean()) < 0.04
     assert np.allclose(again.vertices, sp.reconstruct(coefficients, 3 * sphere), rtol=0, atol=1e-12)
     even = sp.reconstruct(coefficients[..., :6, :6], ("icosahedron", 5))
+    assert same(sp.reconstruct(coefficients[..., :6, :6], ["icosahedron", 5]).vertices, even.vertices)
     assert even.vertices.shape == (252, 3) and sp.find_defect(even.vertices, even.faces) is None
     for weights in ("surface", "sphere", "vertices"):
         errors = sp.expand(vertices, faces, sphere, 12, weights=weights)[1]
@@ -932,8 +984,8 @@ def test_says_what_is_wrong_with_harmonics():
         assert "degree" in str(refused(wrong, sp.expand, *first, degree))
     with pytest.raises(TypeError):
         sp.expand(*first, 2.5)
-    error = refused(sp.ErrorCode.TOO_HIGH_DEGREE, sp.expand, *first, len(vertices), weights="vertices")
-    assert "vertices" in str(error)
+    error = refused(sp.ErrorCode.TOO_HIGH_DEGREE, sp.expand, *first, 9, weights="vertices")
+    assert "100 coefficients" in str(error) and "66 vertices" in str(error) and "at most 7" in str(error)
     refused(sp.ErrorCode.NO_1_TO_1_MAPPING, sp.expand, vertices, faces, -sphere, 3)
     refused(sp.ErrorCode.NON_CLOSED_MESH, sp.expand, vertices, faces[1:], sphere, 3)
     for setting, value in (("weights", "area"), ("normalization", "unnorm"), ("csphase", 0), ("values", [1, 2])):
@@ -1005,6 +1057,9 @@ def test_says_what_is_wrong_with_shapes():
     assert "shapes[1]" in str(refused(wrong, sp.shape_modes, [shape, np.ones((4, 3))], align="similarity"))
     with pytest.raises(TypeError):
         sp.shape_modes([shape, shape.astype(str)])
+    with pytest.raises(TypeError, match="give its vertices"):
+        sp.shape_modes([sp.reconstruct(ellipsoid(3, 2, 1, 1), ("cube", 2))] * 2)
+    assert "differ" in str(refused(wrong, sp.shape_modes, [shape, [[1, 2, 3], [4]]]))
     result = sp.shape_modes([shape, 2 * shape])
     for scores in ([1, 1], [np.inf], [[1]]):
         assert "scores" in str(refused(wrong, result.shape, scores))
@@ -1041,27 +1096,71 @@ def test_the_example_draws_a_picture(tmp_path):
     assert len(np.unique(pyplot.imread(tmp_path / "picture.png").reshape(-1, 4), axis=0)) > 1000
 
 
+def run_shape_modes(folder, *words, status=0):
+    """Returns what the example prints."""
+    command = [sys.executable, ROOT / "python/examples/shape_modes.py", *words]
+    run = subprocess.run(command, cwd=folder, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+    assert run.returncode == status and "Traceback" not in run.stdout, run.stdout
+    return run.stdout
+
+
 def test_the_example_finds_the_modes_of_cells(tmp_path):
     pyplot = pytest.importorskip("matplotlib.pyplot")
-    example = ROOT / "python/examples/shape_modes.py"
 
-    def run(*words):
-        command = [sys.executable, example, *words]
-        return subprocess.run(command, cwd=tmp_path, check=True, stdout=subprocess.PIPE, text=True).stdout
+    def scores(path):
+        return np.loadtxt(tmp_path / path, delimiter=",", skiprows=1, usecols=(1, 2))
 
-    lines = run("--demo", "demo", "--modes", "2")
+    (tmp_path / "demo/cells").mkdir(parents=True)
+    write_off(tmp_path / "demo/cells/other.off", TETRAHEDRON, FACES)  # which the demonstration has not made
+    lines = run_shape_modes(tmp_path, "--demo", "demo", "--modes", "2")
+    (tmp_path / "demo/cells/other.off").unlink()
     correlations = [abs(float(x)) for x in re.findall(r"correlation of mode \d (.*)", lines)]
-    assert len(correlations) == 2 and min(correlations) >= 0.99
+    assert len(correlations) == 2 and min(correlations) >= 0.998
     table = (tmp_path / "demo/scores.csv").read_text().splitlines()
     assert len(table) == 101 and table[0].startswith("file,mode1,mode2,") and table[1].startswith("cell000.off,")
+    shares = np.loadtxt(tmp_path / "demo/modes.csv", delimiter=",", skiprows=1)
+    assert np.isclose(shares[:, 1].sum(), 1) and f"mode 2: {shares[1, 1]:.1%} of" in lines and f"deviation {shares[1, 2]:.3g}" in lines
     assert len(np.unique(pyplot.imread(tmp_path / "demo/modes.png").reshape(-1, 4), axis=0)) > 1000
     minus, plus, mean = (read_points(tmp_path / f"demo/{name}.off") for name in ("mode1_minus", "mode1_plus", "mean"))
     assert np.allclose((minus + plus) / 2, mean, atol=1e-6) and not np.allclose(minus, plus)
 
-    for path in sorted((tmp_path / "demo/cells").iterdir())[12:]:
+    folder = tmp_path / "demo/cells"
+    for path in sorted(folder.iterdir())[6:]:
         path.unlink()
-    assert "12 surfaces" in run("demo/cells", "registered", "--template", "cell003.off", "--same-size", "--modes", "1")
-    assert len(read_points(tmp_path / "registered/mode1_plus.off")) == len(read_points(tmp_path / "demo/cells/cell003.off"))
+    lines = run_shape_modes(tmp_path, "demo/cells", "registered", "--template", "cell003.off", "--same-size", "--modes", "1")
+    assert "6 surfaces" in lines and "cell003.off: is the template" in lines
+    n = len(read_points(folder / "cell003.off"))
+    assert len(read_points(tmp_path / "registered/mode1_plus.off")) == n
+    for name in re.findall(r"(cell\d+).off: .*UNCERTAIN", lines):
+        assert len(read_points(tmp_path / f"registered/uncertain_{name}.off")) == n
+
+    assert "inside out" not in run_shape_modes(tmp_path, "demo/cells", "right", "--standard-position")
+    vertices, faces = sp.read_mesh(folder / "cell005.off")
+    write_off(folder / "cell005.off", vertices, faces[:, ::-1])
+    assert "cell005.off: is inside out" in run_shape_modes(tmp_path, "demo/cells", "turned", "--standard-position", "--up", "z")
+    assert np.allclose(scores("right/scores.csv"), scores("turned/scores.csv"), atol=0.02)
+
+
+def test_the_example_says_what_is_wrong(tmp_path):
+    pytest.importorskip("matplotlib.pyplot")
+    folder = tmp_path / "shapes"
+    folder.mkdir()
+    (folder / "folder.off").mkdir()
+    vertices, faces = surface(4)
+    write_off(folder / "a.off", vertices, faces)
+    assert "has 1 of the files" in run_shape_modes(tmp_path, "shapes", "results", status=1)
+    write_off(folder / "b.OFF", vertices, faces)
+    assert "All of the surfaces are the same" in run_shape_modes(tmp_path, "shapes", "results", status=1)
+    lines = run_shape_modes(tmp_path, "shapes", "results", "--standard-position", "--degree", "9", status=1)
+    assert "66 vertices" in lines and "--degree 7 or less" in lines
+    assert "another folder" in run_shape_modes(tmp_path, "shapes", "shapes/../shapes", status=2)
+    assert "--degree goes with" in run_shape_modes(tmp_path, "shapes", "results", "--degree", "9", status=2)
+    assert "--template c.off is none of" in run_shape_modes(tmp_path, "shapes", "results", "--template", "c.off", status=1)
+    (folder / "c.off").write_text("hello")
+    write_off(folder / "d.off", vertices, faces[1:])
+    lines = run_shape_modes(tmp_path, "shapes", "results", status=1)
+    assert "c.off: line 1" in lines and "d.off: the mesh has a border" in lines and "2 of 4 files" in lines
+    assert not list((tmp_path / "results").iterdir())
 
 
 def cells(faces, sphere):
@@ -1090,7 +1189,9 @@ def test_areas_are_as_wanted():
         (of_vertices, of_vertices[faces].mean(axis=1)),
         (np.arange(1, len(faces) + 1) % 3 + 1, np.arange(1, len(faces) + 1) % 3 + 1.0),
     ):
-        sphere, report = sp.parameterize(vertices, faces, density=density)
+        with warnings.catch_warnings():
+            warnings.simplefilter("error")
+            sphere, report = sp.parameterize(vertices, faces, density=density)
         assert sp.is_bijective(faces, sphere)
         areas = report.areas
         ratios = cells(faces, sphere) / wanted_cells(vertices, faces, of_faces)
@@ -1109,9 +1210,12 @@ def test_areas_that_cannot_be_had_are_told():
     faces = np.vstack([FACES[:3], [[1, 3, 4], [3, 2, 4], [2, 1, 4]]])
     vertices[4] = [-2, -2, -2]
     density[0] = 1e3  # more than half of the sphere
-    sphere, report = sp.parameterize(vertices[:5], faces, density=density)
+    with pytest.warns(RuntimeWarning, match="the areas are not as wanted"):
+        sphere, report = sp.parameterize(vertices[:5], faces, density=density)
     assert not report.areas.is_reached and report.areas.number_of_off_vertices > 0
     assert sp.is_bijective(faces, sphere)
+    with pytest.warns(RuntimeWarning, match='energy="conformal" works against them'):
+        sp.parameterize(vertices[:5], faces, density=density, energy="conformal")
 
 
 @pytest.mark.parametrize("bad", [-1.0, np.nan, np.inf])

@@ -118,7 +118,7 @@ inline std::vector<double> read_density(const std::string& name, Input_mesh& inp
         throw Program_error("the density of " + std::string(is_of_vertices ? "vertex " : "face ") + std::to_string(k) +
                             " is negative, infinite or not a number. (They are counted from 0.)");
     if(std::all_of(result.begin(), result.end(), [](double x) { return x == 0.; }))
-      throw Program_error("is 0 everywhere: nothing of the surface would have a place on the sphere");
+      throw Program_error("the density is 0 everywhere: nothing of the surface would have a place on the sphere");
     return result;
   });
 }
