@@ -135,6 +135,18 @@ Overlay overlay_of(const Points& vertices1, const Indices& faces1, const Points&
   return refinement;
 }
 
+py::dict to_dict(const SP::Distortion_between& distortion)
+{
+  using namespace py::literals;
+  const auto measure = [](const SP::Distortion_between::Statistics& s) {
+    return py::make_tuple(s.maximum, s.average_over_first, s.average_over_second);
+  };
+  return py::dict("isometric"_a = measure(distortion.isometric), "area"_a = measure(distortion.area),
+                  "angle"_a = measure(distortion.angle), "energy"_a = measure(distortion.energy),
+                  "number_of_triangles"_a = distortion.number_of_triangles,
+                  "number_of_slivers"_a = distortion.number_of_slivers);
+}
+
 } // namespace
 
 py::tuple map_surface(const Points& vertices1, const Indices& faces1, const Points& sphere1, const Points& vertices2,
@@ -174,8 +186,10 @@ py::tuple map_surface(const Points& vertices1, const Indices& faces1, const Poin
   }
   return py::make_tuple(
       directions,
-      py::dict("energy"_a = report.energy, "is_energy_sampled"_a = report.is_energy_sampled,
-               "agreement"_a = report.agreement, "margin"_a = report.margin, "is_uncertain"_a = report.is_uncertain,
+      py::dict("energy"_a = report.energy,
+               "distortion"_a = report.distortion ? py::object(to_dict(*report.distortion)) : py::none(),
+               "is_energy_sampled"_a = report.is_energy_sampled, "agreement"_a = report.agreement,
+               "margin"_a = report.margin, "is_uncertain"_a = report.is_uncertain,
                "landmark_distances"_a =
                    Values(static_cast<py::ssize_t>(report.landmark_distances.size()), report.landmark_distances.data()),
                "number_of_missed_landmarks"_a = report.number_of_missed_landmarks,
@@ -243,7 +257,6 @@ py::dict measure_distortion_between(const Points& vertices1, const Indices& face
                                     const Points& vertices2, const Indices& faces2, const Points& sphere2,
                                     double smallest_area, std::optional<std::size_t> max_vertices, std::size_t threads)
 {
-  using namespace py::literals;
   const Overlay refinement = overlay_of(vertices1, faces1, sphere1, vertices2, faces2, sphere2, max_vertices, threads);
   SP::Distortion_between distortion;
   {
@@ -252,13 +265,7 @@ py::dict measure_distortion_between(const Points& vertices1, const Indices& face
        error != SP::OK)
       fail(error, SP::get_error_message(error));
   }
-  const auto measure = [](const SP::Distortion_between::Statistics& s) {
-    return py::make_tuple(s.maximum, s.average_over_first, s.average_over_second);
-  };
-  return py::dict("isometric"_a = measure(distortion.isometric), "area"_a = measure(distortion.area),
-                  "angle"_a = measure(distortion.angle), "energy"_a = measure(distortion.energy),
-                  "number_of_triangles"_a = distortion.number_of_triangles,
-                  "number_of_slivers"_a = distortion.number_of_slivers);
+  return to_dict(distortion);
 }
 
 } // namespace Module

@@ -779,6 +779,7 @@ def test_measures_maps_between_surfaces():
     between = sp.measure_distortion_between((*first[:2], directions), second)
     assert not report.is_energy_sampled
     assert report.energy == pytest.approx(np.mean(between.energy[1:]))
+    assert report.distortion.isometric == pytest.approx(between.isometric) and report.distortion.energy == pytest.approx(between.energy)
     assert between.number_of_triangles == len(sp.overlay((*first[:2], directions), second).faces)
 
     # the same faces: the map is linear on each of them, and is compared with the lengths of its image at the same area

@@ -125,6 +125,14 @@ struct Match
       EXPECT_TRUE((is_stopped && result.report.energy == 0.) || mean > 100. ||
                   std::abs(result.report.energy - mean) < 1e-6 * mean)
           << result.report.energy << ", but " << mean; // infinite if a surface has no area
+      EXPECT_EQ(result.report.distortion.has_value(), result.report.energy != 0. && !result.report.is_energy_sampled);
+      if(result.report.distortion && mean < 100.)
+      {
+        EXPECT_NEAR(result.report.distortion->isometric.maximum, distortion.isometric.maximum,
+                    1e-6 * distortion.isometric.maximum);
+        EXPECT_NEAR(result.report.distortion->angle.average_over_second, distortion.angle.average_over_second, 1e-6);
+        EXPECT_EQ(result.report.distortion->number_of_triangles, distortion.number_of_triangles);
+      }
     }
     else
       for(const Point_3& p : result.directions)

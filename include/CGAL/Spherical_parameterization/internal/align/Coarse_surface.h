@@ -122,7 +122,6 @@ public:
   // on average; and how much the surface is curved, inwards or outwards, at two scales, which differs between front and back
   // where the other features would allow for a half turn.
   static constexpr int number_of_own_features = 4;
-  static constexpr std::size_t coarse_curvature = 3; // the number of that feature
   void add_own_feature(int k)
   {
     // The time of heat that goes 0.045, where the vertices are 0.024 apart, and twice as far. With less time, the
