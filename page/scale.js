@@ -99,7 +99,7 @@ export function drawHistogram(svg, measure, scale) {
       element("text", { x: xOf(t), y: BASE + 31, "text-anchor": anchor }, (t === 1 ? "\u2265 " : "") + scale.tick(t)),
     ];
   });
-  const share = ((100 * highest) / measure.values.length).toPrecision(2);
+  const share = Number(((100 * highest) / measure.values.length).toPrecision(2)); // not 1.0e+2
   const most = element("text", { x: RIGHT, y: 9, "text-anchor": "end" }, `highest bar: ${share} % of the faces`);
   svg.replaceChildren(...bars, ...legend, ...ticks, most);
   svg.setAttribute(
