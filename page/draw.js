@@ -106,7 +106,7 @@ export class WebGLPainter {
         morph: { value: 0 },
         paint: { value: 0 },
         palette: this.palette,
-        has_sphere: { value: surfaces.numbers === null },
+        has_sphere: { value: surfaces.facts.has_sphere },
       };
       const material = new ShaderMaterial({
         uniforms,

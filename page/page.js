@@ -21,8 +21,10 @@ let isFollowing = false;
 const redraw = () => (isDirty = true);
 
 const start = startOf(surfaces.sides[0]);
-for (const side of surfaces.sides) fit(side, start);
+if (facts.has_one_frame) fit(surfaces.sides, start);
+else for (const side of surfaces.sides) fit([side], start);
 const views = ["view-left", "view-right"].map((id) => new View(byId(id), start, { onTurn, onPoint }));
+const middle = facts.has_one_frame ? "mean" : "half way";
 const morphs = () => [morph.valueAsNumber, 1];
 
 function onTurn(view) {
@@ -79,6 +81,17 @@ function choose() {
   else drawClasses(byId("histogram"), measures[measure]);
   painter.paintFaces(shadesOf(measures[measure], scales[measure], surfaces.folded));
   if (mark) tellPlace();
+  redraw();
+}
+
+// What the left side is while it moves to the right one
+function tellMorph() {
+  const { left, right } = facts;
+  const share = morph.valueAsNumber;
+  const named = { 0: left.title, 0.5: middle, 1: right.title }[share];
+  const text = named ?? `${Math.round(100 * share)} % of the way to ${right.title}`;
+  views[0].element.querySelector("figcaption").textContent = text;
+  morph.setAttribute("aria-valuetext", text);
   redraw();
 }
 
@@ -139,7 +152,10 @@ function makePainter() {
 }
 
 function showSummary() {
-  const title = facts.left.title + (surfaces.numbers ? `, mapped onto ${facts.right.title}` : "");
+  const { left, right } = facts;
+  const title = facts.has_one_frame
+    ? `${left.title} and ${right.title}`
+    : left.title + (surfaces.numbers ? `, mapped onto ${right.title}` : "");
   document.title = title;
   byId("title").textContent = title;
   byId("certificate").textContent = facts.certificate;
@@ -164,25 +180,30 @@ function showSummary() {
   );
   byId("distortion").append(row("th", ["", ...Object.keys(measured[0].statistics)]), ...rows);
   fill(byId("summary"), facts.summary);
-  morph.closest("label").hidden = !facts.morphs;
+  const slider = morph.closest("label");
+  slider.hidden = !facts.morphs;
+  slider.querySelectorAll("span").forEach((mark, i) => {
+    mark.textContent = mark.title = [left.title, middle, right.title][i];
+  });
 }
 
 painter = makePainter();
 for (const { name } of measures) colour.add(new Option(name, name, false, name === facts.measure));
 if (painter instanceof WebGLPainter) {
-  colour.add(new Option(surfaces.numbers ? "grid of the first surface" : "meridians and parallels", "pattern"));
+  colour.add(new Option(facts.has_sphere ? "meridians and parallels" : "grid of the left side", "pattern"));
 }
 colour.add(new Option("plain", "plain"));
 
 showSummary();
+tellMorph();
 colour.addEventListener("change", choose);
-morph.addEventListener("input", redraw);
+morph.addEventListener("input", tellMorph);
 together.addEventListener("change", () => onTurn(views[0]));
 byId("reset").addEventListener("click", () => {
   morph.value = 0;
   together.checked = true;
   for (const view of views) view.reset();
-  redraw();
+  tellMorph();
 });
 area.querySelector("canvas").addEventListener("webglcontextrestored", redraw);
 new ResizeObserver(resize).observe(area);

@@ -13,14 +13,22 @@ const palette = Array.from({ length: STEPS }, (_, i) =>
 
 const css = (colour) => `rgb(${colour.join(" ")})`;
 
-// Equal ratios look alike. Ends at what one face in a hundred exceeds, as a single bad face would hide all others.
+const clamp = (t) => Math.min(Math.max(t, 0), 1);
+
+// Equal ratios look alike; equal differences if the minimum is 0. Ends at what one face in a hundred exceeds, as a single bad face
+// would hide all others.
 export function scaleOf({ values, minimum }) {
   const sorted = values.filter(Number.isFinite).sort();
-  const high = Math.max(1.01 * minimum, sorted[Math.floor(0.99 * (sorted.length - 1))] ?? 0);
+  const most = sorted[Math.floor(0.99 * (sorted.length - 1))] ?? 0;
+  if (minimum === 0) {
+    const high = most || 1;
+    return { position: (value) => clamp(value / high), tick: (t) => String(Number((t * high).toPrecision(3))) };
+  }
+  const high = Math.max(1.01 * minimum, most);
   const range = Math.log(high / minimum);
   const digits = 3 + Math.max(0, Math.floor(-Math.log10(high / minimum - 1)));
   return {
-    position: (value) => Math.min(Math.max(Math.log(value / minimum) / range, 0), 1),
+    position: (value) => clamp(Math.log(value / minimum) / range),
     tick: (t) => String(Number((minimum * Math.exp(t * range)).toPrecision(digits))),
   };
 }
@@ -91,7 +99,7 @@ export function drawHistogram(svg, measure, scale) {
       element("text", { x: xOf(t), y: BASE + 31, "text-anchor": anchor }, (t === 1 ? "\u2265 " : "") + scale.tick(t)),
     ];
   });
-  const share = ((100 * highest) / measure.values.length).toPrecision(2);
+  const share = Number(((100 * highest) / measure.values.length).toPrecision(2)); // not 1.0e+2
   const most = element("text", { x: RIGHT, y: 9, "text-anchor": "end" }, `highest bar: ${share} % of the faces`);
   svg.replaceChildren(...bars, ...legend, ...ticks, most);
   svg.setAttribute(

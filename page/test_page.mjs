@@ -104,7 +104,8 @@ function writeLabels(name, { points }) {
   );
 }
 
-// The number of colours of a picture, and the share of pixels that differ from those of another one
+// The number of colours of a picture, the share of pixels that differ from those of another one, and the share of those that are
+// neither grey, black nor white
 function examine(page, picture, other = picture) {
   const read = async (pictures) => {
     const [pixels, others] = await Promise.all(
@@ -116,9 +117,14 @@ function examine(page, picture, other = picture) {
         return new Uint32Array(context.getImageData(0, 0, image.width, image.height).data.buffer);
       }),
     );
+    const isColoured = (pixel) => {
+      const bytes = [pixel & 255, (pixel >> 8) & 255, (pixel >> 16) & 255];
+      return Math.max(...bytes) - Math.min(...bytes) > 25;
+    };
     return {
       colours: new Set(pixels).size,
       changed: pixels.filter((pixel, i) => pixel !== others[i]).length / pixels.length,
+      coloured: pixels.filter(isColoured).length / pixels.length,
     };
   };
   return page.evaluate(read, [picture, other]);
@@ -133,6 +139,7 @@ const body = makeMesh(
   (latitude, longitude) => 1 + 0.3 * Math.sin(3 * longitude) * Math.sin(latitude) ** 3 + 0.5 * Math.cos(latitude) ** 2,
 );
 const sphere = makeMesh(9, 12, () => 1);
+const enlarge = ([x, y, z]) => [1.5 * x + 0.2, 1.5 * y, 1.5 * z];
 
 async function open(browser, name, faults) {
   const page = await browser.newPage();
@@ -239,6 +246,59 @@ async function checkDrawing(page) {
   }
 }
 
+// A body and one that is larger by half and elsewhere: sizes, places and how far each place moves are seen.
+async function checkSizes(page) {
+  const texts = (selector) => page.$$eval(selector, (all) => all.map((one) => one.textContent));
+  assert.deepEqual(await texts("#title"), ["body.off and large.off"]);
+  assert.deepEqual(await texts("figcaption"), ["body.off", "large.off"]);
+  assert.deepEqual(await texts(".slider span"), ["body.off", "mean", "large.off"]);
+
+  const size = async (selector) => Math.sqrt((await examine(page, await look(page, selector))).coloured);
+  const [small, large] = [await size("#view-left"), await size("#view-right")];
+  assert.ok(Math.abs(large / small - 1.5) < 0.05, `the larger side is drawn ${large / small} times as large`);
+
+  const moves = body.faces.map((face) => {
+    const middle = [0, 1, 2].map((k) => face.reduce((sum, v) => sum + body.points[v][k], 0) / 3);
+    return Math.hypot(...minus(enlarge(middle), middle));
+  });
+  const average = moves.reduce((sum, x) => sum + x, 0) / moves.length;
+  const [name, ...statistics] = await texts("#distortion tr:nth-child(2) > *");
+  assert.equal(name, "displacement");
+  for (const [k, expected] of [Math.max(...moves), average].entries())
+    assert.ok(Math.abs(statistics[k] - expected) < 1e-4 * expected, `${statistics[k]} in the place of ${expected}`);
+  assert.match((await texts("#measure"))[0], /^displacement: .* in the unit of the files$/);
+  const most = [...moves].sort((x, y) => x - y)[Math.floor(0.99 * (moves.length - 1))];
+  const ticks = (await texts("#histogram text")).slice(0, 4);
+  const [third, twoThirds, end] = [1 / 3, 2 / 3, 1].map((t) => String(Number((t * most).toPrecision(3))));
+  assert.deepEqual(ticks, ["0", third, twoThirds, `\u2265 ${end}`]);
+  await page.focus("#view-left");
+  await page.keyboard.press("Enter");
+  const { face } = await page.$eval("#place", ({ dataset }) => ({ ...dataset }));
+  const told = (await texts("#place dd"))[3];
+  assert.ok(Math.abs(told - moves[face]) < 1e-4, `${told} in the place of ${moves[face]}`);
+
+  await page.$eval("#morph", (slider) => {
+    slider.value = 0.5;
+    slider.dispatchEvent(new Event("input"));
+  });
+  assert.deepEqual(await texts("figcaption"), ["mean", "large.off"]);
+  const half = await size("#view-left");
+  assert.ok(Math.abs(half / small - 1.25) < 0.05, `the mean is drawn ${half / small} times as large`);
+  await page.focus("#morph");
+  await page.keyboard.press("End");
+  assert.deepEqual(await texts("figcaption"), ["large.off", "large.off"]);
+  const right = await look(page, "#view-right");
+  assert.ok(await isSame(page, await look(page, "#view-left"), right), "the slider does not end at the right side");
+  await page.focus("#view-left");
+  await page.keyboard.press("ArrowLeft");
+  assert.ok(!(await isSame(page, await look(page, "#view-right"), right)), "the right side does not turn along");
+  assert.ok(
+    await isSame(page, await look(page, "#view-left"), await look(page, "#view-right")),
+    "the sides do not turn alike",
+  );
+  assert.equal(await page.$eval("#colour [value=pattern]", (option) => option.textContent), "grid of the left side");
+}
+
 async function withBrowser(args, uses) {
   const browser = await puppeteer.launch({ executablePath: browserFile, args: ["--no-sandbox", ...args] });
   const faults = [];
@@ -272,8 +332,8 @@ try {
   const classes = ["--labels", file("labels.gii"), "--convention", "cortex"];
   execFileSync(program, [file("body.off"), "--page", file("classes.html"), "--quiet", ...classes]);
 
-  writeOff("long.off", { points: body.points.map(([x, y, z]) => [x, 2 * y, z]), faces: body.faces });
-  execFileSync(program, [file("body.off"), "--page", file("beside.html"), "--beside", file("long.off"), "--quiet"]);
+  writeOff("large.off", { points: body.points.map(enlarge), faces: body.faces });
+  execFileSync(program, [file("body.off"), "--page", file("beside.html"), "--beside", file("large.off"), "--quiet"]);
 
   const torus = makeTorus(24, 8);
   writeOff("torus.off", torus);
@@ -313,10 +373,7 @@ try {
     "beside.html": async (page) => {
       await checkDrawing(page);
       assert.match(await page.$eval("#certificate", (text) => text.textContent), /^The same faces/);
-      const before = await look(page, "#view-left");
-      await page.focus("#morph");
-      await page.keyboard.press("End");
-      assert.ok(!(await isSame(page, await look(page, "#view-left"), before)), "the slider does not change the surface");
+      await checkSizes(page);
     },
     "torus.html": async (page) => {
       await checkDrawing(page);

@@ -104,15 +104,18 @@ export class View {
   }
 }
 
-// Enlarges a side to the size at which it is just seen as a whole at the start; not by more than a quarter, as tips of it would
-// be cut off when it is turned.
-export function fit(side, { direction }) {
+// Enlarges sides, by the same factor, to the size at which they are just seen as a whole at the start; not by more than a quarter, as
+// tips would be cut off when they are turned.
+export function fit(sides, { direction }) {
   const thinnest = direction.toArray().indexOf(1);
   let extent = 0;
-  side.corners.forEach((x, i) => i % 3 !== thinnest && (extent = Math.max(extent, Math.abs(x))));
+  for (const { corners } of sides)
+    corners.forEach((x, i) => i % 3 !== thinnest && (extent = Math.max(extent, Math.abs(x))));
   const factor = Math.min(1 / extent, 1.25);
-  for (let i = 0; i < side.corners.length; ++i) side.corners[i] *= factor;
-  side.scale /= factor;
+  for (const side of sides) {
+    for (let i = 0; i < side.corners.length; ++i) side.corners[i] *= factor;
+    side.scale /= factor;
+  }
 }
 
 // Along the thinnest extent of the surface, as the figures of the manual; the second axis is up, or else the third one.

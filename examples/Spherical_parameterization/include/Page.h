@@ -29,6 +29,7 @@
 #include <iterator>
 #include <limits>
 #include <map>
+#include <numeric>
 #include <ostream>
 #include <string>
 #include <utility>
@@ -63,7 +64,9 @@ public:
   Page(Input_mesh& input, const Sphere_map& sphere, const Distortion_map& distortions, const Run_report& report)
   {
     const Mesh& mesh = input.mesh_of_file();
-    place_surface(input, mesh);
+    show_surface(input, mesh);
+    place({&m_left});
+    m_has_sphere = true;
     m_right.title = "its sphere";
     tell(report);
     add_distortions({distortions.begin(), distortions.end()},
@@ -125,8 +128,8 @@ public:
       m_left.faces.push_back(parents.empty() ? std::uint32_t(f) : static_cast<std::uint32_t>(parents[f]));
       m_right.faces.push_back(std::uint32_t(g));
     }
-    place(m_left);
-    place(m_right);
+    place({&m_left});
+    place({&m_right});
     tell(report);
     add_distortions(distortions_between(),
                     [&](auto of_sphere, auto of_both) { return report.statistics(of_sphere, of_both); });
@@ -135,18 +138,22 @@ public:
 
   /// shows two surfaces with the same faces: the map between them takes each vertex to that of the same number.
   ///
+  /// Places and sizes are compared as well as shapes: both stay where they are in the space of their files.
+  ///
   /// \throws Program_error if the faces differ
   Page(Input_mesh& input, Input_mesh& other)
   {
     const Mesh &mesh = input.mesh_of_file(), &second = other.mesh();
     input.check_faces_of(other.name(), "is no surface to show beside", second.number_of_vertices(), other.triangles());
-    place_surface(input, mesh);
+    show_surface(input, mesh);
     m_right.title = name_of(other.name());
     m_right.points.assign(second.points().begin(), second.points().end());
-    place(m_right);
+    place({&m_left, &m_right});
+    m_has_one_frame = true;
     m_verdict = "The same faces: each vertex is mapped to that of the same number.";
     m_summary.add("Mesh", std::to_string(mesh.number_of_vertices()) + " vertices, " +
                               std::to_string(mesh.number_of_faces()) + " faces");
+    add_displacements();
     SP::Distortion_summary summary;
     const std::vector<SP::Face_distortion> distortions = distortions_between(&summary);
     add_distortions(distortions, [&](auto of_summary, auto) {
@@ -161,7 +168,8 @@ public:
     , m_morphs(false)
   {
     const Mesh& mesh = input.mesh();
-    place_surface(input, mesh);
+    show_surface(input, mesh);
+    place({&m_left});
     m_right = m_left;
     m_right.title = "from behind";
     m_right.rotation = {-1., 0., 0., 0., 1., 0., 0., 0., -1.};
@@ -230,7 +238,7 @@ private:
   struct Measure
   {
     std::string name, meaning;
-    double minimum;         ///< positive: colours are for ratios
+    double minimum;         ///< colours are for ratios to it, or for differences if it is 0
     Json_object statistics; ///< numbers by their names
     std::vector<float> values;
   };
@@ -297,13 +305,12 @@ private:
   }
 
   // Makes a surface the left side, with all its faces.
-  void place_surface(const Input_mesh& input, const Mesh& mesh)
+  void show_surface(const Input_mesh& input, const Mesh& mesh)
   {
     for(const Polygon& triangle : input.triangles())
       m_triangles.push_back({std::uint32_t(triangle[0]), std::uint32_t(triangle[1]), std::uint32_t(triangle[2])});
     m_left.title = name_of(input.name());
     m_left.points.assign(mesh.points().begin(), mesh.points().end());
-    place(m_left);
   }
 
   // calls `visit(v)` for each corner of a face: other vertices may be anywhere
@@ -315,30 +322,38 @@ private:
         visit(v);
   }
 
-  // Puts a surface into the unit ball.
-  void place(Side& side) const
+  // Puts one side or both, as they lie to each other, into the unit ball.
+  void place(const std::vector<Side*>& sides) const
   {
     CGAL::Bbox_3 box;
-    for_each_corner([&](std::size_t v) { box += side.points[v].bbox(); });
+    for(const Side* side : sides)
+      for_each_corner([&](std::size_t v) { box += side->points[v].bbox(); });
+    std::array<double, 3> centre{};
     double extent = 0., radius = 0.;
     for(std::size_t k = 0; k < 3; ++k)
     {
       const int i = static_cast<int>(k);
       const double low = (box.min)(i), high = (box.max)(i);
-      side.centre[k] = 0.5 * low + 0.5 * high; // their sum may be infinite
+      centre[k] = 0.5 * low + 0.5 * high; // their sum may be infinite
       extent = (std::max)(extent, 0.5 * high - 0.5 * low);
     }
     if(extent == 0.)
       extent = 1.;
-    for(Point_3& p : side.points)
-      p = Point_3((p.x() - side.centre[0]) / extent, (p.y() - side.centre[1]) / extent,
-                  (p.z() - side.centre[2]) / extent);
-    for_each_corner([&](std::size_t v) { radius = (std::max)(radius, length_of(side.points[v])); });
+    for(Side* side : sides)
+    {
+      for(Point_3& p : side->points)
+        p = Point_3((p.x() - centre[0]) / extent, (p.y() - centre[1]) / extent, (p.z() - centre[2]) / extent);
+      for_each_corner([&](std::size_t v) { radius = (std::max)(radius, length_of(side->points[v])); });
+    }
     if(radius == 0.)
       radius = 1.;
-    for(Point_3& p : side.points)
-      p = Point_3(p.x() / radius, p.y() / radius, p.z() / radius);
-    side.scale = extent * radius;
+    for(Side* side : sides)
+    {
+      for(Point_3& p : side->points)
+        p = Point_3(p.x() / radius, p.y() / radius, p.z() / radius);
+      side->centre = centre;
+      side->scale = extent * radius;
+    }
   }
 
   // Finds out how a side lies like the left one: how a method leaves a sphere is arbitrary.
@@ -418,6 +433,38 @@ private:
     m_shown = report.shows_angles() ? 2 : 0;
   }
 
+  static float to_float(double value)
+  {
+    return value <= (std::numeric_limits<float>::max)() ? static_cast<float>(value)
+                                                        : std::numeric_limits<float>::infinity();
+  }
+
+  // How far the middle of each face moves between two sides of one frame.
+  void add_displacements()
+  {
+    Measure measure{
+        "displacement", "how far a place moves from one surface to the other, in the unit of the files", 0., {}, {}};
+    std::vector<double> lengths; // in the unit of the page, in which squares are numbers
+    for(const auto& triangle : m_triangles)
+    {
+      CGAL::Vector_3<Kernel> moved(0., 0., 0.);
+      for(const std::uint32_t v : triangle)
+        moved = moved + (m_right.points[v] - m_left.points[v]) / 3.;
+      lengths.push_back(length_of(CGAL::ORIGIN + moved));
+      measure.values.push_back(to_float(m_left.scale * lengths.back()));
+    }
+    const double n = static_cast<double>(lengths.size());
+    const double average = std::accumulate(lengths.begin(), lengths.end(), 0.) / n;
+    double variance = 0.;
+    for(const double length : lengths)
+      variance += (length - average) * (length - average) / n;
+    measure.statistics = Json_object()
+                             .add("maximum", m_left.scale * *std::max_element(lengths.begin(), lengths.end()))
+                             .add("average", m_left.scale * average)
+                             .add("deviation", m_left.scale * std::sqrt(variance));
+    m_measures.push_back(std::move(measure));
+  }
+
   // `statistics_of` tells those of a measure, by its members of both summaries.
   template <class Statistics>
   void add_distortions(const std::vector<SP::Face_distortion>& distortions, const Statistics& statistics_of)
@@ -426,11 +473,7 @@ private:
                          const Json_object& statistics) {
       Measure measure{name, meaning, minimum, statistics, {}};
       for(const SP::Face_distortion& distortion : distortions)
-      {
-        const double value = distortion.*of_face;
-        measure.values.push_back(value <= (std::numeric_limits<float>::max)() ? static_cast<float>(value)
-                                                                              : std::numeric_limits<float>::infinity());
-      }
+        measure.values.push_back(to_float(distortion.*of_face));
       m_measures.push_back(std::move(measure));
     };
     add("D_iso", "the largest factor by which a length is wrong", 1., &SP::Face_distortion::isometric,
@@ -472,6 +515,8 @@ private:
         .add("vertices", m_left.points.size())
         .add("left", side(m_left))
         .add("right", side(m_right))
+        .add("has_sphere", m_has_sphere)
+        .add("has_one_frame", m_has_one_frame)
         .add("has_numbers", m_has_numbers)
         .add("morphs", m_morphs)
         .add("measure", names[m_shown])
@@ -568,8 +613,10 @@ private:
   std::string m_verdict;
   Json_object m_summary;
   bool m_is_one_to_one = true;
-  bool m_has_numbers = false; // of faces, which the triangles are parts of
-  bool m_morphs = true;       // from the left side to the right one
+  bool m_has_sphere = false;    // on the right side
+  bool m_has_one_frame = false; // for both sides, so that sizes can be compared
+  bool m_has_numbers = false;   // of faces, which the triangles are parts of
+  bool m_morphs = true;         // from the left side to the right one
 };
 
 } // namespace Program
