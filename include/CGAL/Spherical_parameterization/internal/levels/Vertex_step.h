@@ -114,7 +114,6 @@ private:
   static constexpr double min_fraction = 1. / 2048.; // of the step; else the vertex waits for the next sweep
 
   double m_shrinking = 0.5;
-  double m_min_step = 1e-10;      // in units of the shortest edge; shorter ones are not worth an evaluation
   double m_over_relaxation = 1.9; // armadillo, 100 sweeps: D_iso 3.89 / 2.75, without it 4.52 / 2.79
 };
 
