@@ -77,7 +77,7 @@ public:
         is_last || n < many || static_cast<double>(n) > min_growth * static_cast<double>(m_last_swept_size);
     if(is_swept)
       m_last_swept_size = n;
-    return {is_swept ? m_sweeps.maximum : 1, m_sweeps.settled_change, Newton_step::on_interpolated_metric()};
+    return {is_swept ? m_sweeps.maximum : 1, m_sweeps.settled_change, Newton_step()};
   }
 
   // Where a vertex is in one of the triangles of its hole, fanned out from the first vertex, and goes to along with it.
