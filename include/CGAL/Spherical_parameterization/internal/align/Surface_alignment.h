@@ -336,7 +336,7 @@ private:
   }
 
   // Other levels follow. But with 0.04 as the last one, two of 40 random pairs of people are turned: the scores are less exact.
-  static constexpr Target_sweeps m_sweeps = {40, 1e-3, 0.02};
+  static constexpr Target_sweeps m_sweeps = {20, 1e-3, 0.02};
 
   std::array<Coarse_surface, 2> m_surfaces;
   std::vector<Vector_3d> m_points; // of the first surface, with the area 4 pi
