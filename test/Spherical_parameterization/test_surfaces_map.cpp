@@ -1054,6 +1054,16 @@ SP::internal::Star_packets stars_of(const SP::internal::Surface& mesh)
   return result;
 }
 
+// The images of the vertices, in the order of the surface.
+template <class Triangulation>
+std::vector<Vector_3d> directions_in(const SP::internal::Surface& mesh, const Triangulation& images)
+{
+  std::vector<Vector_3d> result;
+  for(const Point_3& p : mesh.in_own_order(images.points()))
+    result.push_back(SP::internal::normalized(Vector_3d{p.x(), p.y(), p.z()}));
+  return result;
+}
+
 // Features of a sphere.
 SP::internal::Sphere_image features_of(
     const SP::internal::Sphere_triangulation<SP::internal::Coarse_surface::Kernel>& images)
@@ -1078,9 +1088,7 @@ TEST(Target_star, has_the_gradient_of_its_value)
   const auto images = located(target, points), source_images = located(source, source_points);
   const SP::internal::Target_metric metric(images, points, {});
   const SP::internal::Surface mesh = indexed(source_images, source_points);
-  std::vector<Vector_3d> positions;
-  for(const Point_3& p : mesh.in_own_order(source_images.points()))
-    positions.push_back(SP::internal::normalized(Vector_3d{p.x(), p.y(), p.z()}));
+  const std::vector<Vector_3d> positions = directions_in(mesh, source_images);
   SP::internal::Target_star star(metric);
   const std::size_t level = metric.level_for(200);
   const Vector_3d goal = SP::internal::normalized(Vector_3d{1., 2., 3.});
@@ -1152,9 +1160,7 @@ TEST(Target_star, is_the_same_beside_others)
   const auto images = located(target, points), source_images = located(source, source_points);
   const SP::internal::Target_metric metric(images, points, {});
   const SP::internal::Surface mesh = indexed(source_images, source_points);
-  std::vector<Vector_3d> positions;
-  for(const Point_3& p : mesh.in_own_order(source_images.points()))
-    positions.push_back(SP::internal::normalized(Vector_3d{p.x(), p.y(), p.z()}));
+  const std::vector<Vector_3d> positions = directions_in(mesh, source_images);
   const SP::internal::Sphere_image features = features_of(images);
   const std::array<std::array<double, 4>, 2> values = {{{0.2, -0.3, 0., 0.}, {-0.1, 0.4, 0., 0.}}};
   const Vector_3d goal = SP::internal::normalized(Vector_3d{1., 2., 3.});

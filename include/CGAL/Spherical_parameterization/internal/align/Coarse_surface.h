@@ -57,7 +57,7 @@ public:
   using Kernel = Exact_predicates_inexact_constructions_kernel;
 
   // Of surfaces that are larger, all are compared in the same time. With 700 vertices, random pairs of people are off by 3.2
-  // percent after their alignment, with 1000 by 3.0 and with 2000 by 2.8, for 50, 66 and 120 ms a start.
+  // percent after their alignment, with 1000 by 3.0 and with 2000 by 2.8, where a start takes 1.3 and 2.4 times as long.
   static constexpr std::size_t max_size = 2000;
 
   // The hierarchy is that of the mesh with its images on the unit sphere; these, a caller's own features, of which vertices
