@@ -113,11 +113,7 @@ private:
     if(m_radius_chooser)
       follow_policy(i == 0);
     else
-    {
       lower_by_radius();
-      if(m_descent.has_slivers())
-        move_sliver_radius();
-    }
   }
 
   // Half the way by default: over-relaxed vertices answer a full step with too much, and the two never settle.
@@ -153,17 +149,19 @@ private:
   }
 
   // The sphere of the slivers follows the radius that the others have chosen, as far as that takes back no more than
-  // half of what the last sweep has gained. So slivers do not move the radius, and the objective falls nevertheless.
-  void move_sliver_radius()
+  // half of what a sweep has gained since the objective was `last_value`. So slivers do not move the radius, and the
+  // objective falls nevertheless.
+  void move_sliver_radius(double last_value)
   {
-    const double radius = m_objective.of_faces().sliver_radius, value = m_objective.value(m_state.summary);
-    const double bound = value + 0.5 * (std::max)(m_last_value - value, 0.);
+    const double radius = m_objective.of_faces().sliver_radius, value = m_state.value;
+    const double bound = value + 0.5 * (std::max)(last_value - value, 0.);
     double step = std::log(scaled_radius() / radius);
     for(int k = 0; k <= max_halvings; ++k, step *= 0.5)
     {
       m_objective.set_sliver_radius(k < max_halvings ? radius * std::exp(step) : radius);
       sum_up();
-      if(m_objective.value(m_state.summary) <= bound)
+      m_state.value = m_objective.value(m_state.summary);
+      if(m_state.value <= bound)
         return;
     }
   }
@@ -285,7 +283,6 @@ private:
   Smooth_step_schedule m_smooth_steps;
   double m_isometric_energy; // no map has less, with most energies
   Objective m_objective;
-  double m_last_value = 0.; // of the objective, before the last sweep
   Radius_chooser* m_radius_chooser;
   Descent_settings m_settings;
   Run_control& m_control;
@@ -343,13 +340,15 @@ double Descent_loop<Energy, Step>::run(std::vector<Vector_3d>& positions, std::s
     choose_radius(i);
     if(m_settings.is_accelerated)
       step_smoothly(i, positions);
-    m_last_value = m_objective.value(m_state.summary);
+    const double last_value = m_objective.value(m_state.summary);
     if(m_settings.is_accelerated)
       m_descent.sweep_with_focus(positions, scaled_radius(), m_objective.of_faces(),
                                  m_state.summary.all().maximum_energy());
     else
       m_descent.sweep(positions, scaled_radius(), m_objective.of_faces());
     measure(positions);
+    if(!m_radius_chooser && m_descent.has_slivers())
+      move_sliver_radius(last_value);
 
     m_control.after_iteration(i + 1, m_state.value, m_state.radius);
     if(!m_control.go_further(i + 1, m_state.value))
