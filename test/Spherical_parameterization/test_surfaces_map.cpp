@@ -224,6 +224,49 @@ TEST(Map_surface, finds_the_identity_onto_a_remesh)
   EXPECT_LT(sum / a.mesh.number_of_vertices(), 0.03); // the edges are 0.07 long
 }
 
+// A flat tube with bumps, bent by the curvature `bend`: both faces and both ends would look the same but for a bump in front of one
+// end and one at the left of the other; `side` is -1 for the tube that a mirror shows, whose bump is at the right.
+Point_3 on_tube(const Point_3& p, double bend, double side)
+{
+  const auto bump = [&](double x, double y, double z, double height) {
+    return height * std::exp(-6. * CGAL::squared_distance(p, Point_3(x, y, z)));
+  };
+  const double width = std::sqrt(p.x() * p.x() + p.y() * p.y() + 0.1);
+  const double r = (1. + bump(0., 0.7, 0.7, 0.5) + bump(side * 0.9, 0., -0.5, 0.6)) / width;
+  const double x = 0.8 * r * p.x(), y = 0.5 * r * p.y(), z = 3. * p.z();
+  return bend == 0.
+             ? Point_3(x, y, z)
+             : Point_3(x, 1. / bend - (1. / bend - y) * std::cos(bend * z), (1. / bend - y) * std::sin(bend * z));
+}
+
+// What belongs together is known: the mean distance from there, in percent of the square root of the area.
+TEST(Map_surface, tells_front_from_back_and_left_from_right_of_a_tube_that_bends)
+{
+  const auto map_from = [](double side) {
+    Mapped_mesh a(
+        icosphere(4), [&](const Point_3& p) { return on_tube(p, 0., side); }, rotation(turns[0]));
+    const Mapped_mesh b(
+        octahedron_of(25), [](const Point_3& p) { return on_tube(p, 0.35, 1.); }, rotation(turns[1]));
+    const Match match = Match::make(a, b);
+    EXPECT_EQ(match.error, SP::OK);
+    const auto turned_back = [](const Point_3& p, std::size_t k) { return rotation(turns[k]).inverse().transform(p); };
+    double sum = 0.;
+    for(const Vertex_index v : a.mesh.vertices())
+      sum += distance(on_tube(turned_back(match.directions[v], 1), 0.35, 1.),
+                      on_tube(turned_back(a.sphere[v], 0), 0.35, 1.));
+    const double area = CGAL::Polygon_mesh_processing::area(b.mesh);
+    return std::make_pair(match, 100. * sum / (static_cast<double>(a.mesh.number_of_vertices()) * std::sqrt(area)));
+  };
+  const auto [same, error] = map_from(1.);
+  const Match mirrored = map_from(-1.).first;
+  EXPECT_LT(error, 1.6);
+  EXPECT_FALSE(same.report.is_uncertain);
+  // Of a mirrored tube one of the bumps has no counterpart.
+  EXPECT_TRUE(mirrored.report.is_uncertain);
+  EXPECT_LT(mirrored.report.agreement, same.report.agreement);
+  EXPECT_LT(mirrored.report.margin, same.report.margin);
+}
+
 // A sphere that another map of the same surface has bent: the descent straightens it.
 TEST(Map_surface, lowers_the_distortion_of_spheres_that_differ_by_more_than_a_rotation)
 {
