@@ -1,9 +1,10 @@
 #!/usr/bin/env python3
 """Measures what the choices cost that the user manual describes, and writes its tables anew.
 
-Takes about five minutes; leave the machine alone meanwhile. Each table of the manual between `<!-- begin NAME -->` and
-`<!-- end NAME -->` is made from the text below, in which `@MESH OPTIONS FIGURE@` stands for a figure of a run of the
-program. Other figures in the text of that section are by hand.
+Takes about ten minutes, half of them for the areas; leave the machine alone meanwhile. Each table of the manual
+between `<!-- begin NAME -->` and `<!-- end NAME -->` is made from the text below, in which `@MESH OPTIONS FIGURE@`
+stands for a figure of a run of the program, and `@rows of areas@` for a row for each mesh. Other figures in the text of
+that section are by hand.
 """
 
 from __future__ import annotations
@@ -18,9 +19,10 @@ from pathlib import Path
 sys.dont_write_bytecode = True  # leaves the sources as they are
 sys.path.append(str(Path(__file__).resolve().parents[1] / "python"))
 
+import numpy as np
 from measuring.commands import run_command
 from measuring.drivers import MANUAL, Driver
-from measuring.meshes import find_mesh_files
+from measuring.meshes import MeshFile, find_mesh_files
 from measuring.reports import fill_in
 from measuring.runs import Program, Run
 
@@ -106,6 +108,11 @@ TABLES = {
 | maxplanck_15000 | 64.7 / 75.0 / 84.9 | @maxplanck default psnr@ | @maxplanck sampling psnr@ | @maxplanck sampling time@ |
 | horse_19851 | 57.0 / 67.7 / 76.9 | @horse default psnr@ | @horse sampling psnr@ | @horse sampling time@ |
 """,
+    "areas": r"""
+| Mesh | equal areas: deviation&nbsp;/&nbsp;largest | D_angle | steps | seconds | contrast 10: deviation&nbsp;/&nbsp;largest | D_angle | steps | seconds |
+| :--- | ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: |
+@rows of areas@
+""",
     "sharpness": r"""
 | Mesh | \f$ \beta = 0 \f$ | 3 | 6 | 12 | 20 | 40 | 100 |
 | :--- | ---: | ---: | ---: | ---: | ---: | ---: | ---: |
@@ -148,11 +155,14 @@ LONG = 5.0  # seconds
 class Figures:
     """What the places in the tables stand for; times are those of one thread."""
 
-    def __init__(self, program: Program, alone: Program, folder: Path):
-        self._program, self._alone = program, alone
+    def __init__(self, program: Program, alone: Program, folder: Path, scratch: Path):
+        self._program, self._alone, self._scratch = program, alone, scratch
         self._files = {file.name: file for file in find_mesh_files([folder])}
 
     def text(self, mesh: str, options: str, figure: str) -> str:
+        if figure == "areas":
+            files = sorted(self._files.values(), key=lambda file: (file.number_of_vertices, file.name))
+            return "\n".join(f"| {file.name} | {self._areas(file, 'equal')} | {self._areas(file, '10')} |" for file in files)
         if figure == "time":
             ratio = self._seconds(mesh, options) / self._seconds(mesh, "default")
             return f"{ratio:.1f}" if ratio < 10 else f"{ratio:.0f}"
@@ -171,6 +181,24 @@ class Figures:
         distortion = run.distortion if "balanced" in run.report else run.own_distortion
         values = getattr(distortion, {"D_iso": "isometric", "D_area": "area", "D_angle": "angle"}[figure])
         return f"{_number(values.maximum)}&nbsp;/&nbsp;{_number(values.average)}"
+
+    def _areas(self, file: MeshFile, density: str) -> str:
+        """How near the areas of a map come to a density: `equal`, or one that grows tenfold along the longest side."""
+        if density != "equal":
+            points = file.mesh.vertices
+            file.forget()
+            x = points[:, np.argmax(np.ptp(points, axis=0))]
+            values = float(density) ** ((x - x.min()) / np.ptp(x))
+            density = str(self._scratch / f"{file.name}.ply")
+            properties = "".join(f"property double {name}\n" for name in ("x", "y", "z", "density"))
+            head = f"ply\nformat ascii 1.0\nelement vertex {len(x)}\n{properties}end_header"
+            np.savetxt(density, np.column_stack([points, values]), fmt="%.17g", header=head, comments="")
+        run = self._alone.run(file, ["--density", density])
+        if not run.has_map:
+            return "refused | | | "
+        areas, d_angle = run.report["areas"], run.report["distortion"]["D_angle"]["average"]
+        deviations = f"{1000 * areas['deviation']:.2f}&nbsp;/&nbsp;{100 * areas['largest_deviation']:.1f}"
+        return f"{deviations} | {d_angle:.2f} | {areas['steps']} | {run.mapping_seconds:.1f}"
 
     def _psnr(self, run: Run, n: int) -> float:
         """How well a remesh through the map of a run agrees with the surface."""
@@ -211,7 +239,7 @@ def main() -> None:
     text = options.manual.read_text(encoding="utf-8")
     with tempfile.TemporaryDirectory() as folder:
         program = Program(options.program, options.threads, Path(folder) / "runs")
-        figures = Figures(program, Program(options.program, 1, Path(folder) / "alone"), options.meshes)
+        figures = Figures(program, Program(options.program, 1, Path(folder) / "alone"), options.meshes, Path(folder))
         for name in options.only:
             table = re.sub(r"@(\w+) (\S+) (\w+)@", lambda m: figures.text(*m.groups()), TABLES[name].lstrip("\n"))
             text = fill_in(text, name, table)
