@@ -183,7 +183,7 @@ class Figures:
         return f"{_number(values.maximum)}&nbsp;/&nbsp;{_number(values.average)}"
 
     def _areas(self, file: MeshFile, density: str) -> str:
-        """How near the areas of a map come to a density: `equal`, or one that grows tenfold along the longest side."""
+        """How near the areas of a map come to a density: `equal`, or a factor by which it grows along the longest side."""
         if density != "equal":
             points = file.mesh.vertices
             file.forget()

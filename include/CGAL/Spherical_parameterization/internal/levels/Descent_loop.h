@@ -149,7 +149,7 @@ private:
   }
 
   // The sphere of the slivers follows the radius that the others have chosen, as far as that takes back no more than
-  // half of what a sweep has gained since the objective was `last_value`. So slivers do not move the radius, and the
+  // half of what the sweep has gained since the objective was `last_value`. So slivers do not move the radius, and the
   // objective falls nevertheless.
   void move_sliver_radius(double last_value)
   {
