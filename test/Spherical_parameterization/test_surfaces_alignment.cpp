@@ -275,6 +275,26 @@ TEST(Coarse_surface, has_the_ranks_of_features_by_area)
   EXPECT_NEAR(squares, 1. / 3., 0.01); // from -1 to 1.
 }
 
+TEST(Coarse_surface, has_the_same_distances_from_a_vertex_and_from_its_direction)
+{
+  const Mapped_mesh a(icosphere(4), bent_arms, rotation(turns[0]));
+  SP::internal::Coarse_surface surface = coarse(a);
+  surface.measure_distances();
+  ASSERT_EQ(surface.spread_origins().size(), 48u);
+  double mean = 0.;
+  for(const auto& origin : surface.spread_origins())
+  {
+    EXPECT_EQ(origin.distances[origin.vertex], 0.);
+    const auto distances = surface.distances_from(surface.directions()[origin.vertex]);
+    for(std::size_t v = 0; v < surface.size(); ++v)
+    {
+      EXPECT_NEAR(distances[v], origin.distances[v], 1e-6);
+      mean += surface.areas()[v] * distances[v] / 48.;
+    }
+  }
+  EXPECT_NEAR(mean, 1., 0.2); // the unit
+}
+
 TEST(Limbs, are_found_on_the_ends_of_arms_and_matched_whatever_the_pose)
 {
   const Mapped_mesh a(icosphere(4), straight_arms, rotation(turns[0])), b(icosphere(4), bent_arms, rotation(turns[1]));
@@ -335,6 +355,46 @@ TEST(Alignment, brings_arms_to_theirs_on_spheres_that_lean_to_different_sides)
   ASSERT_EQ(SP::map_surface<CGAL::Parallel_if_available_tag>(a.mesh, a.sphere, b.mesh, b.sphere, others), SP::OK);
   for(const Vertex_index v : a.mesh.vertices())
     EXPECT_EQ(directions[v], others[v]);
+}
+
+// There are no features that would tell.
+TEST(Alignment, is_mended_by_distances_where_it_has_slid)
+{
+  using namespace SP::internal;
+  const Mapped_mesh a(icosphere(4), straight_arms, rotation(turns[0])), b(icosphere(4), bent_arms, rotation(turns[1]));
+  const std::vector<std::vector<double>> nothing(1, std::vector<double>(num_vertices(a.mesh), 0.));
+  Recording_control control;
+  Surface_alignment surfaces(coarse(a, nothing), coarse(b, nothing), control, {});
+  const Coarse_surface first = coarse(a), second = coarse(b);
+  const Rotation_3 turn = rotation(turns[1]) * rotation(turns[0]).inverse();
+  std::vector<Vector_3d> truth;
+  for(const Vector_3d& p : first.directions())
+  {
+    const Point_3 q = turn(Point_3(p[0], p[1], p[2]));
+    truth.push_back({q.x(), q.y(), q.z()});
+  }
+  std::vector<Vector_3d> directions, points;
+  for(const Vector_3d& p : truth) // They slide by up to 11 degrees to either side.
+  {
+    const double half = 0.1 * std::sin(6. * p[2]);
+    directions.push_back(rotated(rotation_matrix({std::cos(half), 0., 0., std::sin(half)}), p));
+  }
+  const auto error = [&](const std::vector<Vector_3d>& found) {
+    double sum = 0.;
+    for(std::size_t v = 0; v < truth.size(); ++v)
+      sum += first.areas()[v] * length(found[v] - truth[v]);
+    return sum;
+  };
+  std::vector<Vector_3d> by_energy_alone = directions;
+  const double before = error(by_energy_alone);
+  for(const Vector_3d& p : first.points())
+    points.push_back(std::sqrt(4. * CGAL_PI) * p);
+  const Target_metric metric(second.sphere(), second.points(), {});
+  ASSERT_TRUE(
+      lower_on_target(first.rings(), points, {metric, {}}, 500, {20, 1e-3, 0.02}, by_energy_alone, control, {}));
+  surfaces.keep_distances(metric, directions);
+  EXPECT_LT(error(directions), 0.5 * before);
+  EXPECT_LT(error(directions), 0.7 * error(by_energy_alone));
 }
 
 TEST(Alignment, of_arms_with_bodies_that_have_none_is_uncertain)

@@ -42,6 +42,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <limits>
 #include <numeric>
 #include <optional>
@@ -202,6 +203,7 @@ private:
 // What features tell of how two surfaces lie on each other. They are asked for on the way as well.
 struct Surface_start
 {
+  std::unique_ptr<Surface_alignment> surfaces; // if these could be compared
   Alignment alignment;
   std::vector<Alignment> rivals; // that are nearly as good
   double margin = 0.;
@@ -220,13 +222,13 @@ Surface_start compare_surfaces(const Located_surface<K>& first, const Located_su
                  coarse2 = levels[1]->coarse_surface(hints.features[1], hints.masks[1]);
   if(!coarse1.is_bijective() || !coarse2.is_bijective())
     return result;
-  Surface_alignment surfaces(std::move(coarse1), std::move(coarse2), control, execution);
-  result.features = {surfaces.features(0), surfaces.features(1)};
+  result.surfaces = std::make_unique<Surface_alignment>(std::move(coarse1), std::move(coarse2), control, execution);
+  result.features = {result.surfaces->features(0), result.surfaces->features(1)};
   if(!wants_alignment)
     return result;
   // As close as this, the score on coarse surfaces is not exact enough to choose.
   constexpr double min_margin = 0.1;
-  const std::vector<Alignment> best = surfaces.best(metric, hints.feature_weight, first.sphere, second.sphere);
+  const std::vector<Alignment> best = result.surfaces->best(metric, hints.feature_weight, first.sphere, second.sphere);
   result.alignment = best[0];
   result.margin = best.size() > 1 ? best[0].score - best[1].score : Surface_alignment::max_lag;
   for(std::size_t k = 1; k < best.size(); ++k)
@@ -391,6 +393,8 @@ std::vector<Vector_3d> find_surface_map(const Located_surface<K>& first, const L
       choose_among_rivals(*levels, features_alone, hints, start, control, execution);
       report.agreement = start.alignment.agreement;
     }
+    if(!is_rotation)
+      start.surfaces->keep_distances(metric, start.alignment.directions);
     const Target_goals goals = {metric, features_alone.features, landmark_goals(first, second, hints)};
     std::vector<Vector_3d> lowered;
     bool is_lowered =

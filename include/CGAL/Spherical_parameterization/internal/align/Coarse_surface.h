@@ -136,15 +136,15 @@ public:
     m_weights_in_choice.push_back(k == 2 ? weight_of_fine_curvature : 1.);
   }
 
-  // The end of a limb, and the distances from it along the surface, in units of the mean of all distances.
-  struct Limb
+  // A vertex, and the distances from it along the surface, in units of the mean of all distances.
+  struct Origin
   {
-    std::uint32_t end;
+    std::uint32_t vertex;
     Channel distances;
   };
 
-  // Those whose ends are farthest away: where the average distance is largest all around, and above the mean.
-  std::vector<Limb> limbs()
+  // The ends of limbs. Those whose ends are farthest away: where the average distance is largest all around, and above the mean.
+  std::vector<Origin> limbs()
   {
     // Between two ends, in units of the mean distance, which is about a half of the root of the area. With a smaller one, an
     // end that is blunt counts twice; with a larger one, a limb beside a longer one goes without an end.
@@ -158,14 +158,34 @@ public:
         ends.push_back(v);
     std::stable_sort(ends.begin(), ends.end(),
                      [&](std::uint32_t v, std::uint32_t w) { return average[v] > average[w]; });
-    std::vector<Limb> result;
+    std::vector<Origin> result;
     for(const std::uint32_t v : ends)
-      if(std::all_of(result.begin(), result.end(), [&](const Limb& limb) { return limb.distances[v] > min_distance; }))
+      if(std::all_of(result.begin(), result.end(),
+                     [&](const Origin& limb) { return limb.distances[v] > min_distance; }))
       {
         result.push_back({v, m_paths.distances_from(v)});
-        for(double& d : result.back().distances)
-          d *= m_inverse_mean_distance;
+        scale(result.back().distances);
       }
+    return result;
+  }
+
+  // Gets ready for what is below, unless limbs() has.
+  void measure_distances() { static_cast<void>(average_distance()); }
+
+  // Vertices that are spread over the surface, each as far as possible from those before.
+  const std::vector<Origin>& spread_origins() const { return m_spread_origins; }
+
+  // The distances from where the sphere has a direction, in the same units.
+  Channel distances_from(const Vector_3d& direction) const
+  {
+    Sphere_triangulation<Kernel>::Hint hint;
+    const auto place = m_sphere.locate(Kernel::Point_3(direction[0], direction[1], direction[2]), hint);
+    const Vector_3d p = interpolated(m_points, m_sphere.triangles(), place);
+    std::vector<Surface_paths::Joint> corners;
+    for(const std::uint32_t v : m_sphere.triangles()[place.triangle].vertices)
+      corners.emplace_back(length(p - m_points[v]), v);
+    Channel result = m_paths.distances_from(corners);
+    scale(result);
     return result;
   }
 
@@ -208,6 +228,12 @@ private:
     continue_over(m_mask, m_rings, m_features.back());
   }
 
+  void scale(Channel& distances) const
+  {
+    for(double& d : distances)
+      d *= m_inverse_mean_distance;
+  }
+
   Channel shrinking() const
   {
     Channel sphere_areas(size(), 0.), result(size());
@@ -229,19 +255,18 @@ private:
     // more time, in proportion.
     constexpr std::size_t n_sources = 48;
     auto source = static_cast<std::uint32_t>(std::max_element(m_areas.begin(), m_areas.end()) - m_areas.begin());
-    std::vector<Channel> distances;
     std::vector<std::size_t> nearest(size(), 0);
     for(std::size_t k = 0; k < n_sources; ++k)
     {
-      distances.push_back(m_paths.distances_from(source));
+      m_spread_origins.push_back({source, m_paths.distances_from(source)});
       double largest = -1.;
       for(std::uint32_t v = 0; v < size(); ++v)
       {
-        if(distances[k][v] < distances[nearest[v]][v])
+        if(m_spread_origins[k].distances[v] < m_spread_origins[nearest[v]].distances[v])
           nearest[v] = k;
-        if(distances[nearest[v]][v] > largest)
+        if(const double d = m_spread_origins[nearest[v]].distances[v]; d > largest)
         {
-          largest = distances[nearest[v]][v];
+          largest = d;
           source = v;
         }
       }
@@ -252,11 +277,12 @@ private:
     m_average_distance.assign(size(), 0.);
     for(std::size_t k = 0; k < n_sources; ++k)
       for(std::size_t v = 0; v < size(); ++v)
-        m_average_distance[v] += weights[k] * distances[k][v];
+        m_average_distance[v] += weights[k] * m_spread_origins[k].distances[v];
     const double mean = std::inner_product(m_areas.begin(), m_areas.end(), m_average_distance.begin(), 0.);
     m_inverse_mean_distance = mean > 0. ? 1. / mean : 1.;
-    for(double& d : m_average_distance)
-      d *= m_inverse_mean_distance;
+    scale(m_average_distance);
+    for(Origin& origin : m_spread_origins)
+      scale(origin.distances);
     return m_average_distance;
   }
 
@@ -269,6 +295,7 @@ private:
   std::vector<Channel> m_features;
   std::vector<double> m_weights_in_choice;
   Surface_paths m_paths;
+  std::vector<Origin> m_spread_origins;
   Channel m_average_distance;
   double m_inverse_mean_distance = 1.;
 };

@@ -45,7 +45,7 @@ struct Limb_matching
 class Limb_search
 {
 public:
-  using Limbs = std::vector<Coarse_surface::Limb>;
+  using Limbs = std::vector<Coarse_surface::Origin>;
 
   Limb_search(Limbs first, Limbs second)
     : m_limbs{std::move(first), std::move(second)}
@@ -78,7 +78,7 @@ public:
     {
       std::vector<std::pair<Vector_3d, Vector_3d>> ends;
       for(const auto& [i, j] : matching.pairs)
-        ends.emplace_back(directions1[m_limbs[0][i].end], directions2[m_limbs[1][j].end]);
+        ends.emplace_back(directions1[m_limbs[0][i].vertex], directions2[m_limbs[1][j].vertex]);
       const std::optional<Rotation_matrix> rotation = fitting_rotation(ends);
       double sum_of_cosines = 0.;
       if(rotation)
@@ -106,7 +106,7 @@ private:
   {
     // Of the mean of both. Between the hands of a slim person and a stout one it is 0.27; with more, a hand passes for a head.
     constexpr double max_difference = 0.35;
-    const double x = m_limbs[0][i].distances[m_limbs[0][k].end], y = m_limbs[1][j].distances[m_limbs[1][l].end];
+    const double x = m_limbs[0][i].distances[m_limbs[0][k].vertex], y = m_limbs[1][j].distances[m_limbs[1][l].vertex];
     const double difference = (x - y) / (0.5 * (x + y) * max_difference);
     return 1. - difference * difference;
   }

@@ -54,12 +54,20 @@ public:
         }
   }
 
-  Channel distances_from(std::uint32_t source) const
+  using Joint = std::pair<double, std::uint32_t>; // how far it is to a vertex
+
+  Channel distances_from(std::uint32_t source) const { return distances_from(std::vector<Joint>{{0., source}}); }
+
+  // From a place that is this far from these vertices.
+  Channel distances_from(const std::vector<Joint>& place) const
   {
     Channel result(m_joints.size(), (std::numeric_limits<double>::max)());
     std::priority_queue<Joint, std::vector<Joint>, std::greater<Joint>> queue;
-    result[source] = 0.;
-    queue.emplace(0., source);
+    for(const auto& [d, v] : place)
+    {
+      result[v] = d;
+      queue.emplace(d, v);
+    }
     while(!queue.empty())
     {
       const auto [d, v] = queue.top();
@@ -77,8 +85,6 @@ public:
   }
 
 private:
-  using Joint = std::pair<double, std::uint32_t>; // how far it is to a vertex
-
   // from c to d over the edge from a to b
   static double length_across(const Vector_3d& a, const Vector_3d& b, const Vector_3d& c, const Vector_3d& d)
   {
