@@ -157,7 +157,7 @@ def map_surface(
         otherwise, is ``(sphere, faces, sphere)``.
     landmarks : (k, 2) array_like of integers, optional
         Vertices that correspond, of the first surface and of the second one. With two or more in different directions,
-        they alone decide how the spheres are turned.
+        they alone decide how the spheres are turned; a single one chooses among the alignments that features find.
     landmark_weight : float, optional
         Without it, landmarks are met exactly, but where straight edges do not allow for it. With a weight, they are soft: what
         is lowered is the mean energy plus this weight times the mean of their squared distances on the unit sphere. It is

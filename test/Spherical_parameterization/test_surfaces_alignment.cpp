@@ -357,6 +357,38 @@ TEST(Alignment, brings_arms_to_theirs_on_spheres_that_lean_to_different_sides)
     EXPECT_EQ(directions[v], others[v]);
 }
 
+// A half turn brings these bodies onto themselves.
+TEST(Alignment, is_chosen_by_a_single_landmark)
+{
+  const std::vector<CGAL::Vector_3<Kernel>> ends = {{1., 0., 0.}, {-1., 0., 0.}, {0., 1., 0.}, {0., -1., 0.}};
+  const std::vector<double> lengths = {3.2, 3.2, 2., 2.};
+  const Mapped_mesh a(icosphere(4), Arms{ends, lengths, 0.}, rotation(turns[0]));
+  const Mapped_mesh b(icosphere(4), Arms{ends, lengths, 0.35}, rotation(turns[1]));
+  const Rotation_3 half_turn(-1., 0., 0., 0., -1., 0., 0., 0., 1.);
+  const Rotation_3 there = rotation(turns[1]) * rotation(turns[0]).inverse(),
+                   turned = rotation(turns[1]) * half_turn * rotation(turns[0]).inverse();
+  const auto vertex_at = [](const Mapped_mesh& mesh, const Point_3& p) {
+    const auto vertices = mesh.mesh.vertices();
+    return *std::min_element(vertices.begin(), vertices.end(), [&](Vertex_index v, Vertex_index w) {
+      return CGAL::squared_distance(mesh.sphere[v], p) < CGAL::squared_distance(mesh.sphere[w], p);
+    });
+  };
+  const Vertex_index v = vertex_at(a, rotation(turns[0])(Point_3(0.98, 0.1, 0.1)));
+  for(const Rotation_3& truth : {there, turned})
+  {
+    Mesh mesh = a.mesh;
+    const auto directions = mesh.add_property_map<Vertex_index, Point_3>("v:directions").first;
+    auto mapper = SP::Surface_mapper_3<Mesh, Mesh>().landmarks({{v, vertex_at(b, truth(a.sphere[v]))}});
+    ASSERT_EQ(SP::map_surface(a.mesh, a.sphere, b.mesh, b.sphere, mapper, directions), SP::OK);
+    double sum = 0.;
+    for(const Vertex_index w : mesh.vertices())
+      sum += std::sqrt(CGAL::squared_distance(directions[w], truth(a.sphere[w])));
+    EXPECT_LT(sum / static_cast<double>(num_vertices(mesh)), 0.06);
+    EXPECT_EQ(mapper.report().number_of_missed_landmarks, 0u);
+    EXPECT_FALSE(mapper.report().is_uncertain) << mapper.report().agreement << ' ' << mapper.report().margin;
+  }
+}
+
 // There are no features that would tell.
 TEST(Alignment, is_mended_by_distances_where_it_has_slid)
 {

@@ -2,8 +2,8 @@
 """Usage: landmarks_figure.py PROGRAM FIRST.off SECOND.off LANDMARKS1 LANDMARKS2 PICTURE.jpg
 
 Draws the second surface with a pattern, and the first one with what it gets of that when the program maps it there, without and with
-these landmarks. Of the figure in the manual, they are the vertices 2117, 4921, 3797, 2813 and 1358 of victoria1 and 1946, 4950, 3786,
-2558 and 1351 of victoria23, as the pairs of measure_pairs.py are numbered. The third axis is up."""
+these landmarks. Of the figure in the manual, they are the vertices 2350, 3365, 4126, 4975 and 1185 of 8_gorilla_03 and 6, 4146, 4268,
+3843 and 3023 of 8_man_07, as the pairs of measure_pairs.py are numbered. The third axis is up."""
 
 import sys
 import tempfile

@@ -57,7 +57,8 @@ public:
   /// Each function returns a mapper with one setting changed, so that they can be chained.
   /// @{
 
-  /// sets vertices that correspond. With two or more in different directions, they alone decide how the spheres are turned.
+  /// sets vertices that correspond. With two or more in different directions, they alone decide how the spheres are turned; a
+  /// single one chooses among the alignments that features find. Give one, or all ends of limbs: two or three say less than features do.
   [[nodiscard]] Surface_mapper_3 landmarks(std::vector<Landmark> landmarks) const
   {
     Surface_mapper_3 result = *this;

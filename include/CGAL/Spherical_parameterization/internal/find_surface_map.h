@@ -210,11 +210,13 @@ struct Surface_start
   std::vector<Sphere_image> features; // of both surfaces, if these could be compared
 };
 
-// Compares two surfaces; if `wants_alignment` is false, only their features are found.
+// Compares two surfaces; if `wants_alignment` is false, only their features are found. Landmarks, as directions on both spheres, choose
+// among alignments.
 template <class K>
 Surface_start compare_surfaces(const Located_surface<K>& first, const Located_surface<K>& second,
                                const std::array<Surface_levels<K>*, 2>& levels, const Target_metric& metric,
-                               const Surface_map_hints& hints, bool wants_alignment, Run_control& control,
+                               const Surface_map_hints& hints, bool wants_alignment,
+                               const std::vector<std::pair<Vector_3d, Vector_3d>>& landmarks, Run_control& control,
                                const Execution& execution)
 {
   Surface_start result;
@@ -226,6 +228,7 @@ Surface_start compare_surfaces(const Located_surface<K>& first, const Located_su
   result.features = {result.surfaces->features(0), result.surfaces->features(1)};
   if(!wants_alignment)
     return result;
+  result.surfaces->set_landmarks(landmarks);
   // As close as this, the score on coarse surfaces is not exact enough to choose.
   constexpr double min_margin = 0.1;
   const std::vector<Alignment> best = result.surfaces->best(metric, hints.feature_weight, first.sphere, second.sphere);
@@ -328,7 +331,7 @@ void choose_among_rivals(const Surface_levels<K>& levels, Target_goals& goals, c
 {
   const auto score = [&](const Alignment& alignment) {
     goals.features.weight = feature_weight(alignment, hints);
-    return levels.score_on_finer_level(alignment.directions, goals, control, execution);
+    return levels.score_on_finer_level(alignment.directions, goals, control, execution) - alignment.missed;
   };
   double best = score(start.alignment);
   for(Alignment& rival : start.rivals)
@@ -367,7 +370,7 @@ std::vector<Vector_3d> find_surface_map(const Located_surface<K>& first, const L
     std::optional<Surface_levels<K>> levels_of_second;
     levels.emplace(first, control, execution);
     levels_of_second.emplace(second, control, execution);
-    start = compare_surfaces<K>(first, second, {&*levels, &*levels_of_second}, metric, hints, !rotation, control,
+    start = compare_surfaces<K>(first, second, {&*levels, &*levels_of_second}, metric, hints, !rotation, pairs, control,
                                 execution);
   }
   if(rotation)
