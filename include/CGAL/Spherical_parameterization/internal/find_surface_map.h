@@ -42,8 +42,8 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <memory>
 #include <limits>
+#include <memory>
 #include <numeric>
 #include <optional>
 #include <utility>

@@ -174,8 +174,7 @@ public:
   }
 
   // Lowers such a map further, led by the distances from places all over the surface, which poses keep: they tell how far along a
-  // limb or around a body a vertex is, where the energy and features are much the same. It takes as long as a start does, and is for
-  // the one that has been chosen.
+  // limb or around a body a vertex is, where the energy and features are much the same. It is for the one that has been chosen.
   void keep_distances(const Target_metric& metric, std::vector<Vector_3d>& directions)
   {
     if(!goes_on())
