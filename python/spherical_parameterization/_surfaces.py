@@ -88,15 +88,15 @@ class SurfaceMapReport:
         by default. That misses a part of what is near vertices: 5 to 15 percent of the energy where both were measured.
     agreement : float
         How well features agree after the surfaces have been aligned on coarse levels, a correlation, at most 1; 0 if
-        landmarks aligned them.
+        landmarks alone turned the spheres, as features did not agree.
     margin : float
         How much better the best alignment of coarse surfaces is than the next best one that differs from it: in agreement,
         where curvature counts most, less a third of how much is stretched, the mean root of the logarithm of the symmetric
         Dirichlet energy; 0.2 if no other one came that near on the way. Below 0.1, the surface has a symmetry, or nearly, and the map may have exchanged its sides, though
         both have been compared on a finer level.
     is_uncertain : bool
-        Whether it is not clear that the surfaces lie well on each other: they agree by less than 0.73, or the margin is below
-        0.1. Look at the map, or give landmarks. It is never so if landmarks aligned the surfaces.
+        Whether it is not clear that the surfaces lie well on each other: they agree by less than 0.73, without a landmark, or
+        the margin is below 0.1. Look at the map, or give landmarks. It is never so if landmarks alone turned the spheres.
     landmark_distances : (k,) ndarray of float64
         How far the image of each landmark is from where it should be, in the unit of length of the second surface.
     number_of_missed_landmarks : int
@@ -156,8 +156,9 @@ def map_surface(
         numbers, a one-to-one map, at any distance from the origin. An atlas that is a sphere with features, and no surface
         otherwise, is ``(sphere, faces, sphere)``.
     landmarks : (k, 2) array_like of integers, optional
-        Vertices that correspond, of the first surface and of the second one. With two or more in different directions,
-        they alone decide how the spheres are turned; a single one chooses among the alignments that features find.
+        Vertices that correspond, of the first surface and of the second one. They lead the alignment of the surfaces together with
+        features, and choose among what is found. If features agree by less than 0.5 in the end, and there are two or more in
+        different directions, these alone turn the spheres.
     landmark_weight : float, optional
         Without it, landmarks are met exactly, but where straight edges do not allow for it. With a weight, they are soft: what
         is lowered is the mean energy plus this weight times the mean of their squared distances on the unit sphere. It is
@@ -206,7 +207,7 @@ def map_surface(
 
     Notes
     -----
-    Landmarks turn the spheres against each other, or else features, see `align_spheres`, and limbs that may be the same, by how
+    Features turn the spheres against each other, see `align_spheres`, or landmarks, or limbs that may be the same, by how
     far their ends are from each other along the surfaces; several such starts are taken through the descent on coarse levels,
     and the best one to the finest level. The symmetric Dirichlet energy of the map, over both surfaces, is lowered on the levels of a hierarchy;
     Schmidt et al. [1]_ optimize maps between surfaces of genus 0 on the sphere, too. The time is nearly linear: for 26,000

@@ -747,7 +747,7 @@ def test_maps_and_refines_two_surfaces():
     landmarks = np.stack([first[0].argmax(0), second[0].argmax(0)], axis=1)  # where x, y or z is largest
     assert len(sp.map_surface(first, second, landmarks=[])[1].landmark_distances) == 0
     directions, report = sp.map_surface(first, second, landmarks=landmarks)
-    assert sp.is_bijective(first[1], directions) and report.number_of_missed_landmarks == 0 and report.agreement == 0
+    assert sp.is_bijective(first[1], directions) and report.number_of_missed_landmarks == 0
     np.testing.assert_allclose(report.landmark_distances, 0, atol=1e-12)
     images = sp.remesh(*second, (first[1], directions)).vertices
     np.testing.assert_allclose(images[landmarks[:, 0]], second[0][landmarks[:, 1]], atol=1e-12)

@@ -355,6 +355,17 @@ TEST(Alignment, brings_arms_to_theirs_on_spheres_that_lean_to_different_sides)
   ASSERT_EQ(SP::map_surface<CGAL::Parallel_if_available_tag>(a.mesh, a.sphere, b.mesh, b.sphere, others), SP::OK);
   for(const Vertex_index v : a.mesh.vertices())
     EXPECT_EQ(directions[v], others[v]);
+
+  // Two landmarks, of which one arm has both, tell less than the features, and are met.
+  const Vertex_index tip =
+      *std::max_element(a.mesh.vertices().begin(), a.mesh.vertices().end(), [&](Vertex_index v, Vertex_index w) {
+        return (a.mesh.point(v) - CGAL::ORIGIN).squared_length() < (a.mesh.point(w) - CGAL::ORIGIN).squared_length();
+      });
+  const Vertex_index beside = source(halfedge(tip, a.mesh), a.mesh);
+  mapper = mapper.landmarks({{tip, tip}, {beside, beside}});
+  ASSERT_EQ(SP::map_surface(a.mesh, a.sphere, b.mesh, b.sphere, mapper, directions), SP::OK);
+  EXPECT_EQ(mapper.report().number_of_missed_landmarks, 0u);
+  EXPECT_LT(mean_distance(a, directions, b), 0.06);
 }
 
 // A half turn brings these bodies onto themselves.

@@ -341,7 +341,7 @@ TEST(Split_blocking_edges, meets_landmarks_that_straight_edges_keep_away)
   const Mapped_mesh b(octahedron_of(20), body, rotation(turns[0]));
   std::size_t n_missed = 0, n_left = 0;
   Random random(7);
-  for(int trial = 0; trial < 6; ++trial)
+  for(int trial = 0; trial < 30; ++trial)
   {
     Mapped_mesh a(octahedron_of(3), body, rotation(turns[0]));
     const double area = CGAL::to_double(CGAL::Polygon_mesh_processing::area(a.mesh));
@@ -363,7 +363,7 @@ TEST(Split_blocking_edges, meets_landmarks_that_straight_edges_keep_away)
       settings.landmarks.emplace_back(v, nearest);
     }
     const auto directions = a.mesh.add_property_map<Vertex_index, Point_3>("v:directions").first;
-    auto mapper = settings.mapper();
+    auto mapper = settings.mapper().keep_alignment(); // which features would mend
     ASSERT_EQ(SP::map_surface(a.mesh, a.sphere, b.mesh, b.sphere, mapper, directions), SP::OK);
     n_missed += mapper.report().number_of_missed_landmarks;
     for(int round = 0; round < 5 && mapper.report().number_of_missed_landmarks > 0; ++round)
@@ -379,7 +379,7 @@ TEST(Split_blocking_edges, meets_landmarks_that_straight_edges_keep_away)
     n_left += mapper.report().number_of_missed_landmarks;
     EXPECT_NEAR(CGAL::to_double(CGAL::Polygon_mesh_processing::area(a.mesh)), area, 1e-12 * area);
   }
-  EXPECT_GT(n_missed, 4u);
+  EXPECT_GT(n_missed, 20u);
   EXPECT_LT(2 * n_left, n_missed);
 }
 

@@ -293,7 +293,7 @@ private:
                                        "--prefer is sampling if nothing else is given")
       ("image-size", word("N"), "pixels in each of its rows and columns, odd; 257")
       ("onto", word("TARGET"), "map the surface onto this one: -o is INPUT with its vertices on TARGET. The spheres are aligned "
-                               "by features of the surfaces, if there are no landmarks")
+                               "by features of the surfaces, and by landmarks")
       ("onto-atlas", word("ATLAS"), "register the surface to an atlas, a sphere whose features are given by --features: -o is the sphere of "
                                     "INPUT in register, its vertices on that of ATLAS; --sphere is as it was before")
       ("landmarks", words("A B"), "with --onto, files with the vertices of INPUT and TARGET that correspond, one a line, counted "

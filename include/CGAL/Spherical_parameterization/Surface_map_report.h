@@ -41,7 +41,7 @@ struct Surface_map_report
   bool is_energy_sampled = false;
 
   /// How well features agree after the surfaces have been aligned on coarse levels, a correlation, at most 1; 0 if landmarks
-  /// aligned them
+  /// alone turned the spheres, as features did not agree
   double agreement = 0.;
 
   /// How much better the best alignment of coarse surfaces is than the next best one that differs from it: in agreement, where
@@ -50,8 +50,8 @@ struct Surface_map_report
   /// compared on a finer level.
   double margin = 0.;
 
-  /// Whether it is not clear that the surfaces lie well on each other: they agree by less than 0.73, or the margin is below 0.1.
-  /// Look at the map, or give landmarks. It is never so if landmarks aligned the surfaces.
+  /// Whether it is not clear that the surfaces lie well on each other: they agree by less than 0.73, without a landmark, or the margin
+  /// is below 0.1. Look at the map, or give landmarks. It is never so if landmarks alone turned the spheres.
   bool is_uncertain = false;
 
   /// For each landmark, how far its image is from where it should be, in the unit of length of the second surface; 0 if

@@ -57,8 +57,8 @@ public:
   /// Each function returns a mapper with one setting changed, so that they can be chained.
   /// @{
 
-  /// sets vertices that correspond. With two or more in different directions, they alone decide how the spheres are turned; a
-  /// single one chooses among the alignments that features find. Give one, or all ends of limbs: two or three say less than features do.
+  /// sets vertices that correspond. They lead the alignment of the surfaces together with features, and choose among what is found. If
+  /// features agree by less than 0.5 in the end, and there are two or more in different directions, these alone turn the spheres.
   [[nodiscard]] Surface_mapper_3 landmarks(std::vector<Landmark> landmarks) const
   {
     Surface_mapper_3 result = *this;
@@ -77,7 +77,7 @@ public:
   }
 
   /// sets features of the surfaces that are to agree. Only the order of their values counts, unless `compare_values()` says
-  /// otherwise. By default the package has its own, unless landmarks turn the spheres.
+  /// otherwise. By default the package has its own.
   [[nodiscard]] Surface_mapper_3 features(std::vector<Feature> features) const
   {
     Surface_mapper_3 result = *this;
