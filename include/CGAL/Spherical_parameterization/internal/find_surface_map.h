@@ -372,7 +372,7 @@ std::vector<Vector_3d> find_surface_map(const Located_surface<K>& first, const L
     start = compare_surfaces<K>(first, second, {&*levels, &*levels_of_second}, metric, hints, !hints.keeps_alignment,
                                 pairs, control, execution);
   }
-  // Once landmarks have led them, a gorilla and a person agree by 0.68 or more, a sphere and an octahedron by 0.44.
+  // Once landmarks have led them, a gorilla and a person agree by 0.57 or more, a sphere and an octahedron by 0.44.
   constexpr double min_agreement_beside_landmarks = 0.5;
   const bool are_landmarks_alone =
       !hints.keeps_alignment && rotation_by_landmarks && start.alignment.agreement < min_agreement_beside_landmarks;
