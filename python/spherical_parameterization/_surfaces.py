@@ -95,8 +95,8 @@ class SurfaceMapReport:
         Dirichlet energy; 0.2 if no other one came that near on the way. Below 0.1, the surface has a symmetry, or nearly, and the map may have exchanged its sides, though
         both have been compared on a finer level.
     is_uncertain : bool
-        Whether it is not clear that the surfaces lie well on each other: they agree by less than 0.73, without a landmark, or
-        the margin is below 0.1. Look at the map, or give landmarks. It is never so if landmarks alone turned the spheres.
+        Whether it is not clear that the surfaces lie well on each other: they agree by less than 0.73, or the margin is below
+        0.1. Look at the map, or give landmarks. It is never so if landmarks alone turned the spheres.
     landmark_distances : (k,) ndarray of float64
         How far the image of each landmark is from where it should be, in the unit of length of the second surface.
     number_of_missed_landmarks : int
@@ -207,7 +207,7 @@ def map_surface(
 
     Notes
     -----
-    Features turn the spheres against each other, see `align_spheres`, or landmarks, or limbs that may be the same, by how
+    Features turn the spheres against each other, see `align_spheres`, and limbs that may be the same, by how
     far their ends are from each other along the surfaces; several such starts are taken through the descent on coarse levels,
     and the best one to the finest level. The symmetric Dirichlet energy of the map, over both surfaces, is lowered on the levels of a hierarchy;
     Schmidt et al. [1]_ optimize maps between surfaces of genus 0 on the sphere, too. The time is nearly linear: for 26,000

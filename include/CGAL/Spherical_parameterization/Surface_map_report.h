@@ -50,8 +50,8 @@ struct Surface_map_report
   /// compared on a finer level.
   double margin = 0.;
 
-  /// Whether it is not clear that the surfaces lie well on each other: they agree by less than 0.73, without a landmark, or the margin
-  /// is below 0.1. Look at the map, or give landmarks. It is never so if landmarks alone turned the spheres.
+  /// Whether it is not clear that the surfaces lie well on each other: they agree by less than 0.73, or the margin is below 0.1.
+  /// Look at the map, or give landmarks. It is never so if landmarks alone turned the spheres.
   bool is_uncertain = false;
 
   /// For each landmark, how far its image is from where it should be, in the unit of length of the second surface; 0 if

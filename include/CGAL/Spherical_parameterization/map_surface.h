@@ -32,7 +32,7 @@ namespace CGAL::Spherical_parameterization {
 /// `transfer()` carries properties over, and `overlay()` is the common refinement.
 /// Schmidt et al. have maps of the same form \cgalCite{cgal:scbk-ismccm-20}.
 ///
-/// Features turn the spheres against each other, see `align_spheres()`, or landmarks, or limbs that may be the same, by how
+/// Features turn the spheres against each other, see `align_spheres()`, and limbs that may be the same, by how
 /// far their ends are from each other along the surfaces. Unless the surfaces are copies, several such starts are taken through
 /// the descent on coarse levels, led by the features and by the distances from those ends. What agrees best and stretches
 /// least is taken to the finest level; if others are nearly as good, a finer level chooses among them first. The symmetric

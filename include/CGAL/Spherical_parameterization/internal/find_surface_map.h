@@ -382,8 +382,8 @@ std::vector<Vector_3d> find_surface_map(const Located_surface<K>& first, const L
     start.alignment.rotation = *rotation_by_landmarks;
   }
   // Of 259 that are off by more than 10 percent, as the starts that are right were left out, 243 are; of 130 that are not by 8, 13.
-  report.is_uncertain = !hints.keeps_alignment && !are_landmarks_alone &&
-                        ((!has_landmarks && start.alignment.agreement < 0.73) || start.margin < 0.1);
+  report.is_uncertain =
+      !hints.keeps_alignment && !are_landmarks_alone && (start.alignment.agreement < 0.73 || start.margin < 0.1);
   control.on_initialization_end();
   report.agreement = start.alignment.agreement;
   report.margin = start.margin;

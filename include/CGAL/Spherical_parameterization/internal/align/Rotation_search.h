@@ -87,8 +87,6 @@ public:
     return result;
   }
 
-  Scored_rotation scored(const Rotation_matrix& rotation) const { return {rotation, score(rotation, m_all)}; }
-
 private:
   // The super-Fibonacci spirals of Alexa cover all rotations evenly: these, to about 10 degrees.
   static std::vector<Quaternion> rotations_of_grid()

@@ -98,7 +98,6 @@ public:
       m_landmark_distances[1].push_back(m_surfaces[1].distances_from(q));
     }
     m_landmark_image.emplace(image(m_landmark_distances[1]));
-    m_landmark_rotation = fitting_rotation(landmarks);
   }
 
   // The ranks of the features of a surface, 0 or 1.
@@ -132,14 +131,7 @@ public:
     // carried on, a gorilla loses the one that is right.
     constexpr std::size_t n_rotations = 4, n_matchings = 6, n_carried_on = 5;
     std::vector<Alignment> result;
-    const Rotation_search rotation_search(m_surfaces[0], *m_features.image, m_execution);
-    std::vector<Scored_rotation> rotations = rotation_search.best(n_rotations, m_control);
-    // That of the landmarks may be far from all by which features agree.
-    if(m_landmark_rotation && std::none_of(rotations.begin(), rotations.end(), [&](const Scored_rotation& r) {
-         return angle_between(r.rotation, *m_landmark_rotation) < min_angle;
-       }))
-      rotations.push_back(rotation_search.scored(*m_landmark_rotation));
-    for(const Scored_rotation& r : rotations)
+    for(const Scored_rotation& r : best_rotations(n_rotations))
     {
       const double missed = distance_from_landmarks([&](const Vector_3d& p) { return rotated(r.rotation, p); });
       result.push_back({r.rotation, {}, r.score, r.score - missed, missed});
@@ -455,7 +447,6 @@ private:
   std::vector<Vector_3d> m_landmarks;                                       // on the first sphere
   Leads m_landmark_distances;
   std::optional<Sphere_image> m_landmark_image;
-  std::optional<Rotation_matrix> m_landmark_rotation; // if they determine it
 };
 
 } // namespace CGAL::Spherical_parameterization::internal
