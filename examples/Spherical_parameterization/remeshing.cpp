@@ -2,6 +2,7 @@
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 #include <CGAL/spherical_parameterization.h>
+#include <CGAL/Spherical_parameterization/sampling.h>
 
 #include <cstdlib>
 #include <iostream>

@@ -4,6 +4,7 @@
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 #include <CGAL/spherical_parameterization.h>
+#include <CGAL/Spherical_parameterization/repair.h>
 
 #include <cstdlib>
 #include <iostream>

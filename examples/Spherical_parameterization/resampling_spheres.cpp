@@ -1,7 +1,7 @@
 // Carries values from the vertices of one sphere to those of a coarser one, without a part that does not count.
 
-#include <CGAL/Spherical_parameterization/Sphere_domain_3.h>
-#include <CGAL/Spherical_parameterization/Sphere_resampler_3.h>
+#include <CGAL/Spherical_parameterization/Sampling/Sphere_domain_3.h>
+#include <CGAL/Spherical_parameterization/Sampling/Sphere_resampler_3.h>
 
 #include <algorithm>
 #include <cstdlib>

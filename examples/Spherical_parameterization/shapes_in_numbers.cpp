@@ -2,14 +2,14 @@
 
 #include <CGAL/Spherical_parameterization/Area_preserving_radius_3.h>
 #include <CGAL/Spherical_parameterization/Bijective_low_distortion_parameterizer_3.h>
-#include <CGAL/Spherical_parameterization/IO/spherical_harmonics_files.h>
-#include <CGAL/Spherical_parameterization/Sphere_domain_3.h>
+#include <CGAL/Spherical_parameterization/Harmonics/spherical_harmonics_files.h>
+#include <CGAL/Spherical_parameterization/Sampling/Sphere_domain_3.h>
 #include <CGAL/Spherical_parameterization/Stretch_energy_3.h>
-#include <CGAL/Spherical_parameterization/expand_in_spherical_harmonics.h>
-#include <CGAL/Spherical_parameterization/measure_distance.h>
-#include <CGAL/Spherical_parameterization/move_to_standard_position.h>
+#include <CGAL/Spherical_parameterization/Harmonics/expand_in_spherical_harmonics.h>
+#include <CGAL/Spherical_parameterization/Sampling/measure_distance.h>
+#include <CGAL/Spherical_parameterization/Harmonics/move_to_standard_position.h>
 #include <CGAL/Spherical_parameterization/parameterize.h>
-#include <CGAL/Spherical_parameterization/reconstruct_from_spherical_harmonics.h>
+#include <CGAL/Spherical_parameterization/Harmonics/reconstruct_from_spherical_harmonics.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Surface_mesh.h>

@@ -2,6 +2,8 @@
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 #include <CGAL/spherical_parameterization.h>
+#include <CGAL/Spherical_parameterization/sampling.h>
+#include <CGAL/Spherical_parameterization/surface_maps.h>
 
 #include <cstdlib>
 #include <filesystem>

@@ -22,7 +22,7 @@ What there is, by task:
 - a surface to the sphere: `parameterize`, `measure_distortion`, `is_bijective`, `round_to_float`
 - back from the sphere: `Locator`, `remesh`, `transfer`, `measure_distance`
 - spheres that exist, such as those of FreeSurfer: `resample`, `resample_sphere`
-- a surface to another one: `map_surface`, `align_spheres`, `measure_folding`, `overlay`, `measure_distortion_between`
+- a surface to another one: `map_surface`, `align_spheres`, `compute_sulcal_measures`, `overlay`, `measure_distortion_between`
 - shapes as numbers: `expand`, `reconstruct`, `spectrum`, `standard_position`, `write_coefficients`, `read_coefficients`
 - the mean and the modes of many shapes: `shape_modes`
 """
@@ -41,7 +41,7 @@ from ._measuring import (
     is_bijective,
     measure_distance,
     measure_distortion,
-    measure_folding,
+    compute_sulcal_measures,
     round_to_float,
 )
 from ._modes import ShapeModes, shape_modes
@@ -95,7 +95,7 @@ __all__ = [
     "measure_distance",
     "measure_distortion",
     "measure_distortion_between",
-    "measure_folding",
+    "compute_sulcal_measures",
     "overlay",
     "parameterize",
     "read_coefficients",

@@ -163,7 +163,7 @@ class Folding(NamedTuple):
     inflated_curvature: NDArray[np.float64]
 
 
-def measure_folding(vertices: ArrayLike, faces: ArrayLike, *, threads: Optional[int] = None) -> Folding:
+def compute_sulcal_measures(vertices: ArrayLike, faces: ArrayLike, *, threads: Optional[int] = None) -> Folding:
     """Measures the curvature and the depth of the folds of a surface, such as a cortex: features for `map_surface`.
 
     Parameters
@@ -194,12 +194,12 @@ def measure_folding(vertices: ArrayLike, faces: ArrayLike, *, threads: Optional[
     --------
     The folds of two cortical surfaces lead a map from one to the other:
 
-    >>> folding1, folding2 = sp.measure_folding(vertices1, faces1), sp.measure_folding(vertices2, faces2)
+    >>> folding1, folding2 = sp.compute_sulcal_measures(vertices1, faces1), sp.compute_sulcal_measures(vertices2, faces2)
     >>> features = [(folding1.depth, folding2.depth), (folding1.inflated_curvature, folding2.inflated_curvature)]
     >>> directions, report = sp.map_surface(surface1, surface2, features=features, feature_weight=2, compare_values=True)
     """
     return Folding(
-        *_core.measure_folding(read_points("vertices", vertices), read_faces("faces", faces), read_threads(threads))
+        *_core.compute_sulcal_measures(read_points("vertices", vertices), read_faces("faces", faces), read_threads(threads))
     )
 
 

@@ -123,7 +123,7 @@ def parameterize(
         and as even as possible on the surface, for `remesh` and `transfer`.
     energy : {"symmetric-dirichlet", "isometric", "conformal", "stretch"}
         What is lowered. "conformal" keeps angles, on a sphere of the radius 1 unless there is a `density`, against which it
-        works: with it, areas are missed on most surfaces with limbs. ``prefer="sampling"`` has an energy of its own, "stretch".
+        works: with it, areas are missed on most surfaces with extremities. ``prefer="sampling"`` has an energy of its own, "stretch".
     initial : (n, 3) array_like of numbers or "schnyder", optional
         The map to start from, one-to-one, at any distance from the origin; or Schnyder's, which the connectivity decides, and which
         is one-to-one by a theorem. By default, a hierarchy finds one.

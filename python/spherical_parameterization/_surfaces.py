@@ -207,7 +207,7 @@ def map_surface(
 
     Notes
     -----
-    Features turn the spheres against each other, see `align_spheres`, and limbs that may be the same, by how
+    Features turn the spheres against each other, see `align_spheres`, and extremities that may be the same, by how
     far their ends are from each other along the surfaces; several such starts are taken through the descent on coarse levels,
     and the best one to the finest level. The symmetric Dirichlet energy of the map, over both surfaces, is lowered on the levels of a hierarchy;
     Schmidt et al. [1]_ optimize maps between surfaces of genus 0 on the sphere, too. The time is nearly linear: for 26,000

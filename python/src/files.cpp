@@ -2,7 +2,7 @@
 
 #include "../../examples/Spherical_parameterization/include/read_soup.h"
 
-#include <CGAL/Spherical_parameterization/IO/spherical_harmonics_files.h>
+#include <CGAL/Spherical_parameterization/Harmonics/spherical_harmonics_files.h>
 
 #include <algorithm>
 #include <sstream>

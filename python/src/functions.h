@@ -3,7 +3,7 @@
 
 #include "arrays.h"
 
-#include <CGAL/Spherical_parameterization/Spherical_harmonics_3.h>
+#include <CGAL/Spherical_parameterization/Harmonics/Spherical_harmonics_3.h>
 
 #include <pybind11/stl.h>
 
@@ -29,7 +29,7 @@ py::tuple fill_holes(const Points& vertices, const Indices& faces, std::size_t m
 py::list find_handles(const Points& vertices, const Indices& faces, std::size_t max_handles);
 void find_defect(const Points& vertices, const Indices& faces); // throws it
 bool is_bijective(const Indices& faces, const Points& sphere, std::size_t threads);
-py::tuple measure_folding(const Points& vertices, const Indices& faces, std::size_t threads);
+py::tuple compute_sulcal_measures(const Points& vertices, const Indices& faces, std::size_t threads);
 py::array_t<float> round_to_float(const Indices& faces, const Points& sphere, std::size_t threads);
 py::dict measure_distortion(const Points& vertices, const Indices& faces, const Points& sphere, std::size_t threads);
 py::tuple measure_distance(const Points& vertices1, const Indices& faces1, const Points& vertices2,

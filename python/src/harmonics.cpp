@@ -2,10 +2,10 @@
 #include "functions.h"
 #include "threads.h"
 
-#include <CGAL/Spherical_parameterization/Sphere_domain_3.h>
-#include <CGAL/Spherical_parameterization/expand_in_spherical_harmonics.h>
-#include <CGAL/Spherical_parameterization/move_to_standard_position.h>
-#include <CGAL/Spherical_parameterization/reconstruct_from_spherical_harmonics.h>
+#include <CGAL/Spherical_parameterization/Sampling/Sphere_domain_3.h>
+#include <CGAL/Spherical_parameterization/Harmonics/expand_in_spherical_harmonics.h>
+#include <CGAL/Spherical_parameterization/Harmonics/move_to_standard_position.h>
+#include <CGAL/Spherical_parameterization/Harmonics/reconstruct_from_spherical_harmonics.h>
 
 #include <algorithm>
 #include <cmath>

@@ -3,9 +3,9 @@
 #include "threads.h"
 
 #include <CGAL/Spherical_parameterization/is_bijective.h>
-#include <CGAL/Spherical_parameterization/measure_distance.h>
+#include <CGAL/Spherical_parameterization/Sampling/measure_distance.h>
 #include <CGAL/Spherical_parameterization/measure_distortion.h>
-#include <CGAL/Spherical_parameterization/measure_folding.h>
+#include <CGAL/Spherical_parameterization/Cortex/compute_sulcal_measures.h>
 #include <CGAL/Spherical_parameterization/round_to_float.h>
 
 #include <algorithm>
@@ -76,14 +76,14 @@ py::array_t<float> round_to_float(const Indices& faces, const Points& sphere, st
   return result;
 }
 
-py::tuple measure_folding(const Points& vertices, const Indices& faces, std::size_t threads)
+py::tuple compute_sulcal_measures(const Points& vertices, const Indices& faces, std::size_t threads)
 {
-  SP::Surface_folding folding;
+  SP::Sulcal_measures folding;
   {
     const py::gil_scoped_release unlock;
     const Mesh mesh = make_mesh("", vertices, faces);
     check_surface("", mesh);
-    const SP::Error_code error = run_with_threads(threads, [&] { return SP::measure_folding(mesh, folding); });
+    const SP::Error_code error = run_with_threads(threads, [&] { return SP::compute_sulcal_measures(mesh, folding); });
     if(error != SP::OK)
       fail(error, SP::get_error_message(error));
   }

@@ -62,7 +62,7 @@ PYBIND11_MODULE(_core, module)
   module.def("find_defect", &find_defect);
   module.def("is_bijective", &is_bijective);
   module.def("round_to_float", &round_to_float);
-  module.def("measure_folding", &measure_folding);
+  module.def("compute_sulcal_measures", &compute_sulcal_measures);
   module.def("measure_distortion", &measure_distortion);
   module.def("measure_distance", &measure_distance);
   module.def("remesh", &remesh);

@@ -1,7 +1,7 @@
 #include "functions.h"
 
-#include <CGAL/Spherical_parameterization/fill_holes.h>
-#include <CGAL/Spherical_parameterization/find_handles.h>
+#include <CGAL/Spherical_parameterization/Repair/fill_holes.h>
+#include <CGAL/Spherical_parameterization/Repair/find_handles.h>
 
 #include <CGAL/boost/graph/iterator.h>
 

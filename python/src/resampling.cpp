@@ -1,7 +1,7 @@
 #include "functions.h"
 #include "threads.h"
 
-#include <CGAL/Spherical_parameterization/Sphere_resampler_3.h>
+#include <CGAL/Spherical_parameterization/Sampling/Sphere_resampler_3.h>
 
 #include <limits>
 

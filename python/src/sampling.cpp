@@ -2,10 +2,10 @@
 #include "functions.h"
 #include "threads.h"
 
-#include <CGAL/Spherical_parameterization/Sphere_domain_3.h>
+#include <CGAL/Spherical_parameterization/Sampling/Sphere_domain_3.h>
 #include <CGAL/Spherical_parameterization/Sphere_locator_3.h>
-#include <CGAL/Spherical_parameterization/remesh_through_sphere.h>
-#include <CGAL/Spherical_parameterization/transfer.h>
+#include <CGAL/Spherical_parameterization/Sampling/remesh_through_sphere.h>
+#include <CGAL/Spherical_parameterization/Sampling/transfer.h>
 
 #include <functional>
 #include <iterator>

@@ -2,10 +2,10 @@
 #include "functions.h"
 #include "threads.h"
 
-#include <CGAL/Spherical_parameterization/align_spheres.h>
-#include <CGAL/Spherical_parameterization/map_surface.h>
-#include <CGAL/Spherical_parameterization/measure_distortion_between.h>
-#include <CGAL/Spherical_parameterization/overlay.h>
+#include <CGAL/Spherical_parameterization/Surface_maps/align_spheres.h>
+#include <CGAL/Spherical_parameterization/Surface_maps/map_surface.h>
+#include <CGAL/Spherical_parameterization/Surface_maps/measure_distortion_between.h>
+#include <CGAL/Spherical_parameterization/Surface_maps/overlay.h>
 
 #include <functional>
 #include <limits>

@@ -49,7 +49,7 @@ def make_calls(n, **settings):
         "is_bijective": lambda **s: np.array(sp.is_bijective(*first[1:], **s)),
         "round_to_float": lambda **s: sp.round_to_float(*first[1:], **s),
         "measure_distortion": lambda **s: sp.measure_distortion(*first, **s).isometric.values,
-        "measure_folding": lambda **s: np.array(sp.measure_folding(*first[:2], **s)),
+        "compute_sulcal_measures": lambda **s: np.array(sp.compute_sulcal_measures(*first[:2], **s)),
         "measure_distance": lambda **s: np.array(sp.measure_distance(first[:2], second[:2], **s).from_first),
         "Locator": lambda **s: sp.Locator(*first[1:], **s).locate(second[2])[1],
         "remesh": lambda **s: sp.remesh(*first, ("cube", n), **s).vertices,
@@ -357,15 +357,15 @@ def test_measures_each_face():
 
 def test_measures_folds():
     vertices, faces = surface(12)
-    folding = sp.measure_folding(vertices, faces)
+    folding = sp.compute_sulcal_measures(vertices, faces)
     radius = np.linalg.norm(vertices, axis=1)
     for values in folding:
         assert values.shape == (len(vertices),)
         assert np.corrcoef(values, radius)[0, 1] < -0.5
-    wide = sp.measure_folding(3 * vertices[:, [1, 2, 0]] + 7, faces)
+    wide = sp.compute_sulcal_measures(3 * vertices[:, [1, 2, 0]] + 7, faces)
     assert np.allclose(wide.depth, 3 * folding.depth, atol=1e-3)
     assert np.allclose(3 * wide.curvature, folding.curvature, atol=1e-2)
-    refused(sp.ErrorCode.NON_CLOSED_MESH, sp.measure_folding, vertices, faces[1:])
+    refused(sp.ErrorCode.NON_CLOSED_MESH, sp.compute_sulcal_measures, vertices, faces[1:])
 
 
 def test_measures_distances():

@@ -4,8 +4,8 @@
 #include <CGAL/Spherical_parameterization/Conformal_energy_3.h>
 #include <CGAL/Spherical_parameterization/Error_code.h>
 #include <CGAL/Spherical_parameterization/Target_area_parameterizer_3.h>
-#include <CGAL/Spherical_parameterization/internal/levels/Cell_areas.h>
-#include <CGAL/Spherical_parameterization/internal/surface/Area_shares.h>
+#include <CGAL/Spherical_parameterization/internal/areas/Cell_areas.h>
+#include <CGAL/Spherical_parameterization/internal/areas/Area_shares.h>
 #include <CGAL/Spherical_parameterization/is_bijective.h>
 #include <CGAL/Spherical_parameterization/parameterize.h>
 

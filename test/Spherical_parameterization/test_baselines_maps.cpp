@@ -6,6 +6,10 @@
 #include "random_meshes.h"
 
 #include <CGAL/spherical_parameterization.h>
+#include <CGAL/Spherical_parameterization/ARAP_parameterizer_3.h>
+#include <CGAL/Spherical_parameterization/Conformal_parameterizer_3.h>
+#include <CGAL/Spherical_parameterization/Harmonic_parameterizer_3.h>
+#include <CGAL/Spherical_parameterization/Published_low_distortion_parameterizer_3.h>
 
 #include <gtest/gtest.h>
 
@@ -188,7 +192,7 @@ TEST(Conformal_map, of_a_bumpy_sphere_keeps_its_angles)
   EXPECT_TRUE(have_same_bits(harmonic().run(list, Options().iterations(0)).images, of_stereographic.images));
 }
 
-// The classical map folds where the triangulation is coarse for its limbs; the harmonic one with positive weights does
+// The classical map folds where the triangulation is coarse for its extremities; the harmonic one with positive weights does
 // not.
 TEST(Conformal_map, tells_of_folds)
 {

@@ -1,9 +1,9 @@
 // What the maps that BLD is compared with are made of: Moebius transformations, the linear system, the harmonic energy and
 // its minimisation, the way through the plane, and the energy of maps that are as rigid as possible.
 
-#include <CGAL/Spherical_parameterization/internal/baselines/Laplacian_system.h>
-#include <CGAL/Spherical_parameterization/internal/baselines/Linear_step_maps.h>
-#include <CGAL/Spherical_parameterization/internal/baselines/Stereographic_embedding.h>
+#include <CGAL/Spherical_parameterization/internal/initializers/Laplacian_system.h>
+#include <CGAL/Spherical_parameterization/internal/initializers/Linear_step_maps.h>
+#include <CGAL/Spherical_parameterization/internal/initializers/Stereographic_embedding.h>
 #include <CGAL/Spherical_parameterization/internal/certificate/is_safely_positive.h>
 #include <CGAL/Spherical_parameterization/internal/surface/mesh_measures.h>
 

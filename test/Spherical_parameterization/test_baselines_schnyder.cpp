@@ -5,8 +5,8 @@
 #include <CGAL/Spherical_parameterization/Hierarchical_parameterizer_3.h>
 #include <CGAL/Spherical_parameterization/Schnyder_parameterizer_3.h>
 #include <CGAL/Spherical_parameterization/Symmetric_Dirichlet_energy_3.h>
-#include <CGAL/Spherical_parameterization/internal/baselines/Schnyder_drawing.h>
-#include <CGAL/Spherical_parameterization/internal/run_descent.h>
+#include <CGAL/Spherical_parameterization/internal/initializers/Schnyder_drawing.h>
+#include <CGAL/Spherical_parameterization/internal/run/run_descent.h>
 
 #include "indexed_meshes.h"
 #include "judge.h"

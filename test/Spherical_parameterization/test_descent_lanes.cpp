@@ -4,7 +4,7 @@
 #include <CGAL/Spherical_parameterization/Conformal_energy_3.h>
 #include <CGAL/Spherical_parameterization/Stretch_energy_3.h>
 #include <CGAL/Spherical_parameterization/Symmetric_Dirichlet_energy_3.h>
-#include <CGAL/Spherical_parameterization/internal/levels/Star_energy.h>
+#include <CGAL/Spherical_parameterization/internal/descent/Star_energy.h>
 #include <CGAL/Spherical_parameterization/internal/numbers/Packed_double.h>
 #include <CGAL/Spherical_parameterization/internal/numbers/Vector_3.h>
 

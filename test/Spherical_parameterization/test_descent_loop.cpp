@@ -2,10 +2,10 @@
 // them, which with the settings of the paper is the published method.
 
 #include <CGAL/Spherical_parameterization/Two_phase_radius_3.h>
-#include <CGAL/Spherical_parameterization/internal/levels/Block_coordinate_descent.h>
-#include <CGAL/Spherical_parameterization/internal/levels/Descent_loop.h>
-#include <CGAL/Spherical_parameterization/internal/levels/Measured_faces.h>
-#include <CGAL/Spherical_parameterization/internal/levels/Objective.h>
+#include <CGAL/Spherical_parameterization/internal/descent/Block_coordinate_descent.h>
+#include <CGAL/Spherical_parameterization/internal/descent/Descent_loop.h>
+#include <CGAL/Spherical_parameterization/internal/descent/Measured_faces.h>
+#include <CGAL/Spherical_parameterization/internal/descent/Objective.h>
 
 #include "engine.h"
 #include "indexed_meshes.h"

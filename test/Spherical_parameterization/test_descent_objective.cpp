@@ -1,9 +1,9 @@
 // What a run lowers: the areas of isometric images, its levels, and its derivatives in the radius, against brute force.
 
-#include <CGAL/Spherical_parameterization/internal/levels/Block_coordinate_descent.h>
-#include <CGAL/Spherical_parameterization/internal/levels/Energy_summary.h>
-#include <CGAL/Spherical_parameterization/internal/levels/Objective.h>
-#include <CGAL/Spherical_parameterization/internal/levels/Star_energy.h>
+#include <CGAL/Spherical_parameterization/internal/descent/Block_coordinate_descent.h>
+#include <CGAL/Spherical_parameterization/internal/descent/Energy_summary.h>
+#include <CGAL/Spherical_parameterization/internal/descent/Objective.h>
+#include <CGAL/Spherical_parameterization/internal/descent/Star_energy.h>
 #include <CGAL/Spherical_parameterization/internal/surface/mesh_measures.h>
 
 #include "engine.h"

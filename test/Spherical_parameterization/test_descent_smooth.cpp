@@ -1,11 +1,11 @@
 // Smooth steps: the sums that they are made of against brute force, what one of them gains, and when they are made.
 
 #include <CGAL/Spherical_parameterization/Stretch_energy_3.h>
-#include <CGAL/Spherical_parameterization/internal/levels/Block_coordinate_descent.h>
-#include <CGAL/Spherical_parameterization/internal/levels/Objective.h>
-#include <CGAL/Spherical_parameterization/internal/levels/Smooth_step.h>
-#include <CGAL/Spherical_parameterization/internal/levels/Sphere_cells.h>
-#include <CGAL/Spherical_parameterization/internal/levels/Strain_sums.h>
+#include <CGAL/Spherical_parameterization/internal/descent/Block_coordinate_descent.h>
+#include <CGAL/Spherical_parameterization/internal/descent/Objective.h>
+#include <CGAL/Spherical_parameterization/internal/descent/Smooth_step.h>
+#include <CGAL/Spherical_parameterization/internal/descent/Sphere_cells.h>
+#include <CGAL/Spherical_parameterization/internal/descent/Strain_sums.h>
 #include <CGAL/Spherical_parameterization/internal/surface/mesh_measures.h>
 
 #include "engine.h"

@@ -4,11 +4,11 @@
 #include <CGAL/Spherical_parameterization/Isometric_energy_3.h>
 #include <CGAL/Spherical_parameterization/Stretch_energy_3.h>
 #include <CGAL/Spherical_parameterization/Symmetric_Dirichlet_energy_3.h>
-#include <CGAL/Spherical_parameterization/internal/levels/Block_coordinate_descent.h>
-#include <CGAL/Spherical_parameterization/internal/levels/Measured_faces.h>
-#include <CGAL/Spherical_parameterization/internal/levels/Star_energy.h>
-#include <CGAL/Spherical_parameterization/internal/levels/Star_packets.h>
-#include <CGAL/Spherical_parameterization/internal/levels/Vertex_step.h>
+#include <CGAL/Spherical_parameterization/internal/descent/Block_coordinate_descent.h>
+#include <CGAL/Spherical_parameterization/internal/descent/Measured_faces.h>
+#include <CGAL/Spherical_parameterization/internal/descent/Star_energy.h>
+#include <CGAL/Spherical_parameterization/internal/descent/Star_packets.h>
+#include <CGAL/Spherical_parameterization/internal/descent/Vertex_step.h>
 
 #include "indexed_meshes.h"
 #include "random_stars.h"

@@ -4,9 +4,9 @@
 #include "surface_files.h"
 
 #include <CGAL/Spherical_parameterization/Error_code.h>
-#include <CGAL/Spherical_parameterization/IO/FreeSurfer.h>
+#include <CGAL/Spherical_parameterization/Cortex/FreeSurfer.h>
 #ifdef TEST_MGH
-#include <CGAL/Spherical_parameterization/IO/MGH.h>
+#include <CGAL/Spherical_parameterization/Cortex/MGH.h>
 #endif
 
 #include <gtest/gtest.h>

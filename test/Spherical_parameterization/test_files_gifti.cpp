@@ -4,13 +4,13 @@
 #include "surface_files.h"
 
 #include <CGAL/Spherical_parameterization/Error_code.h>
-#include <CGAL/Spherical_parameterization/IO/Surface_file.h>
+#include <CGAL/Spherical_parameterization/Cortex/Surface_file.h>
 
 #ifdef TEST_GIFTI
 
-#include <CGAL/Spherical_parameterization/IO/GIFTI.h>
-#include <CGAL/Spherical_parameterization/internal/files/Base64.h>
-#include <CGAL/Spherical_parameterization/internal/files/Zlib.h>
+#include <CGAL/Spherical_parameterization/Cortex/GIFTI.h>
+#include <CGAL/Spherical_parameterization/Cortex/internal/Base64.h>
+#include <CGAL/Spherical_parameterization/Cortex/internal/Zlib.h>
 
 #include <gtest/gtest.h>
 

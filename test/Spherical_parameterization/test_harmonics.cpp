@@ -1,16 +1,16 @@
 // Spherical harmonics: their values against closed formulas, the transform, expansions of surfaces that are known, rotations and
 // standard positions.
 
-#include <CGAL/Spherical_parameterization/Sphere_domain_3.h>
-#include <CGAL/Spherical_parameterization/expand_in_spherical_harmonics.h>
-#include <CGAL/Spherical_parameterization/internal/harmonics/Harmonic_transform.h>
-#include <CGAL/Spherical_parameterization/internal/harmonics/Sphere_nodes.h>
+#include <CGAL/Spherical_parameterization/Sampling/Sphere_domain_3.h>
+#include <CGAL/Spherical_parameterization/Harmonics/expand_in_spherical_harmonics.h>
+#include <CGAL/Spherical_parameterization/Harmonics/internal/Spherical_harmonic_transform.h>
+#include <CGAL/Spherical_parameterization/Harmonics/internal/Sphere_nodes.h>
 #include <CGAL/Spherical_parameterization/internal/numbers/Rotation_matrix.h>
 #include <CGAL/Spherical_parameterization/internal/numbers/Vector_3.h>
-#include <CGAL/Spherical_parameterization/internal/run/parallel.h>
-#include <CGAL/Spherical_parameterization/move_to_standard_position.h>
-#include <CGAL/Spherical_parameterization/reconstruct_from_spherical_harmonics.h>
-#include <CGAL/Spherical_parameterization/rotate_spherical_harmonics.h>
+#include <CGAL/Spherical_parameterization/internal/execution/parallel.h>
+#include <CGAL/Spherical_parameterization/Harmonics/move_to_standard_position.h>
+#include <CGAL/Spherical_parameterization/Harmonics/reconstruct_from_spherical_harmonics.h>
+#include <CGAL/Spherical_parameterization/Harmonics/rotate_spherical_harmonics.h>
 
 #include "test_meshes.h"
 
@@ -150,7 +150,7 @@ TEST(Harmonics, obey_the_addition_theorem_up_to_the_largest_degree)
   using namespace SP::internal;
   for(const std::size_t degree : {2u, 30u, 200u, 1000u})
   {
-    const Harmonic_transform transform(degree);
+    const Spherical_harmonic_transform transform(degree);
     for(const Point_3& q : some_directions())
     {
       const Sphere_nodes node({direction_of(q)});
@@ -205,12 +205,12 @@ TEST(Harmonics, of_a_degree_are_kept_or_left_out)
   EXPECT_EQ(Harmonics(1, 5000).degree(), Harmonics::max_degree);
 }
 
-TEST(Harmonic_transform, returns_what_values_at_nodes_were_made_of)
+TEST(Spherical_harmonic_transform, returns_what_values_at_nodes_were_made_of)
 {
   using namespace SP::internal;
   for(const std::size_t degree : {0u, 1u, 2u, 3u, 30u, 200u})
   {
-    const Harmonic_transform transform(degree);
+    const Spherical_harmonic_transform transform(degree);
     const Gauss_grid grid(degree);
     std::mt19937 random(7);
     std::uniform_real_distribution<double> uniform(-1., 1.);

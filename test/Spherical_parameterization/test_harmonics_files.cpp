@@ -1,7 +1,7 @@
 // Files of coefficients: those of SPHARM-PDM as that program reads them, tables, and what is told of damaged ones.
 
-#include <CGAL/Spherical_parameterization/IO/spherical_harmonics_files.h>
-#include <CGAL/Spherical_parameterization/reconstruct_from_spherical_harmonics.h>
+#include <CGAL/Spherical_parameterization/Harmonics/spherical_harmonics_files.h>
+#include <CGAL/Spherical_parameterization/Harmonics/reconstruct_from_spherical_harmonics.h>
 
 #include <CGAL/Simple_cartesian.h>
 

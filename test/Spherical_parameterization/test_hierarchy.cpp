@@ -1,9 +1,9 @@
 // The levels of coarser meshes, what a vertex is put into when it comes back, and the maps that are made through them.
 
-#include <CGAL/Spherical_parameterization/internal/levels/Hierarchical_embedding.h>
-#include <CGAL/Spherical_parameterization/internal/levels/Mesh_hierarchy.h>
-#include <CGAL/Spherical_parameterization/internal/levels/Star_kernel.h>
-#include <CGAL/Spherical_parameterization/internal/levels/Vertex_removal.h>
+#include <CGAL/Spherical_parameterization/internal/descent/Hierarchical_embedding.h>
+#include <CGAL/Spherical_parameterization/internal/hierarchy/Mesh_hierarchy.h>
+#include <CGAL/Spherical_parameterization/internal/hierarchy/Star_kernel.h>
+#include <CGAL/Spherical_parameterization/internal/hierarchy/Vertex_removal.h>
 
 #include "engine.h"
 #include "indexed_meshes.h"

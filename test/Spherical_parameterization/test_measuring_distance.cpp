@@ -1,8 +1,8 @@
 // The distance between two surfaces: for those for which it is known, and of places to triangles, however flat, against
 // the exact one.
 
-#include <CGAL/Spherical_parameterization/internal/measuring/Triangle_set.h>
-#include <CGAL/Spherical_parameterization/measure_distance.h>
+#include <CGAL/Spherical_parameterization/Sampling/internal/Triangle_set.h>
+#include <CGAL/Spherical_parameterization/Sampling/measure_distance.h>
 
 #include "methods.h"
 #include "random_meshes.h"

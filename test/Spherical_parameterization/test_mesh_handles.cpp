@@ -5,7 +5,7 @@
 #include "test_meshes.h"
 
 #include <CGAL/Spherical_parameterization/find_defect.h>
-#include <CGAL/Spherical_parameterization/find_handles.h>
+#include <CGAL/Spherical_parameterization/Repair/find_handles.h>
 
 #include <gtest/gtest.h>
 

@@ -5,7 +5,7 @@
 #include "random_meshes.h"
 #include "test_meshes.h"
 
-#include <CGAL/Spherical_parameterization/fill_holes.h>
+#include <CGAL/Spherical_parameterization/Repair/fill_holes.h>
 #include <CGAL/Spherical_parameterization/find_defect.h>
 
 #include <CGAL/boost/graph/IO/polygon_mesh_io.h>

@@ -2,7 +2,12 @@
 // then, but for a map that stores other values than it was given.
 
 #include <CGAL/spherical_parameterization.h>
-#include <CGAL/Spherical_parameterization/internal/baselines/Laplacian_system.h>
+#include <CGAL/Spherical_parameterization/ARAP_parameterizer_3.h>
+#include <CGAL/Spherical_parameterization/Conformal_parameterizer_3.h>
+#include <CGAL/Spherical_parameterization/Harmonic_parameterizer_3.h>
+#include <CGAL/Spherical_parameterization/Published_low_distortion_parameterizer_3.h>
+#include <CGAL/Spherical_parameterization/Stereographic_parameterizer_3.h>
+#include <CGAL/Spherical_parameterization/internal/initializers/Laplacian_system.h>
 
 #include "methods.h"
 

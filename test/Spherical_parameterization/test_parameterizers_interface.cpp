@@ -2,6 +2,11 @@
 // models of the concepts, with no more than the concepts ask for, in place of those of the package.
 
 #include <CGAL/spherical_parameterization.h>
+#include <CGAL/Spherical_parameterization/ARAP_parameterizer_3.h>
+#include <CGAL/Spherical_parameterization/Conformal_parameterizer_3.h>
+#include <CGAL/Spherical_parameterization/Harmonic_parameterizer_3.h>
+#include <CGAL/Spherical_parameterization/Published_low_distortion_parameterizer_3.h>
+#include <CGAL/Spherical_parameterization/Stereographic_parameterizer_3.h>
 
 #include "archetypes.h"
 #include "engine.h"

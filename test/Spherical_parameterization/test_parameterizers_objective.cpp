@@ -74,7 +74,7 @@ std::vector<Named_mesh> small_meshes()
                                     {"bumpy", make(bumpy_sphere(3))},
                                     {"caps", make(with_cap(with_cap(bumpy_sphere(3), 17), 400))},
                                     {"slivers", make(with_slivers(bumpy_sphere(3), 10, 1e-5))},
-                                    {"slivers of a limb", make(with_slivers(with_tentacle(30, 6.), 4, 1e-3))}};
+                                    {"slivers of an extremity", make(with_slivers(with_tentacle(30, 6.), 4, 1e-3))}};
   return result;
 }
 

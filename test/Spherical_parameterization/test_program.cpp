@@ -6,12 +6,12 @@
 #include "methods.h"
 #include "test_meshes.h"
 
-#include <CGAL/Spherical_parameterization/Sphere_domain_3.h>
+#include <CGAL/Spherical_parameterization/Sampling/Sphere_domain_3.h>
 #include <CGAL/Spherical_parameterization/Sphere_locator_3.h>
-#include <CGAL/Spherical_parameterization/internal/images/Geometry_image.h>
-#include <CGAL/Spherical_parameterization/overlay.h>
-#include <CGAL/Spherical_parameterization/remesh_through_sphere.h>
-#include <CGAL/Spherical_parameterization/transfer.h>
+#include <CGAL/Spherical_parameterization/Sampling/internal/Geometry_image.h>
+#include <CGAL/Spherical_parameterization/Surface_maps/overlay.h>
+#include <CGAL/Spherical_parameterization/Sampling/remesh_through_sphere.h>
+#include <CGAL/Spherical_parameterization/Sampling/transfer.h>
 
 #include <CGAL/IO/OFF.h>
 #include <CGAL/IO/PLY.h>

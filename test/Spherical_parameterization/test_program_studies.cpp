@@ -4,9 +4,9 @@
 #include "Program_fixture.h"
 
 #include <CGAL/Spherical_parameterization/Error_code.h>
-#include <CGAL/Spherical_parameterization/IO/FreeSurfer.h>
+#include <CGAL/Spherical_parameterization/Cortex/FreeSurfer.h>
 #ifdef TEST_GIFTI
-#include <CGAL/Spherical_parameterization/IO/GIFTI.h>
+#include <CGAL/Spherical_parameterization/Cortex/GIFTI.h>
 #endif
 
 #include <gtest/gtest.h>

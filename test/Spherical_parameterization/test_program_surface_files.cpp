@@ -5,12 +5,12 @@
 #include "images.h"
 
 #include <CGAL/Spherical_parameterization/Error_code.h>
-#include <CGAL/Spherical_parameterization/IO/FreeSurfer.h>
+#include <CGAL/Spherical_parameterization/Cortex/FreeSurfer.h>
 #ifdef TEST_GIFTI
-#include <CGAL/Spherical_parameterization/IO/GIFTI.h>
+#include <CGAL/Spherical_parameterization/Cortex/GIFTI.h>
 #endif
 #ifdef TEST_MGH
-#include <CGAL/Spherical_parameterization/IO/MGH.h>
+#include <CGAL/Spherical_parameterization/Cortex/MGH.h>
 #endif
 
 #include <gtest/gtest.h>

@@ -4,16 +4,16 @@
 #include "decoded_images.h"
 #include "methods.h"
 
-#include <CGAL/Spherical_parameterization/Sphere_domain_3.h>
-#include <CGAL/Spherical_parameterization/remesh_through_sphere.h>
+#include <CGAL/Spherical_parameterization/Sampling/Sphere_domain_3.h>
+#include <CGAL/Spherical_parameterization/Sampling/remesh_through_sphere.h>
 
 #ifdef TEST_PNG
-#include <CGAL/Spherical_parameterization/IO/PNG_geometry_image.h>
+#include <CGAL/Spherical_parameterization/Sampling/PNG_geometry_image.h>
 #endif
 #ifdef TEST_EXR
-#include <CGAL/Spherical_parameterization/IO/EXR_geometry_image.h>
+#include <CGAL/Spherical_parameterization/Sampling/EXR_geometry_image.h>
 #endif
-#include <CGAL/Spherical_parameterization/internal/images/Geometry_image.h>
+#include <CGAL/Spherical_parameterization/Sampling/internal/Geometry_image.h>
 
 #include <gtest/gtest.h>
 

@@ -2,11 +2,11 @@
 // documentation say.
 
 #include <CGAL/Spherical_parameterization/Default_visitor.h>
-#include <CGAL/Spherical_parameterization/Sphere_domain_3.h>
+#include <CGAL/Spherical_parameterization/Sampling/Sphere_domain_3.h>
 #include <CGAL/Spherical_parameterization/Sphere_locator_3.h>
 #include <CGAL/Spherical_parameterization/is_bijective.h>
-#include <CGAL/Spherical_parameterization/remesh_through_sphere.h>
-#include <CGAL/Spherical_parameterization/transfer.h>
+#include <CGAL/Spherical_parameterization/Sampling/remesh_through_sphere.h>
+#include <CGAL/Spherical_parameterization/Sampling/transfer.h>
 
 #include "judge.h"
 #include "methods.h"

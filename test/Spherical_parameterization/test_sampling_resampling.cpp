@@ -1,7 +1,7 @@
 // What the vertices of one sphere have is carried to those of another one by the weights that the documentation defines.
 
 #include <CGAL/Spherical_parameterization/Sphere_locator_3.h>
-#include <CGAL/Spherical_parameterization/Sphere_resampler_3.h>
+#include <CGAL/Spherical_parameterization/Sampling/Sphere_resampler_3.h>
 
 #include "methods.h"
 #include "test_meshes.h"
@@ -193,15 +193,15 @@ TEST(Resampling, constants_stay_as_they_are)
 TEST(Resampling, adaptive_weights_give_away_the_area_of_each_source)
 {
   const Pair pair = pairs()[0];
-  const auto mixtures = [&](const Weights& weights) {
-    return SP::internal::Mixtures(weights.size(), [&](const auto& add) {
+  const auto weights = [&](const Weights& weights) {
+    return SP::internal::Interpolation_weights(weights.size(), [&](const auto& add) {
       for(std::size_t v = 0; v < weights.size(); ++v)
         for(const auto& [s, weight] : weights[v])
-          add(v, SP::internal::Mixture_term{static_cast<std::uint32_t>(s), weight});
+          add(v, SP::internal::Weighted_source{static_cast<std::uint32_t>(s), weight});
     });
   };
-  const auto adaptive = SP::internal::adaptive_mixtures(
-      mixtures(located(pair.to, pair.from)), mixtures(located(pair.from, pair.to)), pair.from.areas, pair.to.areas);
+  const auto adaptive = SP::internal::adaptive_weights(
+      weights(located(pair.to, pair.from)), weights(located(pair.from, pair.to)), pair.from.areas, pair.to.areas);
   std::vector<double> given(pair.from.size(), 0.);
   for(std::size_t v = 0; v < adaptive.size(); ++v)
     for(const auto& term : adaptive.terms(v))

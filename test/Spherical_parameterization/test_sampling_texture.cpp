@@ -1,8 +1,8 @@
 // Texture coordinates are those of the surface everywhere, whatever the poles and the seam pass through, and files hold them.
 
 #include <CGAL/Spherical_parameterization/Sphere_locator_3.h>
-#include <CGAL/Spherical_parameterization/compute_texture_coordinates.h>
-#include <CGAL/Spherical_parameterization/IO/write_OBJ.h>
+#include <CGAL/Spherical_parameterization/Sampling/compute_texture_coordinates.h>
+#include <CGAL/Spherical_parameterization/Sampling/write_OBJ.h>
 
 #include "methods.h"
 #include "random_meshes.h"

@@ -7,13 +7,13 @@
 #include "recording_control.h"
 #include "surfaces.h"
 
-#include <CGAL/Spherical_parameterization/Surface_mapper_3.h>
-#include <CGAL/Spherical_parameterization/align_spheres.h>
-#include <CGAL/Spherical_parameterization/fit_rotation_to_surface.h>
-#include <CGAL/Spherical_parameterization/internal/align/Limb_search.h>
+#include <CGAL/Spherical_parameterization/Surface_maps/Surface_mapper_3.h>
+#include <CGAL/Spherical_parameterization/Surface_maps/align_spheres.h>
+#include <CGAL/Spherical_parameterization/Cortex/fit_rotation_to_surface.h>
+#include <CGAL/Spherical_parameterization/Surface_maps/internal/alignment/Extremity_search.h>
 #include <CGAL/Spherical_parameterization/is_bijective.h>
-#include <CGAL/Spherical_parameterization/map_surface.h>
-#include <CGAL/Spherical_parameterization/measure_folding.h>
+#include <CGAL/Spherical_parameterization/Surface_maps/map_surface.h>
+#include <CGAL/Spherical_parameterization/Cortex/compute_sulcal_measures.h>
 
 #include <gtest/gtest.h>
 
@@ -231,7 +231,7 @@ const Arms bent_arms = {straight_arms.directions, straight_arms.lengths, 0.35};
 
 template <class Result>
 Result with_levels(const Mapped_mesh& mesh, const std::vector<std::vector<double>>& features,
-                   const std::function<Result(SP::internal::Coarse_surface&&)>& f)
+                   const std::function<Result(SP::internal::Surface_descriptor&&)>& f)
 {
   using Arrays = SP::internal::Mesh_on_sphere<Mesh, Mesh::Property_map<Vertex_index, Point_3>>;
   Arrays arrays;
@@ -246,20 +246,20 @@ Result with_levels(const Mapped_mesh& mesh, const std::vector<std::vector<double
   return f(SP::internal::Surface_levels(surface, control, {}).coarse_surface(ranks, {}));
 }
 
-SP::internal::Coarse_surface coarse(const Mapped_mesh& mesh, const std::vector<std::vector<double>>& features = {})
+SP::internal::Surface_descriptor coarse(const Mapped_mesh& mesh, const std::vector<std::vector<double>>& features = {})
 {
-  return with_levels<SP::internal::Coarse_surface>(
-      mesh, features, [](SP::internal::Coarse_surface&& surface) { return std::move(surface); });
+  return with_levels<SP::internal::Surface_descriptor>(
+      mesh, features, [](SP::internal::Surface_descriptor&& surface) { return std::move(surface); });
 }
 
-TEST(Coarse_surface, has_the_ranks_of_features_by_area)
+TEST(Surface_descriptor, has_the_ranks_of_features_by_area)
 {
   const Mapped_mesh mesh(icosphere(5), on_body, rotation(turns[0]));
   std::vector<double> height, constant(mesh.mesh.number_of_vertices(), 3.);
   for(const Vertex_index v : mesh.mesh.vertices())
     height.push_back(std::exp(mesh.mesh.point(v).z()));
-  const SP::internal::Coarse_surface surface = coarse(mesh, {height, constant});
-  EXPECT_LE(surface.size(), SP::internal::Coarse_surface::max_size);
+  const SP::internal::Surface_descriptor surface = coarse(mesh, {height, constant});
+  EXPECT_LE(surface.size(), SP::internal::Surface_descriptor::max_size);
   ASSERT_TRUE(surface.is_bijective());
   double sum = 0., squares = 0., area = 0.;
   for(std::size_t v = 0; v < surface.size(); ++v)
@@ -275,10 +275,10 @@ TEST(Coarse_surface, has_the_ranks_of_features_by_area)
   EXPECT_NEAR(squares, 1. / 3., 0.01); // from -1 to 1.
 }
 
-TEST(Coarse_surface, has_the_same_distances_from_a_vertex_and_from_its_direction)
+TEST(Surface_descriptor, has_the_same_distances_from_a_vertex_and_from_its_direction)
 {
   const Mapped_mesh a(icosphere(4), bent_arms, rotation(turns[0]));
-  SP::internal::Coarse_surface surface = coarse(a);
+  SP::internal::Surface_descriptor surface = coarse(a);
   surface.measure_distances();
   ASSERT_EQ(surface.spread_origins().size(), 48u);
   double mean = 0.;
@@ -295,14 +295,14 @@ TEST(Coarse_surface, has_the_same_distances_from_a_vertex_and_from_its_direction
   EXPECT_NEAR(mean, 1., 0.2); // the unit
 }
 
-TEST(Limbs, are_found_on_the_ends_of_arms_and_matched_whatever_the_pose)
+TEST(Extremities, are_found_on_the_ends_of_arms_and_matched_whatever_the_pose)
 {
   const Mapped_mesh a(icosphere(4), straight_arms, rotation(turns[0])), b(icosphere(4), bent_arms, rotation(turns[1]));
-  SP::internal::Coarse_surface first = coarse(a), second = coarse(b);
-  const auto limbs1 = first.limbs(), limbs2 = second.limbs();
+  SP::internal::Surface_descriptor first = coarse(a), second = coarse(b);
+  const auto limbs1 = first.extremities(), limbs2 = second.extremities();
   ASSERT_EQ(limbs1.size(), 5u);
   ASSERT_EQ(limbs2.size(), 5u);
-  SP::internal::Limb_search search(limbs1, limbs2);
+  SP::internal::Extremity_search search(limbs1, limbs2);
   const auto matchings = search.best(4, first.directions(), second.directions());
   ASSERT_FALSE(matchings.empty());
   EXPECT_EQ(matchings[0].pairs.size(), 5u);
@@ -312,14 +312,17 @@ TEST(Limbs, are_found_on_the_ends_of_arms_and_matched_whatever_the_pose)
     EXPECT_LE(matchings[i].score, matchings[i - 1].score);
 }
 
-TEST(Limbs, are_not_matched_if_they_are_too_few)
+TEST(Extremities, are_not_matched_if_they_are_too_few)
 {
   const Mapped_mesh a(icosphere(4), on_body, rotation(turns[0]));
-  SP::internal::Coarse_surface surface = coarse(a);
-  auto limbs = surface.limbs();
-  limbs.resize((std::min<std::size_t>)(limbs.size(), 2));
-  EXPECT_TRUE(SP::internal::Limb_search(limbs, limbs).best(4, surface.directions(), surface.directions()).empty());
-  EXPECT_TRUE(SP::internal::Limb_search({}, limbs).best(4, surface.directions(), surface.directions()).empty());
+  SP::internal::Surface_descriptor surface = coarse(a);
+  auto extremities = surface.extremities();
+  extremities.resize((std::min<std::size_t>)(extremities.size(), 2));
+  EXPECT_TRUE(SP::internal::Extremity_search(extremities, extremities)
+                  .best(4, surface.directions(), surface.directions())
+                  .empty());
+  EXPECT_TRUE(
+      SP::internal::Extremity_search({}, extremities).best(4, surface.directions(), surface.directions()).empty());
 }
 
 double mean_distance(const Mapped_mesh& a, const Mesh::Property_map<Vertex_index, Point_3>& directions,
@@ -408,7 +411,7 @@ TEST(Alignment, is_mended_by_distances_where_it_has_slid)
   const std::vector<std::vector<double>> nothing(1, std::vector<double>(num_vertices(a.mesh), 0.));
   Recording_control control;
   Surface_alignment surfaces(coarse(a, nothing), coarse(b, nothing), control, {});
-  const Coarse_surface first = coarse(a), second = coarse(b);
+  const Surface_descriptor first = coarse(a), second = coarse(b);
   const Rotation_3 turn = rotation(turns[1]) * rotation(turns[0]).inverse();
   std::vector<Vector_3d> truth;
   for(const Vector_3d& p : first.directions())
@@ -636,10 +639,10 @@ TEST(Landmarks, that_do_not_determine_a_rotation_are_refused)
   EXPECT_EQ(fit({{x, x}, {y, y}}), SP::OK);
 }
 
-SP::Surface_folding folding_of(const Mesh& mesh)
+SP::Sulcal_measures sulcal_measures_of(const Mesh& mesh)
 {
-  SP::Surface_folding result;
-  EXPECT_EQ(SP::measure_folding(mesh, result), SP::OK);
+  SP::Sulcal_measures result;
+  EXPECT_EQ(SP::compute_sulcal_measures(mesh, result), SP::OK);
   return result;
 }
 
@@ -650,7 +653,7 @@ TEST(Folding, of_a_sphere_is_its_curvature)
   const Mapped_mesh sphere(
       icosphere(5), [](const Point_3& p) { return Point_3(radius * p.x(), radius * p.y(), 3. + radius * p.z()); },
       rotation(turns[0]));
-  const SP::Surface_folding folding = folding_of(sphere.mesh);
+  const SP::Sulcal_measures folding = sulcal_measures_of(sphere.mesh);
   const double n = static_cast<double>(sphere.mesh.number_of_vertices());
   double curvatures = 0., inflated_curvatures = 0.;
   for(const Vertex_index v : sphere.mesh.vertices())
@@ -677,9 +680,9 @@ TEST(Folding, does_not_depend_on_the_samples_the_place_and_the_threads)
   };
   const Mapped_mesh first(icosphere(5), waves, rotation(turns[0])),
       second(octahedron_of(64), moved, rotation(turns[0]));
-  const SP::Surface_folding a = folding_of(first.mesh), b = folding_of(second.mesh);
-  SP::Surface_folding sequential;
-  ASSERT_EQ(SP::measure_folding<CGAL::Sequential_tag>(second.mesh, sequential), SP::OK);
+  const SP::Sulcal_measures a = sulcal_measures_of(first.mesh), b = sulcal_measures_of(second.mesh);
+  SP::Sulcal_measures sequential;
+  ASSERT_EQ(SP::compute_sulcal_measures<CGAL::Sequential_tag>(second.mesh, sequential), SP::OK);
   EXPECT_EQ(sequential.curvature, b.curvature);
   EXPECT_EQ(sequential.depth, b.depth);
   EXPECT_EQ(sequential.inflated_curvature, b.inflated_curvature);
@@ -716,15 +719,15 @@ TEST(Folding, of_what_is_no_surface_is_left_as_it_was)
 {
   Mapped_mesh body(icosphere(2), on_body, rotation(turns[1]));
   const Vertex_index lonely = body.mesh.add_vertex(Point_3(1., 2., 3.));
-  SP::Surface_folding folding = folding_of(body.mesh);
+  SP::Sulcal_measures folding = sulcal_measures_of(body.mesh);
   EXPECT_EQ(folding.depth.size(), body.mesh.number_of_vertices());
   EXPECT_EQ(folding.depth[lonely], 0.);
   const std::vector<double> before = folding.depth;
   const Vertex_index v = *body.mesh.vertices().begin();
   body.mesh.point(v) = Point_3(0., std::numeric_limits<double>::infinity(), 0.);
-  EXPECT_EQ(SP::measure_folding(body.mesh, folding), SP::ERROR_NON_FINITE_COORDINATE);
+  EXPECT_EQ(SP::compute_sulcal_measures(body.mesh, folding), SP::ERROR_NON_FINITE_COORDINATE);
   CGAL::Euler::remove_face(body.mesh.halfedge(v), body.mesh);
-  EXPECT_EQ(SP::measure_folding(body.mesh, folding), SP::ERROR_NON_CLOSED_MESH);
+  EXPECT_EQ(SP::compute_sulcal_measures(body.mesh, folding), SP::ERROR_NON_CLOSED_MESH);
   EXPECT_EQ(folding.depth, before);
 }
 

@@ -8,20 +8,20 @@
 #include "surfaces.h"
 #include "test_meshes.h"
 
-#include <CGAL/Spherical_parameterization/internal/align/Coarse_surface.h>
-#include <CGAL/Spherical_parameterization/internal/locate/Sphere_image.h>
+#include <CGAL/Spherical_parameterization/Surface_maps/internal/alignment/Surface_descriptor.h>
+#include <CGAL/Spherical_parameterization/Surface_maps/internal/alignment/Sphere_image.h>
 #include <CGAL/Spherical_parameterization/internal/certificate/is_safely_positive.h>
-#include <CGAL/Spherical_parameterization/internal/levels/Mesh_hierarchy.h>
+#include <CGAL/Spherical_parameterization/internal/hierarchy/Mesh_hierarchy.h>
 #include <CGAL/Spherical_parameterization/internal/surface/Linked_triangle.h>
-#include <CGAL/Spherical_parameterization/internal/levels/Target_metric.h>
-#include <CGAL/Spherical_parameterization/internal/levels/Target_star.h>
+#include <CGAL/Spherical_parameterization/Surface_maps/internal/target/Target_metric.h>
+#include <CGAL/Spherical_parameterization/Surface_maps/internal/target/Target_star.h>
 #include <CGAL/Spherical_parameterization/is_bijective.h>
-#include <CGAL/Spherical_parameterization/map_surface.h>
-#include <CGAL/Spherical_parameterization/measure_distortion_between.h>
-#include <CGAL/Spherical_parameterization/overlay.h>
-#include <CGAL/Spherical_parameterization/remesh_through_sphere.h>
-#include <CGAL/Spherical_parameterization/split_bent_faces.h>
-#include <CGAL/Spherical_parameterization/split_blocking_edges.h>
+#include <CGAL/Spherical_parameterization/Surface_maps/map_surface.h>
+#include <CGAL/Spherical_parameterization/Surface_maps/measure_distortion_between.h>
+#include <CGAL/Spherical_parameterization/Surface_maps/overlay.h>
+#include <CGAL/Spherical_parameterization/Sampling/remesh_through_sphere.h>
+#include <CGAL/Spherical_parameterization/Surface_maps/split_bent_faces.h>
+#include <CGAL/Spherical_parameterization/Surface_maps/split_blocking_edges.h>
 
 #include <CGAL/Polygon_mesh_processing/measure.h>
 #include <CGAL/Polyhedron_3.h>
@@ -1012,7 +1012,7 @@ SP::internal::Surface indexed(const SP::internal::Sphere_triangulation<Kernel>& 
 double squared_length_on(const SP::internal::Target_metric& metric, const Vector_3d& p, std::size_t level,
                          const Vector_3d& e)
 {
-  const SP::internal::Cube_place place = metric.place(p, level);
+  const SP::internal::Cube_location place = metric.place(p, level);
   const auto flat = place.flattened(e);
   return metric.at(place, level).product(flat, flat);
 }
@@ -1033,7 +1033,7 @@ TEST(Target_metric, of_a_sphere_is_that_of_its_tangent_planes)
     for(const std::size_t n : {100u, 10000u})
     {
       const std::size_t level = metric.level_for(n);
-      const SP::internal::Cube_place place = metric.place(p, level);
+      const SP::internal::Cube_location place = metric.place(p, level);
       EXPECT_NEAR(metric.at(place, level).area(), 1., 0.05);
       EXPECT_NEAR(squared_length_on(metric, p, level, frame.vector_of(0.6, 0.8)), 1., 0.05);
       EXPECT_NEAR(squared_length_on(metric, p, level, p), 0., 1e-20); // what is along the direction does not count
@@ -1109,7 +1109,7 @@ std::vector<Vector_3d> directions_in(const SP::internal::Surface& mesh, const Tr
 
 // Features of a sphere.
 SP::internal::Sphere_image features_of(
-    const SP::internal::Sphere_triangulation<SP::internal::Coarse_surface::Kernel>& images)
+    const SP::internal::Sphere_triangulation<SP::internal::Surface_descriptor::Kernel>& images)
 {
   std::vector<std::vector<double>> channels(2);
   for(std::size_t v = 0; v < images.points().size(); ++v)

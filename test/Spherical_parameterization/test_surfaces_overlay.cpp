@@ -9,12 +9,12 @@
 #include "surfaces.h"
 
 #include <CGAL/Exact_rational.h>
-#include <CGAL/Spherical_parameterization/Sphere_domain_3.h>
-#include <CGAL/Spherical_parameterization/internal/measuring/energy_between.h>
+#include <CGAL/Spherical_parameterization/Sampling/Sphere_domain_3.h>
+#include <CGAL/Spherical_parameterization/Surface_maps/internal/overlay/energy_between.h>
 #include <CGAL/Spherical_parameterization/internal/numbers/Vector_3.h>
 #include <CGAL/Spherical_parameterization/internal/surface/Linked_triangle.h>
-#include <CGAL/Spherical_parameterization/measure_distortion_between.h>
-#include <CGAL/Spherical_parameterization/overlay.h>
+#include <CGAL/Spherical_parameterization/Surface_maps/measure_distortion_between.h>
+#include <CGAL/Spherical_parameterization/Surface_maps/overlay.h>
 
 #include <gtest/gtest.h>
 

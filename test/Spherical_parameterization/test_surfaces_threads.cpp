@@ -6,11 +6,11 @@
 #include "surfaces.h"
 
 #include <CGAL/Spherical_parameterization/Sphere_locator_3.h>
-#include <CGAL/Spherical_parameterization/map_surface.h>
-#include <CGAL/Spherical_parameterization/measure_distance.h>
-#include <CGAL/Spherical_parameterization/overlay.h>
-#include <CGAL/Spherical_parameterization/remesh_through_sphere.h>
-#include <CGAL/Spherical_parameterization/transfer.h>
+#include <CGAL/Spherical_parameterization/Surface_maps/map_surface.h>
+#include <CGAL/Spherical_parameterization/Sampling/measure_distance.h>
+#include <CGAL/Spherical_parameterization/Surface_maps/overlay.h>
+#include <CGAL/Spherical_parameterization/Sampling/remesh_through_sphere.h>
+#include <CGAL/Spherical_parameterization/Sampling/transfer.h>
 
 #include <gtest/gtest.h>
 

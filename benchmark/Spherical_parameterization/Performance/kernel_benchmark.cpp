@@ -13,18 +13,19 @@
 #include "machine_rates.h"
 
 #include <CGAL/spherical_parameterization.h>
+#include <CGAL/Spherical_parameterization/sampling.h>
 
 #include <CGAL/Spherical_parameterization/internal/certificate/Bijectivity_certificate.h>
-#include <CGAL/Spherical_parameterization/internal/levels/Block_coordinate_descent.h>
-#include <CGAL/Spherical_parameterization/internal/levels/Objective.h>
-#include <CGAL/Spherical_parameterization/internal/levels/Vertex_step.h>
-#include <CGAL/Spherical_parameterization/internal/levels/Hierarchical_embedding.h>
-#include <CGAL/Spherical_parameterization/internal/levels/Mesh_hierarchy.h>
-#include <CGAL/Spherical_parameterization/internal/levels/Vertex_removal.h>
+#include <CGAL/Spherical_parameterization/internal/descent/Block_coordinate_descent.h>
+#include <CGAL/Spherical_parameterization/internal/descent/Objective.h>
+#include <CGAL/Spherical_parameterization/internal/descent/Vertex_step.h>
+#include <CGAL/Spherical_parameterization/internal/descent/Hierarchical_embedding.h>
+#include <CGAL/Spherical_parameterization/internal/hierarchy/Mesh_hierarchy.h>
+#include <CGAL/Spherical_parameterization/internal/hierarchy/Vertex_removal.h>
 #include <CGAL/Spherical_parameterization/internal/surface/Surface.h>
 #include <CGAL/Spherical_parameterization/internal/surface/read_mesh.h>
-#include <CGAL/Spherical_parameterization/internal/run/parallel.h>
-#include <CGAL/Spherical_parameterization/internal/run_parameterization.h>
+#include <CGAL/Spherical_parameterization/internal/execution/parallel.h>
+#include <CGAL/Spherical_parameterization/internal/run/run_parameterization.h>
 #include <CGAL/Spherical_parameterization/internal/numbers/Vector_3.h>
 
 #include <CGAL/AABB_face_graph_triangle_primitive.h>

@@ -64,7 +64,7 @@ TABLES = {
 | the lowest worst distortion | the same with `Sharpness::lowest_worst()` | one-to-one | @hand worst time@ | @hand worst D_iso@ |
 | the lowest average distortion | the same with `Sharpness::lowest_average()` | one-to-one | @hand average time@ | @hand average D_iso@ |
 | angles, certified | the same with `Conformal_energy_3` and `Fixed_radius_3` | one-to-one | @hand conformal time@ | D_angle @hand conformal D_angle@ |
-| angles, quickly, on shapes without long limbs | `Conformal_parameterizer_3` | may fold, and says so | @hand only_conformal time@ | D_angle @hand only_conformal D_angle@ |
+| angles, quickly, on shapes without long extremities | `Conformal_parameterizer_3` | may fold, and says so | @hand only_conformal time@ | D_angle @hand only_conformal D_angle@ |
 | angles nearly, and one-to-one | `Harmonic_parameterizer_3` | one-to-one or an error code | @hand only_harmonic time@ | D_angle @hand only_harmonic D_angle@ |
 | areas: equal ones, or by a density | `Target_area_parameterizer_3`: \ref SphericalParameterizationAreas | one-to-one | | |
 | samples, for a remesh or a geometry image | the same with `Stretch_energy_3`, `Area_preserving_radius_3` and a sharpness of 3: \ref SphericalParameterizationStretch | one-to-one | | |

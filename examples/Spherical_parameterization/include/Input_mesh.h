@@ -6,8 +6,8 @@
 #include "Program_error.h"
 #include "read_soup.h"
 
-#include <CGAL/Spherical_parameterization/fill_holes.h>
-#include <CGAL/Spherical_parameterization/find_handles.h>
+#include <CGAL/Spherical_parameterization/Repair/fill_holes.h>
+#include <CGAL/Spherical_parameterization/Repair/find_handles.h>
 #include <CGAL/Spherical_parameterization/measure_distortion.h>
 
 #include <CGAL/Surface_mesh.h>

@@ -4,10 +4,10 @@
 #include "Input_mesh.h"
 #include "Program_error.h"
 
-#include <CGAL/Spherical_parameterization/Surface_mapper_3.h>
-#include <CGAL/Spherical_parameterization/map_surface.h>
-#include <CGAL/Spherical_parameterization/split_bent_faces.h>
-#include <CGAL/Spherical_parameterization/split_blocking_edges.h>
+#include <CGAL/Spherical_parameterization/Surface_maps/Surface_mapper_3.h>
+#include <CGAL/Spherical_parameterization/Surface_maps/map_surface.h>
+#include <CGAL/Spherical_parameterization/Surface_maps/split_bent_faces.h>
+#include <CGAL/Spherical_parameterization/Surface_maps/split_blocking_edges.h>
 
 #include <algorithm>
 #include <array>

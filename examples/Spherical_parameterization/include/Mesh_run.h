@@ -17,7 +17,7 @@
 #include "run_method.h"
 #include "write_sphere.h"
 
-#include <CGAL/Spherical_parameterization/measure_distance.h>
+#include <CGAL/Spherical_parameterization/Sampling/measure_distance.h>
 
 #include <algorithm>
 #include <chrono>

@@ -10,10 +10,10 @@
 #include "read_soup.h"
 
 #include <CGAL/Bbox_3.h>
-#include <CGAL/Spherical_parameterization/overlay.h>
-#include <CGAL/Spherical_parameterization/align_spheres.h>
+#include <CGAL/Spherical_parameterization/Surface_maps/overlay.h>
+#include <CGAL/Spherical_parameterization/Surface_maps/align_spheres.h>
 #include <CGAL/Spherical_parameterization/measure_distortion.h>
-#include <CGAL/Spherical_parameterization/measure_folding.h>
+#include <CGAL/Spherical_parameterization/Cortex/compute_sulcal_measures.h>
 #include <CGAL/property_map.h>
 
 #include <boost/archive/iterators/base64_from_binary.hpp>
@@ -90,8 +90,8 @@ public:
   void add_anatomy(Input_mesh& input, const std::string& labels)
   {
     const Mesh& mesh = input.mesh_of_file();
-    SP::Surface_folding folding;
-    if(const SP::Error_code error = SP::measure_folding(input.mesh(), folding); error != SP::OK)
+    SP::Sulcal_measures folding;
+    if(const SP::Error_code error = SP::compute_sulcal_measures(input.mesh(), folding); error != SP::OK)
       throw Program_error(input.name() + ": " + SP::get_error_message(error));
     std::vector<std::uint16_t> folds, areas;
     for(const Polygon& t : input.triangles())

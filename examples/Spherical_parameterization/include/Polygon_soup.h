@@ -3,7 +3,7 @@
 
 #include "hemispheres.h"
 
-#include <CGAL/Spherical_parameterization/IO/Surface_file.h>
+#include <CGAL/Spherical_parameterization/Cortex/Surface_file.h>
 
 #include <CGAL/Simple_cartesian.h>
 

@@ -9,7 +9,7 @@
 #include <CGAL/Spherical_parameterization/Fixed_radius_3.h>
 #include <CGAL/Spherical_parameterization/Optimal_radius_3.h>
 #include <CGAL/Spherical_parameterization/Sharpness.h>
-#include <CGAL/Spherical_parameterization/Sphere_domain_3.h>
+#include <CGAL/Spherical_parameterization/Sampling/Sphere_domain_3.h>
 #include <CGAL/Spherical_parameterization/Two_phase_radius_3.h>
 
 #include <boost/program_options.hpp>

@@ -11,17 +11,17 @@
 #include "write_soup.h"
 
 #ifdef PROGRAM_WRITES_EXR
-#include <CGAL/Spherical_parameterization/IO/EXR_geometry_image.h>
+#include <CGAL/Spherical_parameterization/Sampling/EXR_geometry_image.h>
 #endif
 #ifdef PROGRAM_WRITES_PNG
-#include <CGAL/Spherical_parameterization/IO/PNG_geometry_image.h>
+#include <CGAL/Spherical_parameterization/Sampling/PNG_geometry_image.h>
 #endif
 
 #include <CGAL/IO/PLY.h>
 #include <CGAL/IO/io.h>
-#include <CGAL/Spherical_parameterization/Sphere_domain_3.h>
-#include <CGAL/Spherical_parameterization/remesh_through_sphere.h>
-#include <CGAL/Spherical_parameterization/transfer.h>
+#include <CGAL/Spherical_parameterization/Sampling/Sphere_domain_3.h>
+#include <CGAL/Spherical_parameterization/Sampling/remesh_through_sphere.h>
+#include <CGAL/Spherical_parameterization/Sampling/transfer.h>
 
 #include <algorithm>
 #include <cstddef>

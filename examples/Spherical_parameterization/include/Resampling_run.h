@@ -11,7 +11,7 @@
 #include "read_soup.h"
 #include "write_soup.h"
 
-#include <CGAL/Spherical_parameterization/Sphere_resampler_3.h>
+#include <CGAL/Spherical_parameterization/Sampling/Sphere_resampler_3.h>
 #include <CGAL/Spherical_parameterization/is_bijective.h>
 #include <CGAL/Spherical_parameterization/round_to_float.h>
 

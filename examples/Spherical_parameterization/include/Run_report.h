@@ -10,11 +10,11 @@
 #include "run_method.h"
 
 #include <CGAL/Spherical_parameterization/Parameterization_report.h>
-#include <CGAL/Spherical_parameterization/fill_holes.h>
-#include <CGAL/Spherical_parameterization/measure_distance.h>
-#include <CGAL/Spherical_parameterization/Surface_map_report.h>
+#include <CGAL/Spherical_parameterization/Repair/fill_holes.h>
+#include <CGAL/Spherical_parameterization/Sampling/measure_distance.h>
+#include <CGAL/Spherical_parameterization/Surface_maps/Surface_map_report.h>
 #include <CGAL/Spherical_parameterization/measure_distortion.h>
-#include <CGAL/Spherical_parameterization/measure_distortion_between.h>
+#include <CGAL/Spherical_parameterization/Surface_maps/measure_distortion_between.h>
 #include <CGAL/version_macros.h>
 
 #include <algorithm>

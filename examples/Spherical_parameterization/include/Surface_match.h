@@ -16,9 +16,9 @@
 #include "write_sphere.h"
 
 #include <CGAL/Spherical_parameterization/Sphere_locator_3.h>
-#include <CGAL/Spherical_parameterization/map_surface.h>
-#include <CGAL/Spherical_parameterization/measure_distortion_between.h>
-#include <CGAL/Spherical_parameterization/overlay.h>
+#include <CGAL/Spherical_parameterization/Surface_maps/map_surface.h>
+#include <CGAL/Spherical_parameterization/Surface_maps/measure_distortion_between.h>
+#include <CGAL/Spherical_parameterization/Surface_maps/overlay.h>
 
 #include <algorithm>
 #include <array>

@@ -4,7 +4,7 @@
 #include "Program_error.h"
 #include "mesh_files.h"
 
-#include <CGAL/Spherical_parameterization/IO/Surface_file.h>
+#include <CGAL/Spherical_parameterization/Cortex/Surface_file.h>
 
 #include <filesystem>
 #include <string>

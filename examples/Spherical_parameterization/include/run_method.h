@@ -10,6 +10,12 @@
 #include "read_soup.h"
 
 #include <CGAL/spherical_parameterization.h>
+#include <CGAL/Spherical_parameterization/ARAP_parameterizer_3.h>
+#include <CGAL/Spherical_parameterization/Conformal_parameterizer_3.h>
+#include <CGAL/Spherical_parameterization/Harmonic_parameterizer_3.h>
+#include <CGAL/Spherical_parameterization/Published_low_distortion_parameterizer_3.h>
+#include <CGAL/Spherical_parameterization/Stereographic_parameterizer_3.h>
+#include <CGAL/Spherical_parameterization/Target_area_parameterizer_3.h>
 
 #include <algorithm>
 #include <array>

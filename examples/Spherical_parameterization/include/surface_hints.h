@@ -7,7 +7,7 @@
 #include "mesh_files.h"
 #include "readers/Scanner.h"
 
-#include <CGAL/Spherical_parameterization/measure_folding.h>
+#include <CGAL/Spherical_parameterization/Cortex/compute_sulcal_measures.h>
 
 #include <algorithm>
 #include <cmath>
@@ -79,7 +79,7 @@ public:
   Polygon_soup operator()(const std::string& name)
   {
     if(m_folding.depth.empty())
-      if(const SP::Error_code error = SP::measure_folding(m_mesh, m_folding); error != SP::OK)
+      if(const SP::Error_code error = SP::compute_sulcal_measures(m_mesh, m_folding); error != SP::OK)
         throw Program_error(name, "cannot be measured. " + std::string(SP::get_error_message(error)));
     Polygon_soup soup;
     std::vector<double> values = name == "depth" || name == "height" ? m_folding.depth
@@ -95,7 +95,7 @@ public:
 private:
   const Mesh& m_mesh;
   std::size_t m_n_vertices;
-  SP::Surface_folding m_folding;
+  SP::Sulcal_measures m_folding;
 };
 
 /// What surfaces can be aligned by of all that files of values hold.

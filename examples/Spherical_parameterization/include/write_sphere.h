@@ -7,7 +7,7 @@
 #include "write_soup.h"
 
 #include <CGAL/Spherical_parameterization/Error_code.h>
-#include <CGAL/Spherical_parameterization/fit_rotation_to_surface.h>
+#include <CGAL/Spherical_parameterization/Cortex/fit_rotation_to_surface.h>
 #include <CGAL/Spherical_parameterization/is_bijective.h>
 #include <CGAL/Spherical_parameterization/round_to_float.h>
 

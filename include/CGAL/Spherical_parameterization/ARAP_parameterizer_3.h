@@ -17,9 +17,9 @@
 #include <CGAL/Spherical_parameterization/Error_code.h>
 #include <CGAL/Spherical_parameterization/Hierarchical_parameterizer_3.h>
 #include <CGAL/Spherical_parameterization/Parameterization_report.h>
-#include <CGAL/Spherical_parameterization/internal/baselines/Linear_step_maps.h>
-#include <CGAL/Spherical_parameterization/internal/run/policy_traits.h>
-#include <CGAL/Spherical_parameterization/internal/run_parameterization.h>
+#include <CGAL/Spherical_parameterization/internal/execution/policy_traits.h>
+#include <CGAL/Spherical_parameterization/internal/initializers/ARAP_map.h>
+#include <CGAL/Spherical_parameterization/internal/run/run_parameterization.h>
 
 #include <CGAL/Default.h>
 #include <CGAL/Named_function_parameters.h>
@@ -35,7 +35,7 @@ namespace CGAL::Spherical_parameterization {
 /// whose matrix is factored once. The average distortion is low, but shrinking a face costs little, and turning it over
 /// not much more.
 ///
-/// Nothing prevents faces from turning over, and at limbs they do. A map that folds is written nevertheless, and
+/// Nothing prevents faces from turning over, and at extremities they do. A map that folds is written nevertheless, and
 /// `ERROR_NO_1_TO_1_MAPPING` is returned. `OK` is only returned if the map has been certified to be one-to-one as it
 /// has been written. `Bijective_low_distortion_parameterizer_3` is the method that never folds.
 ///

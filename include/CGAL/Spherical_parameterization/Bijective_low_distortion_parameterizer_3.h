@@ -18,11 +18,11 @@
 #include <CGAL/Spherical_parameterization/Parameterization_report.h>
 #include <CGAL/Spherical_parameterization/Sharpness.h>
 #include <CGAL/Spherical_parameterization/Symmetric_Dirichlet_energy_3.h>
-#include <CGAL/Spherical_parameterization/internal/check_arguments.h>
-#include <CGAL/Spherical_parameterization/internal/levels/Vertex_step.h>
-#include <CGAL/Spherical_parameterization/internal/run/policy_traits.h>
-#include <CGAL/Spherical_parameterization/internal/run_descent.h>
-#include <CGAL/Spherical_parameterization/internal/run_parameterization.h>
+#include <CGAL/Spherical_parameterization/internal/descent/Vertex_step.h>
+#include <CGAL/Spherical_parameterization/internal/execution/policy_traits.h>
+#include <CGAL/Spherical_parameterization/internal/run/check_arguments.h>
+#include <CGAL/Spherical_parameterization/internal/run/run_descent.h>
+#include <CGAL/Spherical_parameterization/internal/run/run_parameterization.h>
 
 #include <CGAL/Default.h>
 #include <CGAL/Named_function_parameters.h>

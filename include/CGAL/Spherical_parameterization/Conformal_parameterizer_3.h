@@ -16,8 +16,8 @@
 
 #include <CGAL/Spherical_parameterization/Error_code.h>
 #include <CGAL/Spherical_parameterization/Parameterization_report.h>
-#include <CGAL/Spherical_parameterization/internal/baselines/Linear_step_maps.h>
-#include <CGAL/Spherical_parameterization/internal/run_parameterization.h>
+#include <CGAL/Spherical_parameterization/internal/initializers/Harmonic_map.h>
+#include <CGAL/Spherical_parameterization/internal/run/run_parameterization.h>
 
 #include <CGAL/Default.h>
 #include <CGAL/Named_function_parameters.h>
@@ -32,7 +32,7 @@ namespace CGAL::Spherical_parameterization {
 /// they are, while Moebius transformations keep the centre of the area of the surface at the centre of the sphere.
 ///
 /// The iteration is that of `Harmonic_parameterizer_3`, but nothing prevents faces from turning over, which happens at
-/// limbs and at obtuse angles. A map that folds is written and reported as by `ARAP_parameterizer_3`.
+/// extremities and at obtuse angles. A map that folds is written and reported as by `ARAP_parameterizer_3`.
 /// `Bijective_low_distortion_parameterizer_3` with `Conformal_energy_3` is the method that never folds.
 ///
 /// \cgalModels{SphericalParameterizer_3}

@@ -16,8 +16,8 @@
 
 #include <CGAL/Spherical_parameterization/Error_code.h>
 #include <CGAL/Spherical_parameterization/Parameterization_report.h>
-#include <CGAL/Spherical_parameterization/internal/baselines/Linear_step_maps.h>
-#include <CGAL/Spherical_parameterization/internal/run_parameterization.h>
+#include <CGAL/Spherical_parameterization/internal/initializers/Harmonic_map.h>
+#include <CGAL/Spherical_parameterization/internal/run/run_parameterization.h>
 
 #include <CGAL/Default.h>
 #include <CGAL/Named_function_parameters.h>
@@ -32,14 +32,14 @@ namespace CGAL::Spherical_parameterization {
 /// opposite cotangents, raised to a small positive value where they are below.
 ///
 /// It is the map that \cgalCite{cgal:whfl-bspld-16} starts from. Angles are nearly kept, and areas differ by many
-/// orders of magnitude where a surface has limbs. The energy alone would be minimal if all vertices were mapped to one
+/// orders of magnitude where a surface has extremities. The energy alone would be minimal if all vertices were mapped to one
 /// point. So Moebius transformations keep the centre of the area of the surface at the centre of the sphere.
 ///
 /// The iteration starts from the map of `Stereographic_parameterizer_3`, and each step solves a sparse system, whose
 /// matrix is factored once; some ten steps are enough. It ends when a step changes the energy by less than 1e-9 of it.
 ///
 /// A one-to-one mapping is guaranteed whenever `OK` is returned: the map is so all the way, as steps that would turn a
-/// face over are shortened, and it is certified as it has been written. If limbs would get smaller than double
+/// face over are shortened, and it is certified as it has been written. If extremities would get smaller than double
 /// precision numbers resolve, `ERROR_INSUFFICIENT_PRECISION` is returned.
 ///
 /// \cgalModels{SphericalParameterizer_3}

@@ -16,7 +16,7 @@
 
 #include <CGAL/Spherical_parameterization/Energy_derivatives_3.h>
 #include <CGAL/Spherical_parameterization/Face_range_3.h>
-#include <CGAL/Spherical_parameterization/internal/run/policy_traits.h>
+#include <CGAL/Spherical_parameterization/internal/execution/policy_traits.h>
 
 #include <algorithm>
 #include <cmath>

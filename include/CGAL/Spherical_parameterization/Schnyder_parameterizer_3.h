@@ -16,9 +16,9 @@
 
 #include <CGAL/Spherical_parameterization/Error_code.h>
 #include <CGAL/Spherical_parameterization/Parameterization_report.h>
-#include <CGAL/Spherical_parameterization/internal/check_arguments.h>
-#include <CGAL/Spherical_parameterization/internal/run_descent.h>
-#include <CGAL/Spherical_parameterization/internal/run_parameterization.h>
+#include <CGAL/Spherical_parameterization/internal/run/check_arguments.h>
+#include <CGAL/Spherical_parameterization/internal/run/run_descent.h>
+#include <CGAL/Spherical_parameterization/internal/run/run_parameterization.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/tags.h>

@@ -15,11 +15,11 @@
 #include <CGAL/license/Spherical_parameterization.h>
 
 #include <CGAL/Spherical_parameterization/Error_code.h>
-#include <CGAL/Spherical_parameterization/internal/check_arguments.h>
 #include <CGAL/Spherical_parameterization/internal/certificate/Orientation_about_origin_3.h>
-#include <CGAL/Spherical_parameterization/internal/run/parallel.h>
-#include <CGAL/Spherical_parameterization/internal/Mesh_on_sphere.h>
+#include <CGAL/Spherical_parameterization/internal/execution/parallel.h>
 #include <CGAL/Spherical_parameterization/internal/locate/Sphere_triangulation.h>
+#include <CGAL/Spherical_parameterization/internal/run/Mesh_on_sphere.h>
+#include <CGAL/Spherical_parameterization/internal/run/check_arguments.h>
 
 #include <CGAL/Kernel_traits.h>
 #include <CGAL/tags.h>
@@ -167,7 +167,7 @@ public:
     for(const auto& direction : directions)
       points.push_back(converted(direction));
     Error_code result = OK;
-    for(const typename Triangulation::Place& place :
+    for(const typename Triangulation::Triangle_location& place :
         m_triangulation.locate(points, internal::execution_of<ConcurrencyTag>()))
     {
       if(place.triangle == Triangulation::none)
@@ -188,7 +188,7 @@ private:
     return Conversion::convert(direction);
   }
 
-  Face_location location(const typename Triangulation::Place& place) const
+  Face_location location(const typename Triangulation::Triangle_location& place) const
   {
     return {place.triangle == Triangulation::none ? boost::graph_traits<TriangleMesh>::null_face()
                                                   : m_faces[place.triangle],

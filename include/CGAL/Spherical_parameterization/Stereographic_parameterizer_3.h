@@ -16,8 +16,8 @@
 
 #include <CGAL/Spherical_parameterization/Error_code.h>
 #include <CGAL/Spherical_parameterization/Parameterization_report.h>
-#include <CGAL/Spherical_parameterization/internal/baselines/Stereographic_embedding.h>
-#include <CGAL/Spherical_parameterization/internal/run_parameterization.h>
+#include <CGAL/Spherical_parameterization/internal/initializers/Stereographic_embedding.h>
+#include <CGAL/Spherical_parameterization/internal/run/run_parameterization.h>
 
 #include <CGAL/Default.h>
 #include <CGAL/Named_function_parameters.h>
@@ -32,12 +32,12 @@ namespace CGAL::Spherical_parameterization {
 /// and with cotangent weights, raised where they would not be positive. The plane goes to the sphere by the inverse of
 /// the stereographic projection, and a Moebius transformation balances the two sides: it brings the centre of the area
 /// of the surface to the centre of the sphere. Angles are kept but for what the roundness of the circle costs, and
-/// areas differ by many orders of magnitude where a surface has limbs. One sparse matrix is factorised, and used twice: to
+/// areas differ by many orders of magnitude where a surface has extremities. One sparse matrix is factorised, and used twice: to
 /// learn where most of the surface is, and to place it there.
 ///
 /// A one-to-one mapping is guaranteed whenever `OK` is returned, because the map is certified as it has been written.
 /// It exists for every mesh: where the inverse stereographic projection would turn a large face over, the plane is
-/// projected from the centre of the sphere. But limbs may get smaller than double precision numbers resolve; then
+/// projected from the centre of the sphere. But extremities may get smaller than double precision numbers resolve; then
 /// `ERROR_INSUFFICIENT_PRECISION` is returned.
 ///
 /// \cgalModels{SphericalParameterizer_3}

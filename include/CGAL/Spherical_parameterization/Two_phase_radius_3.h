@@ -17,7 +17,7 @@
 #include <CGAL/Spherical_parameterization/Area_balancing_radius_3.h>
 #include <CGAL/Spherical_parameterization/Area_preserving_radius_3.h>
 #include <CGAL/Spherical_parameterization/Face_range_3.h>
-#include <CGAL/Spherical_parameterization/internal/run/policy_traits.h>
+#include <CGAL/Spherical_parameterization/internal/execution/policy_traits.h>
 
 #include <cmath>
 

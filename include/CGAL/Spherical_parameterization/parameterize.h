@@ -20,7 +20,7 @@
 
 #include <CGAL/Spherical_parameterization/Bijective_low_distortion_parameterizer_3.h>
 #include <CGAL/Spherical_parameterization/Error_code.h>
-#include <CGAL/Spherical_parameterization/internal/check_arguments.h>
+#include <CGAL/Spherical_parameterization/internal/run/check_arguments.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/tags.h>

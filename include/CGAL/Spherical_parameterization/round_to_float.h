@@ -16,11 +16,11 @@
 
 #include <CGAL/Spherical_parameterization/Error_code.h>
 #include <CGAL/Spherical_parameterization/internal/certificate/Float_rounding.h>
-#include <CGAL/Spherical_parameterization/internal/check_arguments.h>
+#include <CGAL/Spherical_parameterization/internal/execution/parallel.h>
 #include <CGAL/Spherical_parameterization/internal/numbers/Vector_3.h>
-#include <CGAL/Spherical_parameterization/internal/run/parallel.h>
+#include <CGAL/Spherical_parameterization/internal/run/check_arguments.h>
+#include <CGAL/Spherical_parameterization/internal/run/write_map.h>
 #include <CGAL/Spherical_parameterization/internal/surface/read_mesh.h>
-#include <CGAL/Spherical_parameterization/internal/write_map.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Kernel_traits.h>

@@ -1,7 +1,7 @@
 // All functions of meshes on spheres tell the mistake first, and then what follows from it.
 
 #include <CGAL/Simple_cartesian.h>
-#include <CGAL/Spherical_parameterization/map_surface.h>
+#include <CGAL/Spherical_parameterization/Surface_maps/map_surface.h>
 #include <CGAL/Surface_mesh.h>
 
 namespace SP = CGAL::Spherical_parameterization;

@@ -5,8 +5,8 @@
 #include "require.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Spherical_parameterization/IO/EXR_geometry_image.h>
-#include <CGAL/Spherical_parameterization/IO/PNG_geometry_image.h>
+#include <CGAL/Spherical_parameterization/Sampling/EXR_geometry_image.h>
+#include <CGAL/Spherical_parameterization/Sampling/PNG_geometry_image.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/boost/graph/helpers.h>
 

@@ -12,7 +12,7 @@
 #include "surface_hints.h"
 
 #include <CGAL/Spherical_parameterization/is_bijective.h>
-#include <CGAL/Spherical_parameterization/map_surface.h>
+#include <CGAL/Spherical_parameterization/Surface_maps/map_surface.h>
 #include <CGAL/tags.h>
 
 #include <cstddef>

@@ -6,9 +6,9 @@
 #include "require_message.h"
 
 #include <CGAL/Spherical_parameterization/Error_code.h>
-#include <CGAL/Spherical_parameterization/IO/FreeSurfer.h>
-#include <CGAL/Spherical_parameterization/IO/GIFTI.h>
-#include <CGAL/Spherical_parameterization/IO/MGH.h>
+#include <CGAL/Spherical_parameterization/Cortex/FreeSurfer.h>
+#include <CGAL/Spherical_parameterization/Cortex/GIFTI.h>
+#include <CGAL/Spherical_parameterization/Cortex/MGH.h>
 
 #include <cstddef>
 #include <cstdint>

@@ -17,8 +17,8 @@
 #include <CGAL/Spherical_parameterization/Face_range_3.h>
 #include <CGAL/Spherical_parameterization/Isometric_energy_3.h>
 #include <CGAL/Spherical_parameterization/Symmetric_Dirichlet_energy_3.h>
-#include <CGAL/Spherical_parameterization/internal/levels/Descent_loop.h>
-#include <CGAL/Spherical_parameterization/internal/levels/Hierarchical_embedding.h>
+#include <CGAL/Spherical_parameterization/internal/descent/Descent_loop.h>
+#include <CGAL/Spherical_parameterization/internal/descent/Hierarchical_embedding.h>
 
 #include <cstddef>
 #include <functional>

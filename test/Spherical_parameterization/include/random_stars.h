@@ -13,7 +13,7 @@
 // Stars of vertices on the unit sphere, each with neighbours of its own, and faces whose shape on the surface is any, of
 // about the size of their images.
 
-#include <CGAL/Spherical_parameterization/internal/levels/Star_packets.h>
+#include <CGAL/Spherical_parameterization/internal/descent/Star_packets.h>
 #include <CGAL/Spherical_parameterization/internal/surface/Rest_triangle.h>
 #include <CGAL/Spherical_parameterization/internal/numbers/Vector_3.h>
 

@@ -13,7 +13,7 @@
 // What accompanies a run of the package's inner parts: a visitor that stores what it is told, and may say no after a number
 // of questions, no time limit, and a report.
 
-#include <CGAL/Spherical_parameterization/internal/run/Run_control.h>
+#include <CGAL/Spherical_parameterization/internal/execution/Run_control.h>
 
 #include <cstddef>
 #include <limits>

@@ -15,7 +15,7 @@
 #include "Binary_file.h"
 
 #include <CGAL/Spherical_parameterization/Error_code.h>
-#include <CGAL/Spherical_parameterization/IO/Surface_file.h>
+#include <CGAL/Spherical_parameterization/Cortex/Surface_file.h>
 
 #include <gtest/gtest.h>
 

@@ -15,8 +15,8 @@
 #include "methods.h"
 #include "random_meshes.h"
 
-#include <CGAL/Spherical_parameterization/Sphere_domain_3.h>
-#include <CGAL/Spherical_parameterization/align_spheres.h>
+#include <CGAL/Spherical_parameterization/Sampling/Sphere_domain_3.h>
+#include <CGAL/Spherical_parameterization/Surface_maps/align_spheres.h>
 
 #include <algorithm>
 #include <array>
@@ -71,13 +71,14 @@ struct Mapped_mesh
   }
 };
 
-// a body with three limbs of different lengths, without a symmetry
+// a body with three extremities of different lengths, without a symmetry
 inline Point_3 on_body(const Point_3& p)
 {
-  const auto limb = [&](double x, double y, double z, double sharpness) {
+  const auto extremity = [&](double x, double y, double z, double sharpness) {
     return std::exp(sharpness * ((x * p.x() + y * p.y() + z * p.z()) / std::sqrt(x * x + y * y + z * z) - 1.));
   };
-  const double r = 1. + 1.5 * limb(1., 0., 0., 8.) + 1. * limb(-1., 2., 0.5, 6.) - 0.4 * limb(0., -1., 1.5, 3.);
+  const double r =
+      1. + 1.5 * extremity(1., 0., 0., 8.) + 1. * extremity(-1., 2., 0.5, 6.) - 0.4 * extremity(0., -1., 1.5, 3.);
   return Point_3(r * p.x(), 1.2 * r * p.y(), 0.8 * r * p.z());
 }
 

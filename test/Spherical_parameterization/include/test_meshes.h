@@ -178,7 +178,7 @@ inline Triangle_list random_stacked_sphere(std::size_t n, std::uint32_t seed)
   return list;
 }
 
-// A sphere with a limb, horns and dents, star-shaped about the origin and without any symmetry, so that no two of its
+// A sphere with an extremity, horns and dents, star-shaped about the origin and without any symmetry, so that no two of its
 // vertices look alike: the stand-in for a scanned bunny. It has 10 * 4^subdivisions + 2 vertices.
 inline Triangle_list bumpy_sphere(unsigned int subdivisions)
 {

@@ -70,7 +70,7 @@ def make_atlas():
     write_surface("fsaverage/lh.white", white, faces)
     for half in "lr":
         write_surface(f"fsaverage/{half}h.sphere", 100 * p, faces)
-        write_values(f"fsaverage/{half}h.sulc", sp.measure_folding(white, faces).depth)
+        write_values(f"fsaverage/{half}h.sulc", sp.compute_sulcal_measures(white, faces).depth)
     table = np.array([[25, 5, 25, 0], [220, 20, 20, 0]])
     labels = (p[:, 2] > 0).astype(int)
     nibabel.freesurfer.write_annot("fsaverage/lh.aparc.annot", labels, table, ["unknown", "up"], fill_ctab=True)

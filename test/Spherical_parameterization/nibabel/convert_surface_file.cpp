@@ -2,9 +2,9 @@
 // both with what nibabel reads.
 
 #include <CGAL/Spherical_parameterization/Error_code.h>
-#include <CGAL/Spherical_parameterization/IO/FreeSurfer.h>
-#include <CGAL/Spherical_parameterization/IO/GIFTI.h>
-#include <CGAL/Spherical_parameterization/IO/MGH.h>
+#include <CGAL/Spherical_parameterization/Cortex/FreeSurfer.h>
+#include <CGAL/Spherical_parameterization/Cortex/GIFTI.h>
+#include <CGAL/Spherical_parameterization/Cortex/MGH.h>
 
 #include <cstdlib>
 #include <fstream>

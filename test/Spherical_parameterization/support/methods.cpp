@@ -4,6 +4,12 @@
 #include "judge.h"
 
 #include <CGAL/spherical_parameterization.h>
+#include <CGAL/Spherical_parameterization/ARAP_parameterizer_3.h>
+#include <CGAL/Spherical_parameterization/Conformal_parameterizer_3.h>
+#include <CGAL/Spherical_parameterization/Harmonic_parameterizer_3.h>
+#include <CGAL/Spherical_parameterization/Published_low_distortion_parameterizer_3.h>
+#include <CGAL/Spherical_parameterization/Stereographic_parameterizer_3.h>
+#include <CGAL/Spherical_parameterization/sampling.h>
 
 #include <gtest/gtest.h>
 

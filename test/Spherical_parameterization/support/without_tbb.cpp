@@ -4,7 +4,7 @@
 
 #include "without_tbb.h"
 
-#include <CGAL/Spherical_parameterization/internal/run/parallel.h>
+#include <CGAL/Spherical_parameterization/internal/execution/parallel.h>
 
 #include <atomic>
 #include <cstddef>

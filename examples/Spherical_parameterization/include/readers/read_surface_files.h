@@ -6,12 +6,12 @@
 #include "../mesh_files.h"
 
 #include <CGAL/Spherical_parameterization/Error_code.h>
-#include <CGAL/Spherical_parameterization/IO/FreeSurfer.h>
+#include <CGAL/Spherical_parameterization/Cortex/FreeSurfer.h>
 #ifdef PROGRAM_READS_GIFTI
-#include <CGAL/Spherical_parameterization/IO/GIFTI.h>
+#include <CGAL/Spherical_parameterization/Cortex/GIFTI.h>
 #endif
 #ifdef PROGRAM_READS_MGH
-#include <CGAL/Spherical_parameterization/IO/MGH.h>
+#include <CGAL/Spherical_parameterization/Cortex/MGH.h>
 #endif
 
 #include <algorithm>

@@ -15,7 +15,7 @@
 #include <CGAL/license/Spherical_parameterization.h>
 
 #include <CGAL/Spherical_parameterization/internal/certificate/Orientation_about_origin_3.h>
-#include <CGAL/Spherical_parameterization/internal/run/parallel.h>
+#include <CGAL/Spherical_parameterization/internal/execution/parallel.h>
 #include <CGAL/Spherical_parameterization/internal/locate/barycentric_coordinates.h>
 #include <CGAL/Spherical_parameterization/internal/numbers/Vector_3.h>
 #include <CGAL/Spherical_parameterization/internal/surface/Linked_triangle.h>
@@ -127,7 +127,7 @@ public:
   static constexpr std::uint32_t none = (std::numeric_limits<std::uint32_t>::max)();
 
   // Where a direction is: no triangle if it is zero or not finite.
-  struct Place
+  struct Triangle_location
   {
     std::uint32_t triangle = none;
     std::array<FT, 3> coordinates = {FT(0), FT(0), FT(0)};
@@ -191,10 +191,10 @@ public:
   }
 
   // Locates a direction from a triangle that is next to it, or not far from it, without a grid.
-  Place locate_from(std::uint32_t start, const Point_3& q) const
+  Triangle_location locate_from(std::uint32_t start, const Point_3& q) const
   {
     Found found;
-    return find(q, start, found) ? owner(q, found) : Place();
+    return find(q, start, found) ? owner(q, found) : Triangle_location();
   }
 
   // The same by another predicate, orientation(a, b, q) for an edge from a to b; returns no more than the triangle.
@@ -206,19 +206,19 @@ public:
   }
 
   // The other functions need the grid.
-  Place locate(const Point_3& q, Hint& hint) const
+  Triangle_location locate(const Point_3& q, Hint& hint) const
   {
     const std::uint32_t cell = m_grid.cell(approximate(q));
     Found found;
     if(!find(q, cell == hint.cell ? hint.triangle : m_starts[cell], found))
-      return Place();
+      return Triangle_location();
     hint = {cell, found.triangle};
     return owner(q, found);
   }
 
   // Locates all directions, in parallel if the coordinates are doubles; in a large mesh along a curve on the sphere, so
   // that the triangles that a query needs are in the caches since the query before.
-  std::vector<Place> locate(const std::vector<Point_3>& directions, const Execution& execution) const
+  std::vector<Triangle_location> locate(const std::vector<Point_3>& directions, const Execution& execution) const
   {
     constexpr std::size_t block_size = 1024;              // of parallel work: enough that handing it out costs nothing
     constexpr std::size_t min_triangles_to_sort = 100000; // Less than 5 MB are in the caches anyway.
@@ -226,7 +226,7 @@ public:
     std::vector<Query> queries;
     if(m_triangles.size() >= min_triangles_to_sort)
       queries = sorted_along_curve(directions, safe_execution);
-    std::vector<Place> result(directions.size());
+    std::vector<Triangle_location> result(directions.size());
     for_each_block(safe_execution, 0, result.size(), block_size, [&](std::size_t begin, std::size_t end) {
       Hint hint;
       for(std::size_t k = begin; k < end; ++k)
@@ -309,7 +309,7 @@ private:
 
   // The triangle that owns a direction, by one that contains it. The direction is in the convex hull of the vertices of
   // the found triangle that are on the positive side of their edges: all three, the two of an edge, or one.
-  Place owner(const Point_3& q, const Found& found) const
+  Triangle_location owner(const Point_3& q, const Found& found) const
   {
     const Linked_triangle& t = m_triangles[found.triangle];
     std::uint32_t result = found.triangle;
@@ -323,7 +323,7 @@ private:
       else
         result = (std::min)(result, t.neighbors[i]);
     if(n_positive == 0)
-      return Place();
+      return Triangle_location();
     if(n_positive == 1)
       result = m_first_triangles[t[last_positive]];
 
@@ -382,8 +382,9 @@ private:
 };
 
 // What the vertices have, interpolated at a place.
-template <class T, class Place>
-T interpolated(const std::vector<T>& values, const std::vector<Linked_triangle>& triangles, const Place& place)
+template <class T, class Triangle_location>
+T interpolated(const std::vector<T>& values, const std::vector<Linked_triangle>& triangles,
+               const Triangle_location& place)
 {
   const Linked_triangle& t = triangles[place.triangle];
   const auto& w = place.coordinates;

@@ -106,7 +106,7 @@ inline Vector_3d center_of_mass(const std::vector<Vector_3d>& points, const std:
 inline std::vector<double> vertex_densities(const Vertex_rings& rings, const std::vector<Vector_3d>& points,
                                             const std::vector<double>& areas)
 {
-  constexpr double max_density = 1e6; // times its own area, as of a limb whose faces are gone; more is rounding
+  constexpr double max_density = 1e6; // times its own area, as of an extremity whose faces are gone; more is rounding
   std::vector<double> densities = vertex_areas(rings, points);
   for(std::size_t v = 0; v < densities.size(); ++v)
   {

@@ -1,0 +1,112 @@
+// Copyright (c) 2026  The Spherical_parameterization authors.
+// All rights reserved.
+//
+// This file is part of the Spherical_parameterization package for CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Spherical_parameterization authors
+
+#ifndef CGAL_SPHERICAL_PARAMETERIZATION_CORTEX_FIT_ROTATION_TO_SURFACE_H
+#define CGAL_SPHERICAL_PARAMETERIZATION_CORTEX_FIT_ROTATION_TO_SURFACE_H
+
+#include <CGAL/license/Spherical_parameterization.h>
+
+#include <CGAL/Spherical_parameterization/Error_code.h>
+#include <CGAL/Spherical_parameterization/internal/numbers/Rotation_matrix.h>
+#include <CGAL/Spherical_parameterization/internal/numbers/Vector_3.h>
+#include <CGAL/Spherical_parameterization/internal/run/check_arguments.h>
+#include <CGAL/Spherical_parameterization/internal/surface/Surface.h>
+#include <CGAL/Spherical_parameterization/internal/surface/mesh_measures.h>
+#include <CGAL/Spherical_parameterization/internal/surface/read_mesh.h>
+
+#include <CGAL/Aff_transformation_3.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Named_function_parameters.h>
+
+#include <cstddef>
+#include <numeric>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Spherical_parameterization {
+
+/// \ingroup PkgSphericalParameterizationSurfaces
+///
+/// finds the rotation by which a sphere lies as its surface does: it brings the directions of the images nearest to the
+/// directions in which the centroid of the surface sees the vertices \cgalCite{cgal:h-csaouq-87} - the sum of the squared
+/// distances is least, with a third of the area of its faces as the weight of a vertex. So the front of the sphere is the
+/// front of the surface, as programs for cortical surfaces expect, whatever a method has made of it. It is never a reflection.
+///
+/// The running time is linear in the number of faces.
+///
+/// \tparam TriangleMesh a model of `FaceListGraph`
+/// \tparam VertexSphereMap a model of `ReadablePropertyMap` from the vertices of `TriangleMesh` to `%Point_3` of a \cgal kernel
+/// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+///
+/// \param tmesh a closed triangle mesh without handles
+/// \param vertex_sphere_map the images of its vertices, at any distance from the origin
+/// \param rotation receives the rotation of the sphere
+/// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
+///
+/// \cgalNamedParamsBegin
+///   \cgalParamNBegin{vertex_point_map}
+///     \cgalParamDescription{a property map associating points to the vertices of `tmesh`}
+///     \cgalParamType{a class model of `ReadablePropertyMap` with `%Point_3` of a \cgal kernel as value type}
+///     \cgalParamDefault{`boost::get(CGAL::vertex_point, tmesh)`}
+///   \cgalParamNEnd
+/// \cgalNamedParamsEnd
+///
+/// \return `OK`; what is wrong with the mesh, see `find_defect()`; `ERROR_NON_FINITE_COORDINATE` if a point is not finite;
+///         `ERROR_INVALID_DIRECTION` if an image is zero or not finite; or `ERROR_UNDETERMINED_ROTATION` if several rotations
+///         are equally good. The rotation is as it was then.
+///
+/// \sa `CGAL::Spherical_parameterization::fit_rotation()`
+template <class TriangleMesh, class VertexSphereMap, typename CGAL_NP_TEMPLATE_PARAMETERS>
+Error_code fit_rotation_to_surface(const TriangleMesh& tmesh, VertexSphereMap vertex_sphere_map,
+                                   CGAL::Aff_transformation_3<Exact_predicates_inexact_constructions_kernel>& rotation,
+                                   const CGAL_NP_CLASS& np = parameters::default_values())
+{
+  if constexpr(internal::check_mesh_and_readable_map<TriangleMesh, VertexSphereMap>() &&
+               internal::check_vertex_point_map<TriangleMesh, CGAL_NP_CLASS>())
+  {
+    using internal::operator-;
+    using internal::operator*;
+    using internal::Vector_3d;
+
+    internal::Mesh_arrays<TriangleMesh> mesh;
+    internal::Surface surface;
+    if(const Error_code error = internal::read_surface(tmesh, internal::vertex_point_map_of(tmesh, np), mesh, surface))
+      return error;
+    const std::vector<Vector_3d> images = surface.in_own_order(internal::read_values(
+        mesh.vertices_of_mesh, vertex_sphere_map, [](const auto& p) { return internal::direction_of(p); }));
+    if(!internal::are_finite(images))
+      return ERROR_INVALID_DIRECTION;
+    const std::vector<Vector_3d>& points = surface.points();
+    const std::vector<double> masses = internal::vertex_masses(surface.rings(), points);
+    const Vector_3d center = internal::center_of_mass(points, masses);
+    const double average = std::accumulate(masses.begin(), masses.end(), 0.) / static_cast<double>(masses.size());
+    std::vector<std::pair<Vector_3d, Vector_3d>> directions;
+    for(std::size_t v = 0; v < points.size(); ++v)
+    {
+      const Vector_3d offset = points[v] - center;
+      const double distance = internal::length(offset);
+      if(distance > 0.)
+        directions.emplace_back(images[v], (masses[v] / average / distance) * offset);
+    }
+    const std::optional<internal::Rotation_matrix> matrix = internal::fitting_rotation(directions);
+    if(!matrix)
+      return ERROR_UNDETERMINED_ROTATION;
+    rotation = internal::as_transformation(*matrix);
+    return OK;
+  }
+  else
+    return ERROR_WRONG_PARAMETER;
+}
+
+} // namespace CGAL::Spherical_parameterization
+
+#endif // CGAL_SPHERICAL_PARAMETERIZATION_CORTEX_FIT_ROTATION_TO_SURFACE_H

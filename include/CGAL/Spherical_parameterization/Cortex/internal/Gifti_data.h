@@ -1,0 +1,186 @@
+// Copyright (c) 2026  The Spherical_parameterization authors.
+// All rights reserved.
+//
+// This file is part of the Spherical_parameterization package for CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Spherical_parameterization authors
+
+#ifndef CGAL_SPHERICAL_PARAMETERIZATION_CORTEX_INTERNAL_GIFTI_DATA_H
+#define CGAL_SPHERICAL_PARAMETERIZATION_CORTEX_INTERNAL_GIFTI_DATA_H
+
+#include <CGAL/license/Spherical_parameterization.h>
+
+#include <CGAL/Spherical_parameterization/Cortex/Surface_file.h>
+#include <CGAL/Spherical_parameterization/Cortex/internal/Base64.h>
+#include <CGAL/Spherical_parameterization/Cortex/internal/Zlib.h>
+#include <CGAL/Spherical_parameterization/internal/files/File_bytes.h>
+#include <CGAL/Spherical_parameterization/internal/files/Number_text.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <vector>
+
+namespace CGAL::Spherical_parameterization::internal {
+
+// An array of a GIFTI file as its attributes tell of it.
+struct Gifti_array
+{
+  std::string intent, type, order, encoding, endian;
+  std::vector<std::uint64_t> dimensions;
+  IO::Metadata metadata;
+  std::vector<IO::Coordinate_system> systems;
+  std::size_t line; // of the file
+  bool has_data = false;
+
+  static constexpr std::uint64_t max_size = std::uint64_t(1) << 40;
+
+  std::size_t rows() const { return static_cast<std::size_t>(dimensions[0]); }
+  std::size_t columns() const { return static_cast<std::size_t>(dimensions.size() > 1 ? dimensions[1] : 1); }
+};
+
+// Decodes the text of an array. Returns its numbers row by row. What all arrays of a file unpack to is bounded by its size.
+class Gifti_data
+{
+public:
+  Gifti_data(const Gifti_array& array, std::size_t file_size, std::size_t& unpacked_size)
+    : m_array(array)
+    , m_file_size(file_size)
+    , m_unpacked_size(unpacked_size)
+  {}
+
+  std::vector<double> operator()(const std::string& text)
+  {
+    const auto is = [this](const char* type) { return m_array.type == "NIFTI_TYPE_" + std::string(type); };
+    if(is("UINT8"))
+      return decode<std::uint8_t>(text);
+    if(is("INT8"))
+      return decode<std::int8_t>(text);
+    if(is("INT16"))
+      return decode<std::int16_t>(text);
+    if(is("UINT16"))
+      return decode<std::uint16_t>(text);
+    if(is("INT32"))
+      return decode<std::int32_t>(text);
+    if(is("FLOAT32"))
+      return decode<float>(text);
+    if(is("FLOAT64"))
+      return decode<double>(text);
+    throw File_error("the type ", in_quotes(m_array.type),
+                     " is not read: write the numbers as NIFTI_TYPE_UINT8, NIFTI_TYPE_INT32 or NIFTI_TYPE_FLOAT32.");
+  }
+
+private:
+  template <class Number>
+  std::vector<double> decode(const std::string& text)
+  {
+    const std::size_t n = m_array.rows() * m_array.columns(), size = n * sizeof(Number);
+    const auto check_size = [&](std::size_t found) {
+      if(found != size)
+        throw File_error("the data are ", found > size ? "more than " : "", (std::min)(found, size),
+                         " bytes, but the dimensions tell of ", size, ": the file is damaged.");
+    };
+    std::vector<double> numbers;
+    if(m_array.encoding == "ASCII")
+      numbers = read_text<Number>(text, n);
+    else if(m_array.encoding == "Base64Binary" || m_array.encoding == "GIFTI_ENCODING_B64BIN")
+    {
+      const std::string bytes = from_base64(text);
+      check_size(bytes.size());
+      numbers = read_binary<Number>(bytes, n);
+    }
+    else if(m_array.encoding == "GZipBase64Binary" || m_array.encoding == "GIFTI_ENCODING_B64GZ")
+    {
+      const std::string packed = from_base64(text);
+      check_unpacked_size(m_unpacked_size += size, m_file_size);
+      const std::string bytes = unpack(packed, size, false);
+      check_size(bytes.size());
+      numbers = read_binary<Number>(bytes, n);
+    }
+    else if(m_array.encoding == "ExternalFileBinary")
+      throw File_error("the data are in another file (ExternalFileBinary), which is not read: convert the file, for "
+                       "example with wb_command -gifti-convert GZIP_BASE64_BINARY.");
+    else
+      throw File_error("the encoding ", in_quotes(m_array.encoding),
+                       " is unknown: it is ASCII, Base64Binary or GZipBase64Binary.");
+    const bool is_by_column = is_second(m_array.order, "RowMajorOrder", "ColumnMajorOrder");
+    return is_by_column && m_array.columns() > 1 ? transposed(numbers) : numbers;
+  }
+
+  // of the two values of an attribute
+  static bool is_second(const std::string& value, const std::string& first, const std::string& second)
+  {
+    if(value == "GIFTI_ENDIAN_LITTLE" || value == "GIFTI_ENDIAN_BIG") // as some programs have written
+      return value == "GIFTI_ENDIAN_BIG";
+    if(value != first && value != second)
+      throw File_error("an order is ", in_quotes(value), ", not ", first, " or ", second, ": the file is damaged.");
+    return value == second;
+  }
+
+  template <class Number>
+  std::vector<double> read_binary(const std::string& bytes, std::size_t n)
+  {
+    Byte_reader in(bytes, is_second(m_array.endian, "LittleEndian", "BigEndian"));
+    std::vector<double> numbers;
+    for(numbers.reserve(n); numbers.size() < n;)
+      numbers.push_back(static_cast<double>(in.read<Number>("an array")));
+    return numbers;
+  }
+
+  template <class Number>
+  std::vector<double> read_text(const std::string& text, std::size_t n)
+  {
+    using Limits = std::numeric_limits<Number>;
+    if(n > text.size()) // before memory is asked for
+      throw File_error("the text is too short for ", n, " numbers: ", truncated);
+    Number_text words(text);
+    std::vector<double> numbers;
+    for(numbers.reserve(n); numbers.size() < n;)
+    {
+      const std::string_view word = words.next_word();
+      double x = 0.;
+      if(word.empty())
+        throw File_error("there are ", numbers.size(), " numbers, but the dimensions tell of ", n, ": ", truncated);
+      const bool is_number = words.is_number(word, x);
+      const bool is_possible = std::is_floating_point_v<Number>
+                                   ? !std::isfinite(x) || std::abs(x) <= static_cast<double>((Limits::max)())
+                                   : x == std::floor(x) && x >= static_cast<double>((Limits::min)()) &&
+                                         x <= static_cast<double>((Limits::max)());
+      if(!is_number || !is_possible)
+        throw File_error("number ", numbers.size(), " is ", in_quotes(word), ", which is none of the type ",
+                         in_quotes(m_array.type), ": the file is damaged.");
+      numbers.push_back(static_cast<double>(static_cast<Number>(x)));
+    }
+    if(const std::string_view word = words.next_word(); !word.empty())
+      throw File_error("the text goes on after ", n, " numbers with ", in_quotes(word), ": the file is damaged.");
+    return numbers;
+  }
+
+  std::vector<double> transposed(const std::vector<double>& numbers) const
+  {
+    const std::size_t n = m_array.rows(), n_columns = m_array.columns();
+    std::vector<double> result;
+    result.reserve(numbers.size());
+    for(std::size_t i = 0; i < n; ++i)
+      for(std::size_t k = 0; k < n_columns; ++k)
+        result.push_back(numbers[k * n + i]);
+    return result;
+  }
+
+  const Gifti_array& m_array;
+  std::size_t m_file_size;
+  std::size_t& m_unpacked_size; // of the arrays so far
+};
+
+} // namespace CGAL::Spherical_parameterization::internal
+
+#endif // CGAL_SPHERICAL_PARAMETERIZATION_CORTEX_INTERNAL_GIFTI_DATA_H

@@ -1,0 +1,389 @@
+// Copyright (c) 2026  The Spherical_parameterization authors.
+// All rights reserved.
+//
+// This file is part of the Spherical_parameterization package for CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Spherical_parameterization authors
+
+#ifndef CGAL_SPHERICAL_PARAMETERIZATION_CORTEX_INTERNAL_GIFTI_PARSER_H
+#define CGAL_SPHERICAL_PARAMETERIZATION_CORTEX_INTERNAL_GIFTI_PARSER_H
+
+#include <CGAL/license/Spherical_parameterization.h>
+
+#include <CGAL/Spherical_parameterization/Cortex/Surface_file.h>
+#include <CGAL/Spherical_parameterization/Cortex/internal/Freesurfer_parts.h>
+#include <CGAL/Spherical_parameterization/Cortex/internal/Gifti_data.h>
+#include <CGAL/Spherical_parameterization/Cortex/internal/vertex_values.h>
+#include <CGAL/Spherical_parameterization/internal/files/File_bytes.h>
+#include <CGAL/Spherical_parameterization/internal/files/Number_text.h>
+
+#include <expat.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <exception>
+#include <limits>
+#include <memory>
+#include <new>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Spherical_parameterization::internal {
+
+// Reads a GIFTI file. Expat calls back for each element; what is thrown then waits until expat has returned.
+class Gifti_parser
+{
+public:
+  // `file_size` is that of the file, which bounds the memory, before it was unpacked.
+  explicit Gifti_parser(std::size_t file_size)
+    : m_file_size(file_size)
+  {}
+
+  void read(std::string_view content, IO::Surface_file& file, std::string& message)
+  {
+    const std::unique_ptr<XML_ParserStruct, void (*)(XML_Parser)> parser(XML_ParserCreate(nullptr), XML_ParserFree);
+    if(!parser)
+      throw std::bad_alloc();
+    m_parser = parser.get();
+    m_file = &file;
+    XML_SetUserData(m_parser, this);
+    XML_SetElementHandler(m_parser, start, end);
+    XML_SetCharacterDataHandler(m_parser, add_text);
+    XML_SetStartDoctypeDeclHandler(m_parser, refuse_declarations);
+    XML_Status status = XML_STATUS_OK;
+    do
+    {
+      constexpr std::size_t max_block = std::size_t(1) << 30; // as expat counts by int
+      const std::string_view block = content.substr(0, max_block);
+      content.remove_prefix(block.size());
+      status = XML_Parse(m_parser, block.data(), static_cast<int>(block.size()), content.empty());
+    } while(status == XML_STATUS_OK && !content.empty());
+    if(m_exception)
+      std::rethrow_exception(m_exception);
+    if(status != XML_STATUS_OK)
+      throw File_error("Line ", XML_GetCurrentLineNumber(m_parser), ", column ", XML_GetCurrentColumnNumber(m_parser),
+                       ": this is no XML that can be read: ", XML_ErrorString(XML_GetErrorCode(m_parser)),
+                       ". The file is truncated or damaged.");
+    if(!m_is_gifti)
+      throw File_error("This is an XML file, but no GIFTI file.");
+    check_all();
+    if(m_n_arrays != m_n_declared)
+      message = File_error::join("The header tells of ", m_n_declared, " arrays, but there are ", m_n_arrays, ".\n");
+  }
+
+private:
+  // calls f() from within expat
+  template <class F>
+  static void guard(void* data, const F& f)
+  {
+    Gifti_parser& self = *static_cast<Gifti_parser*>(data);
+    if(self.m_exception)
+      return;
+    try
+    {
+      f(self);
+    }
+    catch(...)
+    {
+      self.m_exception = std::current_exception();
+      XML_StopParser(self.m_parser, XML_FALSE);
+    }
+  }
+
+  static void XMLCALL start(void* data, const XML_Char* name, const XML_Char** attributes)
+  {
+    guard(data, [&](Gifti_parser& self) { self.start_element(name, attributes); });
+  }
+  static void XMLCALL end(void* data, const XML_Char* name)
+  {
+    guard(data, [&](Gifti_parser& self) { self.end_element(name); });
+  }
+  static void XMLCALL add_text(void* data, const XML_Char* text, int size)
+  {
+    guard(data, [&](Gifti_parser& self) {
+      if(self.m_has_text)
+        self.m_text.append(text, static_cast<std::size_t>(size));
+    });
+  }
+  // Files refer to a DTD elsewhere, which nobody fetches. Declarations within the file are for entities, by which a short
+  // file becomes a long text.
+  static void XMLCALL refuse_declarations(void* data, const XML_Char*, const XML_Char*, const XML_Char*,
+                                          int has_declarations)
+  {
+    guard(data, [&](Gifti_parser& self) {
+      if(has_declarations != 0)
+        throw File_error("Line ", XML_GetCurrentLineNumber(self.m_parser),
+                         ": the document type has declarations of its own, which no GIFTI file needs: remove them.");
+    });
+  }
+
+  // what is wrong with an array, or an element
+  template <class... What>
+  [[noreturn]] void fail(const What&... what) const
+  {
+    if(m_array)
+      throw File_error("Array ", m_n_arrays, " (", in_quotes(m_array->intent), ", line ", m_array->line,
+                       "): ", what...);
+    throw File_error("Line ", XML_GetCurrentLineNumber(m_parser), ": ", what...);
+  }
+
+  static std::string attribute(const XML_Char** attributes, std::string_view name)
+  {
+    for(; *attributes != nullptr; attributes += 2)
+      if(attributes[0] == name)
+        return attributes[1];
+    return "";
+  }
+
+  // a whole number from 0 on that is not too large
+  std::uint64_t read_count(const std::string& text, const char* what) const
+  {
+    double x = 0.;
+    if(!Number_text("").is_number(text, x) || !(x >= 0. && x == std::floor(x) && x <= double(Gifti_array::max_size)))
+      fail(what, " is ", in_quotes(text), ", which is no number of things: the file is damaged.");
+    return static_cast<std::uint64_t>(x);
+  }
+
+  void start_element(std::string_view name, const XML_Char** attributes)
+  {
+    constexpr std::size_t max_depth = 32;
+    if(++m_depth > max_depth)
+      fail("elements are nested deeper than in any GIFTI file: it is damaged.");
+    if(m_depth == 1)
+    {
+      m_is_gifti = name == "GIFTI";
+      if(m_is_gifti)
+        m_n_declared = read_count(attribute(attributes, "NumberOfDataArrays"), "NumberOfDataArrays");
+    }
+    m_has_text = name == "Name" || name == "Value" || name == "Label" || name == "DataSpace" ||
+                 name == "TransformedSpace" || name == "MatrixData" || name == "Data";
+    if(m_has_text)
+      m_text.clear();
+    if(name == "DataArray")
+      start_array(attributes);
+    else if(name == "MD")
+      m_pair = {};
+    else if(name == "CoordinateSystemTransformMatrix")
+      m_system = {};
+    else if(name == "Label")
+      start_label(attributes);
+  }
+
+  void start_array(const XML_Char** attributes)
+  {
+    if(m_array)
+      fail("an array is within another one: the file is damaged.");
+    m_array.emplace();
+    m_array->line = XML_GetCurrentLineNumber(m_parser);
+    m_array->intent = attribute(attributes, "Intent");
+    m_array->type = attribute(attributes, "DataType");
+    m_array->order = attribute(attributes, "ArrayIndexingOrder");
+    m_array->encoding = attribute(attributes, "Encoding");
+    m_array->endian = attribute(attributes, "Endian");
+    constexpr std::uint64_t max_dimensions = 6; // as the format says
+    const std::uint64_t n = read_count(attribute(attributes, "Dimensionality"), "Dimensionality");
+    if(n < 1 || n > max_dimensions)
+      fail("Dimensionality is ", n, ", not 1 to 6: the file is damaged.");
+    std::uint64_t size = 1;
+    for(std::uint64_t k = 0; k < n; ++k)
+    {
+      const std::string dimension = File_error::join("Dim", k);
+      const std::uint64_t d = read_count(attribute(attributes, dimension), dimension.c_str());
+      if(k > 1 && d != 1)
+        fail("it has ", n, " dimensions, which neither surfaces nor values of vertices have.");
+      if(d > 0 && size > Gifti_array::max_size / d)
+        fail("the dimensions are too large: the file is damaged.");
+      size *= d;
+      m_array->dimensions.push_back(d);
+    }
+  }
+
+  void start_label(const XML_Char** attributes)
+  {
+    IO::Label& label = m_file->labels.emplace_back();
+    std::string key = attribute(attributes, "Key");
+    if(key.empty())
+      key = attribute(attributes, "Index"); // as some programs call it
+    constexpr double max = (std::numeric_limits<std::int32_t>::max)();
+    Number_text number("");
+    double x = 0.;
+    if(!number.is_number(key, x) || !(x == std::floor(x) && x >= -max && x <= max))
+      fail("the key of a label is ", in_quotes(key), ", which is no whole number: the file is damaged.");
+    label.key = static_cast<std::int32_t>(x);
+    label.color = {{0., 0., 0., 1.}};
+    constexpr std::array<const char*, 4> names = {"Red", "Green", "Blue", "Alpha"};
+    for(std::size_t k = 0; k < names.size(); ++k)
+      if(const std::string text = attribute(attributes, names[k]);
+         !text.empty() && !number.is_number(text, label.color[k]))
+        fail("the colour of a label is ", in_quotes(text), ", which is no number: the file is damaged.");
+  }
+
+  void end_element(std::string_view name)
+  {
+    --m_depth;
+    if(name == "DataArray")
+      end_array();
+    else if(name == "MD")
+      (m_array ? m_array->metadata : m_file->origin.metadata).push_back(std::move(m_pair));
+    else if(name == "CoordinateSystemTransformMatrix" && m_array)
+      m_array->systems.push_back(std::move(m_system));
+    if(!m_has_text)
+      return;
+    m_has_text = false;
+    if(name == "Data")
+      read_data();
+    else if(name == "MatrixData")
+      read_matrix();
+    else if(std::string* text = name == "Name"               ? &m_pair.first
+                                : name == "Value"            ? &m_pair.second
+                                : name == "DataSpace"        ? &m_system.data_space
+                                : name == "TransformedSpace" ? &m_system.transformed_space
+                                : name == "Label"            ? &m_file->labels.back().name
+                                                             : nullptr)
+      *text = stripped(m_text);
+  }
+
+  static std::string stripped(std::string_view text)
+  {
+    constexpr const char* blanks = " \t\r\n";
+    const std::size_t begin = (std::min)(text.find_first_not_of(blanks), text.size());
+    return std::string(text.substr(begin, text.find_last_not_of(blanks) + 1 - begin));
+  }
+
+  void read_matrix()
+  {
+    Number_text numbers(m_text);
+    for(double& x : m_system.matrix)
+      if(const std::string_view word = numbers.next_word(); !numbers.is_number(word, x))
+        fail("the matrix has ", in_quotes(word), " in the place of one of its 16 numbers: the file is damaged.");
+  }
+
+  void read_data()
+  {
+    if(!m_array)
+      return;
+    if(m_array->has_data)
+      fail("it has data twice: the file is damaged.");
+    m_array->has_data = true;
+    try
+    {
+      m_numbers = Gifti_data(*m_array, m_file_size, m_unpacked_size)(m_text);
+    }
+    catch(const File_error& error)
+    {
+      fail(error.what());
+    }
+    m_text = {}; // its memory as well
+  }
+
+  void end_array()
+  {
+    if(!m_array->has_data)
+      fail("it has no data: the file is damaged.");
+    const std::size_t n = m_array->rows(), n_columns = m_array->columns();
+    IO::Surface_origin& origin = m_file->origin;
+    if(m_array->intent == "NIFTI_INTENT_POINTSET")
+    {
+      take_triples(m_file->points, m_has_points, [](double x) { return x; });
+      origin.metadata_of_points = std::move(m_array->metadata);
+      origin.coordinate_systems = std::move(m_array->systems);
+    }
+    else if(m_array->intent == "NIFTI_INTENT_TRIANGLE")
+    {
+      take_triples(m_file->triangles, m_has_triangles, [this](double x) { return index_of(x); });
+      origin.metadata_of_triangles = std::move(m_array->metadata);
+    }
+    else if(m_array->intent == "NIFTI_INTENT_NODE_INDEX")
+      for(const double x : m_numbers)
+        m_file->vertices.push_back(index_of(x));
+    else
+    {
+      check_number_of_columns(m_file->columns.size() + n_columns);
+      for(std::size_t k = 0; k < n_columns; ++k)
+        take_column(n, n_columns, k);
+    }
+    m_numbers = {};
+    m_array.reset();
+    ++m_n_arrays;
+  }
+
+  template <class Item, class Convert>
+  void take_triples(std::vector<Item>& items, bool& is_there, const Convert& convert)
+  {
+    if(std::exchange(is_there, true))
+      fail("the file has two of them, but a surface has one.");
+    if(m_array->columns() != 3)
+      fail("it has ", m_array->columns(), " columns, not 3: the file is damaged.");
+    items.resize(m_array->rows());
+    for(std::size_t i = 0; i < m_numbers.size(); ++i)
+      items[i / 3][i % 3] = convert(m_numbers[i]);
+  }
+
+  std::uint32_t index_of(double x) const
+  {
+    constexpr double max = (std::numeric_limits<std::int32_t>::max)();
+    if(!(x >= 0. && x <= max && x == std::floor(x)))
+      fail("it has the index ", x, ", but vertices are counted from 0: the file is damaged.");
+    return static_cast<std::uint32_t>(x);
+  }
+
+  void take_column(std::size_t n, std::size_t n_columns, std::size_t k)
+  {
+    using Type = IO::Vertex_values::Type;
+    IO::Vertex_values column;
+    column.intent = m_array->intent;
+    column.type = m_array->type.find("FLOAT") != std::string::npos ? Type::float32
+                  : m_array->type == "NIFTI_TYPE_UINT8"            ? Type::uint8
+                                                                   : Type::int32;
+    for(const auto& pair : m_array->metadata)
+      if(pair.first == "Name")
+        column.name = pair.second;
+      else
+        column.metadata.push_back(pair);
+    if(n_columns > 1)
+      column.name += (column.name.empty() ? "" : " ") + std::to_string(k + 1);
+    for(std::size_t i = 0; i < n; ++i)
+      column.values.push_back(m_numbers[i * n_columns + k]);
+    m_file->columns.push_back(std::move(column));
+  }
+
+  // what concerns several arrays
+  void check_all() const
+  {
+    check_corners(*m_file);
+    const std::size_t n =
+        !m_file->vertices.empty() || m_file->points.empty() ? m_file->vertices.size() : m_file->points.size();
+    for(const IO::Vertex_values& column : m_file->columns)
+    {
+      const std::size_t expected = n > 0 ? n : m_file->columns.front().values.size();
+      if(column.values.size() != expected)
+        throw File_error("The values ", in_quotes(column.name), " are those of ", column.values.size(),
+                         " vertices, but other arrays of the file are of ", expected, ": it is damaged.");
+    }
+  }
+
+  XML_Parser m_parser = nullptr;
+  IO::Surface_file* m_file = nullptr;
+  std::exception_ptr m_exception;
+  std::size_t m_file_size, m_unpacked_size = 0, m_depth = 0, m_n_declared = 0, m_n_arrays = 0;
+  bool m_is_gifti = false, m_has_text = false, m_has_points = false, m_has_triangles = false;
+  std::string m_text; // of the element
+  std::pair<std::string, std::string> m_pair;
+  IO::Coordinate_system m_system;
+  std::optional<Gifti_array> m_array; // that is being read
+  std::vector<double> m_numbers;      // of that
+};
+
+} // namespace CGAL::Spherical_parameterization::internal
+
+#endif // CGAL_SPHERICAL_PARAMETERIZATION_CORTEX_INTERNAL_GIFTI_PARSER_H

@@ -1,0 +1,149 @@
+// Copyright (c) 2026  The Spherical_parameterization authors.
+// All rights reserved.
+//
+// This file is part of the Spherical_parameterization package for CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Spherical_parameterization authors
+
+#ifndef CGAL_SPHERICAL_PARAMETERIZATION_CORTEX_INTERNAL_ZLIB_H
+#define CGAL_SPHERICAL_PARAMETERIZATION_CORTEX_INTERNAL_ZLIB_H
+
+#include <CGAL/license/Spherical_parameterization.h>
+
+#include <CGAL/Spherical_parameterization/internal/files/File_bytes.h>
+
+#include <zlib.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <limits>
+#include <new>
+#include <string>
+#include <string_view>
+
+namespace CGAL::Spherical_parameterization::internal {
+
+// Returns how large packed data of this size may be, such that they do not fill the memory. zlib packs a thousand zeros into one
+// byte, but measurements do not repeat so much.
+inline std::size_t max_unpacked_size(std::size_t packed_size)
+{
+  constexpr std::size_t usual_size = std::size_t(1) << 26, usual_factor = 250;
+  return (std::max)(usual_size, usual_factor * packed_size);
+}
+
+// Throws if packed data of this size claim to be larger than that.
+inline void check_unpacked_size(std::size_t size, std::size_t packed_size)
+{
+  if(size > max_unpacked_size(packed_size))
+    throw File_error(packed_size, " bytes are to be unpacked to ", size,
+                     ", which no measurements are: the numbers in the header are wrong, or the file is there to fill "
+                     "the memory.");
+}
+
+// Returns whether bytes are what gzip has packed.
+inline bool is_packed_by_gzip(std::string_view bytes)
+{
+  return bytes.substr(0, 2) == "\x1F\x8B";
+}
+
+// The functions of zlib take lengths of 32 bits.
+inline uInt length_of_block(std::size_t size)
+{
+  return static_cast<uInt>((std::min)(size, std::size_t((std::numeric_limits<uInt>::max)())));
+}
+
+// Unpacks what zlib or gzip has packed, in one stream or, if `has_members`, several. Returns one byte more than `max_size`
+// if there are more.
+inline std::string unpack(std::string_view packed, std::size_t max_size, bool has_members)
+{
+  struct Stream : z_stream
+  {
+    Stream()
+      : z_stream()
+    {
+      constexpr int any_header = 32;
+      if(inflateInit2(this, MAX_WBITS + any_header) != Z_OK)
+        throw std::bad_alloc();
+    }
+    ~Stream() { inflateEnd(this); }
+    Stream(const Stream&) = delete;
+    Stream& operator=(const Stream&) = delete;
+  } stream;
+
+  std::string result;
+  std::array<char, 1 << 16> block;
+  std::size_t position = 0;
+  while(result.size() <= max_size)
+  {
+    const uInt size_in = length_of_block(packed.size() - position),
+               size_out = static_cast<uInt>((std::min)(block.size(), max_size + 1 - result.size()));
+    stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(packed.data() + position));
+    stream.avail_in = size_in;
+    stream.next_out = reinterpret_cast<Bytef*>(block.data());
+    stream.avail_out = size_out;
+    const int status = inflate(&stream, Z_NO_FLUSH);
+    position += size_in - stream.avail_in;
+    result.append(block.data(), size_out - stream.avail_out);
+    if(status == Z_STREAM_END)
+    {
+      if(position == packed.size())
+        return result;
+      if(!has_members)
+        throw File_error(packed.size() - position, " bytes follow the packed data: the file is damaged.");
+      inflateReset(&stream);
+    }
+    else if(status == Z_BUF_ERROR)
+      throw File_error("The packed data end too early: ", truncated);
+    else if(status == Z_MEM_ERROR)
+      throw std::bad_alloc();
+    else if(status != Z_OK)
+      throw File_error("The packed data are damaged (", stream.msg != nullptr ? stream.msg : "in an unknown way",
+                       "): copy the file again from where it is from.");
+  }
+  return result;
+}
+
+// Packs bytes by zlib, or by gzip.
+inline std::string pack(std::string_view bytes, bool is_gzip)
+{
+  struct Stream : z_stream
+  {
+    explicit Stream(bool has_gzip_header)
+      : z_stream()
+    {
+      constexpr int gzip_header = 16, usual_memory = 8;
+      if(deflateInit2(this, Z_DEFAULT_COMPRESSION, Z_DEFLATED, MAX_WBITS + (has_gzip_header ? gzip_header : 0),
+                      usual_memory, Z_DEFAULT_STRATEGY) != Z_OK)
+        throw std::bad_alloc();
+    }
+    ~Stream() { deflateEnd(this); }
+    Stream(const Stream&) = delete;
+    Stream& operator=(const Stream&) = delete;
+  } stream(is_gzip);
+
+  std::string result;
+  std::array<char, 1 << 16> block;
+  std::size_t position = 0;
+  int status = Z_OK;
+  while(status != Z_STREAM_END)
+  {
+    const uInt size_in = length_of_block(bytes.size() - position);
+    stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(bytes.data() + position));
+    stream.avail_in = size_in;
+    stream.next_out = reinterpret_cast<Bytef*>(block.data());
+    stream.avail_out = static_cast<uInt>(block.size());
+    status = deflate(&stream, position + size_in == bytes.size() ? Z_FINISH : Z_NO_FLUSH);
+    position += size_in - stream.avail_in;
+    result.append(block.data(), block.size() - stream.avail_out);
+  }
+  return result;
+}
+
+} // namespace CGAL::Spherical_parameterization::internal
+
+#endif // CGAL_SPHERICAL_PARAMETERIZATION_CORTEX_INTERNAL_ZLIB_H

@@ -1,0 +1,261 @@
+// Copyright (c) 2026  The Spherical_parameterization authors.
+// All rights reserved.
+//
+// This file is part of the Spherical_parameterization package for CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Spherical_parameterization authors
+
+#ifndef CGAL_SPHERICAL_PARAMETERIZATION_HARMONICS_EXPAND_IN_SPHERICAL_HARMONICS_H
+#define CGAL_SPHERICAL_PARAMETERIZATION_HARMONICS_EXPAND_IN_SPHERICAL_HARMONICS_H
+
+#include <CGAL/license/Spherical_parameterization.h>
+
+#include <CGAL/Spherical_parameterization/Error_code.h>
+#include <CGAL/Spherical_parameterization/Harmonics/Spherical_harmonics_3.h>
+#include <CGAL/Spherical_parameterization/Harmonics/internal/Coefficient_layout.h>
+#include <CGAL/Spherical_parameterization/Harmonics/internal/Expansion_samples.h>
+#include <CGAL/Spherical_parameterization/internal/execution/Run_control.h>
+#include <CGAL/Spherical_parameterization/internal/execution/parallel.h>
+#include <CGAL/Spherical_parameterization/internal/locate/Sphere_triangulation.h>
+#include <CGAL/Spherical_parameterization/internal/numbers/Vector_3.h>
+#include <CGAL/Spherical_parameterization/internal/run/Mesh_on_sphere.h>
+#include <CGAL/Spherical_parameterization/internal/run/check_arguments.h>
+#include <CGAL/Spherical_parameterization/internal/surface/Surface.h>
+#include <CGAL/Spherical_parameterization/internal/surface/read_mesh.h>
+
+#include <CGAL/Named_function_parameters.h>
+#include <CGAL/tags.h>
+
+#include <boost/property_map/property_map.hpp>
+
+#include <algorithm>
+#include <cstddef>
+#include <iterator>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Spherical_parameterization {
+
+/// \ingroup PkgSphericalParameterizationHarmonics
+///
+/// How functions are expanded: to which degree, and what is made least. An integer is one, with the usual weights.
+///
+/// \sa `CGAL::Spherical_parameterization::expand_in_spherical_harmonics()`
+class Harmonic_expansion_3
+{
+public:
+  /// constructs an expansion up to `degree`, from 0 to `Spherical_harmonics_3::max_degree`.
+  Harmonic_expansion_3(int degree)
+    : m_degree(degree)
+  {}
+
+  /// sets what the squared error is weighed with, `Harmonic_weights::surface` by default, and returns the expansion.
+  ///
+  /// - `surface`: the integral of the squared error over the surface is least. This gives the surfaces of a degree that are
+  ///   nearest to the given one, and is what shapes are compared by.
+  /// - `sphere`: the integral over the sphere is least. The coefficients are the integrals of function and harmonic, as those of
+  ///   a field whose domain is the sphere itself. Parts of the surface that are small on the sphere count little.
+  /// - `vertices`: the sum of squared errors at the vertices is least, each with a third of the areas of its faces, as other programs
+  ///   for shapes do it. The error at the vertices is smaller than by the other two. Between them nothing holds the functions: with
+  ///   three to ten vertices for each coefficient they were off by up to twelve times as much as those of `surface` over the whole
+  ///   surface. Take it where vertices are dense.
+  Harmonic_expansion_3& weights(Harmonic_weights weights)
+  {
+    m_weights = weights;
+    return *this;
+  }
+
+  /// returns the degree.
+  int degree() const { return m_degree; }
+
+  /// returns the weights.
+  Harmonic_weights weights() const { return m_weights; }
+
+private:
+  int m_degree;
+  Harmonic_weights m_weights = Harmonic_weights::surface;
+};
+
+namespace internal {
+
+// The numbers that a vertex has: one, or several.
+template <class Value>
+std::vector<double> numbers_of(const Value& value)
+{
+  if constexpr(std::is_arithmetic<Value>::value)
+    return {static_cast<double>(value)};
+  else
+    return {std::begin(value), std::end(value)};
+}
+
+// Expands what read(mesh) returns: vectors of three functions of the vertices, of which the last one may have less.
+template <class ConcurrencyTag, class TriangleMesh, class VertexSphereMap, class NamedParameters, class Read>
+Error_code expand_functions(const TriangleMesh& tmesh, const VertexSphereMap& vertex_sphere_map,
+                            const Harmonic_expansion_3& expansion, Spherical_harmonics_3& harmonics,
+                            const NamedParameters& np, const Read& read)
+{
+  using Mesh = Mesh_on_sphere<TriangleMesh, VertexSphereMap>;
+  if(expansion.degree() < 0 || static_cast<std::size_t>(expansion.degree()) > Spherical_harmonics_3::max_degree)
+    return ERROR_WRONG_PARAMETER;
+  Visitor_control<NamedParameters> control(np);
+  const Execution execution = execution_of<ConcurrencyTag>();
+  Mesh mesh;
+  if(const Error_code error =
+         mesh.read_with_points(tmesh, vertex_sphere_map, vertex_point_map_of(tmesh, np), execution))
+    return error;
+  const auto degree = static_cast<std::size_t>(expansion.degree());
+  if(expansion.weights() == Harmonic_weights::vertices && (degree + 1) * (degree + 1) > mesh.points.size())
+    return ERROR_TOO_HIGH_DEGREE;
+  std::size_t n_functions = 0;
+  std::vector<std::vector<Vector_3d>> triples;
+  if(!read(mesh, triples, n_functions))
+    return ERROR_WRONG_PARAMETER;
+  for(const std::vector<Vector_3d>& triple : triples)
+    if(!are_finite(triple))
+      return ERROR_NON_FINITE_COORDINATE;
+  if(!control.go_further(0, 0.))
+    return ERROR_STOPPED;
+
+  Sphere_triangulation<typename Mesh::Exact_kernel> sphere;
+  sphere.assign(std::move(mesh.images), std::move(mesh.triangles));
+  sphere.make_grid();
+  normalize(mesh.points);
+  Expansion expander(sphere, mesh.points, degree, expansion.weights(), execution);
+  Spherical_harmonics_3 result(n_functions, degree);
+  std::vector<double> coefficients;
+  for(std::size_t k = 0; k < triples.size(); ++k)
+  {
+    if(!expander.expand(triples[k], coefficients, control))
+      return ERROR_STOPPED;
+    write_coefficients(expander.transform(), coefficients, 3 * k, result);
+  }
+  result.fit = expander.fit();
+  harmonics = std::move(result);
+  return OK;
+}
+
+} // namespace internal
+
+/// \ingroup PkgSphericalParameterizationHarmonics
+///
+/// expands a surface into spherical harmonics by its map to the sphere \cgalCite{cgal:bgk-psdod-95}, \cgalCite{cgal:gwcty-gzscm-04} -
+/// the three coordinates of its points are functions of the directions of the images. The surface is that of the triangles, as
+/// `Sphere_locator_3` finds it: no function of the degree is exact, and none has to be.
+///
+/// Surfaces are sampled at the nodes of a Gauss grid of at least twice the degree, where integrals of harmonics are exact; the
+/// squared error that is least is an integral over the surface, unless `Harmonic_expansion_3::weights()` says otherwise. How large
+/// it is, and what the nodes have to do with it, is told by `Spherical_harmonics_3::fit`. Of four surfaces, maps of low
+/// stretch left 1.2 to 1.9 percent of the root of the area at degree 8, and 0.1 to 0.3 percent at degree 30; see section
+/// \ref SphericalParameterizationShapes.
+///
+/// A grid of \f$ k \f$ parallels and the degree \f$ L \f$ take \f$ O(k^2 L) \f$ for each iteration of conjugate gradients, of which
+/// there are some 20 to 40 (one, for areas of the sphere); \f$ k \f$ is \f$ 2 L \f$, or twice the root of the number of vertices up
+/// to 600. The vertices alone take \f$ O(n L^2) \f$, and up to several hundred iterations. Memory is linear in nodes and vertices.
+///
+/// \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`; no result depends on it
+/// \tparam TriangleMesh a model of `FaceListGraph`
+/// \tparam VertexSphereMap a model of `ReadablePropertyMap` from the vertices of `TriangleMesh` to `%Point_3` of a
+///         \cgal kernel; its coordinates are of type `double` or `float`, or of an exact number type
+/// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+///
+/// \param tmesh the surface, a closed triangle mesh of genus 0
+/// \param vertex_sphere_map its map to the sphere, a bijection, such as `parameterize()` makes
+/// \param expansion the degree, and what is made least
+/// \param harmonics receives the coefficients of the three coordinates, with the normalization 4 pi and no phase, and how well they fit
+/// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
+///
+/// \cgalNamedParamsBegin
+///   \cgalParamNBegin{vertex_point_map}
+///     \cgalParamDescription{a property map associating points to the vertices of `tmesh`}
+///     \cgalParamType{a class model of `ReadablePropertyMap` with `%Point_3` of a \cgal kernel as value type}
+///     \cgalParamDefault{`boost::get(CGAL::vertex_point, tmesh)`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{visitor}
+///     \cgalParamDescription{a visitor whose `go_further()`, asked in each iteration, may stop the run}
+///     \cgalParamType{a model of `SphericalParameterizationVisitor`, or an `std::reference_wrapper` of one}
+///     \cgalParamDefault{`Default_visitor`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{maximum_running_time}
+///     \cgalParamDescription{the time in seconds after which the run is stopped}
+///     \cgalParamType{double}
+///     \cgalParamDefault{no limit, as with any value that is not positive}
+///   \cgalParamNEnd
+/// \cgalNamedParamsEnd
+///
+/// \return `OK`; what is wrong with the mesh, see `find_defect()`, or with its map: `ERROR_NO_1_TO_1_MAPPING` if that is
+///         no bijection; `ERROR_WRONG_PARAMETER` if the degree is out of its range; `ERROR_TOO_HIGH_DEGREE` if the vertices are the
+///         weights and hold no more than the degree \f$ \lfloor \sqrt{n} \rfloor - 1 \f$ for \f$ n \f$ of them, which
+///         `Harmonic_fit::degree_of_vertices` tells with any other weights; or `ERROR_STOPPED`. `harmonics` is as it was then.
+///
+/// \sa `CGAL::Spherical_parameterization::reconstruct_from_spherical_harmonics()`
+template <class ConcurrencyTag = Parallel_if_available_tag, class TriangleMesh, class VertexSphereMap,
+          typename CGAL_NP_TEMPLATE_PARAMETERS>
+Error_code expand_in_spherical_harmonics(const TriangleMesh& tmesh, VertexSphereMap vertex_sphere_map,
+                                         const Harmonic_expansion_3& expansion, Spherical_harmonics_3& harmonics,
+                                         const CGAL_NP_CLASS& np = parameters::default_values())
+{
+  return internal::expand_functions<ConcurrencyTag>(tmesh, vertex_sphere_map, expansion, harmonics, np,
+                                                    [](const auto& mesh, auto& triples, std::size_t& n_functions) {
+                                                      triples.push_back(mesh.points);
+                                                      n_functions = 3;
+                                                      return true;
+                                                    });
+}
+
+/// \ingroup PkgSphericalParameterizationHarmonics
+///
+/// expands what the vertices have, such as curvature or thickness: functions that are linear on the images of faces. The rest is as
+/// for the surface, whose areas are weights here as well.
+///
+/// \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`; no result depends on it
+/// \tparam TriangleMesh a model of `FaceListGraph`
+/// \tparam VertexSphereMap a model of `ReadablePropertyMap` from the vertices of `TriangleMesh` to `%Point_3` of a \cgal kernel
+/// \tparam VertexValueMap a model of `ReadablePropertyMap` from the vertices of `TriangleMesh` to numbers, or to ranges of them,
+///         such as `std::vector<double>`, of the same length for all vertices
+/// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+///
+/// \param tmesh the surface, a closed triangle mesh of genus 0
+/// \param vertex_sphere_map its map to the sphere, a bijection
+/// \param vertex_value_map the values
+/// \param expansion the degree, and what is made least
+/// \param harmonics receives the coefficients of one function for each number of a vertex
+/// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters", the same as for the surface
+///
+/// \return the same, and `ERROR_WRONG_PARAMETER` if vertices have no number or not equally many, `ERROR_NON_FINITE_COORDINATE` if
+///         one is infinite or not a number
+template <class ConcurrencyTag = Parallel_if_available_tag, class TriangleMesh, class VertexSphereMap,
+          class VertexValueMap, typename CGAL_NP_TEMPLATE_PARAMETERS>
+Error_code expand_in_spherical_harmonics(const TriangleMesh& tmesh, VertexSphereMap vertex_sphere_map,
+                                         VertexValueMap vertex_value_map, const Harmonic_expansion_3& expansion,
+                                         Spherical_harmonics_3& harmonics,
+                                         const CGAL_NP_CLASS& np = parameters::default_values())
+{
+  return internal::expand_functions<ConcurrencyTag>(
+      tmesh, vertex_sphere_map, expansion, harmonics, np,
+      [&](const auto& mesh, auto& triples, std::size_t& n_functions) {
+        for(std::size_t v = 0; v < mesh.vertices_of_mesh.size(); ++v)
+        {
+          const std::vector<double> numbers = internal::numbers_of(get(vertex_value_map, mesh.vertices_of_mesh[v]));
+          if(v == 0)
+          {
+            n_functions = numbers.size();
+            triples.assign((n_functions + 2) / 3,
+                           std::vector<internal::Vector_3d>(mesh.vertices_of_mesh.size(), {0., 0., 0.}));
+          }
+          if(numbers.empty() || numbers.size() != n_functions)
+            return false;
+          for(std::size_t k = 0; k < n_functions; ++k)
+            triples[k / 3][v][k % 3] = numbers[k];
+        }
+        return true;
+      });
+}
+
+} // namespace CGAL::Spherical_parameterization
+
+#endif // CGAL_SPHERICAL_PARAMETERIZATION_HARMONICS_EXPAND_IN_SPHERICAL_HARMONICS_H

@@ -1,0 +1,314 @@
+// Copyright (c) 2026  The Spherical_parameterization authors.
+// All rights reserved.
+//
+// This file is part of the Spherical_parameterization package for CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Spherical_parameterization authors
+
+#ifndef CGAL_SPHERICAL_PARAMETERIZATION_HARMONICS_INTERNAL_EXPANSION_SAMPLES_H
+#define CGAL_SPHERICAL_PARAMETERIZATION_HARMONICS_INTERNAL_EXPANSION_SAMPLES_H
+
+#include <CGAL/license/Spherical_parameterization.h>
+
+#include <CGAL/Spherical_parameterization/Harmonics/Spherical_harmonics_3.h>
+#include <CGAL/Spherical_parameterization/Harmonics/internal/Least_squares.h>
+#include <CGAL/Spherical_parameterization/Harmonics/internal/Sphere_nodes.h>
+#include <CGAL/Spherical_parameterization/Harmonics/internal/Spherical_harmonic_transform.h>
+#include <CGAL/Spherical_parameterization/internal/execution/Run_control.h>
+#include <CGAL/Spherical_parameterization/internal/execution/parallel.h>
+#include <CGAL/Spherical_parameterization/internal/locate/Sphere_triangulation.h>
+#include <CGAL/Spherical_parameterization/internal/numbers/Vector_3.h>
+#include <CGAL/Spherical_parameterization/internal/surface/Linked_triangle.h>
+
+#include <CGAL/number_utils.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Spherical_parameterization::internal {
+
+// Three functions of the vertices, divided by a power of two and moved such that their means are 0: no square overflows, and a
+// surface far from the origin loses nothing.
+struct Vertex_functions
+{
+  explicit Vertex_functions(std::vector<Vector_3d> values_)
+    : values(std::move(values_))
+  {
+    double largest = 0.;
+    for(const Vector_3d& x : values)
+      largest = (std::max)({largest, std::abs(x[0]), std::abs(x[1]), std::abs(x[2])});
+    std::frexp(largest, &exponent);
+    for(Vector_3d& x : values)
+    {
+      x = {std::ldexp(x[0], -exponent), std::ldexp(x[1], -exponent), std::ldexp(x[2], -exponent)};
+      mean = mean + x;
+    }
+    mean = (1. / static_cast<double>(values.size())) * mean;
+    for(Vector_3d& x : values)
+      x = x - mean;
+  }
+
+  std::vector<Vector_3d> values;
+  Vector_3d mean = {0., 0., 0.};
+  int exponent = 0;
+};
+
+// Where functions of the vertices are sampled, and what each sample counts. The weights have the sum 1.
+class Expansion_samples
+{
+public:
+  // Samples at the vertices, weighted with a third of the areas of their faces.
+  template <class K>
+  Expansion_samples(const Sphere_triangulation<K>& sphere, const std::vector<Vector_3d>& surface)
+    : m_nodes(directions_of(sphere))
+    , m_counts(surface.size(), 0.)
+  {
+    for(const Linked_triangle& t : sphere.triangles())
+      for(const std::uint32_t v : t.vertices)
+        m_counts[v] += area(t, surface);
+    normalize_counts(std::vector<double>(surface.size(), 1.));
+    m_terms.reserve(surface.size());
+    for(std::uint32_t v = 0; v < surface.size(); ++v)
+      m_terms.push_back({{v, v, v}, {1., 0., 0.}});
+  }
+
+  // Samples at the nodes of a grid, which stand for parts of the surface, or of the sphere. In a triangle with the images p, q, r
+  // and the area A on the surface, areas of the surface are those of the sphere at the direction of x times 2 A |x|^3 / det(p, q, r),
+  // where x is the point of the flat triangle p, q, r.
+  template <class K>
+  Expansion_samples(const Sphere_triangulation<K>& sphere, const std::vector<Vector_3d>& surface,
+                    std::size_t degree_of_grid, bool weighs_surface, const Execution& execution)
+    : Expansion_samples(sphere, surface, Gauss_grid(degree_of_grid), weighs_surface, execution)
+  {}
+
+  const Sphere_nodes& nodes() const { return m_nodes; }
+  const std::vector<double>& weights() const { return m_weights; }
+
+  std::vector<double> sample(const std::vector<Vector_3d>& values) const
+  {
+    std::vector<double> result(m_nodes.number_of_values(), 0.);
+    for(std::size_t k = 0; k < m_terms.size(); ++k)
+    {
+      const Term& t = m_terms[k];
+      const Vector_3d x = t.shares[0] * values[t.vertices[0]] + t.shares[1] * values[t.vertices[1]] +
+                          t.shares[2] * values[t.vertices[2]];
+      for(std::size_t i = 0; i < Sphere_nodes::n_functions; ++i)
+        result[place(k, i)] = x[i];
+    }
+    return result;
+  }
+
+private:
+  // A sample is a mean of three vertices.
+  struct Term
+  {
+    std::array<std::uint32_t, 3> vertices;
+    Vector_3d shares;
+  };
+
+  template <class K>
+  Expansion_samples(const Sphere_triangulation<K>& sphere, const std::vector<Vector_3d>& surface, Gauss_grid grid,
+                    bool weighs_surface, const Execution& execution)
+    : m_nodes(std::move(grid.nodes))
+  {
+    using FT = typename K::FT;
+    const std::size_t width = m_nodes.width(), n = m_nodes.number_of_parallels() * width;
+    std::vector<typename K::Point_3> directions;
+    directions.reserve(n);
+    std::vector<double> areas;
+    areas.reserve(n);
+    for(std::size_t k = 0; k < n; ++k)
+    {
+      const Vector_3d q = m_nodes.direction(k / width, k % width);
+      directions.emplace_back(FT(q[0]), FT(q[1]), FT(q[2]));
+      areas.push_back(grid.weights[k / width]);
+    }
+    const std::vector<Vector_3d> images = scaled_images(sphere);
+    m_counts = areas;
+    m_terms.reserve(n);
+    for(const auto& place : sphere.locate(directions, execution))
+    {
+      const Linked_triangle& t = sphere.triangles()[place.triangle];
+      m_terms.push_back({t.vertices,
+                         {CGAL::to_double(place.coordinates[0]), CGAL::to_double(place.coordinates[1]),
+                          CGAL::to_double(place.coordinates[2])}});
+      if(!weighs_surface)
+        continue;
+      const double det = dot(images[t[0]], cross(images[t[1]], images[t[2]])),
+                   r = length(interpolated(images, sphere.triangles(), place));
+      m_counts[m_terms.size() - 1] *= det > 0. ? area(t, surface) * (r * r * r / det) : 0.;
+    }
+    normalize_counts(areas);
+  }
+
+  std::size_t place(std::size_t k, std::size_t function) const
+  {
+    return m_nodes.place(k / m_nodes.width(), k % m_nodes.width(), function);
+  }
+
+  static double area(const Linked_triangle& t, const std::vector<Vector_3d>& points)
+  {
+    return 0.5 * length(cross(points[t[1]] - points[t[0]], points[t[2]] - points[t[0]]));
+  }
+
+  template <class K>
+  static std::vector<Vector_3d> directions_of(const Sphere_triangulation<K>& sphere)
+  {
+    std::vector<Vector_3d> result;
+    result.reserve(sphere.points().size());
+    for(std::size_t v = 0; v < sphere.points().size(); ++v)
+      result.push_back(sphere.direction(v));
+    return result;
+  }
+
+  // the images, rounded and divided by a power of two, so that no product overflows
+  template <class K>
+  static std::vector<Vector_3d> scaled_images(const Sphere_triangulation<K>& sphere)
+  {
+    std::vector<Vector_3d> result;
+    result.reserve(sphere.points().size());
+    double largest = 0.;
+    for(const auto& p : sphere.points())
+    {
+      result.push_back({CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z())});
+      for(const double x : result.back())
+        largest = (std::max)(largest, std::abs(x));
+    }
+    int exponent = 0;
+    std::frexp(largest, &exponent);
+    for(Vector_3d& p : result)
+      for(double& x : p)
+        x = std::ldexp(x, -exponent);
+    return result;
+  }
+
+  // Turns the counts into weights; into those of `usual` if there is no area.
+  void normalize_counts(const std::vector<double>& usual)
+  {
+    double sum = 0.;
+    for(const double x : m_counts)
+      sum += x;
+    if(!(sum > 0.))
+    {
+      m_counts = usual;
+      sum = 0.;
+      for(const double x : m_counts)
+        sum += x;
+    }
+    m_weights.assign(m_nodes.number_of_values(), 0.);
+    for(std::size_t k = 0; k < m_counts.size(); ++k)
+      for(std::size_t i = 0; i < Sphere_nodes::n_functions; ++i)
+        m_weights[place(k, i)] = m_counts[k] / sum;
+    m_counts = {};
+  }
+
+  Sphere_nodes m_nodes;
+  std::vector<double> m_counts, m_weights; // of each sample, and in the order of values
+  std::vector<Term> m_terms;
+};
+
+// Expansions of functions of the vertices of a mesh.
+class Expansion
+{
+public:
+  // `surface` are the points, scaled such that their areas neither overflow nor vanish.
+  template <class K>
+  Expansion(const Sphere_triangulation<K>& sphere, const std::vector<Vector_3d>& surface, std::size_t degree,
+            Harmonic_weights weights, const Execution& execution)
+    : m_transform(degree)
+    , m_at_vertices(sphere, surface)
+    , m_over_surface(sphere, surface, degree_of_grid(degree, surface.size()), true, execution)
+    , m_execution(execution)
+  {
+    m_fit.weights = weights;
+    m_fit.degree_of_vertices = static_cast<std::size_t>(std::sqrt(static_cast<double>(surface.size()))) - 1;
+    if(weights == Harmonic_weights::vertices)
+      return;
+    const std::size_t n = degree_of_grid(degree, surface.size());
+    const bool weighs_surface = weights == Harmonic_weights::surface;
+    if(!weighs_surface)
+      m_over_sphere.emplace(sphere, surface, n, false, execution);
+    m_coarse.emplace(sphere, surface, (std::max)(degree, n / 2), weighs_surface, execution);
+  }
+
+  const Spherical_harmonic_transform& transform() const { return m_transform; }
+  const Harmonic_fit& fit() const { return m_fit; }
+
+  // Writes the coefficients of three functions of the vertices in the order of the transform, and adds to what is known of the fit.
+  // Returns whether it was not stopped.
+  bool expand(const std::vector<Vector_3d>& of_vertices, std::vector<double>& coefficients, Run_control& control)
+  {
+    const Vertex_functions functions(of_vertices);
+    const Expansion_samples& samples = m_fit.weights == Harmonic_weights::vertices  ? m_at_vertices
+                                       : m_fit.weights == Harmonic_weights::surface ? m_over_surface
+                                                                                    : *m_over_sphere;
+    std::vector<double> coarse;
+    if(!solve(samples, functions.values, coefficients, true, control) ||
+       (m_coarse && !solve(*m_coarse, functions.values, coarse, false, control)))
+      return false;
+    double difference = 0.; // of harmonics whose squares have the mean 1
+    for(std::size_t k = 0; k < coarse.size(); ++k)
+      difference += (coefficients[k] - coarse[k]) * (coefficients[k] - coarse[k]);
+    const auto add = [&](double& error, double square) {
+      error = std::hypot(error, std::ldexp(std::sqrt(square), functions.exponent));
+    };
+    add(m_fit.aliasing, difference);
+    add(m_fit.error_over_surface, squared_error(m_over_surface, functions.values, coefficients));
+    add(m_fit.error_at_vertices, squared_error(m_at_vertices, functions.values, coefficients));
+    for(std::size_t i = 0; i < Sphere_nodes::n_functions; ++i)
+      coefficients[i] += functions.mean[i]; // those of degree 0
+    for(double& c : coefficients)
+      c = std::ldexp(c, functions.exponent);
+    return control.go_further(0, 0.);
+  }
+
+private:
+  // The grid has twice as many parallels as the degree needs, and as the mesh has vertices across, as functions that are linear on
+  // faces have all degrees: what is above that of the grid is taken for something below. It has more than 600 for high degrees only.
+  static std::size_t degree_of_grid(std::size_t degree, std::size_t n_vertices)
+  {
+    constexpr std::size_t usual_maximum = 600;
+    const auto across = static_cast<std::size_t>(std::sqrt(static_cast<double>(n_vertices)));
+    return (std::max)((std::min)(2 * (std::max)(degree, across), usual_maximum), degree + degree / 2);
+  }
+
+  bool solve(const Expansion_samples& samples, const std::vector<Vector_3d>& values, std::vector<double>& coefficients,
+             bool counts, Run_control& control)
+  {
+    Least_squares squares(m_transform, samples.nodes(), samples.weights(), m_execution);
+    if(m_fit.weights == Harmonic_weights::sphere)
+      squares.project(samples.sample(values), coefficients);
+    else if(!squares.solve(samples.sample(values), coefficients, control))
+      return false;
+    if(counts)
+      m_fit.number_of_iterations = (std::max)(m_fit.number_of_iterations, squares.number_of_steps());
+    return true;
+  }
+
+  double squared_error(const Expansion_samples& samples, const std::vector<Vector_3d>& values,
+                       const std::vector<double>& coefficients) const
+  {
+    return Least_squares(m_transform, samples.nodes(), samples.weights(), m_execution)
+        .squared_error(samples.sample(values), coefficients);
+  }
+
+  Spherical_harmonic_transform m_transform;
+  Harmonic_fit m_fit;
+  Expansion_samples m_at_vertices, m_over_surface;
+  std::optional<Expansion_samples> m_over_sphere, m_coarse; // with fewer parallels
+  Execution m_execution;
+};
+
+} // namespace CGAL::Spherical_parameterization::internal
+
+#endif // CGAL_SPHERICAL_PARAMETERIZATION_HARMONICS_INTERNAL_EXPANSION_SAMPLES_H

@@ -1,0 +1,94 @@
+// Copyright (c) 2026  The Spherical_parameterization authors.
+// All rights reserved.
+//
+// This file is part of the Spherical_parameterization package for CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Spherical_parameterization authors
+
+#ifndef CGAL_SPHERICAL_PARAMETERIZATION_HARMONICS_ROTATE_SPHERICAL_HARMONICS_H
+#define CGAL_SPHERICAL_PARAMETERIZATION_HARMONICS_ROTATE_SPHERICAL_HARMONICS_H
+
+#include <CGAL/license/Spherical_parameterization.h>
+
+#include <CGAL/Spherical_parameterization/Error_code.h>
+#include <CGAL/Spherical_parameterization/Harmonics/Spherical_harmonics_3.h>
+#include <CGAL/Spherical_parameterization/Harmonics/internal/rotate_harmonics.h>
+#include <CGAL/Spherical_parameterization/internal/execution/Run_control.h>
+#include <CGAL/Spherical_parameterization/internal/execution/parallel.h>
+#include <CGAL/Spherical_parameterization/internal/numbers/Rotation_matrix.h>
+
+#include <CGAL/Aff_transformation_3.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Named_function_parameters.h>
+#include <CGAL/tags.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+namespace CGAL::Spherical_parameterization {
+
+/// \ingroup PkgSphericalParameterizationHarmonics
+///
+/// rotates the sphere under functions - the new functions have at \f$ R q \f$ what the old ones had at \f$ q \f$. A surface stays where
+/// it is; only its map to the sphere turns.
+///
+/// The functions are evaluated at the nodes of a grid that has been turned, by which sums of harmonics are integrated exactly. The
+/// coefficients are exact but for rounding, some \f$ 10^{-13} \f$ of the largest one, and the running time is \f$ O(L^4) \f$ for
+/// the degree \f$ L \f$: for the degrees 100 and 200, some 0.1 and 2 seconds in one thread.
+///
+/// \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`; no result depends on it
+/// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+///
+/// \param harmonics the functions, which are replaced
+/// \param rotation the rotation \f$ R \f$
+/// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
+///
+/// \cgalNamedParamsBegin
+///   \cgalParamNBegin{visitor}
+///     \cgalParamDescription{a visitor whose `go_further()`, asked from time to time, may stop the run}
+///     \cgalParamType{a model of `SphericalParameterizationVisitor`, or an `std::reference_wrapper` of one}
+///     \cgalParamDefault{`Default_visitor`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{maximum_running_time}
+///     \cgalParamDescription{the time in seconds after which the run is stopped}
+///     \cgalParamType{double}
+///     \cgalParamDefault{no limit, as with any value that is not positive}
+///   \cgalParamNEnd
+/// \cgalNamedParamsEnd
+///
+/// \return `OK`; `ERROR_WRONG_PARAMETER` if `rotation` is none, by more than rounding; or `ERROR_STOPPED`. The functions are as
+///         they were then.
+///
+/// \sa `CGAL::Spherical_parameterization::align_spheres()`
+/// \sa `CGAL::Spherical_parameterization::move_to_standard_position()`
+template <class ConcurrencyTag = Parallel_if_available_tag, typename CGAL_NP_TEMPLATE_PARAMETERS>
+Error_code rotate_spherical_harmonics(
+    Spherical_harmonics_3& harmonics,
+    const Aff_transformation_3<Exact_predicates_inexact_constructions_kernel>& rotation,
+    const CGAL_NP_CLASS& np = parameters::default_values())
+{
+  constexpr double max_deviation = 1e-6; // of a matrix that was written to a file with seven digits
+  internal::Rotation_matrix matrix;
+  for(std::size_t i = 0; i < 3; ++i)
+    for(std::size_t j = 0; j < 3; ++j)
+      matrix[i][j] = rotation.m(static_cast<int>(i), static_cast<int>(j));
+  double deviation = std::abs(internal::dot(matrix[0], internal::cross(matrix[1], matrix[2])) - 1.);
+  for(std::size_t i = 0; i < 3; ++i)
+    for(std::size_t j = 0; j < 3; ++j)
+      deviation = (std::max)(deviation, std::abs(internal::dot(matrix[i], matrix[j]) - (i == j ? 1. : 0.)));
+  if(!(deviation <= max_deviation))
+    return ERROR_WRONG_PARAMETER;
+  internal::Visitor_control<CGAL_NP_CLASS> control(np);
+  return internal::rotate_harmonics(harmonics, matrix, internal::execution_of<ConcurrencyTag>(), control)
+             ? OK
+             : ERROR_STOPPED;
+}
+
+} // namespace CGAL::Spherical_parameterization
+
+#endif // CGAL_SPHERICAL_PARAMETERIZATION_HARMONICS_ROTATE_SPHERICAL_HARMONICS_H

@@ -1,0 +1,149 @@
+// Copyright (c) 2026  The Spherical_parameterization authors.
+// All rights reserved.
+//
+// This file is part of the Spherical_parameterization package for CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Spherical_parameterization authors
+
+#ifndef CGAL_SPHERICAL_PARAMETERIZATION_SAMPLING_COMPUTE_TEXTURE_COORDINATES_H
+#define CGAL_SPHERICAL_PARAMETERIZATION_SAMPLING_COMPUTE_TEXTURE_COORDINATES_H
+
+#include <CGAL/license/Spherical_parameterization.h>
+
+#include <CGAL/Spherical_parameterization/Error_code.h>
+#include <CGAL/Spherical_parameterization/Sampling/internal/Geographic_frame.h>
+#include <CGAL/Spherical_parameterization/Sampling/internal/Seam_cut.h>
+#include <CGAL/Spherical_parameterization/internal/execution/parallel.h>
+#include <CGAL/Spherical_parameterization/internal/run/Mesh_on_sphere.h>
+#include <CGAL/Spherical_parameterization/internal/surface/add_triangles.h>
+#include <CGAL/Spherical_parameterization/internal/surface/read_mesh.h>
+
+#include <CGAL/Cartesian_converter.h>
+#include <CGAL/Kernel_traits.h>
+#include <CGAL/Named_function_parameters.h>
+#include <CGAL/tags.h>
+
+#include <boost/property_map/property_map.hpp>
+
+#include <cstddef>
+#include <type_traits>
+#include <utility>
+
+namespace CGAL::Spherical_parameterization {
+
+/// \ingroup PkgSphericalParameterizationSampling
+///
+/// makes a mesh with texture coordinates of a surface and its map to the sphere: longitude and latitude, for images of the
+/// whole globe and others in the equirectangular projection. The first coordinate goes from 0 to 1 eastwards, with the zero
+/// meridian at 0.5; the second one from 0 at the south pole to 1 at the north pole. Seen from outside, the image is not mirrored.
+///
+/// The ends of the image meet at the seam, the meridian opposite to the zero meridian. No face goes on beyond it: edges that
+/// cross the seam get a vertex there, and the faces on each side coordinates of their own, 0 or 1. Therefore
+/// coordinates belong to corners, not to vertices, and whether the image is repeated or clamped does not count. The poles
+/// become vertices, too, whose corners have the longitude in the middle of that of the other two corners of their faces. The
+/// new mesh is the same surface: new vertices are in edges and faces where the map has them, up to rounding, and as every
+/// edge gets its vertex once, there are no gaps.
+///
+/// Which faces are divided there is decided exactly, for the images and directions as they are given, whatever passes
+/// through a vertex or along an edge. Within a face, texture coordinates are interpolated linearly, while edges are mapped to
+/// arcs of great circles, which are curved in the image, most of all around the poles. Where a face is so narrow that its
+/// texture triangle would be turned over by that, edges are cut in the middle, by longest-edge propagation
+/// \cgalCite{cgal:r-nlea-97}, until all texture triangles are positively oriented: they cover the image once, but for as much
+/// as the triangles at the poles cover of it. In maps of usual surfaces, this adds one vertex to 600. It ends, with
+/// `ERROR_FOLDED_TEXTURE`, when as many vertices have been added as the mesh has, and 1000, as may happen with extreme needles.
+/// Texture triangles of faces whose images are narrower than a millionth of their length, or shorter than
+/// 1e-9 of the radius, may stay turned over, each by less than 1e-10 of the image.
+///
+/// The running time is linear in the size of the mesh. It is only read.
+///
+/// \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`; no result depends on it
+/// \tparam TriangleMesh a model of `FaceListGraph`
+/// \tparam VertexSphereMap a model of `ReadablePropertyMap` from the vertices of `TriangleMesh` to `%Point_3` of a
+///         \cgal kernel; its coordinates are of type `double` or `float`, or of an exact number type
+/// \tparam TexturedMesh a model of `MutableFaceGraph`
+/// \tparam HalfedgeTextureMap a model of `WritablePropertyMap` from the halfedges of `TexturedMesh` to `%Point_2` of a
+///         \cgal kernel
+/// \tparam NamedParameters1,NamedParameters2 sequences of \ref bgl_namedparameters "Named Parameters"
+///
+/// \param tmesh the surface, a closed triangle mesh of genus 0
+/// \param vertex_sphere_map its map to the sphere, a bijection, such as `parameterize()` makes
+/// \param textured_mesh the surface is added to it: its vertices that have faces, in their order, and then new ones
+/// \param halfedge_texture_map receives the texture coordinates: for a halfedge, those of its target in its face
+/// \param north_pole the direction of the north pole, at any distance from the origin
+/// \param zero_meridian a direction in the half plane that the axis of the poles bounds and the zero meridian is in; it
+///        need not be orthogonal to `north_pole`, but not parallel to it, not even up to rounding
+/// \param np,np_textured optional sequences of \ref bgl_namedparameters "Named Parameters" among the ones listed below
+///
+/// \cgalNamedParamsBegin
+///   \cgalParamNBegin{vertex_point_map}
+///     \cgalParamDescription{a property map associating points to the vertices}
+///     \cgalParamType{a class model of `ReadablePropertyMap`, for `textured_mesh` of `WritablePropertyMap`, with `%Point_3` values}
+///     \cgalParamDefault{`boost::get(CGAL::vertex_point, tmesh)`, and of `textured_mesh`}
+///   \cgalParamNEnd
+/// \cgalNamedParamsEnd
+///
+/// \return `OK`; what is wrong with the mesh, see `find_defect()`, or with its map: `ERROR_NO_1_TO_1_MAPPING` if that is
+///         no bijection; or `ERROR_INVALID_DIRECTION` if the north pole or the zero meridian is zero, infinite or not a
+///         number, or if they are parallel. Nothing is added then. Or `ERROR_FOLDED_TEXTURE`: the mesh and the coordinates are
+///         complete, but some texture triangles are turned over. What is thrown, for want of memory or by property maps of the
+///         caller, is passed on; `textured_mesh` has the vertices, edges and faces that it had then.
+///
+/// \sa `CGAL::Spherical_parameterization::IO::write_OBJ()`
+template <class ConcurrencyTag = Parallel_if_available_tag, class TriangleMesh, class VertexSphereMap,
+          class TexturedMesh, class HalfedgeTextureMap, typename CGAL_NP_TEMPLATE_PARAMETERS_1,
+          typename CGAL_NP_TEMPLATE_PARAMETERS_2>
+Error_code compute_texture_coordinates(
+    const TriangleMesh& tmesh, VertexSphereMap vertex_sphere_map, TexturedMesh& textured_mesh,
+    HalfedgeTextureMap halfedge_texture_map,
+    const typename boost::property_traits<VertexSphereMap>::value_type& north_pole = {0, 0, 1},
+    const typename boost::property_traits<VertexSphereMap>::value_type& zero_meridian = {1, 0, 0},
+    const CGAL_NP_CLASS_1& np = parameters::default_values(),
+    const CGAL_NP_CLASS_2& np_textured = parameters::default_values())
+{
+  using Mesh_arrays = internal::Mesh_on_sphere<TriangleMesh, VertexSphereMap>;
+  using Exact_kernel = typename Mesh_arrays::Exact_kernel;
+
+  const internal::Geographic_frame<Exact_kernel> frame(Mesh_arrays::Selection::convert(north_pole),
+                                                       Mesh_arrays::Selection::convert(zero_meridian));
+  if(!frame.is_valid())
+    return ERROR_INVALID_DIRECTION;
+  Mesh_arrays mesh;
+  const auto point_map = internal::vertex_point_map_of(tmesh, np);
+  if(const Error_code error =
+         mesh.read_with_points(tmesh, vertex_sphere_map, point_map, internal::execution_of<ConcurrencyTag>()))
+    return error;
+
+  const auto new_point_map = internal::vertex_point_map_of(textured_mesh, np_textured);
+  using Point_3 = typename boost::property_traits<std::decay_t<decltype(point_map)>>::value_type;
+  using New_point_3 = typename boost::property_traits<std::decay_t<decltype(new_point_map)>>::value_type;
+  const Cartesian_converter<typename Kernel_traits<Point_3>::Kernel, typename Kernel_traits<New_point_3>::Kernel>
+      convert;
+  using Point_2 = typename boost::property_traits<HalfedgeTextureMap>::value_type;
+  using Texture_FT = typename Kernel_traits<Point_2>::Kernel::FT;
+  const internal::Seam_cut<Exact_kernel> cut(frame, mesh.images, mesh.triangles, std::move(mesh.points));
+  internal::add_triangles(
+      cut.triangles(), cut.points().size(), textured_mesh, [&](const auto& new_vertices, const auto& new_faces) {
+        internal::write_vectors(new_point_map, new_vertices, [&](std::size_t v) { return cut.points()[v]; });
+        for(std::size_t v = 0; v < mesh.vertices_of_mesh.size(); ++v) // which may be more exact
+          put(new_point_map, new_vertices[v], convert(get(point_map, mesh.vertices_of_mesh[v])));
+        for(std::size_t t = 0; t < new_faces.size(); ++t)
+        {
+          auto h = halfedge(new_faces[t], textured_mesh); // to the corner 1
+          for(const std::size_t i : {1u, 2u, 0u})
+          {
+            const auto uv = cut.coordinates(t, i);
+            put(halfedge_texture_map, h, Point_2(static_cast<Texture_FT>(uv[0]), static_cast<Texture_FT>(uv[1])));
+            h = next(h, textured_mesh);
+          }
+        }
+      });
+  return cut.is_complete() ? OK : ERROR_FOLDED_TEXTURE;
+}
+
+} // namespace CGAL::Spherical_parameterization
+
+#endif // CGAL_SPHERICAL_PARAMETERIZATION_SAMPLING_COMPUTE_TEXTURE_COORDINATES_H

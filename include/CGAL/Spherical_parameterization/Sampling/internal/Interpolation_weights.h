@@ -1,0 +1,212 @@
+// Copyright (c) 2026  The Spherical_parameterization authors.
+// All rights reserved.
+//
+// This file is part of the Spherical_parameterization package for CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Spherical_parameterization authors
+
+#ifndef CGAL_SPHERICAL_PARAMETERIZATION_SAMPLING_INTERNAL_INTERPOLATION_WEIGHTS_H
+#define CGAL_SPHERICAL_PARAMETERIZATION_SAMPLING_INTERNAL_INTERPOLATION_WEIGHTS_H
+
+#include <CGAL/license/Spherical_parameterization.h>
+
+#include <CGAL/Spherical_parameterization/internal/execution/parallel.h>
+
+#include <CGAL/IO/Color.h>
+#include <CGAL/Kernel_traits.h>
+#include <CGAL/Point_2.h>
+#include <CGAL/Point_3.h>
+#include <CGAL/Vector_2.h>
+#include <CGAL/Vector_3.h>
+#include <CGAL/number_utils.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <numeric>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Spherical_parameterization::internal {
+
+struct Weighted_source
+{
+  std::uint32_t source;
+  double weight; // positive
+};
+
+template <class T>
+constexpr std::size_t cartesian_dimension = 0;
+template <class K>
+constexpr std::size_t cartesian_dimension<CGAL::Point_2<K>> = 2;
+template <class K>
+constexpr std::size_t cartesian_dimension<CGAL::Vector_2<K>> = 2;
+template <class K>
+constexpr std::size_t cartesian_dimension<CGAL::Point_3<K>> = 3;
+template <class K>
+constexpr std::size_t cartesian_dimension<CGAL::Vector_3<K>> = 3;
+
+// Whether values of a type have a mean. Others are labels.
+template <class T>
+constexpr bool has_mean =
+    std::is_floating_point<T>::value || std::is_same<T, CGAL::IO::Color>::value || cartesian_dimension<T> != 0;
+template <class T, std::size_t n>
+constexpr bool has_mean<std::array<T, n>> = has_mean<T>;
+template <class T>
+constexpr bool has_mean<std::vector<T>> = has_mean<T>;
+
+// The mean of what value(source) points to for some terms; a null pointer stands for zeros.
+template <class T, class Value>
+T mean_value(const Weighted_source* begin, const Weighted_source* end, const Value& value)
+{
+  const auto mean = [&](const auto& number_of) {
+    double sum = 0., weight = 0.;
+    for(const Weighted_source* term = begin; term != end; ++term)
+    {
+      if(const T* const x = value(term->source))
+        sum += term->weight * number_of(*x);
+      weight += term->weight;
+    }
+    return sum / weight;
+  };
+  if constexpr(std::is_floating_point<T>::value)
+    return static_cast<T>(mean([](const T& x) { return static_cast<double>(x); }));
+  else if constexpr(std::is_same<T, CGAL::IO::Color>::value)
+  {
+    const auto channel = [&](const auto& value_of) {
+      return static_cast<unsigned char>(std::lround(mean([&](const T& x) { return double(value_of(x)); })));
+    };
+    return T(channel([](const T& x) { return x.red(); }), channel([](const T& x) { return x.green(); }),
+             channel([](const T& x) { return x.blue(); }), channel([](const T& x) { return x.alpha(); }));
+  }
+  else if constexpr(cartesian_dimension<T> != 0)
+  {
+    using FT = typename Kernel_traits<T>::Kernel::FT;
+    const auto coordinate = [&](int i) { return FT(mean([&](const T& x) { return CGAL::to_double(x[i]); })); };
+    if constexpr(cartesian_dimension<T> == 2)
+      return T(coordinate(0), coordinate(1));
+    else
+      return T(coordinate(0), coordinate(1), coordinate(2));
+  }
+  else // an array, or a vector, which becomes as long as the longest one
+  {
+    using Component = typename T::value_type;
+    T result{};
+    if constexpr(std::is_same<T, std::vector<Component>>::value)
+      for(const Weighted_source* term = begin; term != end; ++term)
+        if(const T* const x = value(term->source))
+          result.resize((std::max)(result.size(), x->size()));
+    for(std::size_t i = 0; i < result.size(); ++i)
+      result[i] = mean_value<Component>(begin, end, [&](std::size_t source) -> const Component* {
+        const T* const x = value(source);
+        return x && i < x->size() ? &(*x)[i] : nullptr;
+      });
+    return result;
+  }
+}
+
+// The mean of the values of some terms; of labels, the one with the largest sum of weights, the first one if several have.
+// What has no term gets zero, or what else the type begins with.
+template <class T>
+T weighted_value(const Weighted_source* begin, const Weighted_source* end, const T* values)
+{
+  if(begin == end)
+    return T();
+  if(end - begin == 1)
+    return values[begin->source];
+  if constexpr(has_mean<T>)
+    return mean_value<T>(begin, end, [&](std::size_t source) { return values + source; });
+  else
+  {
+    const auto is_less = [&](const Weighted_source* a, const Weighted_source* b) {
+      return std::less<T>()(values[a->source], values[b->source]);
+    };
+    std::vector<const Weighted_source*> terms(static_cast<std::size_t>(end - begin));
+    std::iota(terms.begin(), terms.end(), begin);
+    std::stable_sort(terms.begin(), terms.end(), is_less);
+    std::pair<double, const Weighted_source*> best = {-1.,
+                                                      nullptr}; // the sum of weights of a label, and its first term
+    for(auto term = terms.begin(); term != terms.end();)
+    {
+      std::pair<double, const Weighted_source*> sum = {0., *term};
+      for(; term != terms.end() && !is_less(sum.second, *term); ++term)
+        sum.first += (*term)->weight;
+      if(sum.first > best.first || (sum.first == best.first && sum.second < best.second))
+        best = sum;
+    }
+    return values[best.second->source];
+  }
+}
+
+// From which elements of a source, and with which weights, each element of a target has its value.
+class Interpolation_weights
+{
+public:
+  Interpolation_weights() = default; // of no element
+
+  // for_each_term(add) calls add(target, term) for the terms of `n` elements, the same ones each time.
+  template <class For_each_term>
+  Interpolation_weights(std::size_t n, const For_each_term& for_each_term)
+    : m_ends(n, 0)
+  {
+    for_each_term([&](std::size_t target, const Weighted_source&) { ++m_ends[target]; });
+    std::size_t n_terms = 0;
+    for(std::size_t& end : m_ends)
+    {
+      const std::size_t count = end;
+      end = n_terms; // which adding moves on
+      n_terms += count;
+    }
+    m_terms.resize(n_terms);
+    for_each_term([&](std::size_t target, const Weighted_source& term) { m_terms[m_ends[target]++] = term; });
+  }
+
+  struct Terms
+  {
+    const Weighted_source *first, *last;
+
+    const Weighted_source* begin() const { return first; }
+    const Weighted_source* end() const { return last; }
+  };
+
+  std::size_t size() const { return m_ends.size(); }
+  Terms terms(std::size_t i) const
+  {
+    return {m_terms.data() + (i == 0 ? 0 : m_ends[i - 1]), m_terms.data() + m_ends[i]};
+  }
+
+  // Reads the values of the `n` elements of the source with value_of(i), and writes those of all elements of the target
+  // with write(i, value), one after the other. In between, values that share nothing are mixed in parallel.
+  template <class T, class Values, class Write>
+  void mix(std::size_t n, const Values& value_of, const Write& write, const Execution& execution) const
+  {
+    constexpr std::size_t block_size = 4096;
+    const std::unique_ptr<T[]> values(new T[n]), result(new T[m_ends.size()]); // no vector: that of bool holds bits
+    for(std::size_t i = 0; i < n; ++i)
+      values[i] = value_of(i);
+    for_each_block(std::is_trivially_copyable<T>::value ? execution : Execution(), 0, m_ends.size(), block_size,
+                   [&](std::size_t begin, std::size_t end) {
+                     for(std::size_t i = begin; i < end; ++i)
+                       result[i] = weighted_value<T>(terms(i).begin(), terms(i).end(), values.get());
+                   });
+    for(std::size_t i = 0; i < m_ends.size(); ++i)
+      write(i, result[i]);
+  }
+
+private:
+  std::vector<std::size_t> m_ends;
+  std::vector<Weighted_source> m_terms;
+};
+
+} // namespace CGAL::Spherical_parameterization::internal
+
+#endif // CGAL_SPHERICAL_PARAMETERIZATION_SAMPLING_INTERNAL_INTERPOLATION_WEIGHTS_H

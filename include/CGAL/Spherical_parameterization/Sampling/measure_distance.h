@@ -1,0 +1,149 @@
+// Copyright (c) 2026  The Spherical_parameterization authors.
+// All rights reserved.
+//
+// This file is part of the Spherical_parameterization package for CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Spherical_parameterization authors
+
+#ifndef CGAL_SPHERICAL_PARAMETERIZATION_SAMPLING_MEASURE_DISTANCE_H
+#define CGAL_SPHERICAL_PARAMETERIZATION_SAMPLING_MEASURE_DISTANCE_H
+
+#include <CGAL/license/Spherical_parameterization.h>
+
+#include <CGAL/Spherical_parameterization/Error_code.h>
+#include <CGAL/Spherical_parameterization/Sampling/internal/Triangle_set.h>
+#include <CGAL/Spherical_parameterization/internal/execution/Run_control.h>
+#include <CGAL/Spherical_parameterization/internal/execution/parallel.h>
+#include <CGAL/Spherical_parameterization/internal/surface/read_mesh.h>
+
+#include <CGAL/Named_function_parameters.h>
+#include <CGAL/tags.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <numeric>
+#include <vector>
+
+namespace CGAL::Spherical_parameterization {
+
+/// \ingroup PkgSphericalParameterizationMeasuring
+///
+/// The distances between two surfaces, in the unit of their coordinates: what `measure_distance()` measures.
+struct Surface_distance
+{
+  /// Distances from places of one surface to the nearest places of the other one
+  struct One_way
+  {
+    double root_mean_square = 0.; ///< Root of the mean of their squares
+    double maximum = 0.;          ///< The largest one
+  };
+
+  One_way from_first;   ///< From the first surface to the second one
+  One_way from_second;  ///< From the second surface to the first one
+  double diagonal = 0.; ///< Length of the diagonal of the bounding box of the first surface
+
+  /// returns the peak signal-to-noise ratio in decibels: twenty decadic logarithms of the diagonal over the larger one of
+  /// the two root mean squares. It is infinite if these are 0.
+  double psnr() const
+  {
+    const double larger = (std::max)(from_first.root_mean_square, from_second.root_mean_square);
+    return larger > 0. ? 20. * std::log10(diagonal / larger) : std::numeric_limits<double>::infinity();
+  }
+};
+
+/// \ingroup PkgSphericalParameterizationMeasuring
+///
+/// measures how far two surfaces are apart, such as a surface and its remesh: from places of each, spread evenly over its
+/// area, to the nearest places of the other one. The places are always the same for the same meshes; on a surface without
+/// an area, each face has as many. The surfaces need not be closed. Coordinates of any magnitude are treated alike.
+///
+/// The running time is \f$ O((n + k) \log n) \f$ for `n` faces and `k` places, as a rule.
+///
+/// \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`; no result depends on it
+/// \tparam TriangleMesh1,TriangleMesh2 models of `FaceListGraph`
+/// \tparam NamedParameters1,NamedParameters2 sequences of \ref bgl_namedparameters "Named Parameters"
+///
+/// \param tmesh1,tmesh2 triangle meshes
+/// \param distance receives the distances
+/// \param np1,np2 optional sequences of \ref bgl_namedparameters "Named Parameters" among the ones listed below
+///
+/// \cgalNamedParamsBegin
+///   \cgalParamNBegin{vertex_point_map}
+///     \cgalParamDescription{a property map associating points to the vertices of `tmesh1`, or `tmesh2`}
+///     \cgalParamType{a class model of `ReadablePropertyMap` with `%Point_3` of a \cgal kernel as value type}
+///     \cgalParamDefault{`boost::get(CGAL::vertex_point, tmesh1)`, or of `tmesh2`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{number_of_points_on_faces}
+///     \cgalParamDescription{the number of places of `tmesh1`, or `tmesh2`}
+///     \cgalParamType{an integer}
+///     \cgalParamDefault{`30000`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{visitor}
+///     \cgalParamDescription{of `np1`: a visitor whose `go_further()` may stop the run}
+///     \cgalParamType{a model of `SphericalParameterizationVisitor`, or an `std::reference_wrapper` of one}
+///     \cgalParamDefault{`Default_visitor`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{maximum_running_time}
+///     \cgalParamDescription{of `np1`: the time in seconds after which the run is stopped}
+///     \cgalParamType{double}
+///     \cgalParamDefault{no limit, as with any value that is not positive}
+///   \cgalParamNEnd
+/// \cgalNamedParamsEnd
+///
+/// \return `OK`; `ERROR_NON_TRIANGULAR_MESH`, `ERROR_EMPTY_MESH`, `ERROR_TOO_LARGE_MESH` or `ERROR_NON_FINITE_COORDINATE`,
+///         `ERROR_WRONG_PARAMETER` if a number of places is below 1, and `ERROR_STOPPED`: then `distance` is as it was
+///
+/// \sa `CGAL::Spherical_parameterization::remesh_through_sphere()`
+template <class ConcurrencyTag = Parallel_if_available_tag, class TriangleMesh1, class TriangleMesh2,
+          typename CGAL_NP_TEMPLATE_PARAMETERS_1, typename CGAL_NP_TEMPLATE_PARAMETERS_2>
+Error_code measure_distance(const TriangleMesh1& tmesh1, const TriangleMesh2& tmesh2, Surface_distance& distance,
+                            const CGAL_NP_CLASS_1& np1 = parameters::default_values(),
+                            const CGAL_NP_CLASS_2& np2 = parameters::default_values())
+{
+  using parameters::choose_parameter;
+  using parameters::get_parameter;
+  const auto n1 = choose_parameter(get_parameter(np1, internal_np::number_of_points_on_faces), 30000);
+  const auto n2 = choose_parameter(get_parameter(np2, internal_np::number_of_points_on_faces), 30000);
+  if(n1 < 1 || n2 < 1)
+    return ERROR_WRONG_PARAMETER;
+  internal::Visitor_control<CGAL_NP_CLASS_1> control(np1);
+  internal::Triangle_set first, second;
+  if(const Error_code error = first.read(tmesh1, internal::vertex_point_map_of(tmesh1, np1)))
+    return error;
+  if(const Error_code error = second.read(tmesh2, internal::vertex_point_map_of(tmesh2, np2)))
+    return error;
+  int exponent = 0;
+  std::frexp((std::max)(first.largest_coordinate(), second.largest_coordinate()), &exponent);
+  first.build(exponent);
+  second.build(exponent);
+
+  const auto one_way = [&](const internal::Triangle_set& from, const internal::Triangle_set& to, std::size_t n) {
+    constexpr std::size_t block_size = 256; // of parallel work: enough that handing it out costs nothing
+    std::vector<double> squares(n);
+    internal::for_each_block_until_stopped(control, internal::execution_of<ConcurrencyTag>(), n, block_size,
+                                           [&](std::size_t begin, std::size_t end) {
+                                             for(std::size_t k = begin; k < end; ++k)
+                                               squares[k] = to.squared_distance_to(from.place(k, n));
+                                           });
+    const double mean = std::accumulate(squares.begin(), squares.end(), 0.) / static_cast<double>(n),
+                 max = *std::max_element(squares.begin(), squares.end());
+    return Surface_distance::One_way{std::scalbn(std::sqrt(mean), exponent), std::scalbn(std::sqrt(max), exponent)};
+  };
+  const Surface_distance result = {one_way(first, second, static_cast<std::size_t>(n1)),
+                                   one_way(second, first, static_cast<std::size_t>(n2)),
+                                   std::scalbn(first.diagonal(), exponent)};
+  if(control.is_stopped())
+    return ERROR_STOPPED;
+  distance = result;
+  return OK;
+}
+
+} // namespace CGAL::Spherical_parameterization
+
+#endif // CGAL_SPHERICAL_PARAMETERIZATION_SAMPLING_MEASURE_DISTANCE_H

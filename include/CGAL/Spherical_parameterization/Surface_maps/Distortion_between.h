@@ -1,0 +1,47 @@
+// Copyright (c) 2026  The Spherical_parameterization authors.
+// All rights reserved.
+//
+// This file is part of the Spherical_parameterization package for CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Spherical_parameterization authors
+
+#ifndef CGAL_SPHERICAL_PARAMETERIZATION_SURFACE_MAPS_DISTORTION_BETWEEN_H
+#define CGAL_SPHERICAL_PARAMETERIZATION_SURFACE_MAPS_DISTORTION_BETWEEN_H
+
+#include <CGAL/license/Spherical_parameterization.h>
+
+#include <cstddef>
+
+namespace CGAL::Spherical_parameterization {
+
+/// \ingroup PkgSphericalParameterizationSurfaces
+///
+/// The distortion of a map between two surfaces, both scaled to the same area. With \f$ s_1 \leq s_2 \f$ the singular values
+/// of its linear part in a triangle, all measures are the same for the map and for its inverse; their averages are weighted
+/// with areas, and so they depend on which of the two surfaces that is.
+struct Distortion_between
+{
+  /// Statistics of one measure
+  struct Statistics
+  {
+    double maximum = 0.;             ///< The largest value
+    double average_over_first = 0.;  ///< The mean, weighted with areas on the first surface
+    double average_over_second = 0.; ///< The mean, weighted with areas on the second surface
+  };
+
+  Statistics isometric; ///< \f$ \max(s_2, 1 / s_1) \f$
+  Statistics area;      ///< \f$ s_1 s_2 + 1 / (s_1 s_2) \f$
+  Statistics angle;     ///< \f$ s_1 / s_2 + s_2 / s_1 \f$
+  Statistics energy;    ///< \f$ ( s_1^2 + s_2^2 + 1 / s_1^2 + 1 / s_2^2 ) / 2 \f$, the symmetric Dirichlet energy
+
+  std::size_t number_of_triangles = 0; ///< All triangles of the refinement
+  std::size_t number_of_slivers = 0;   ///< Those that are left out because they are too small
+};
+
+} // namespace CGAL::Spherical_parameterization
+
+#endif // CGAL_SPHERICAL_PARAMETERIZATION_SURFACE_MAPS_DISTORTION_BETWEEN_H

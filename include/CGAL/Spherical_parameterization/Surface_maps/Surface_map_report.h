@@ -1,0 +1,77 @@
+// Copyright (c) 2026  The Spherical_parameterization authors.
+// All rights reserved.
+//
+// This file is part of the Spherical_parameterization package for CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Spherical_parameterization authors
+
+#ifndef CGAL_SPHERICAL_PARAMETERIZATION_SURFACE_MAPS_SURFACE_MAP_REPORT_H
+#define CGAL_SPHERICAL_PARAMETERIZATION_SURFACE_MAPS_SURFACE_MAP_REPORT_H
+
+#include <CGAL/license/Spherical_parameterization.h>
+
+#include <CGAL/Spherical_parameterization/Parameterization_report.h>
+#include <CGAL/Spherical_parameterization/Surface_maps/Distortion_between.h>
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+namespace CGAL::Spherical_parameterization {
+
+/// \ingroup PkgSphericalParameterizationSurfaces
+///
+/// What `map_surface()` has found.
+struct Surface_map_report
+{
+  /// The symmetric Dirichlet energy of the map, measured on the common refinement: the mean of both directions. 2 is an
+  /// isometry, up to scale; infinite if a surface has no area; 0 if it has not been measured: the run had been stopped, or
+  /// doubles could hold the start alone.
+  double energy = 0.;
+
+  /// The distortion of the map, as `measure_distortion_between()` has it; none if the energy has not been measured, or by samples
+  std::optional<Distortion_between> distortion;
+
+  /// Whether it has been measured at places in each face instead, as the refinement has more vertices than `overlay()`
+  /// makes by default. That misses a part of what is near vertices: 5 to 15 percent of the energy where both were measured.
+  bool is_energy_sampled = false;
+
+  /// How well features agree after the surfaces have been aligned on coarse levels, a correlation, at most 1; 0 if landmarks
+  /// alone turned the spheres, as features did not agree
+  double agreement = 0.;
+
+  /// How much better the best alignment of coarse surfaces is than the next best one that differs from it: in agreement, where
+  /// curvature counts most, less a third of how much is stretched, the mean root of the logarithm of the symmetric Dirichlet
+  /// energy; 0.2 if no other one came that near on the way. Below 0.1, the surface has a symmetry, or nearly, and the map may have exchanged its sides, though both have been
+  /// compared on a finer level.
+  double margin = 0.;
+
+  /// Whether it is not clear that the surfaces lie well on each other: they agree by less than 0.73, or the margin is below 0.1.
+  /// Look at the map, or give landmarks. It is never so if landmarks alone turned the spheres.
+  bool is_uncertain = false;
+
+  /// For each landmark, how far its image is from where it should be, in the unit of length of the second surface; 0 if
+  /// it is there but for rounding
+  std::vector<double> landmark_distances;
+
+  /// How many hard landmarks could not be met
+  std::size_t number_of_missed_landmarks = 0;
+
+  /// Why the last level was left: `CONVERGED`, also for surfaces that agree as they are; `ITERATION_LIMIT`; `STOPPED` or
+  /// `TIME_LIMIT`; `OBSTRUCTED` if doubles could not hold the descent, so that the map is the one from which it started
+  Stop_reason stop_reason = NOT_RUN;
+
+  std::size_t number_of_sweeps = 0;  ///< over levels of the first surface
+  double seconds_for_reading = 0.;   ///< to read both surfaces, and to certify their maps
+  double seconds_for_alignment = 0.; ///< to find out how the surfaces lie on each other
+  double seconds_for_descent = 0.;   ///< to lower the energy
+  double seconds_for_overlay = 0.;   ///< to measure it, as a rule on the common refinement
+};
+
+} // namespace CGAL::Spherical_parameterization
+
+#endif // CGAL_SPHERICAL_PARAMETERIZATION_SURFACE_MAPS_SURFACE_MAP_REPORT_H

@@ -1,0 +1,260 @@
+// Copyright (c) 2026  The Spherical_parameterization authors.
+// All rights reserved.
+//
+// This file is part of the Spherical_parameterization package for CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Spherical_parameterization authors
+
+#ifndef CGAL_SPHERICAL_PARAMETERIZATION_SURFACE_MAPS_ALIGN_SPHERES_H
+#define CGAL_SPHERICAL_PARAMETERIZATION_SURFACE_MAPS_ALIGN_SPHERES_H
+
+#include <CGAL/license/Spherical_parameterization.h>
+
+#include <CGAL/Spherical_parameterization/Error_code.h>
+#include <CGAL/Spherical_parameterization/Surface_maps/internal/alignment/Rotation_search.h>
+#include <CGAL/Spherical_parameterization/Surface_maps/internal/alignment/Surface_alignment.h>
+#include <CGAL/Spherical_parameterization/Surface_maps/internal/alignment/Surface_descriptor.h>
+#include <CGAL/Spherical_parameterization/Surface_maps/internal/find_surface_map.h>
+#include <CGAL/Spherical_parameterization/internal/execution/Run_control.h>
+#include <CGAL/Spherical_parameterization/internal/execution/parallel.h>
+#include <CGAL/Spherical_parameterization/internal/numbers/Rotation_matrix.h>
+#include <CGAL/Spherical_parameterization/internal/numbers/Vector_3.h>
+#include <CGAL/Spherical_parameterization/internal/run/Mesh_on_sphere.h>
+#include <CGAL/Spherical_parameterization/internal/run/check_run.h>
+
+#include <CGAL/Aff_transformation_3.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Named_function_parameters.h>
+#include <CGAL/number_utils.h>
+#include <CGAL/tags.h>
+
+#include <boost/graph/graph_traits.hpp>
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Spherical_parameterization {
+
+/// \ingroup PkgSphericalParameterizationSurfaces
+///
+/// The rotations that bring the sphere of one surface onto the sphere of another one: what `align_spheres()` finds.
+struct Sphere_alignment_3
+{
+  /// Type of a rotation about the origin
+  using Rotation_3 = CGAL::Aff_transformation_3<Exact_predicates_inexact_constructions_kernel>;
+
+  /// A rotation, and how well the surfaces agree by it
+  struct Candidate
+  {
+    Rotation_3 rotation; ///< Of the first sphere
+    double score;        ///< Correlation of the features, at most 1
+  };
+
+  /// The best rotations that differ by 20 degrees or more, at most four, the best one first
+  std::vector<Candidate> candidates;
+
+  /// Whether the visitor or the time limit has ended the search: the candidates are the best of what has been tried by then,
+  /// at worst the identity alone, with the score 0
+  bool is_stopped = false;
+
+  /// returns how much higher the score of the best candidate is than that of the second best, or than 0 if there is one only.
+  /// A margin below 0.1 or so means that the surface has a symmetry, or nearly: then look at both.
+  double margin() const
+  {
+    if(candidates.empty())
+      return 0.;
+    return candidates[0].score - (candidates.size() > 1 ? candidates[1].score : 0.);
+  }
+};
+
+namespace internal {
+
+// Simplifies a surface that has been read, with the values of features at its vertices.
+template <class Arrays>
+Error_code simplify(Arrays& arrays, const std::vector<Vertex_scalars>& features,
+                    std::optional<Surface_descriptor>& coarse, Run_control& control, const Execution& execution)
+{
+  Located_surface<typename Arrays::Exact_kernel> surface;
+  if(const Error_code error = locate_surface(arrays, surface))
+    return error;
+  const Vertex_scalars areas = vertex_areas(surface.mesh.rings(), surface.mesh.points());
+  std::vector<Vertex_scalars> ranks;
+  for(const Vertex_scalars& feature : features)
+    ranks.push_back(ranks_by_area(surface.mesh.in_own_order(feature), areas));
+  coarse.emplace(Surface_levels(surface, control, execution).coarse_surface(ranks, {}));
+  return coarse->is_bijective() ? OK : ERROR_INSUFFICIENT_PRECISION;
+}
+
+} // namespace internal
+
+/// \ingroup PkgSphericalParameterizationSurfaces
+///
+/// finds the rotations that bring the sphere of one surface onto that of another one such that the surfaces agree best, among
+/// all rotations and without a start. What is compared are features of the surfaces that do not depend on how they lie in
+/// space, and little on their pose: how much the maps change areas; the average geodesic distance of a place from all others
+/// \cgalCite{cgal:hskk-tmfase-01}; and the mean curvature, with its sign, at two scales, which tells front from back where a
+/// half turn would exchange both sides of a body. Instead, the caller may give any features.
+///
+/// Both surfaces are simplified to at most 2000 vertices. Only the order of the values of a feature counts, so that scales and
+/// outliers do not matter. The score of a rotation is the correlation of all features, evenly over the sphere. 12,000
+/// rotations are tried \cgalCite{cgal:a-sfs-22}, and the best ones refined to about 0.2 degrees.
+///
+/// It is meant for surfaces that are nearly isometric, such as poses of a body, with maps made in the same way. Between
+/// bodies of other proportions it is likely to fail: look at the margin, and give landmarks or features.
+///
+/// Rotations never exchange a surface and its mirror image. To align with that, mirror one of the meshes: change the sign
+/// of one coordinate, of its points and of its map, and the orientation of its faces.
+///
+/// The running time is linear in the size of the meshes; for less than 100,000 vertices, it is that of the comparison.
+///
+/// \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`; no result depends on it
+/// \tparam TriangleMesh1,TriangleMesh2 models of `FaceListGraph`
+/// \tparam VertexSphereMap1,VertexSphereMap2 models of `ReadablePropertyMap` from the vertices of the meshes to `%Point_3`
+///         of a \cgal kernel; the coordinates are of type `double` or `float`, or of an exact number type
+/// \tparam Features a range of `std::pair` of two functions: they return the value, a number, of a feature at a vertex of
+///         the first mesh and of the second one. `Surface_mapper_3::Feature` is such a pair.
+/// \tparam NamedParameters1,NamedParameters2 sequences of \ref bgl_namedparameters "Named Parameters"
+///
+/// \param tmesh1,tmesh2 the first surface and the second one
+/// \param vertex_sphere_map1,vertex_sphere_map2 the images of their vertices, at any distance from the origin
+/// \param features what is to be compared; if there are none, the features of the package are
+/// \param alignment receives the rotations of the first sphere
+/// \param np1,np2 optional sequences of \ref bgl_namedparameters "Named Parameters" among the ones listed below; of
+///        `np2`, only `vertex_point_map` is used
+///
+/// \cgalNamedParamsBegin
+///   \cgalParamNBegin{vertex_point_map}
+///     \cgalParamDescription{a property map associating points to the vertices of `tmesh1`, or `tmesh2`}
+///     \cgalParamType{a class model of `ReadablePropertyMap` with `%Point_3` of a \cgal kernel as value type}
+///     \cgalParamDefault{`boost::get(CGAL::vertex_point, tmesh1)`, or of `tmesh2`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{visitor}
+///     \cgalParamDescription{a visitor, of which `go_further(0, 0)` is asked every few milliseconds whether to go on}
+///     \cgalParamType{a class model of `SphericalParameterizationVisitor`, or `std::ref()` of one}
+///     \cgalParamDefault{`Default_visitor`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{maximum_running_time}
+///     \cgalParamDescription{the time limit in seconds; none if it is not positive}
+///     \cgalParamType{`double`}
+///     \cgalParamDefault{`0`}
+///   \cgalParamNEnd
+/// \cgalNamedParamsEnd
+///
+/// \return `OK`; what is wrong with the first mesh, or else the second one, see `find_defect()`, or with its map:
+///         `ERROR_NO_1_TO_1_MAPPING` if that is no bijection, and `ERROR_INSUFFICIENT_PRECISION` if it is none any more once unit
+///         vectors have been rounded to doubles; `ERROR_NON_FINITE_COORDINATE` if a point is not finite; or
+///         `ERROR_WRONG_PARAMETER` if the value of a feature is not. The alignment is as it was then.
+///
+/// \sa `CGAL::Spherical_parameterization::fit_rotation()`
+template <class ConcurrencyTag = Parallel_if_available_tag, class TriangleMesh1, class VertexSphereMap1,
+          class TriangleMesh2, class VertexSphereMap2, class Features, typename CGAL_NP_TEMPLATE_PARAMETERS_1,
+          typename CGAL_NP_TEMPLATE_PARAMETERS_2>
+Error_code align_spheres(const TriangleMesh1& tmesh1, VertexSphereMap1 vertex_sphere_map1, const TriangleMesh2& tmesh2,
+                         VertexSphereMap2 vertex_sphere_map2, const Features& features, Sphere_alignment_3& alignment,
+                         const CGAL_NP_CLASS_1& np1 = parameters::default_values(),
+                         const CGAL_NP_CLASS_2& np2 = parameters::default_values())
+{
+  if constexpr(internal::check_mesh_and_readable_map<TriangleMesh1, VertexSphereMap1>() &&
+               internal::check_mesh_and_readable_map<TriangleMesh2, VertexSphereMap2>() &&
+               internal::check_run_parameters<TriangleMesh1, CGAL_NP_CLASS_1>() &&
+               internal::check_vertex_point_map<TriangleMesh2, CGAL_NP_CLASS_2>())
+  {
+    internal::Visitor_control<CGAL_NP_CLASS_1> control(np1);
+    const internal::Execution execution = internal::execution_of<ConcurrencyTag>();
+    internal::Mesh_on_sphere<TriangleMesh1, VertexSphereMap1> arrays1;
+    internal::Mesh_on_sphere<TriangleMesh2, VertexSphereMap2> arrays2;
+    std::vector<internal::Vertex_scalars> features1, features2;
+    if(const Error_code error =
+           arrays1.read_with_points(tmesh1, vertex_sphere_map1, internal::vertex_point_map_of(tmesh1, np1), execution))
+      return error;
+    if(const Error_code error =
+           arrays2.read_with_points(tmesh2, vertex_sphere_map2, internal::vertex_point_map_of(tmesh2, np2), execution))
+      return error;
+    if(!internal::read_features<0>(features, arrays1.vertices_of_mesh, features1) ||
+       !internal::read_features<1>(features, arrays2.vertices_of_mesh, features2))
+      return ERROR_WRONG_PARAMETER;
+    std::optional<internal::Surface_descriptor> coarse1, coarse2;
+    if(const Error_code error = internal::simplify(arrays1, features1, coarse1, control, execution))
+      return error;
+    if(const Error_code error = internal::simplify(arrays2, features2, coarse2, control, execution))
+      return error;
+    const internal::Surface_alignment surfaces(std::move(*coarse1), std::move(*coarse2), control, execution);
+    constexpr std::size_t n_candidates = 4; // to choose from, where a surface is nearly symmetric
+    alignment.candidates.clear();
+    for(const internal::Scored_rotation& candidate : surfaces.best_rotations(n_candidates))
+      alignment.candidates.push_back({internal::as_transformation(candidate.rotation), candidate.score});
+    alignment.is_stopped = control.is_stopped();
+    return OK;
+  }
+  else
+    return ERROR_WRONG_PARAMETER;
+}
+
+/// \ingroup PkgSphericalParameterizationSurfaces
+///
+/// finds the same with the features of the package.
+template <class ConcurrencyTag = Parallel_if_available_tag, class TriangleMesh1, class VertexSphereMap1,
+          class TriangleMesh2, class VertexSphereMap2, typename CGAL_NP_TEMPLATE_PARAMETERS_1,
+          typename CGAL_NP_TEMPLATE_PARAMETERS_2>
+Error_code align_spheres(const TriangleMesh1& tmesh1, VertexSphereMap1 vertex_sphere_map1, const TriangleMesh2& tmesh2,
+                         VertexSphereMap2 vertex_sphere_map2, Sphere_alignment_3& alignment,
+                         const CGAL_NP_CLASS_1& np1 = parameters::default_values(),
+                         const CGAL_NP_CLASS_2& np2 = parameters::default_values())
+{
+  using Feature = std::pair<double (*)(typename boost::graph_traits<TriangleMesh1>::vertex_descriptor),
+                            double (*)(typename boost::graph_traits<TriangleMesh2>::vertex_descriptor)>;
+  return align_spheres<ConcurrencyTag>(tmesh1, vertex_sphere_map1, tmesh2, vertex_sphere_map2, std::array<Feature, 0>(),
+                                       alignment, np1, np2);
+}
+
+/// \ingroup PkgSphericalParameterizationSurfaces
+///
+/// finds the rotation that brings the sphere of one surface onto that of another one such that landmarks come as near as
+/// possible to theirs \cgalCite{cgal:h-csaouq-87} - the sum of the squared distances between their directions is least. It is
+/// never a reflection.
+///
+/// The running time is linear in the number of landmarks.
+///
+/// \tparam VertexSphereMap1,VertexSphereMap2 models of `ReadablePropertyMap` with `%Point_3` of a \cgal kernel as value type
+/// \tparam Landmarks a range of `std::pair` of a vertex of the first surface and one of the second surface, the keys of
+///         the maps
+///
+/// \param vertex_sphere_map1,vertex_sphere_map2 the images of the vertices, at any distance from the origin
+/// \param landmarks pairs of vertices that correspond
+/// \param rotation receives the rotation of the first sphere
+///
+/// \return `OK`; `ERROR_INVALID_DIRECTION` if an image is zero or not finite; or `ERROR_UNDETERMINED_ROTATION` if several
+///         rotations are equally good: with fewer than two landmarks, or if all lie in one direction and its opposite. The
+///         rotation is as it was then.
+///
+/// \sa `CGAL::Spherical_parameterization::align_spheres()`
+template <class VertexSphereMap1, class VertexSphereMap2, class Landmarks>
+Error_code fit_rotation(VertexSphereMap1 vertex_sphere_map1, VertexSphereMap2 vertex_sphere_map2,
+                        const Landmarks& landmarks, Sphere_alignment_3::Rotation_3& rotation)
+{
+  std::vector<std::pair<internal::Vector_3d, internal::Vector_3d>> directions;
+  for(const auto& [v, w] : landmarks)
+  {
+    const internal::Vector_3d p = internal::direction_of(get(vertex_sphere_map1, v)),
+                              q = internal::direction_of(get(vertex_sphere_map2, w));
+    if(!internal::is_finite(p) || !internal::is_finite(q))
+      return ERROR_INVALID_DIRECTION;
+    directions.emplace_back(p, q);
+  }
+  const std::optional<internal::Rotation_matrix> matrix = internal::fitting_rotation(directions);
+  if(!matrix)
+    return ERROR_UNDETERMINED_ROTATION;
+  rotation = internal::as_transformation(*matrix);
+  return OK;
+}
+
+} // namespace CGAL::Spherical_parameterization
+
+#endif // CGAL_SPHERICAL_PARAMETERIZATION_SURFACE_MAPS_ALIGN_SPHERES_H

@@ -1,0 +1,225 @@
+// Copyright (c) 2026  The Spherical_parameterization authors.
+// All rights reserved.
+//
+// This file is part of the Spherical_parameterization package for CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Spherical_parameterization authors
+
+#ifndef CGAL_SPHERICAL_PARAMETERIZATION_SURFACE_MAPS_INTERNAL_ALIGNMENT_ROTATION_SEARCH_H
+#define CGAL_SPHERICAL_PARAMETERIZATION_SURFACE_MAPS_INTERNAL_ALIGNMENT_ROTATION_SEARCH_H
+
+#include <CGAL/license/Spherical_parameterization.h>
+
+#include <CGAL/Spherical_parameterization/Sampling/internal/Subdivided_solid.h>
+#include <CGAL/Spherical_parameterization/Surface_maps/internal/alignment/Sphere_image.h>
+#include <CGAL/Spherical_parameterization/Surface_maps/internal/alignment/Surface_descriptor.h>
+#include <CGAL/Spherical_parameterization/Surface_maps/internal/alignment/map_score.h>
+#include <CGAL/Spherical_parameterization/internal/execution/Run_control.h>
+#include <CGAL/Spherical_parameterization/internal/execution/parallel.h>
+#include <CGAL/Spherical_parameterization/internal/numbers/Rotation_matrix.h>
+#include <CGAL/Spherical_parameterization/internal/numbers/Vector_3.h>
+
+#include <CGAL/number_type_config.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <numeric>
+#include <vector>
+
+namespace CGAL::Spherical_parameterization::internal {
+
+// The vertex that has the largest barycentric coordinate of a place.
+template <class Triangle_location>
+std::uint32_t nearest_vertex(const std::vector<Linked_triangle>& triangles, const Triangle_location& place)
+{
+  const auto& w = place.coordinates;
+  return triangles[place.triangle][static_cast<std::size_t>(std::max_element(w.begin(), w.end()) - w.begin())];
+}
+
+// A rotation of one image of features against another one, and their correlation.
+struct Scored_rotation
+{
+  Rotation_matrix rotation;
+  double score;
+};
+
+// Searches all rotations: those of a grid, and around the best of them.
+class Rotation_search
+{
+public:
+  // The second surface is given by the image of its features.
+  Rotation_search(const Surface_descriptor& first, const Sphere_image& second, const Execution& execution)
+    : m_b(second)
+    , m_n(first.features().size())
+    , m_execution(execution)
+    // Along an edge of the icosahedron: 492 directions that are 9 degrees apart, as far as the rotations that are tried, and
+    // 4002 that are 3 degrees apart. Fewer take less time, but leave more to chance.
+    , m_few(first, 7, execution)
+    , m_all(first, 20, execution)
+  {}
+
+  // The best rotations that are at least 20 degrees apart, the best one first. Once the control has said no, they are the
+  // best of those that have been tried, or the identity.
+  std::vector<Scored_rotation> best(std::size_t n, Run_control& control) const
+  {
+    // More than two refinements that climb the same peak may end apart, and less than what two poses of a body differ by.
+    constexpr double min_angle = CGAL_PI / 9.;
+    constexpr std::size_t batch_size =
+        4; // between two questions to the control: for four threads, and some milliseconds
+    std::vector<Scored_rotation> found = local_maxima(control);
+    for(std::size_t k = 0; k < found.size() && control.go_further(0, 0.); k += batch_size)
+      for_each_block(m_execution, k, (std::min)(k + batch_size, found.size()), 1,
+                     [&](std::size_t i, std::size_t) { found[i] = refined(found[i].rotation); });
+    std::stable_sort(found.begin(), found.end(),
+                     [](const Scored_rotation& a, const Scored_rotation& b) { return a.score > b.score; });
+    std::vector<Scored_rotation> result;
+    for(const Scored_rotation& candidate : found)
+      if(result.size() < n && std::all_of(result.begin(), result.end(), [&](const Scored_rotation& other) {
+           return angle_between(candidate.rotation, other.rotation) >= min_angle;
+         }))
+        result.push_back(candidate);
+    return result;
+  }
+
+private:
+  // The super-Fibonacci spirals of Alexa cover all rotations evenly: these, to about 10 degrees.
+  static std::vector<Quaternion> rotations_of_grid()
+  {
+    constexpr std::size_t n = 12000; // The spacing goes with the cube root: half of it takes eight times as many.
+    constexpr double phi = 1.41421356237309504880,
+                     psi = 1.533751168755204288118; // phi^2 = 2, psi^4 = psi + 4: as Alexa has it
+    std::vector<Quaternion> result;
+    for(std::size_t i = 0; i < n; ++i)
+    {
+      const double s = static_cast<double>(i) + 0.5, t = s / n, d = 2. * CGAL_PI * s;
+      const double r = std::sqrt(t), R = std::sqrt(1. - t);
+      result.push_back({r * std::sin(d / phi), r * std::cos(d / phi), R * std::sin(d / psi), R * std::cos(d / psi)});
+    }
+    return result;
+  }
+
+  // The rotations of the grid that are better than all around: the flank of the highest peak is higher than most other
+  // peaks. The best one comes first.
+  std::vector<Scored_rotation> local_maxima(Run_control& control) const
+  {
+    constexpr std::size_t batch_size = 2000,
+                          block_size = 100; // between two questions, some milliseconds; and for a thread
+    // Within which a maximum is one, a bit more than the grid's spacing. If it is less, rotations on the same flank are found
+    // in the place of other peaks; if it is more, peaks near a higher one are lost.
+    constexpr double max_radius = CGAL_PI / 12.;
+    // A peak of the grid may be lower than the real one, and the best of those that are found be none but that: more of them
+    // take more time to refine. Those below the best quarter are not looked at, as the time grows with the square.
+    constexpr std::size_t n_looked_at = 3000, n_found = 16;
+    const std::vector<Quaternion> starts = rotations_of_grid();
+    std::vector<double> scores;
+    while(scores.size() < starts.size() && control.go_further(0, 0.))
+    {
+      const std::size_t begin = scores.size();
+      scores.resize((std::min)(begin + batch_size, starts.size()));
+      for_each_block(m_execution, begin, scores.size(), block_size, [&](std::size_t first, std::size_t last) {
+        for(std::size_t i = first; i < last; ++i)
+          scores[i] = score(rotation_matrix(starts[i]), m_few);
+      });
+    }
+    if(scores.empty())
+      return {{rotation_matrix({1., 0., 0., 0.}), 0.}};
+    std::vector<std::size_t> order(scores.size());
+    std::iota(order.begin(), order.end(), std::size_t(0));
+    std::stable_sort(order.begin(), order.end(), [&](std::size_t i, std::size_t j) { return scores[i] > scores[j]; });
+    const double min_cosine = std::cos(0.5 * max_radius);
+    std::vector<Scored_rotation> found;
+    for(std::size_t i = 0; i < (std::min)(n_looked_at, order.size()) && found.size() < n_found; ++i)
+    {
+      const Quaternion& q = starts[order[i]];
+      const bool is_maximum =
+          std::none_of(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(i), [&](std::size_t j) {
+            const Quaternion& p = starts[j];
+            return std::abs(p[0] * q[0] + p[1] * q[1] + p[2] * q[2] + p[3] * q[3]) > min_cosine;
+          });
+      if(is_maximum)
+        found.push_back({rotation_matrix(q), scores[order[i]]});
+    }
+    return found;
+  }
+
+  // The features of the first surface in directions that cover the sphere evenly, where it counts.
+  struct Samples
+  {
+    Samples(const Surface_descriptor& surface, std::uint32_t n_steps, const Execution& execution)
+    {
+      const auto& triangles = surface.sphere().triangles();
+      const std::vector<Vector_3d> all = subdivided_icosahedron(n_steps).directions;
+      const auto places = surface.sphere().locate(points_of<Surface_descriptor::Kernel>(all), execution);
+      for(std::size_t i = 0; i < all.size(); ++i)
+        if(surface.counts(nearest_vertex(triangles, places[i])))
+        {
+          directions.push_back(all[i]);
+          for(const Vertex_scalars& channel : surface.features())
+            values.push_back(interpolated(channel, triangles, places[i]));
+        }
+    }
+
+    std::vector<Vector_3d> directions;
+    std::vector<double> values; // those of a direction side by side
+  };
+
+  double score(const Rotation_matrix& r, const Samples& samples) const
+  {
+    Correlation result;
+    for(std::size_t i = 0; i < samples.directions.size(); ++i)
+    {
+      const double* const a = &samples.values[i * m_n];
+      const double* const b = m_b.nearest(rotated(r, samples.directions[i]));
+      for(std::size_t k = 0; k < m_n; ++k)
+        result.add(a[k], b[k]);
+    }
+    return result();
+  }
+
+  // Climbs by turns about three axes, of angles that become smaller; the last ones with all directions.
+  Scored_rotation refined(const Rotation_matrix& start) const
+  {
+    // In radians. The first one is most of the grid's spacing, 10 degrees: a larger one leaves the peak. Below few_angle, turns
+    // are finer than what a few directions tell. The last one that is tried is 0.2 degrees, a tenth of the spacing of the images.
+    constexpr double first_angle = 0.12, few_angle = 0.02, last_angle = 0.002;
+    Scored_rotation result = {start, 0.};
+    const Samples* samples = nullptr;
+    for(double angle = first_angle; angle > last_angle;)
+    {
+      const auto* const needed = angle > few_angle ? &m_few : &m_all;
+      if(samples != needed)
+        result.score = score(result.rotation, *needed);
+      samples = needed;
+      Scored_rotation best = result;
+      for(std::size_t axis = 1; axis < 4; ++axis)
+        for(const double sign : {-1., 1.})
+        {
+          Quaternion q = {std::cos(0.5 * angle), 0., 0., 0.};
+          q[axis] = sign * std::sin(0.5 * angle);
+          const Rotation_matrix r = product(rotation_matrix(q), result.rotation);
+          if(const double s = score(r, *samples); s > best.score)
+            best = {r, s};
+        }
+      if(best.score > result.score)
+        result = best;
+      else
+        angle *= 0.5;
+    }
+    return result;
+  }
+
+  const Sphere_image& m_b;
+  std::size_t m_n;
+  Execution m_execution;
+  Samples m_few, m_all;
+};
+
+} // namespace CGAL::Spherical_parameterization::internal
+
+#endif // CGAL_SPHERICAL_PARAMETERIZATION_SURFACE_MAPS_INTERNAL_ALIGNMENT_ROTATION_SEARCH_H

@@ -1,0 +1,190 @@
+// Copyright (c) 2026  The Spherical_parameterization authors.
+// All rights reserved.
+//
+// This file is part of the Spherical_parameterization package for CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Spherical_parameterization authors
+
+#ifndef CGAL_SPHERICAL_PARAMETERIZATION_SURFACE_MAPS_INTERNAL_ALIGNMENT_SPHERE_IMAGE_H
+#define CGAL_SPHERICAL_PARAMETERIZATION_SURFACE_MAPS_INTERNAL_ALIGNMENT_SPHERE_IMAGE_H
+
+#include <CGAL/license/Spherical_parameterization.h>
+
+#include <CGAL/Spherical_parameterization/internal/execution/parallel.h>
+#include <CGAL/Spherical_parameterization/internal/locate/Cube_location.h>
+#include <CGAL/Spherical_parameterization/internal/locate/Sphere_triangulation.h>
+#include <CGAL/Spherical_parameterization/internal/numbers/Vector_3.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL::Spherical_parameterization::internal {
+
+// What is interpolated between the corners of a square, (0, 0), (0, 1), (1, 0) and (1, 1), and how it changes along both sides.
+template <class T>
+struct Bilinear
+{
+  Bilinear(const T& c00, const T& c01, const T& c10, const T& c11, const T& u, const T& v)
+  {
+    const T to_v = c01 - c00, twist = c11 - c10 - to_v;
+    along_u = c10 - c00 + v * twist;
+    along_v = to_v + u * twist;
+    value = c00 + u * along_u + v * to_v;
+  }
+
+  T value, along_u, along_v;
+};
+
+// An image on the sphere with several values for each direction, on the faces of a cube: fast to look up.
+class Sphere_image
+{
+public:
+  // along an edge of the cube: 1.9 degrees at most, a quarter of how far the vertices of a Surface_descriptor are from each other
+  static constexpr std::size_t default_steps = 48;
+
+  // Where the nodes of the cube are in a triangulation of the sphere, which has a grid.
+  template <class K>
+  static std::vector<typename Sphere_triangulation<K>::Triangle_location> places_of_nodes(
+      const Sphere_triangulation<K>& sphere, const Execution& execution, std::size_t n_steps = default_steps)
+  {
+    std::vector<typename K::Point_3> nodes;
+    Cube_location::for_each_node(n_steps, [&](std::size_t side, double u, double v) {
+      const Vector_3d p = Cube_location::point(side, u, v);
+      nodes.emplace_back(p[0], p[1], p[2]);
+    });
+    return sphere.locate(nodes, execution);
+  }
+
+  // Interpolates channels that have a value for each vertex of that triangulation.
+  template <class Triangle_location>
+  Sphere_image(const std::vector<Triangle_location>& places_of_nodes, const std::vector<Linked_triangle>& triangles,
+               const std::vector<std::vector<double>>& channels, std::size_t n_steps = default_steps)
+    : m_n_steps(n_steps)
+    , m_n_channels(channels.size())
+    , m_row(row_size(channels.size()))
+    , m_values(places_of_nodes.size() * m_row, 0.)
+  {
+    for(std::size_t i = 0; i < places_of_nodes.size(); ++i)
+    {
+      const Triangle_location& place = places_of_nodes[i];
+      const Linked_triangle& t = triangles[place.triangle];
+      for(std::size_t k = 0; k < m_n_channels; ++k)
+        m_values[i * m_row + k] = place.coordinates[0] * channels[k][t[0]] + place.coordinates[1] * channels[k][t[1]] +
+                                  place.coordinates[2] * channels[k][t[2]];
+    }
+  }
+
+  std::size_t number_of_channels() const { return m_n_channels; }
+
+  // How many numbers the values of one place take: so many that they are worked on in lanes without a rest. The others are 0.
+  static std::size_t row_size(std::size_t n_channels) { return (n_channels + 3) / 4 * 4; }
+
+  // the values at the node that is nearest to a direction, in the side of the cube that it leads to
+  const double* nearest(const Vector_3d& p) const { return at_node(Cube_location(p, m_n_steps).nearest_node()); }
+
+  void interpolate(const Vector_3d& p, double* result) const
+  {
+    const Cube_location place(p, m_n_steps);
+    const auto c = corners(place, 0);
+    const auto w = place.weights();
+    for(std::size_t k = 0; k < m_n_channels; ++k)
+      result[k] = w[0] * c[0][k] + w[1] * c[1][k] + w[2] * c[2][k] + w[3] * c[3][k];
+  }
+
+  // For a direction in each lane, the sum of the squares of the differences from given values, rows of row_size() numbers.
+  template <class FT>
+  FT squared_difference(const Vector_3<FT>& p, const std::array<const double*, Lanes<FT>::width>& values) const
+  {
+    const Basic_cube_location<FT> place(p, m_n_steps);
+    const auto weights = place.weights();
+    return Lanes<FT>::generate([&](std::size_t l) {
+      const auto c = corners(place, l);
+      const std::array<Channels, 4> w = {lane(weights[0], l), lane(weights[1], l), lane(weights[2], l),
+                                         lane(weights[3], l)};
+      Channels sum = 0.;
+      for(std::size_t k = 0; k < m_row; k += Lanes<Channels>::width)
+      {
+        const auto at = [&](const double* row) { return Lanes<Channels>::load(row + k); };
+        const Channels difference =
+            w[0] * at(c[0]) + w[1] * at(c[1]) + w[2] * at(c[2]) + w[3] * at(c[3]) - at(values[l]);
+        sum += difference * difference;
+      }
+      return sum_of_lanes(sum);
+    });
+  }
+
+  // The same with half of its derivatives in two tangential directions; the second ones are those of Gauss and Newton,
+  // without those of the image.
+  template <class FT>
+  FT squared_difference(const Vector_3<FT>& p, const std::array<const double*, Lanes<FT>::width>& values,
+                        const Vector_3<FT>& t1, const Vector_3<FT>& t2, std::array<FT, 2>& gradient,
+                        std::array<FT, 3>& hessian) const
+  {
+    constexpr std::size_t width = Lanes<FT>::width;
+    const Basic_cube_location<FT> place(p, m_n_steps);
+    std::array<std::array<double, width>, 6> sums; // of the products of the difference and its slopes, in the lanes
+    for(std::size_t l = 0; l < width; ++l)
+    {
+      const auto c = corners(place, l);
+      const Channels u = lane(place.u(), l), v = lane(place.v(), l);
+      std::array<Channels, 6> sum = {0., 0., 0., 0., 0., 0.};
+      for(std::size_t k = 0; k < m_row; k += Lanes<Channels>::width)
+      {
+        const auto at = [&](const double* row) { return Lanes<Channels>::load(row + k); };
+        const Bilinear<Channels> image(at(c[0]), at(c[1]), at(c[2]), at(c[3]), u, v);
+        const Channels difference = image.value - at(values[l]);
+        sum[0] += difference * difference;
+        sum[1] += difference * image.along_u;
+        sum[2] += difference * image.along_v;
+        sum[3] += image.along_u * image.along_u;
+        sum[4] += image.along_u * image.along_v;
+        sum[5] += image.along_v * image.along_v;
+      }
+      for(std::size_t i = 0; i < 6; ++i)
+        sums[i][l] = sum_of_lanes(sum[i]);
+    }
+    const auto in_lanes = [&](std::size_t i) { return Lanes<FT>::load(sums[i].data()); };
+    const FT du = in_lanes(1), dv = in_lanes(2), uu = in_lanes(3), uv = in_lanes(4), vv = in_lanes(5);
+    const auto x = place.change(place.flattened(t1)), y = place.change(place.flattened(t2));
+    gradient = {du * x[0] + dv * x[1], du * y[0] + dv * y[1]};
+    const std::array<FT, 2> to_x = {uu * x[0] + uv * x[1], uv * x[0] + vv * x[1]};
+    hessian = {x[0] * to_x[0] + x[1] * to_x[1], y[0] * to_x[0] + y[1] * to_x[1],
+               y[0] * (uu * y[0] + uv * y[1]) + y[1] * (uv * y[0] + vv * y[1])};
+    return in_lanes(0);
+  }
+
+private:
+  using Channels = Four_lanes; // several channels at once
+
+  static double sum_of_lanes(const Channels& a)
+  {
+    double result = lane(a, 0);
+    for(std::size_t k = 1; k < Lanes<Channels>::width; ++k)
+      result += lane(a, k);
+    return result;
+  }
+
+  const double* at_node(std::size_t node) const { return &m_values[node * m_row]; }
+
+  // the rows of the nodes around a place
+  template <class FT>
+  std::array<const double*, 4> corners(const Basic_cube_location<FT>& place, std::size_t lane) const
+  {
+    const auto nodes = place.nodes(lane);
+    return {at_node(nodes[0]), at_node(nodes[1]), at_node(nodes[2]), at_node(nodes[3])};
+  }
+
+  std::size_t m_n_steps, m_n_channels, m_row;
+  std::vector<double> m_values;
+};
+
+} // namespace CGAL::Spherical_parameterization::internal
+
+#endif // CGAL_SPHERICAL_PARAMETERIZATION_SURFACE_MAPS_INTERNAL_ALIGNMENT_SPHERE_IMAGE_H

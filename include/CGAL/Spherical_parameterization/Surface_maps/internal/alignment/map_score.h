@@ -1,0 +1,100 @@
+// Copyright (c) 2026  The Spherical_parameterization authors.
+// All rights reserved.
+//
+// This file is part of the Spherical_parameterization package for CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Spherical_parameterization authors
+
+#ifndef CGAL_SPHERICAL_PARAMETERIZATION_SURFACE_MAPS_INTERNAL_ALIGNMENT_MAP_SCORE_H
+#define CGAL_SPHERICAL_PARAMETERIZATION_SURFACE_MAPS_INTERNAL_ALIGNMENT_MAP_SCORE_H
+
+#include <CGAL/license/Spherical_parameterization.h>
+
+#include <CGAL/Spherical_parameterization/Surface_maps/internal/target/Target_metric.h>
+#include <CGAL/Spherical_parameterization/Surface_maps/internal/target/Target_sphere.h>
+#include <CGAL/Spherical_parameterization/internal/hierarchy/Mesh_hierarchy.h>
+#include <CGAL/Spherical_parameterization/internal/numbers/Vector_3.h>
+#include <CGAL/Spherical_parameterization/internal/surface/Vertex_rings.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+// How good a map between surfaces is, on a level of the first one.
+
+namespace CGAL::Spherical_parameterization::internal {
+
+// How well two images of features agree: the correlation of their values, which are ranks and so have the mean 0.
+class Correlation
+{
+public:
+  void add(double a, double b)
+  {
+    m_ab += a * b;
+    m_aa += a * a;
+    m_bb += b * b;
+  }
+  double operator()() const { return m_aa > 0. && m_bb > 0. ? m_ab / std::sqrt(m_aa * m_bb) : 0.; }
+
+private:
+  double m_ab = 0., m_aa = 0., m_bb = 0.;
+};
+
+// The correlation over the first surface between its features and those of what its vertices lie on, each with a weight if there
+// are any.
+inline double feature_agreement(const Feature_goals& features, const Mesh_hierarchy::Level& level,
+                                const std::vector<Vector_3d>& directions, const std::vector<double>& weights = {})
+{
+  Correlation result;
+  std::vector<double> b(features.image->number_of_channels());
+  for(std::size_t i = 0; i < level.vertices.size(); ++i)
+  {
+    const std::uint32_t v = level.vertices[i];
+    if(!features.mask.empty() && features.mask[v])
+      continue;
+    features.image->interpolate(directions[v], b.data());
+    const double* values = features.values_of(v);
+    for(std::size_t k = 0; k < b.size(); ++k)
+    {
+      const double weight = std::sqrt(level.areas[i] * (weights.empty() ? 1. : weights[k]));
+      result.add(weight * values[k], weight * b[k]);
+    }
+  }
+  return result();
+}
+
+// The mean over the first surface of the root of the logarithm of the symmetric Dirichlet energy, 0 for an isometry. The root
+// grows in proportion to how far a face is from one; the mean of the energy itself is that of its worst faces. The points are
+// those of a surface of area 4 pi.
+inline double stretching(const Target_metric& metric, const Mesh_hierarchy::Level& level, const Vertex_rings& rings,
+                         const std::vector<Vector_3d>& points, const std::vector<Vector_3d>& directions)
+{
+  const std::size_t metric_level = metric.level_for(level.vertices.size());
+  double sum = 0., area = 0.;
+  rings.for_each_face([&](std::uint32_t i, std::uint32_t j, std::uint32_t k) {
+    const std::uint32_t a = level.vertices[i], b = level.vertices[j], c = level.vertices[k];
+    const Vector_3d u = points[b] - points[a], w = points[c] - points[a];
+    const Cube_location place = metric.place(directions[a] + directions[b] + directions[c], metric_level);
+    const Metric_sample<double> s = metric.at(place, metric_level);
+    const auto p = place.flattened(directions[b] - directions[a]), q = place.flattened(directions[c] - directions[a]);
+    const double uu = dot(u, u), uw = dot(u, w), ww = dot(w, w), pp = s.product(p, p), pq = s.product(p, q),
+                 qq = s.product(q, q);
+    const double squared_area = uu * ww - uw * uw, squared_image = pp * qq - pq * pq;
+    if(!(squared_area > 0.) || !(squared_image > 0.))
+      return;
+    const double squared_norm = (pp * ww - 2. * pq * uw + qq * uu) / squared_area, face = std::sqrt(squared_area);
+    sum += face * std::sqrt(std::log((std::max)(0.25 * squared_norm * (1. + squared_area / squared_image), 1.)));
+    area += face;
+  });
+  return area > 0. ? sum / area : 0.;
+}
+
+} // namespace CGAL::Spherical_parameterization::internal
+
+#endif // CGAL_SPHERICAL_PARAMETERIZATION_SURFACE_MAPS_INTERNAL_ALIGNMENT_MAP_SCORE_H

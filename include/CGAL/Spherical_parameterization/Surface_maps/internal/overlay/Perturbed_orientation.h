@@ -1,0 +1,76 @@
+// Copyright (c) 2026  The Spherical_parameterization authors.
+// All rights reserved.
+//
+// This file is part of the Spherical_parameterization package for CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Spherical_parameterization authors
+
+#ifndef CGAL_SPHERICAL_PARAMETERIZATION_SURFACE_MAPS_INTERNAL_OVERLAY_PERTURBED_ORIENTATION_H
+#define CGAL_SPHERICAL_PARAMETERIZATION_SURFACE_MAPS_INTERNAL_OVERLAY_PERTURBED_ORIENTATION_H
+
+#include <CGAL/license/Spherical_parameterization.h>
+
+#include <CGAL/Spherical_parameterization/internal/certificate/Orientation_about_origin_3.h>
+
+#include <CGAL/enum.h>
+#include <CGAL/number_utils.h>
+
+#include <array>
+#include <cstddef>
+
+namespace CGAL::Spherical_parameterization::internal {
+
+// The orientation about the origin of points of two meshes of the sphere, of which no mixed triple is degenerate: the
+// points a of the first mesh are replaced by (1 + E) a, where E is a matrix of infinitesimals.
+//
+// Let the entries of E, row by row, be d, d^1.1, d^1.2, ... with an infinitesimal d > 0, so that every entry is infinitely
+// smaller than the one before, and every product of two of them infinitely smaller than each. With n = a1 x a2, which is
+// not 0 for the ends of an edge of a certified mesh,
+//   det((1 + E) a1, (1 + E) a2, b) = det(1 + E) n . (1 + E)^-1 b = (1 + ...) (n . b - n . E b + ...),
+// where what is left out has products of entries. If n . b = 0, the sign is the opposite of that of the first product
+// n_i b_j that is not 0, in the order of the entries; there is one, as neither n nor b is 0. In the same way, with
+// m = b1 x b2, det(b1, b2, (1 + E) a) = m . a + m . E a has the sign of the first product m_i a_j if m . a = 0.
+//
+// Signs that are not 0 stay, and those within one mesh do: with det(1 + E) > 0, the first mesh is moved as a whole. So
+// all signs are those of two certified meshes in general position.
+template <class K>
+class Perturbed_orientation
+{
+public:
+  using Point_3 = typename K::Point_3;
+
+  // of the ends of an edge of the first mesh and a vertex of the second one, or the other way round
+  explicit Perturbed_orientation(bool is_edge_of_first)
+    : m_sign_of_tie(is_edge_of_first ? NEGATIVE : POSITIVE)
+  {}
+
+  Sign operator()(const Point_3& p, const Point_3& q, const Point_3& r) const
+  {
+    const Sign sign = m_orientation(p, q, r);
+    return sign == ZERO ? m_sign_of_tie * sign_of_product(p, q, r) : sign;
+  }
+
+private:
+  // the sign of the first product (p x q)_i r_j that is not 0
+  Sign sign_of_product(const Point_3& p, const Point_3& q, const Point_3& r) const
+  {
+    const std::array<Point_3, 3> units = {Point_3(1, 0, 0), Point_3(0, 1, 0), Point_3(0, 0, 1)};
+    Sign normal = ZERO, coordinate = ZERO;
+    for(std::size_t i = 0; i < 3 && normal == ZERO; ++i)
+      normal = m_orientation(units[i], p, q);
+    for(int j = 0; j < 3 && coordinate == ZERO; ++j)
+      coordinate = CGAL::sign(r[j]);
+    return normal * coordinate;
+  }
+
+  Sign m_sign_of_tie; // times that of the product
+  Orientation_about_origin_3<K> m_orientation;
+};
+
+} // namespace CGAL::Spherical_parameterization::internal
+
+#endif // CGAL_SPHERICAL_PARAMETERIZATION_SURFACE_MAPS_INTERNAL_OVERLAY_PERTURBED_ORIENTATION_H

@@ -1,0 +1,307 @@
+// Copyright (c) 2026  The Spherical_parameterization authors.
+// All rights reserved.
+//
+// This file is part of the Spherical_parameterization package for CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Spherical_parameterization authors
+
+#ifndef CGAL_SPHERICAL_PARAMETERIZATION_SURFACE_MAPS_INTERNAL_TARGET_TARGET_METRIC_H
+#define CGAL_SPHERICAL_PARAMETERIZATION_SURFACE_MAPS_INTERNAL_TARGET_TARGET_METRIC_H
+
+#include <CGAL/license/Spherical_parameterization.h>
+
+#include <CGAL/Spherical_parameterization/Surface_maps/internal/alignment/Sphere_image.h>
+#include <CGAL/Spherical_parameterization/internal/execution/parallel.h>
+#include <CGAL/Spherical_parameterization/internal/locate/Sphere_triangulation.h>
+#include <CGAL/Spherical_parameterization/internal/numbers/Vector_3.h>
+
+#include <CGAL/number_type_config.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Spherical_parameterization::internal {
+
+// The metric of a surface in a direction of its sphere: how long a tangent vector of the sphere is on the surface,
+// |J e|^2 = e^T S e with S = J^T J, J the derivative of the inverse map, and how large areas are.
+//
+// S leaves out what a vector has along the direction. So it has three numbers, and acts on vectors that are flattened into
+// the plane of a side of a cube around the sphere, see Cube_location.
+template <class FT>
+struct Metric_sample
+{
+  std::array<FT, 4> numbers; // uu, uv and vv of S, and the area
+
+  std::array<FT, 2> operator()(const std::array<FT, 2>& e) const
+  {
+    return {numbers[0] * e[0] + numbers[1] * e[1], numbers[1] * e[0] + numbers[2] * e[1]};
+  }
+  FT product(const std::array<FT, 2>& e, const std::array<FT, 2>& f) const
+  {
+    const auto s = (*this)(f);
+    return e[0] * s[0] + e[1] * s[1];
+  }
+  const FT& area() const { return numbers[3]; }
+};
+
+// The metric of a surface, of area 4 pi, as images on the faces of a cube around the sphere, from fine to coarse: a value
+// anywhere is interpolated between four nodes, so that it is all but continuous, unlike the metric itself, and takes no
+// search. (Where two sides meet, they have the same metric at the nodes, and in between one that differs by the square of
+// how far nodes are from each other.)
+class Target_metric
+{
+public:
+  template <class K>
+  Target_metric(const Sphere_triangulation<K>& images, const std::vector<Vector_3d>& points, const Execution& execution)
+  {
+    double area = 0.;
+    for(const Linked_triangle& t : images.triangles())
+      area += 0.5 * length(cross(points[t[1]] - points[t[0]], points[t[2]] - points[t[0]]));
+    const double scale = std::sqrt(4. * CGAL_PI / area);
+    std::size_t n = min_size;
+    while(6 * n * n < 2 * images.triangles().size() && n < max_size)
+      n *= 2;
+    std::vector<typename K::Point_3> directions;
+    Cube_location::for_each_node(n, [&](std::size_t side, double u, double v) {
+      const Vector_3d p = Cube_location::point(side, u, v);
+      directions.emplace_back(p[0], p[1], p[2]);
+    });
+    const auto places = images.locate(directions, execution);
+    Tensor_image image{n, std::vector<Tensor>(places.size())};
+    // 1024 nodes of parallel work: enough that handing it out costs nothing
+    for_each_block(execution, 0, places.size(), 1024, [&](std::size_t begin, std::size_t end) {
+      for(std::size_t k = begin; k < end; ++k)
+      {
+        const Linked_triangle& t = images.triangles()[places[k].triangle];
+        const std::array<Vector_3d, 3> x = {scale * points[t[0]], scale * points[t[1]], scale * points[t[2]]};
+        const std::array<Vector_3d, 3> p = images.corners(t);
+        const auto& q = directions[k];
+        image.tensors[k] = tensor_of(p, x, normalized(Vector_3d{q.x(), q.y(), q.z()}));
+      }
+    });
+    for(image = smoothed(image, n);; image = smoothed(image, image.n / 2))
+    {
+      m_images.push_back(flattened(image));
+      if(image.n <= min_size)
+        break;
+    }
+  }
+
+  // The level that a mesh with so many vertices is to see: a coarser one hides what it could follow, a finer one is noise
+  // to it, as each of its faces looks at one place.
+  std::size_t level_for(std::size_t n_vertices) const
+  {
+    std::size_t level = 0;
+    while(level + 1 < m_images.size() && 6 * m_images[level].n * m_images[level].n > nodes_per_vertex * n_vertices)
+      ++level;
+    return level;
+  }
+
+  template <class FT>
+  Basic_cube_location<FT> place(const Vector_3<FT>& p, std::size_t level) const
+  {
+    return Basic_cube_location<FT>(p, m_images[level].n);
+  }
+
+  // The metric in a place of this level.
+  template <class FT>
+  Metric_sample<FT> at(const Basic_cube_location<FT>& place, std::size_t level) const
+  {
+    const auto weights = place.weights();
+    Numbers_of_lanes<FT> mixed;
+    for_each_lane(place, level, [&](std::size_t l, std::size_t k, const auto& c) {
+      const auto weight = [&](std::size_t i) { return Numbers(lane(weights[i], l)); };
+      Lanes<Numbers>::store(weight(0) * c[0] + weight(1) * c[1] + weight(2) * c[2] + weight(3) * c[3], &mixed[l][k]);
+    });
+    return in_lanes<FT>(mixed);
+  }
+
+  // The same, and how it changes along both sides of the square.
+  template <class FT>
+  std::array<Metric_sample<FT>, 3> with_slopes_at(const Basic_cube_location<FT>& place, std::size_t level) const
+  {
+    Numbers_of_lanes<FT> value, along_u, along_v;
+    for_each_lane(place, level, [&](std::size_t l, std::size_t k, const auto& c) {
+      const Bilinear<Numbers> metric(c[0], c[1], c[2], c[3], lane(place.u(), l), lane(place.v(), l));
+      Lanes<Numbers>::store(metric.value, &value[l][k]);
+      Lanes<Numbers>::store(metric.along_u, &along_u[l][k]);
+      Lanes<Numbers>::store(metric.along_v, &along_v[l][k]);
+    });
+    return {in_lanes<FT>(value), in_lanes<FT>(along_u), in_lanes<FT>(along_v)};
+  }
+
+private:
+  // A vertex of the first surface has 3 to 12 nodes, a few for each of its two faces: images differ by a factor of 4.
+  // The least image, of 96 nodes, is for a tetrahedron; the largest, of 6.3 million, takes 100 MB.
+  static constexpr std::size_t nodes_per_vertex = 12, min_size = 4, max_size = 1024;
+
+  // The numbers of a Metric_sample: as floats, they come faster from memory.
+  using Texel = std::array<float, 4>;
+
+  struct Image
+  {
+    std::size_t n; // steps along an edge of the cube
+    std::vector<Texel> texels;
+  };
+
+  // In each lane there are other texels; what is done with their four numbers is done at once.
+  using Numbers = Four_lanes;
+  template <class FT>
+  using Numbers_of_lanes = std::array<std::array<double, 4>, Lanes<FT>::width>;
+
+  // Calls f(lane, k, corners) with the numbers from k on of the corners around the place in each lane.
+  template <class FT, class Function>
+  void for_each_lane(const Basic_cube_location<FT>& place, std::size_t level, const Function& f) const
+  {
+    for(std::size_t l = 0; l < Lanes<FT>::width; ++l)
+    {
+      const auto nodes = place.nodes(l);
+      for(std::size_t k = 0; k < 4; k += Lanes<Numbers>::width)
+      {
+        const auto corner = [&](std::size_t i) {
+          return Lanes<Numbers>::load(m_images[level].texels[nodes[i]].data() + k);
+        };
+        f(l, k, std::array<Numbers, 4>{corner(0), corner(1), corner(2), corner(3)});
+      }
+    }
+  }
+
+  template <class FT>
+  static Metric_sample<FT> in_lanes(const Numbers_of_lanes<FT>& numbers)
+  {
+    const auto number = [&](std::size_t k) {
+      return Lanes<FT>::generate([&](std::size_t l) { return numbers[l][k]; });
+    };
+    return {{number(0), number(1), number(2), number(3)}};
+  }
+
+  // S in space, which does not depend on the side, for what looks at several: xx, xy, xz, yy, yz, zz, and the area.
+  using Tensor = std::array<double, 7>;
+
+  struct Tensor_image
+  {
+    std::size_t n;
+    std::vector<Tensor> tensors;
+
+    Tensor at(const Vector_3d& p) const
+    {
+      const Cube_location place(p, n);
+      const auto nodes = place.nodes();
+      const auto weights = place.weights();
+      Tensor result{};
+      for(std::size_t i = 0; i < 4; ++i)
+        add(weights[i], tensors[nodes[i]], result);
+      return result;
+    }
+  };
+
+  static void add(double weight, const Tensor& tensor, Tensor& sum)
+  {
+    for(std::size_t k = 0; k < sum.size(); ++k)
+      sum[k] += weight * tensor[k];
+  }
+
+  static Image flattened(const Tensor_image& image)
+  {
+    // of the two coordinates of each side, see Cube_location::point()
+    constexpr std::array<std::array<std::size_t, 3>, 3> indices = {{{3, 4, 5}, {5, 2, 0}, {0, 1, 3}}};
+    Image result{image.n, {}};
+    result.texels.reserve(image.tensors.size());
+    Cube_location::for_each_node(image.n, [&](std::size_t side, double, double) {
+      const Tensor& s = image.tensors[result.texels.size()];
+      const auto& [uu, uv, vv] = indices[side / 2];
+      result.texels.push_back(
+          {static_cast<float>(s[uu]), static_cast<float>(s[uv]), static_cast<float>(s[vv]), static_cast<float>(s[6])});
+    });
+    return result;
+  }
+
+  // Averages over the neighbourhood of each node of an image with n steps.
+  static Tensor_image smoothed(const Tensor_image& fine, std::size_t n)
+  {
+    Tensor_image result{n, {}};
+    const double h = 2. / static_cast<double>(fine.n);
+    Cube_location::for_each_node(n, [&](std::size_t side, double u, double v) {
+      Tensor sum{};
+      for(int k = -1; k <= 1; ++k)
+        for(int l = -1; l <= 1; ++l)
+          add((k == 0 ? 0.5 : 0.25) * (l == 0 ? 0.5 : 0.25), fine.at(Cube_location::point(side, u + h * k, v + h * l)),
+              sum);
+      result.tensors.push_back(sum);
+    });
+    join_sides(result);
+    return result;
+  }
+
+  // Gives the nodes of several sides, on the edges of the cube, their mean: each side has averaged them in its own way.
+  static void join_sides(Tensor_image& image)
+  {
+    const int n = static_cast<int>(image.n);
+    std::vector<std::pair<std::array<int, 3>, std::size_t>> nodes; // with their places on the cube
+    std::size_t index = 0;
+    for(std::size_t side = 0; side < 6; ++side)
+      for(int i = 0; i <= n; ++i)
+        for(int j = 0; j <= n; ++j, ++index)
+          if(i % n == 0 || j % n == 0)
+          {
+            std::array<int, 3> place;
+            place[side / 2] = side % 2 == 0 ? n : -n;
+            place[(side / 2 + 1) % 3] = 2 * i - n;
+            place[(side / 2 + 2) % 3] = 2 * j - n;
+            nodes.emplace_back(place, index);
+          }
+    std::sort(nodes.begin(), nodes.end());
+    for(std::size_t begin = 0, end; begin < nodes.size(); begin = end)
+    {
+      for(end = begin; end < nodes.size() && nodes[end].first == nodes[begin].first; ++end)
+        ;
+      Tensor mean{};
+      for(std::size_t k = begin; k < end; ++k)
+        add(1. / static_cast<double>(end - begin), image.tensors[nodes[k].second], mean);
+      for(std::size_t k = begin; k < end; ++k)
+        image.tensors[nodes[k].second] = mean;
+    }
+  }
+
+  // at the direction q, for the triangle x of the surface and its image p
+  static Tensor tensor_of(const std::array<Vector_3d, 3>& p, const std::array<Vector_3d, 3>& x, const Vector_3d& q)
+  {
+    std::array<Vector_3d, 3> l = {cross(p[1], p[2]), cross(p[2], p[0]), cross(p[0], p[1])};
+    const double determinant = dot(p[0], l[0]);
+    double sum = 0.;
+    Vector_3d place = {0., 0., 0.};
+    for(std::size_t i = 0; i < 3; ++i)
+    {
+      l[i] = (1. / determinant) * l[i];
+      sum += dot(l[i], q);
+      place = place + dot(l[i], q) * x[i];
+    }
+    place = (1. / sum) * place;
+    // J = sum over i of (x_i - x) l_i^T / sum
+    std::array<Vector_3d, 3> rows = {Vector_3d{0., 0., 0.}, Vector_3d{0., 0., 0.}, Vector_3d{0., 0., 0.}};
+    for(std::size_t i = 0; i < 3; ++i)
+      for(std::size_t r = 0; r < 3; ++r)
+        rows[r] = rows[r] + ((x[i][r] - place[r]) / sum) * l[i];
+    Tensor s{};
+    for(const Vector_3d& r : rows)
+      for(std::size_t i = 0, k = 0; i < 3; ++i)
+        for(std::size_t j = i; j < 3; ++j, ++k)
+          s[k] += r[i] * r[j];
+    s[6] = std::sqrt((std::max)(s[0] * s[3] - s[1] * s[1] + s[0] * s[5] - s[2] * s[2] + s[3] * s[5] - s[4] * s[4], 0.));
+    return s;
+  }
+
+  std::vector<Image> m_images;
+};
+
+} // namespace CGAL::Spherical_parameterization::internal
+
+#endif // CGAL_SPHERICAL_PARAMETERIZATION_SURFACE_MAPS_INTERNAL_TARGET_TARGET_METRIC_H

@@ -1,0 +1,250 @@
+// Copyright (c) 2026  The Spherical_parameterization authors.
+// All rights reserved.
+//
+// This file is part of the Spherical_parameterization package for CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Spherical_parameterization authors
+
+#ifndef CGAL_SPHERICAL_PARAMETERIZATION_SURFACE_MAPS_INTERNAL_TARGET_TARGET_SPHERE_H
+#define CGAL_SPHERICAL_PARAMETERIZATION_SURFACE_MAPS_INTERNAL_TARGET_TARGET_SPHERE_H
+
+#include <CGAL/license/Spherical_parameterization.h>
+
+#include <CGAL/Spherical_parameterization/Surface_maps/internal/alignment/Sphere_image.h>
+#include <CGAL/Spherical_parameterization/Surface_maps/internal/target/Target_metric.h>
+#include <CGAL/Spherical_parameterization/Surface_maps/internal/target/Target_star.h>
+#include <CGAL/Spherical_parameterization/internal/descent/Face_energy.h>
+#include <CGAL/Spherical_parameterization/internal/descent/Star_packets.h>
+#include <CGAL/Spherical_parameterization/internal/descent/Vertex_step.h>
+#include <CGAL/Spherical_parameterization/internal/numbers/Vector_3.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <tuple>
+#include <vector>
+
+namespace CGAL::Spherical_parameterization::internal {
+
+// Where vertices of the first surface are to go on the sphere of the second one.
+struct Landmark_goals
+{
+  std::vector<std::optional<Vector_3d>> directions; // of the vertices; empty if there are no landmarks
+  double weight = 0.; // of each squared distance, beside the sum over the faces; 0: they are to be met exactly
+
+  bool is_hard() const { return !(weight > 0.); }
+};
+
+// Features of the second surface, and their values at the vertices of the first one, those of one vertex side by side.
+struct Feature_goals
+{
+  std::optional<Sphere_image> image;
+  std::vector<double> values; // in rows of the image
+  std::vector<char> mask;     // of the vertices that have none; empty if all have them
+  double weight = 0.;         // of the mean of their squared differences, beside the mean energy
+
+  // Takes the values of each feature.
+  void set_values(const std::vector<std::vector<double>>& channels)
+  {
+    const std::size_t row = Sphere_image::row_size(channels.size());
+    values.assign(channels.empty() ? 0 : row * channels[0].size(), 0.);
+    for(std::size_t k = 0; k < channels.size(); ++k)
+      for(std::size_t v = 0; v < channels[k].size(); ++v)
+        values[v * row + k] = channels[k][v];
+  }
+  const double* values_of(std::size_t v) const
+  {
+    return &values[v * Sphere_image::row_size(image->number_of_channels())];
+  }
+};
+
+// The sphere of another surface as the space that vertices move on, see Block_coordinate_descent: its metric, goals for
+// landmarks, and features. The level is the one of Target_levels.
+class Target_sphere
+{
+public:
+  using Energy = Two_way_energy;
+  using Scratch = std::tuple<Target_star<double>, Target_star<Two_lanes>, Target_star<Four_lanes>>;
+
+  static constexpr bool is_lanewise = true;
+
+  // All have to last as long as this.
+  Target_sphere(const Target_metric& metric, const Landmark_goals& goals, const Feature_goals& features,
+                double settled_part)
+    : m_settled_part(settled_part)
+    , m_metric(&metric)
+    , m_goals(&goals)
+    , m_features(&features)
+    , m_is_pinned(goals.directions.size(), 0)
+  {}
+
+  const Energy& energy() const { return m_energy; }
+  Scratch scratch() const { return Scratch(*m_metric, *m_metric, *m_metric); }
+
+  // Starts with a level, whose vertices have these numbers in the mesh.
+  void start_level(const std::vector<std::uint32_t>& vertices)
+  {
+    m_vertices = &vertices;
+    m_metric_level = m_metric->level_for(vertices.size());
+    m_is_settled.assign(vertices.size(), 0);
+  }
+
+  void start_sweep(std::size_t sweep, bool is_last)
+  {
+    m_sweep = sweep;
+    m_is_last_sweep = is_last;
+  }
+
+  // Whether a landmark of the level is still to be met.
+  bool has_open_landmarks() const
+  {
+    if(m_goals->directions.empty() || !m_goals->is_hard())
+      return false;
+    return std::any_of(m_vertices->begin(), m_vertices->end(),
+                       [&](std::uint32_t v) { return m_goals->directions[v] && !m_is_pinned[v]; });
+  }
+
+  // Moves the vertices of the star in each lane, but no more than `n_vertices`. A vertex is passed over once neither it nor a
+  // neighbor has moved by more than a small part of its shortest edge.
+  template <class FT>
+  void move(const Star_view<FT>& view, const std::uint32_t* vertices, std::size_t n_vertices, Vector_3d* positions,
+            double, const Face_objective&, const Newton_step& vertex_step, Scratch& scratch)
+  {
+    constexpr std::size_t width = Lanes<FT>::width;
+    std::array<bool, width> is_open{};
+    for(std::size_t k = 0; k < width && k < n_vertices; ++k)
+      is_open[k] = !has_settled_star(view, vertices[k], k);
+    if(std::none_of(is_open.begin(), is_open.end(), [](bool x) { return x; }))
+      return;
+    Target_star<FT>& star = std::get<width / 2>(scratch);
+    star.load(view, positions, m_metric_level);
+    if(m_features->image)
+      set_features(star, vertices);
+    std::array<bool, width> is_placed{}; // by a goal
+    if(!m_goals->directions.empty())
+      set_goals(star, vertices, positions, is_open, is_placed);
+    star.set_open(is_open);
+    std::array<FT, 2> step = {FT(0.), FT(0.)};
+    const auto is_moved = vertex_step(star, step);
+    const Vector_3<FT> point = star.point_at(step[0], step[1]);
+    for(std::size_t k = 0; k < width; ++k)
+      if(is_open[k])
+      {
+        const std::uint32_t v = vertices[k], number = (*m_vertices)[v];
+        const Vector_3d old = positions[v];
+        if(is_placed[k])
+          positions[v] = *m_goals->directions[number];
+        else if(lane(is_moved, k))
+          positions[v] = {lane(point[0], k), lane(point[1], k), lane(point[2], k)};
+        const bool is_on_its_way = has_goal(number) && m_goals->is_hard() && !m_is_pinned[number];
+        m_is_settled[v] = !is_on_its_way && squared_length(positions[v] - old) <=
+                                                m_settled_part * m_settled_part * lane(star.squared_shortest_edge(), k);
+      }
+  }
+
+  // I and d of faces with these corners and rest shapes, see Face_invariants_3.
+  template <class FT>
+  std::array<FT, 3> invariants(const std::array<Vector_3<FT>, 3>& p, const std::array<FT, 3>& opposite,
+                               const FT& inverse_doubled_area, const FT&, double, const Face_objective&) const
+  {
+    const auto place = m_metric->place(p[0] + p[1] + p[2], m_metric_level);
+    const Metric_sample<FT> s = m_metric->at(place, m_metric_level);
+    const auto a0 = place.flattened(p[2] - p[1]), a1 = place.flattened(p[0] - p[2]), a2 = place.flattened(p[1] - p[0]);
+    const FT d = inverse_doubled_area * dot(p[0], cross(p[1], p[2])) * s.area();
+    return {opposite[0] * s.product(a0, a0) + opposite[1] * s.product(a1, a1) + opposite[2] * s.product(a2, a2), d, d};
+  }
+
+private:
+  bool has_goal(std::uint32_t number) const
+  {
+    return !m_goals->directions.empty() && m_goals->directions[number].has_value();
+  }
+
+  template <class FT>
+  bool has_settled_star(const Star_view<FT>& view, std::uint32_t v, std::size_t lane) const
+  {
+    bool result = m_is_settled[v];
+    for(std::size_t j = 0; result && j < view.size(); ++j)
+      result = m_is_settled[view.neighbor(j, lane)];
+    return result;
+  }
+
+  template <class FT>
+  void set_features(Target_star<FT>& star, const std::uint32_t* vertices) const
+  {
+    typename Target_star<FT>::Values values;
+    for(std::size_t k = 0; k < values.size(); ++k)
+      values[k] = m_features->values_of((*m_vertices)[vertices[k]]);
+    // A vertex stands for a third of the area of its faces, as all have it on this level. The factor is 8 pi over 4 pi, the area.
+    const double factor = 2. * m_features->weight / 3. / static_cast<double>(m_features->image->number_of_channels());
+    const FT counts = Lanes<FT>::generate([&](std::size_t k) {
+      return m_features->mask.empty() || !m_features->mask[(*m_vertices)[vertices[k]]] ? 1. : 0.;
+    });
+    star.set_features(&*m_features->image, values, factor * counts * star.area());
+  }
+
+  // A hard landmark is drawn to its goal ever harder, its weight doubling for 20 sweeps, until its star has less than
+  // twice the energy there: the faces around it make way meanwhile. In the last sweep any energy will do that is not
+  // next to a face that turns over. It is placed then, and stays.
+  template <class FT>
+  void set_goals(Target_star<FT>& star, const std::uint32_t* vertices, const Vector_3d* positions,
+                 std::array<bool, Lanes<FT>::width>& is_open, std::array<bool, Lanes<FT>::width>& is_placed)
+  {
+    constexpr double max_growth = 2., largest = 1e6, first_weight = 1., max_weight = 1e6;
+    constexpr std::size_t width = Lanes<FT>::width;
+    std::array<double, width> counts{};
+    std::array<std::array<double, width>, 3> goals;
+    for(std::size_t k = 0; k < width; ++k)
+    {
+      const std::uint32_t v = vertices[k], number = (*m_vertices)[v];
+      if(m_is_pinned[number])
+      {
+        is_open[k] = false;
+        m_is_settled[v] = 1;
+      }
+      counts[k] = is_open[k] && has_goal(number);
+      for(std::size_t i = 0; i < 3; ++i)
+        goals[i][k] = counts[k] > 0. ? (*m_goals->directions[number])[i] : positions[v][i];
+    }
+    if(std::none_of(counts.begin(), counts.end(), [](double x) { return x > 0.; }))
+      return;
+    const auto in_lanes = [](const std::array<double, width>& values) { return Lanes<FT>::load(values.data()); };
+    const Vector_3<FT> goal = {in_lanes(goals[0]), in_lanes(goals[1]), in_lanes(goals[2])};
+    if(m_goals->is_hard())
+    {
+      const FT energy = star.at(goal), limit = max_growth * star(FT(0.), FT(0.));
+      for(std::size_t k = 0; k < width; ++k)
+        if(counts[k] > 0. && (lane(energy, k) < lane(limit, k) || (m_is_last_sweep && lane(energy, k) < largest)))
+        {
+          is_placed[k] = true;
+          m_is_pinned[(*m_vertices)[vertices[k]]] = 1;
+        }
+    }
+    const double weight = m_goals->is_hard()
+                              ? (std::min)(std::ldexp(first_weight, static_cast<int>(m_sweep)), max_weight)
+                              : m_goals->weight;
+    star.set_goal(goal, weight * in_lanes(counts));
+  }
+
+  double m_settled_part; // of the shortest edge
+  const Target_metric* m_metric;
+  const Landmark_goals* m_goals;
+  const Feature_goals* m_features;
+  Energy m_energy;
+  const std::vector<std::uint32_t>* m_vertices = nullptr; // of the level
+  std::size_t m_metric_level = 0, m_sweep = 0;
+  bool m_is_last_sweep = false;
+  std::vector<char> m_is_pinned;  // of the mesh
+  std::vector<char> m_is_settled; // of the level
+};
+
+} // namespace CGAL::Spherical_parameterization::internal
+
+#endif // CGAL_SPHERICAL_PARAMETERIZATION_SURFACE_MAPS_INTERNAL_TARGET_TARGET_SPHERE_H

@@ -1,0 +1,64 @@
+// Copyright (c) 2026  The Spherical_parameterization authors.
+// All rights reserved.
+//
+// This file is part of the Spherical_parameterization package for CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Spherical_parameterization authors
+
+#ifndef CGAL_SPHERICAL_PARAMETERIZATION_SURFACE_MAPS_MEASURE_DISTORTION_BETWEEN_H
+#define CGAL_SPHERICAL_PARAMETERIZATION_SURFACE_MAPS_MEASURE_DISTORTION_BETWEEN_H
+
+#include <CGAL/license/Spherical_parameterization.h>
+
+#include <CGAL/Spherical_parameterization/Error_code.h>
+#include <CGAL/Spherical_parameterization/Surface_maps/Distortion_between.h>
+#include <CGAL/Spherical_parameterization/Surface_maps/overlay.h>
+#include <CGAL/Spherical_parameterization/Surface_maps/internal/overlay/distortion_between.h>
+#include <CGAL/Spherical_parameterization/internal/numbers/Vector_3.h>
+
+#include <array>
+#include <cstddef>
+
+namespace CGAL::Spherical_parameterization {
+
+/// \ingroup PkgSphericalParameterizationSurfaces
+///
+/// measures the distortion of the map between two surfaces, in each triangle of their common refinement.
+///
+/// \tparam TriangleMesh1,TriangleMesh2 the types of the surfaces
+///
+/// \param overlay the refinement, made by `overlay()`
+/// \param distortion receives the distortion; all measures are infinite if a surface has no area, or all triangles are left out
+/// \param smallest_area triangles with less than this share of the area on one of the surfaces are left out, and counted:
+///        of those that ties or rounding make, nothing can be said
+///
+/// \return `OK`; `ERROR_EMPTY_MESH` if the refinement has no triangle, `ERROR_WRONG_PARAMETER` if `smallest_area` is not in
+///         \f$ [ 0, 1 ) \f$, and `distortion` is as it was
+template <class TriangleMesh1, class TriangleMesh2>
+Error_code measure_distortion_between(const Surface_overlay_3<TriangleMesh1, TriangleMesh2>& overlay,
+                                      Distortion_between& distortion, double smallest_area = 1e-10)
+{
+  if(!(smallest_area >= 0. && smallest_area < 1.))
+    return ERROR_WRONG_PARAMETER;
+  if(overlay.triangles.empty())
+    return ERROR_EMPTY_MESH;
+  distortion =
+      internal::distortion_between(overlay.triangles.size(), smallest_area, [&](std::size_t k, std::size_t surface) {
+        std::array<internal::Vector_3d, 3> corners;
+        for(std::size_t i = 0; i < 3; ++i)
+        {
+          const auto& p = overlay.points[overlay.triangles[k][i]][surface];
+          corners[i] = {p.x(), p.y(), p.z()};
+        }
+        return corners;
+      });
+  return OK;
+}
+
+} // namespace CGAL::Spherical_parameterization
+
+#endif // CGAL_SPHERICAL_PARAMETERIZATION_SURFACE_MAPS_MEASURE_DISTORTION_BETWEEN_H

@@ -1,0 +1,116 @@
+// Copyright (c) 2026  The Spherical_parameterization authors.
+// All rights reserved.
+//
+// This file is part of the Spherical_parameterization package for CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Spherical_parameterization authors
+
+#ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_AREAS_AREA_DESCENT_H
+#define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_AREAS_AREA_DESCENT_H
+
+#include <CGAL/license/Spherical_parameterization.h>
+
+#include <CGAL/Spherical_parameterization/Parameterization_report.h>
+#include <CGAL/Spherical_parameterization/internal/areas/Area_shares.h>
+#include <CGAL/Spherical_parameterization/internal/areas/Area_step.h>
+#include <CGAL/Spherical_parameterization/internal/areas/Cell_areas.h>
+#include <CGAL/Spherical_parameterization/internal/certificate/is_safely_positive.h>
+#include <CGAL/Spherical_parameterization/internal/execution/Run_control.h>
+#include <CGAL/Spherical_parameterization/internal/numbers/Vector_3.h>
+#include <CGAL/Spherical_parameterization/internal/surface/Surface.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL::Spherical_parameterization::internal {
+
+// Brings the cells of the vertices to the areas that they are to have, from a bijection that is near enough for steps of
+// Newton's method, see Area_step; every map on the way is a bijection. The weight of the areas grows from step to step: first
+// the large differences are levelled out, where the energy resists least, and in the end only the areas count. Where they cannot
+// be had, the differences get as small as they can be. Returns the number of steps.
+template <class Energy>
+std::size_t lower_area_differences(const Surface& surface, const Area_shares& shares, const Energy& energy,
+                                   double tolerance, std::vector<Vector_3d>& positions, Run_control& control)
+{
+#ifdef CGAL_EIGEN3_ENABLED
+  // The first weight makes deviations of a third count as much as the energy of usual maps, and with the last one, what the
+  // energy still does to areas is below 1e-4 on most surfaces. It grows beyond where the map has settled and that is not enough.
+  constexpr double first_penalty = 10., last_penalty = 1e6, max_penalty = 1e9, growth = 10.;
+  constexpr std::size_t max_attempts = 200;
+  constexpr int max_halvings = 6;
+  constexpr double first_damping = 1., min_damping = 1e-6, max_damping = 1e12;
+  constexpr double min_fall = 1e-4;        // of the objective in a step, relative: with less, it has settled
+  constexpr double sufficient_fall = 1e-4; // of what the slope promises
+
+  Area_step<Energy> step(surface.rings(), surface.points(), shares.of_faces, shares.of_vertices, energy);
+  Parameterization_report& report = control.report();
+  std::vector<Vector_3d> moved;
+  double penalty = first_penalty, damping = first_damping;
+  double value = step.objective(positions, penalty);
+  const std::size_t first_iteration = report.number_of_iterations();
+  std::size_t n_steps = 0;
+  const auto descend = [&]() -> Stop_reason {
+    for(std::size_t k = 0; k < max_attempts; ++k)
+    {
+      if(relative_deviation(step.ratios()) <= tolerance)
+        return CONVERGED;
+      if(control.is_stopped() || !control.check_clock())
+        return control.stop_reason();
+      double t = 1., next = value;
+      bool is_found = false;
+      if(step.find(positions, penalty, damping))
+        for(int halving = 0; halving < max_halvings && !is_found; ++halving)
+        {
+          t = std::ldexp(1., -halving);
+          step.move(positions, t, moved);
+          if(!are_safely_positive(surface.rings(), moved))
+            continue;
+          next = step.objective(moved, penalty);
+          is_found = next < value + sufficient_fall * t * step.slope();
+        }
+      if(!is_found)
+      {
+        value = step.objective(positions, penalty); // so that the ratios are those of these positions again
+        damping *= 16.;
+        if(damping > max_damping)
+          return OBSTRUCTED;
+        continue;
+      }
+      positions.swap(moved);
+      damping = (std::max)(t == 1. ? damping / 8. : t < 0.5 ? damping * (2. / t) : damping, min_damping);
+      const double fall = (value - next) / value;
+      value = next;
+      ++n_steps;
+      control.after_iteration(first_iteration + n_steps, value, surface.equal_area_radius());
+      if(!control.go_further(first_iteration + n_steps, value))
+        return control.stop_reason();
+      const bool has_settled = penalty >= last_penalty && fall < min_fall;
+      if(has_settled && penalty >= max_penalty)
+        return CONVERGED;
+      if(has_settled || (penalty < last_penalty && (t >= 0.5 || fall < 0.01)))
+      {
+        penalty *= growth;
+        value = step.objective(positions, penalty);
+      }
+    }
+    return ITERATION_LIMIT;
+  };
+  report.stop_reason = descend();
+  report.number_of_average_iterations += n_steps;
+  report.seconds_for_optimization += control.lap();
+  return n_steps;
+#else
+  static_assert(sizeof(Energy) == 0, "Areas as wanted take Eigen: link the target CGAL::Eigen3_support.");
+  return 0;
+#endif
+}
+
+} // namespace CGAL::Spherical_parameterization::internal
+
+#endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_AREAS_AREA_DESCENT_H

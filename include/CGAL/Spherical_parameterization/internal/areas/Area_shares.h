@@ -1,0 +1,114 @@
+// Copyright (c) 2026  The Spherical_parameterization authors.
+// All rights reserved.
+//
+// This file is part of the Spherical_parameterization package for CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Spherical_parameterization authors
+
+#ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_AREAS_AREA_SHARES_H
+#define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_AREAS_AREA_SHARES_H
+
+#include <CGAL/license/Spherical_parameterization.h>
+
+#include <CGAL/Spherical_parameterization/internal/numbers/Vector_3.h>
+#include <CGAL/Spherical_parameterization/internal/surface/Linked_triangle.h>
+#include <CGAL/Spherical_parameterization/internal/surface/Surface.h>
+#include <CGAL/Spherical_parameterization/internal/surface/Vertex_rings.h>
+
+#include <CGAL/number_type_basic.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <numeric>
+#include <vector>
+
+namespace CGAL::Spherical_parameterization::internal {
+
+// The area on the unit sphere that each part of a surface is to have, in the order of the surface. That of a vertex is a third
+// of those of its faces.
+struct Area_shares
+{
+  std::vector<double> of_faces; // in the order of Vertex_rings::for_each_face()
+  std::vector<double> of_vertices;
+  std::size_t number_of_raised_faces = 0; // whose share would be too small for their images to be told from nothing
+};
+
+// The numbers that the faces of a surface, in the order of Vertex_rings::for_each_face(), have among the caller's triangles.
+inline std::vector<std::uint32_t> callers_numbers_of_faces(const Surface& surface, const Index_triangles& triangles)
+{
+  struct Key
+  {
+    std::array<std::uint32_t, 3> vertices; // the smallest one first
+    std::uint32_t number;
+    bool operator<(const Key& other) const { return vertices < other.vertices; }
+  };
+  const auto sorted_keys = [](const Index_triangles& all) {
+    std::vector<Key> keys;
+    keys.reserve(all.size());
+    for(const auto& t : all)
+    {
+      Key key = {{t[0], t[1], t[2]}, static_cast<std::uint32_t>(keys.size())};
+      std::rotate(key.vertices.begin(), std::min_element(key.vertices.begin(), key.vertices.end()), key.vertices.end());
+      keys.push_back(key);
+    }
+    std::sort(keys.begin(), keys.end());
+    return keys;
+  };
+  const std::vector<Key> own = sorted_keys(surface.callers_triangles()), callers = sorted_keys(triangles);
+  std::vector<std::uint32_t> result(own.size());
+  for(std::size_t k = 0; k < own.size(); ++k)
+    result[own[k].number] = callers[k].number;
+  return result;
+}
+
+// The shares by the areas of the faces times their densities, finite and at least 0, one for each of the caller's triangles; or by
+// the areas alone, if there are none. A share below a millionth of the mean is raised to it: vertices around which all shares are
+// 0 would have no place on the sphere.
+inline Area_shares find_area_shares(const Surface& surface, const Index_triangles& triangles,
+                                    const std::vector<double>& densities)
+{
+  constexpr double min_share = 1e-6; // of the mean
+  const double largest = densities.empty() ? 0. : *std::max_element(densities.begin(), densities.end());
+  const std::vector<std::uint32_t> numbers =
+      largest > 0. ? callers_numbers_of_faces(surface, triangles) : std::vector<std::uint32_t>();
+  const std::vector<Vector_3d>& points = surface.points();
+  Area_shares result;
+  result.of_faces.reserve(surface.rings().number_of_faces());
+  surface.rings().for_each_face([&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+    const double area = length(cross(points[b] - points[a], points[c] - points[a]));
+    const double density = largest > 0. ? densities[numbers[result.of_faces.size()]] / largest : 1.;
+    result.of_faces.push_back(area * density);
+  });
+  const auto scale_to = [&](double sum) {
+    const double last = std::accumulate(result.of_faces.begin(), result.of_faces.end(), 0.);
+    for(double& share : result.of_faces)
+      share = last > 0. ? share * (sum / last) : sum / static_cast<double>(result.of_faces.size());
+  };
+  scale_to(static_cast<double>(result.of_faces.size()));
+  for(double& share : result.of_faces)
+  {
+    result.number_of_raised_faces += share < min_share ? 1u : 0u;
+    share = (std::max)(share, min_share);
+  }
+  scale_to(4. * CGAL_PI);
+
+  result.of_vertices.assign(surface.number_of_vertices(), 0.);
+  std::size_t face = 0;
+  surface.rings().for_each_face([&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+    const double third = result.of_faces[face++] / 3.;
+    result.of_vertices[a] += third;
+    result.of_vertices[b] += third;
+    result.of_vertices[c] += third;
+  });
+  return result;
+}
+
+} // namespace CGAL::Spherical_parameterization::internal
+
+#endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_AREAS_AREA_SHARES_H

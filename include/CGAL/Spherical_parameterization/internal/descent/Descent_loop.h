@@ -1,0 +1,380 @@
+// Copyright (c) 2026  The Spherical_parameterization authors.
+// All rights reserved.
+//
+// This file is part of the Spherical_parameterization package for CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Spherical_parameterization authors
+
+#ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_DESCENT_DESCENT_LOOP_H
+#define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_DESCENT_DESCENT_LOOP_H
+
+#include <CGAL/license/Spherical_parameterization.h>
+
+#include <CGAL/Spherical_parameterization/Face_range_3.h>
+#include <CGAL/Spherical_parameterization/Parameterization_report.h>
+#include <CGAL/Spherical_parameterization/Sharpness.h>
+#include <CGAL/Spherical_parameterization/internal/descent/Block_coordinate_descent.h>
+#include <CGAL/Spherical_parameterization/internal/descent/Descent_state.h>
+#include <CGAL/Spherical_parameterization/internal/descent/Energy_summary.h>
+#include <CGAL/Spherical_parameterization/internal/descent/Objective.h>
+#include <CGAL/Spherical_parameterization/internal/descent/Round_sphere.h>
+#include <CGAL/Spherical_parameterization/internal/descent/Smooth_step.h>
+#include <CGAL/Spherical_parameterization/internal/execution/Run_control.h>
+#include <CGAL/Spherical_parameterization/internal/execution/parallel.h>
+#include <CGAL/Spherical_parameterization/internal/execution/policy_traits.h>
+#include <CGAL/Spherical_parameterization/internal/numbers/Vector_3.h>
+#include <CGAL/Spherical_parameterization/internal/surface/Rest_triangle.h>
+#include <CGAL/Spherical_parameterization/internal/surface/Surface.h>
+#include <CGAL/Spherical_parameterization/internal/surface/mesh_measures.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+namespace CGAL::Spherical_parameterization::internal {
+
+// The method BLD once there is a bijection: sweeps over all vertices, each with the radius and the sharpness that suit
+// the map at hand, until nothing changes any more.
+template <class Energy, class Step>
+class Descent_loop
+{
+public:
+  // If `densities` are given, one for each vertex, faces get as many times their area as the mean of these; see
+  // Block_coordinate_descent.
+  Descent_loop(const Surface& mesh, const Energy& energy, const Step& step, const Sharpness& sharpness,
+               Radius_chooser* radius, const Descent_settings& settings, Run_control& control, Execution execution,
+               std::vector<double> densities = {});
+  ~Descent_loop();
+
+  // Lowers the energy of the positions on the unit sphere in at most `max_sweeps` sweeps, and returns the radius.
+  double run(std::vector<Vector_3d>& positions, std::size_t max_sweeps);
+
+private:
+  static constexpr std::size_t max_window = 100; // sweeps without change, of which a tetrahedron would have to make 501
+  static constexpr int max_halvings = 5; // of steps of a radius, each of which sums up all faces: down to a 16th
+
+  void start(const std::vector<Vector_3d>& positions)
+  {
+    m_state.radius = m_mesh.equal_area_radius();
+    if(m_radius_chooser)
+    {
+      const double radius = m_radius_chooser->initial_radius(m_state.radius);
+      if(is_positive_and_finite(radius))
+        m_state.radius = radius;
+    }
+    else if(m_descent.has_slivers())
+      m_objective.set_sliver_radius(scaled_radius());
+    measure(positions);
+    m_control.report().initial_energy = m_state.summary.all().average();
+  }
+
+  void choose_objective(std::size_t i)
+  {
+    if(m_objective.start_sweep(i, m_state.summary))
+      sum_up();
+    lower_by_levels();
+    Parameterization_report& report = m_control.report();
+    report.sharpness = m_objective.of_faces().ordinary.sharpness;
+    ++(report.sharpness > 0. ? report.number_of_sharp_iterations : report.number_of_average_iterations);
+  }
+
+  // Newton steps of the levels until one is short; that one is taken back if it raises the objective.
+  void lower_by_levels()
+  {
+    constexpr int max_steps = 2000;     // more than the powers of two between any two levels
+    constexpr double short_step = 0.01; // Newton's method doubles the digits: the next one would be below the tolerance
+    for(int k = 0; k < max_steps; ++k)
+    {
+      const Objective last = m_objective;
+      const Mesh_summary last_summary = m_state.summary;
+      const double step = m_objective.improve_levels(m_state.summary);
+      if(!(step > 0.))
+        return;
+      sum_up();
+      if(step > short_step)
+        continue;
+      if(m_objective.value(m_state.summary) > last.value(last_summary))
+      {
+        m_objective = last;
+        m_state.summary = last_summary;
+      }
+      return;
+    }
+  }
+
+  void choose_radius(std::size_t i)
+  {
+    if(m_radius_chooser)
+      follow_policy(i == 0);
+    else
+      lower_by_radius();
+  }
+
+  // Half the way by default: over-relaxed vertices answer a full step with too much, and the two never settle.
+  void follow_policy(bool is_full_step)
+  {
+    const double aim = m_radius_chooser->next_radius(m_descent.faces(), m_state.radius);
+    if(is_positive_and_finite(aim))
+      m_state.radius =
+          is_full_step || !m_settings.is_accelerated ? aim : m_state.radius * std::sqrt(aim / m_state.radius);
+  }
+
+  // Coordinates at the ends of their range leave no room for larger ones.
+  void set_radius(double radius)
+  {
+    if(is_positive_and_finite(radius) && is_positive_and_finite(4. * radius))
+      m_state.radius = radius;
+  }
+
+  // Half a Newton step in the logarithm of the radius, or a part of it that does not raise the objective.
+  void lower_by_radius()
+  {
+    const double radius = m_state.radius, value = m_objective.value(m_state.summary);
+    double step = 0.5 * radius_step(&Face_invariants_3::d);
+    for(int k = 0; k < max_halvings && step != 0.; ++k, step *= 0.5)
+    {
+      set_radius(radius * std::exp(step));
+      sum_up();
+      if(m_objective.value(m_state.summary) <= value)
+        return;
+    }
+    m_state.radius = radius;
+    sum_up();
+  }
+
+  // The sphere of the slivers follows the radius that the others have chosen, as far as that takes back no more than
+  // half of what the sweep has gained since the objective was `last_value`. So slivers do not move the radius, and the
+  // objective falls nevertheless.
+  void move_sliver_radius(double last_value)
+  {
+    const double radius = m_objective.of_faces().sliver_radius, value = m_state.value;
+    const double bound = value + 0.5 * (std::max)(last_value - value, 0.);
+    double step = std::log(scaled_radius() / radius);
+    for(int k = 0; k <= max_halvings; ++k, step *= 0.5)
+    {
+      m_objective.set_sliver_radius(k < max_halvings ? radius * std::exp(step) : radius);
+      sum_up();
+      m_state.value = m_objective.value(m_state.summary);
+      if(m_state.value <= bound)
+        return;
+    }
+  }
+
+  // The Newton step for the logarithm of the radius, by which the sum over all faces but the slivers falls, at most by
+  // a factor of 1.35 far from the minimum; 0 where all terms cancel up to rounding, as for an energy without scale.
+  double radius_step(double Face_invariants_3::*area_ratio) const
+  {
+    constexpr double max_step = 0.3, rounding = 1e-14;
+    const auto [first, second, size] =
+        m_descent.radius_derivatives(scaled_radius(), m_objective.of_faces(), area_ratio);
+    if(!(std::abs(first) > rounding * size))
+      return 0.;
+    const double step = -first / std::abs(second);
+    return (std::min)((std::max)(step, -max_step), max_step);
+  }
+
+  // A run that ends early gets the last radius as well, if the policy comes to it.
+  void skip_phases()
+  {
+    constexpr int max_phases = 1000; // a policy of the caller's may have no last one
+    const bool is_stopped = m_control.is_stopped();
+    for(int k = 0; k < max_phases && m_radius_chooser && m_radius_chooser->next_phase(); ++k)
+      if(!is_stopped && !m_control.check_clock())
+        return;
+  }
+
+  // The radius of the map as it is measured: with flat areas, not the determinants, which are less on coarse meshes.
+  void choose_final_radius()
+  {
+    constexpr int max_steps = 100;     // a few do, some tens where the curvature is negative
+    constexpr double min_step = 1e-13; // rounding
+    if(m_radius_chooser)
+    {
+      follow_policy(true);
+      return;
+    }
+    for(int k = 0; k < max_steps; ++k)
+    {
+      const double step = radius_step(&Face_invariants_3::flat_d);
+      set_radius(m_state.radius * std::exp(step));
+      if(!(std::abs(step) > min_step))
+        return;
+    }
+  }
+
+  void step_smoothly(std::size_t sweep, std::vector<Vector_3d>& positions)
+  {
+    if(!m_smooth_steps.is_due(sweep))
+      return;
+    const double value = m_objective.value(m_state.summary);
+    lower_by_smooth_step(positions);
+    m_smooth_steps.has_made(sweep, value, m_objective.value(m_state.summary));
+  }
+
+  // A step of all vertices at once and of the level, see Smooth_step, or a part of it that lowers the objective.
+  void lower_by_smooth_step(std::vector<Vector_3d>& positions)
+  {
+    if(!m_smooth_step.find(m_descent.measured_faces(), m_descent.stars(), positions, scaled_radius(),
+                           m_objective.of_faces(), m_execution))
+      return;
+    const double value = m_objective.value(m_state.summary), radius = m_state.radius;
+    const Objective objective = m_objective;
+    double t = 1.;
+    for(int k = 0; k < max_halvings; ++k, t *= 0.5)
+    {
+      m_smooth_step.move(positions, t, m_moved, m_execution);
+      if(!m_descent.are_safely_positive(m_moved))
+        continue;
+      m_objective = objective;
+      m_objective.move_level(m_smooth_step.level_step(t));
+      set_radius(radius * m_smooth_step.radius_factor(t));
+      measure(m_moved);
+      if(m_state.value < value)
+      {
+        positions.swap(m_moved);
+        return;
+      }
+    }
+    m_objective = objective;
+    m_state.radius = radius;
+    measure(positions);
+  }
+
+  void measure(const std::vector<Vector_3d>& positions)
+  {
+    m_state.summary = m_descent.measure(positions, scaled_radius(), m_objective.of_faces());
+    m_state.value = m_objective.value(m_state.summary);
+  }
+
+  // Sums up the map that was measured last for another objective or radius.
+  void sum_up() { m_state.summary = m_descent.summary(scaled_radius(), m_objective.of_faces()); }
+
+  // The energies of the report are those of the radius that is returned, in the measure of the descent.
+  void finish(const std::vector<Vector_3d>& positions)
+  {
+    Face_objective objective;
+    objective.area_correction = m_objective.of_faces().area_correction;
+    m_state.summary = m_descent.measure(positions, scaled_radius(), objective);
+    Parameterization_report& report = m_control.report();
+    report.average_energy = m_state.summary.all().average();
+    report.largest_energy = m_state.summary.all().maximum_energy();
+    if(!is_finite(report.average_energy))
+    {
+      report.stop_reason = NON_FINITE_ENERGY;
+      report.average_energy = report.largest_energy = std::numeric_limits<double>::quiet_NaN();
+    }
+    report.seconds_for_optimization = m_control.lap();
+  }
+
+  // the radius in the unit of the mesh, kept where its powers are finite
+  double scaled_radius() const { return (std::min)((std::max)(m_mesh.scaled_radius(m_state.radius), 1e-50), 1e50); }
+
+  const Surface& m_mesh;
+  Block_coordinate_descent<Round_sphere<Energy, Step>, Step> m_descent;
+  Smooth_step<Round_sphere<Energy, Step>> m_smooth_step;
+  Execution m_execution;
+  std::vector<Vector_3d> m_moved;
+  Smooth_step_schedule m_smooth_steps;
+  double m_isometric_energy; // no map has less, with most energies
+  Objective m_objective;
+  Radius_chooser* m_radius_chooser;
+  Descent_settings m_settings;
+  Run_control& m_control;
+  Descent_state m_state;
+};
+
+// Defined out of the class and so not inline: `extern template class Descent_loop<...>` spares a program that maps in
+// several files the time to compile it in each.
+
+template <class Energy, class Step>
+Descent_loop<Energy, Step>::Descent_loop(const Surface& mesh, const Energy& energy, const Step& step,
+                                         const Sharpness& sharpness, Radius_chooser* radius,
+                                         const Descent_settings& settings, Run_control& control, Execution execution,
+                                         std::vector<double> densities)
+  : m_mesh(mesh)
+  , m_descent(Round_sphere<Energy, Step>(Face_energy<Energy>(energy)), step, execution)
+  , m_smooth_step(Round_sphere<Energy, Step>(Face_energy<Energy>(energy)), mesh.number_of_vertices(), !radius)
+  , m_execution(execution)
+  , m_isometric_energy(Face_energy<Energy>(energy)(2., 1.))
+  , m_objective(sharpness, !radius)
+  , m_radius_chooser(radius)
+  , m_settings(settings)
+  , m_control(control)
+{
+  if constexpr(follows_curvature<Energy>)
+    if(densities.empty())
+      densities = vertex_densities(mesh.rings(), mesh.points(), curvature_masses(mesh.rings(), mesh.points()));
+  m_descent.assign(mesh.rings(), Independent_sets(mesh.rings()), mesh.points(), densities, Rest_limits(),
+                   sliver_vertices(mesh.rings(), mesh.points()));
+}
+
+template <class Energy, class Step>
+Descent_loop<Energy, Step>::~Descent_loop() = default;
+
+template <class Energy, class Step>
+double Descent_loop<Energy, Step>::run(std::vector<Vector_3d>& positions, std::size_t max_sweeps)
+{
+  Parameterization_report& report = m_control.report();
+  start(positions);
+  report.stop_reason = ITERATION_LIMIT;
+  bool has_phases = true; // whether the radius policy may have further ones
+  const std::size_t window =
+      m_settings.is_accelerated
+          ? (std::min)(Smooth_step_schedule::min_interval + size_of_small_meshes / m_mesh.number_of_vertices(),
+                       max_window)
+          : 1;
+  Descent_state last;
+  for(std::size_t i = 0; i < max_sweeps; ++i)
+  {
+    if(i % window == 0)
+      last = m_state;
+    const bool was_final = i > 0 && m_objective.is_final();
+
+    choose_objective(i);
+    choose_radius(i);
+    if(m_settings.is_accelerated)
+      step_smoothly(i, positions);
+    const double last_value = m_objective.value(m_state.summary);
+    if(m_settings.is_accelerated)
+      m_descent.sweep_with_focus(positions, scaled_radius(), m_objective.of_faces(),
+                                 m_state.summary.all().maximum_energy());
+    else
+      m_descent.sweep(positions, scaled_radius(), m_objective.of_faces());
+    measure(positions);
+    if(!m_radius_chooser && m_descent.has_slivers())
+      move_sliver_radius(last_value);
+
+    m_control.after_iteration(i + 1, m_state.value, m_state.radius);
+    if(!m_control.go_further(i + 1, m_state.value))
+      break;
+    const bool may_end =
+        was_final && (i + 1) % window == 0 && (!m_settings.is_accelerated || m_smooth_steps.may_end(i + 1 - window));
+    if(may_end &&
+       has_converged(m_state, last, m_settings, m_objective.of_faces().ordinary.sharpness, m_isometric_energy))
+    {
+      has_phases = m_radius_chooser && m_radius_chooser->next_phase();
+      if(!has_phases)
+      {
+        report.stop_reason = CONVERGED;
+        break;
+      }
+    }
+  }
+  if(has_phases)
+    skip_phases();
+  if(m_control.is_stopped())
+    report.stop_reason = m_control.stop_reason();
+  choose_final_radius();
+  finish(positions);
+  return m_state.radius;
+}
+
+} // namespace CGAL::Spherical_parameterization::internal
+
+#endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_DESCENT_DESCENT_LOOP_H

@@ -1,0 +1,213 @@
+// Copyright (c) 2026  The Spherical_parameterization authors.
+// All rights reserved.
+//
+// This file is part of the Spherical_parameterization package for CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Spherical_parameterization authors
+
+#ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_DESCENT_FACE_ENERGY_H
+#define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_DESCENT_FACE_ENERGY_H
+
+#include <CGAL/license/Spherical_parameterization.h>
+
+#include <CGAL/Spherical_parameterization/Energy_derivatives_3.h>
+#include <CGAL/Spherical_parameterization/internal/execution/policy_traits.h>
+#include <CGAL/Spherical_parameterization/internal/numbers/Packed_double.h>
+#include <CGAL/Spherical_parameterization/internal/numbers/Vector_3.h>
+
+#include <cstddef>
+#include <type_traits>
+#include <utility>
+
+namespace CGAL::Spherical_parameterization::internal {
+
+// Whether both functions of an energy can be called for lanes of numbers. One that is written for `double` only is
+// called for one lane after the other.
+template <class Energy, class FT, class = void>
+constexpr bool is_lanewise = false;
+template <class Energy, class FT>
+constexpr bool is_lanewise<
+    Energy, FT,
+    std::void_t<decltype(std::declval<const Energy&>()(std::declval<const FT&>(), std::declval<const FT&>())),
+                decltype(std::declval<const Energy&>().derivatives(std::declval<const FT&>(),
+                                                                   std::declval<const FT&>()))>> = true;
+
+// The energy of a face as the descent evaluates it: in one lane or several, and, if the weight of the guard is
+// positive, with that share of the area distortion d + 1 / d added, which keeps faces from shrinking without end where
+// the energy itself does not mind.
+template <class Energy>
+class Face_energy
+{
+public:
+  static constexpr bool weighs_faces_by_area = internal::weighs_faces_by_area<Energy>;
+
+  explicit Face_energy(const Energy& energy, double guard = 0.)
+    : m_energy(energy)
+    , m_guard(guard)
+  {}
+
+  const Energy& energy() const { return m_energy; }
+  bool is_guarded() const { return m_guard > 0.; }
+
+  template <class FT>
+  FT operator()(const FT& i, const FT& d) const
+  {
+    FT value;
+    if constexpr(is_lanewise<Energy, FT>)
+      value = m_energy(i, d);
+    else
+      value = FT::generate([&](std::size_t k) { return m_energy(lane(i, k), lane(d, k)); });
+    if(is_guarded())
+      value += m_guard * (d + 1. / d);
+    return value;
+  }
+
+  template <class FT>
+  Energy_derivatives_3<FT> derivatives(const FT& i, const FT& d) const
+  {
+    Energy_derivatives_3<FT> e = derivatives_in_lanes(i, d);
+    if(is_guarded())
+    {
+      const FT inverse_d = 1. / d;
+      e.value += m_guard * (d + inverse_d);
+      e.d += m_guard * (1. - inverse_d * inverse_d);
+      e.dd += 2. * m_guard * inverse_d * inverse_d * inverse_d;
+    }
+    return e;
+  }
+
+private:
+  template <class FT>
+  Energy_derivatives_3<FT> derivatives_in_lanes(const FT& i, const FT& d) const
+  {
+    if constexpr(is_lanewise<Energy, FT>)
+      return m_energy.derivatives(i, d);
+    else
+    {
+      using Derivatives = Energy_derivatives_3<double>;
+      Derivatives e[FT::width];
+      for(std::size_t k = 0; k < FT::width; ++k)
+        e[k] = m_energy.derivatives(lane(i, k), lane(d, k));
+      const auto all = [&](auto member) { return FT::generate([&](std::size_t k) { return e[k].*member; }); };
+      return {all(&Derivatives::value), all(&Derivatives::i),  all(&Derivatives::d),
+              all(&Derivatives::ii),    all(&Derivatives::id), all(&Derivatives::dd)};
+    }
+  }
+
+  Energy m_energy;
+  double m_guard;
+};
+
+// The doubled area of the image of a face (x, p, q) as the energy sees it, as a function of its corner x. All corners
+// are offsets from one point of the unit sphere, in the frame of that point; the centre of the sphere is at (0, 0, -1).
+//
+// This one is the determinant of the corners: the doubled area of the flat triangle times the distance of its plane
+// from the centre. It agrees with the flat area for small faces, and is 0 exactly where a face turns over: the energy
+// is a barrier there, and no face comes to lie across a great circle.
+template <class FT>
+class Determinant_measure
+{
+public:
+  // the value at x = 0
+  Determinant_measure(const Vector_3<FT>& p, const Vector_3<FT>& q)
+  {
+    // The normal p x q of the plane through p, q and the centre. As p and q are offsets of the size of the edge,
+    // nothing cancels.
+    const Vector_3<FT> n = cross(p, q);
+    m_gradient = {n[0] + (p[1] - q[1]), n[1] + (q[0] - p[0]), n[2]};
+  }
+  Determinant_measure() = default;
+
+  FT value() const { return m_gradient[2]; }
+  FT dx() const { return m_gradient[0]; }
+  FT dy() const { return m_gradient[1]; }
+  // As x = (x, y, -(x^2 + y^2) / 2), up to higher order, the second derivatives follow from the height.
+  FT dxx() const { return -m_gradient[2]; }
+  FT dyy() const { return -m_gradient[2]; }
+
+  // the value at x, given the determinant and the normal (p - x) x (q - x) there
+  static FT value(const FT& determinant, const Vector_3<FT>& /* normal */) { return determinant; }
+
+private:
+  Vector_3<FT> m_gradient;
+};
+
+// The doubled area of the flat triangle, as in eq. 4 and 5 of the paper. It is positive where a face turns over, so
+// that nothing but the test of every step prevents that, and faces may get stuck across a great circle. It goes with
+// gradient steps, and has no second derivatives.
+template <class FT>
+class Flat_measure
+{
+public:
+  Flat_measure(const Vector_3<FT>& p, const Vector_3<FT>& q)
+  {
+    // The normal (p - x) x (q - x) has the derivative dx x (p - q).
+    const Vector_3<FT> n = cross(p, q), w = p - q;
+    const Vector_3<FT> nx = {FT(0.), -w[2], w[1]}, ny = {w[2], FT(0.), -w[0]};
+    m_value = length(n);
+    const FT inverse = select(m_value > 0., 1. / m_value, FT(0.)); // no direction where there is no area
+    m_dx = inverse * dot(n, nx);
+    m_dy = inverse * dot(n, ny);
+  }
+  Flat_measure() = default;
+
+  FT value() const { return m_value; }
+  FT dx() const { return m_dx; }
+  FT dy() const { return m_dy; }
+
+  static FT value(const FT& /* determinant */, const Vector_3<FT>& normal) { return length(normal); }
+
+private:
+  FT m_value, m_dx, m_dy;
+};
+
+// What the faces add to the objective, as a function of their energy E:
+//   psi(E) = (1 - a) E + (a / s) exp(s (E - R)),   psi' = (1 - a) + a exp(s (E - R)),
+// or E for s = 0. Eq. 6 of the paper is s = 0, and eq. 7 is a = 1, where R is but a factor.
+//
+// The group of the slivers, see sliver_vertices(), may have its own s and R, and its own sphere, which stays where it is
+// when the radius changes.
+struct Face_objective
+{
+  struct Exponential
+  {
+    double sharpness = 0.; // s
+    double level = 0.;     // R
+  };
+
+  Face_objective() = default;
+  // eq. 6 or 7: a sharpness is an objective
+  Face_objective(double sharpness)
+    : ordinary{sharpness, 0.}
+    , of_slivers{sharpness, 0.}
+  {}
+
+  bool is_average() const { return !(ordinary.sharpness > 0.); }
+  bool has_levels() const { return share < 1.; }
+
+  // What the d of a face is multiplied by. Its image is measured by the determinant of the corners, which is less than the
+  // doubled area by the distance of its plane from the centre: 1 - c^2 / 2 + ... for an isometric image on the unit
+  // sphere, whose area is that of the surface, with the circumradius c; and c^2 is a ninth of the sum of the squared
+  // edges of an equilateral face. So isometric images have d = 1 up to higher order on coarse meshes as well.
+  // It is bounded, since no image of a face is as long as the faces of coarse and long surfaces are.
+  template <class FT>
+  FT area_factor(const FT& opposite_0, const FT& opposite_1, const FT& opposite_2, const FT& doubled_area) const
+  {
+    constexpr double max_correction = 4.; // at most five times the determinant
+    const FT correction = area_correction * (opposite_0 + opposite_1 + opposite_2) * doubled_area * doubled_area;
+    return 1. + minimum(correction, FT(max_correction));
+  }
+
+  double share = 1.; // a
+  Exponential ordinary, of_slivers;
+  double sliver_radius = 0.; // or 0: that of all faces
+  double area_correction = 0.;
+};
+
+} // namespace CGAL::Spherical_parameterization::internal
+
+#endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_DESCENT_FACE_ENERGY_H

@@ -1,0 +1,167 @@
+// Copyright (c) 2026  The Spherical_parameterization authors.
+// All rights reserved.
+//
+// This file is part of the Spherical_parameterization package for CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Spherical_parameterization authors
+
+#ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_DESCENT_LEVEL_DESCENT_H
+#define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_DESCENT_LEVEL_DESCENT_H
+
+#include <CGAL/license/Spherical_parameterization.h>
+
+#include <CGAL/Spherical_parameterization/internal/descent/Block_coordinate_descent.h>
+#include <CGAL/Spherical_parameterization/internal/descent/Energy_summary.h>
+#include <CGAL/Spherical_parameterization/internal/descent/Vertex_step.h>
+#include <CGAL/Spherical_parameterization/internal/execution/Run_control.h>
+#include <CGAL/Spherical_parameterization/internal/execution/parallel.h>
+#include <CGAL/Spherical_parameterization/internal/hierarchy/Mesh_hierarchy.h>
+#include <CGAL/Spherical_parameterization/internal/hierarchy/Star_kernel.h>
+#include <CGAL/Spherical_parameterization/internal/numbers/Vector_3.h>
+#include <CGAL/Spherical_parameterization/internal/surface/Rest_triangle.h>
+#include <CGAL/Spherical_parameterization/internal/surface/Vertex_rings.h>
+#include <CGAL/Spherical_parameterization/internal/surface/mesh_measures.h>
+
+#include <atomic>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL::Spherical_parameterization::internal {
+
+// How a level is swept.
+struct Level_sweeps
+{
+  std::size_t maximum = 0;
+  double settled_change = 0.; // it ends before, if measurements differ by less; see Energy_summary::has_settled()
+  Newton_step step;
+};
+
+// Takes a map through a hierarchy from the coarsest level up: on every level, the vertices that are new are put into
+// their holes, all at once, and then all vertices of the level are swept.
+//
+// That every vertex has been swept before others are inserted next to it is what makes the insertion robust: kernels
+// stay as wide as the faces around them.
+//
+// What is particular to a map is said by a Plan: the space, see Block_coordinate_descent, where a new vertex goes, how a
+// level is swept, and for which radius and objective.
+template <class Plan>
+class Level_descent
+{
+public:
+  Level_descent(Mesh_hierarchy& hierarchy, const std::vector<Vector_3d>& points, const Rest_limits& limits, Plan& plan,
+                Run_control& control, Execution execution)
+    : m_hierarchy(hierarchy)
+    , m_points(points)
+    , m_limits(limits)
+    , m_plan(plan)
+    , m_control(control)
+    , m_execution(execution)
+    , m_descent(plan.space(), Newton_step(), execution)
+    , m_kernels(execution, Star_kernel())
+  {}
+
+  // Given the positions of the vertices of the coarsest level, computes those of all others; the report then says how the
+  // finest level has ended, if it was swept. Returns false if a kernel has become too narrow for doubles. The levels of the
+  // hierarchy that have been mapped are dropped, as the finer ones need the memory. It may end at another level, from which
+  // another descent can go on.
+  bool run(std::vector<Vector_3d>& positions, std::size_t last_level = 0)
+  {
+    const std::size_t n_levels = m_hierarchy.number_of_levels();
+    if(n_levels > 1)
+      m_descent.reserve(m_hierarchy.level(1).vertices.size());
+    for(std::size_t k = n_levels; k-- > last_level;)
+    {
+      const Mesh_hierarchy::Level& level = m_hierarchy.level(k);
+      std::vector<Vector_3d> local = level.gathered(positions);
+      const Level_sweeps sweeps = m_plan.start_level(m_descent.space(), level, k == last_level);
+      if(!insert_vertices(level, m_hierarchy.rings(k), local))
+        return false;
+      const bool has_settled = sweeps.maximum > 0 && relax(level, m_hierarchy.rings(k), local, sweeps);
+      if(k == 0 && sweeps.maximum > 0)
+        m_control.report().stop_reason = has_settled ? CONVERGED : ITERATION_LIMIT;
+      for(std::size_t v = 0; v < local.size(); ++v)
+        positions[level.vertices[v]] = local[v];
+      m_control.on_level(local.size());
+      if(k > last_level)
+        m_hierarchy.drop_coarsest();
+    }
+    return true;
+  }
+
+private:
+  bool insert_vertices(const Mesh_hierarchy::Level& level, const Vertex_rings& rings, std::vector<Vector_3d>& local)
+  {
+    constexpr std::size_t block_size = 16; // with 64, and 512 in Mesh_hierarchy, 6475 vertices took 7 ms, not 6
+    std::atomic<bool> is_complete(true);
+    for_each_block(m_execution, 0, level.removed.size(), block_size, [&](std::size_t begin, std::size_t end) {
+      Star_kernel& kernel = m_kernels.local();
+      for(std::size_t k = begin; k < end; ++k)
+      {
+        const Mesh_hierarchy::Removed_vertex& removed = level.removed[k];
+        const Ring_hole hole = {local, rings.ring(removed.vertex), removed.target};
+        Vector_3d& position = local[removed.vertex];
+        if(!m_plan.find_place(hole, removed, position) && !kernel.find_point(hole, position))
+          is_complete = false;
+      }
+    });
+    return is_complete;
+  }
+
+  // Sweeps over a level, and returns whether it has settled. A run that is stopped sweeps it once, as vertices are to be
+  // inserted into what has been swept.
+  bool relax(const Mesh_hierarchy::Level& level, const Vertex_rings& rings, std::vector<Vector_3d>& local,
+             const Level_sweeps& sweeps)
+  {
+    constexpr std::size_t sweeps_per_measurement = 5; // to measure takes a fifth of the time of a sweep
+    const std::vector<Vector_3d> points = level.gathered(m_points);
+    std::vector<double> densities;
+    Independent_sets sets;
+    const auto find_densities = [&] {
+      if(!m_limits.is_uniform)
+        densities = vertex_densities(rings, points, level.areas);
+    };
+    run_both(
+        m_execution, [&] { sets = Independent_sets(rings); }, find_densities); // each is sequential
+    m_descent.set_step(sweeps.step);
+    m_descent.assign(rings, sets, points, densities, m_limits);
+    sets = Independent_sets();
+    Face_objective objective;
+    double last_average = 0.;
+    for(std::size_t i = 0; i < sweeps.maximum; ++i)
+    {
+      if(i % sweeps_per_measurement == 0)
+      {
+        const Energy_summary summary = m_descent.measure(local, m_radius, Face_objective()).all();
+        objective = m_plan.choose_objective(local.size(), i, summary, m_descent.faces(), m_radius);
+        if(i > 0 && summary.has_settled(summary.average(), last_average, sweeps.settled_change) &&
+           m_plan.may_end(m_descent.space()))
+          return true;
+        last_average = summary.average();
+      }
+      if(!m_control.go_further(0, last_average) && i > 0)
+        break;
+      m_plan.start_sweep(m_descent.space(), i, i + 1 == sweeps.maximum);
+      m_descent.sweep(local, m_radius, objective);
+      ++m_control.report().number_of_level_iterations;
+    }
+    return false;
+  }
+
+  Mesh_hierarchy& m_hierarchy;
+  const std::vector<Vector_3d>& m_points;
+  Rest_limits m_limits;
+  Plan& m_plan;
+  Run_control& m_control;
+  Execution m_execution;
+  Block_coordinate_descent<typename Plan::Space, Newton_step> m_descent; // on the level at hand
+  Per_thread<Star_kernel> m_kernels;
+  double m_radius = 1.; // of the sphere that the energies are taken on
+};
+
+} // namespace CGAL::Spherical_parameterization::internal
+
+#endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_DESCENT_LEVEL_DESCENT_H

@@ -1,0 +1,378 @@
+// Copyright (c) 2026  The Spherical_parameterization authors.
+// All rights reserved.
+//
+// This file is part of the Spherical_parameterization package for CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Spherical_parameterization authors
+
+#ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_DESCENT_MEASURED_FACES_H
+#define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_DESCENT_MEASURED_FACES_H
+
+#include <CGAL/license/Spherical_parameterization.h>
+
+#include <CGAL/Spherical_parameterization/Energy_derivatives_3.h>
+#include <CGAL/Spherical_parameterization/Face_range_3.h>
+#include <CGAL/Spherical_parameterization/internal/descent/Energy_summary.h>
+#include <CGAL/Spherical_parameterization/internal/descent/Face_energy.h>
+#include <CGAL/Spherical_parameterization/internal/descent/Star_packets.h>
+#include <CGAL/Spherical_parameterization/internal/execution/parallel.h>
+#include <CGAL/Spherical_parameterization/internal/numbers/Packed_double.h>
+#include <CGAL/Spherical_parameterization/internal/numbers/Vector_3.h>
+
+#include <CGAL/assertions.h>
+
+#include <boost/container/vector.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <numeric>
+#include <vector>
+
+namespace CGAL::Spherical_parameterization::internal {
+
+// Some faces side by side: their corners on the unit sphere, and their rest shapes, see Rest_triangle.
+template <class FT>
+struct Faces_in_lanes
+{
+  std::array<Vector_3<FT>, 3> corners;
+  std::array<FT, 3> opposite;
+  FT inverse_doubled_area;
+};
+
+// All faces of a mesh, each once, to be measured at any state of the map. They are laid out such that several of them
+// are measured at once: `width` faces make a packet, which ends with its first face again where there are no more.
+class Measured_faces
+{
+public:
+  void reserve(std::size_t n_faces)
+  {
+    m_packets.reserve((n_faces + width - 1) / width);
+    m_invariants.reserve((n_faces + width - 1) / width * width);
+  }
+
+  // Takes the faces of the mesh with these stars, which hold the rest shapes for the measurements as well.
+  void assign(const Star_packets& stars, std::size_t n_faces, Execution execution)
+  {
+    m_number_of_faces = n_faces;
+    m_partial.clear(); // nothing has been measured
+    const std::size_t n_packets = (n_faces + width - 1) / width, n_star_packets = stars.number_of_packets();
+    m_packets.resize(n_packets, boost::container::default_init);
+    m_invariants.resize(n_packets * width, boost::container::default_init);
+    std::vector<std::size_t> first(n_star_packets + 1, 0); // of the faces of each packet of stars
+    for_each_block(execution, 0, n_star_packets, packets_per_block, [&](std::size_t begin, std::size_t end) {
+      for(std::size_t k = begin; k < end; ++k)
+        first[k + 1] = stars.number_of_faces(k);
+    });
+    std::partial_sum(first.begin(), first.end(), first.begin());
+    CGAL_assertion(first.back() == n_faces);
+    for_each_block(execution, 0, n_star_packets, packets_per_block, [&](std::size_t begin, std::size_t end) {
+      std::size_t n = first[begin];
+      for(std::size_t k = begin; k < end; ++k)
+        stars.for_each_face(k, [&](std::size_t corner, std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+          Packet& packet = m_packets[n / width];
+          packet.corners[n % width] = static_cast<std::uint32_t>(corner);
+          packet.vertices[0][n % width] = a;
+          packet.vertices[1][n % width] = b;
+          packet.vertices[2][n % width] = c;
+          ++n;
+        });
+    });
+    find_slivers(stars);
+    for(std::size_t n = n_faces; n < n_packets * width; ++n)
+    {
+      Packet& packet = m_packets[n / width];
+      packet.corners[n % width] = packet.corners[0];
+      for(auto& vertices : packet.vertices)
+        vertices[n % width] = vertices[0];
+    }
+  }
+
+  // Measures all faces on the sphere of radius `radius`, several at once or one by one, as `Space` does.
+  template <class Space>
+  Mesh_summary measure(const Space& space, const Star_packets& stars, const std::vector<Vector_3d>& positions,
+                       double radius, const Face_objective& objective, Execution execution)
+  {
+    m_radius = radius;
+    m_partial.resize(number_of_blocks());
+    for_each_block_of_faces<Space>(execution, [&](auto number_type, std::size_t block) {
+      using FT = typename decltype(number_type)::FT;
+      const std::size_t begin = block * packets_per_block,
+                        end = (std::min)(begin + packets_per_block, m_packets.size());
+      for(std::size_t k = begin; k < end; ++k)
+      {
+        for(const std::uint32_t corner : m_packets[(std::min)(k + packets_ahead, m_packets.size() - 1)].corners)
+          stars.prefetch_rest(corner);
+        for(std::size_t lane = 0; lane < width; lane += Lanes<FT>::width)
+          measure_lanes<FT>(space, stars, positions.data(), radius * radius, objective, k, lane);
+      }
+      summarize<FT>(space.energy(), radius, objective, block);
+    });
+    return total(objective);
+  }
+
+  // Sums up the energies that the map which was measured last has on the sphere of radius `radius`.
+  template <class Space>
+  Mesh_summary summary(const Space& space, double radius, const Face_objective& objective, Execution execution)
+  {
+    for_each_block_of_faces<Space>(execution, [&](auto number_type, std::size_t block) {
+      summarize<typename decltype(number_type)::FT>(space.energy(), radius, objective, block);
+    });
+    return total(objective);
+  }
+
+  // The first two derivatives of the sum of psi(E) over all faces but the slivers in the logarithm of the radius, on the
+  // sphere of radius `radius`, where the areas of the images are `area_ratio`, d or flat_d; and what the first one would be
+  // if nothing cancelled, to tell rounding by.
+  template <class Space>
+  std::array<double, 3> radius_derivatives(const Space& space, double radius, const Face_objective& objective,
+                                           double Face_invariants_3::*area_ratio, Execution execution) const
+  {
+    std::vector<std::array<double, 3>> parts(number_of_blocks());
+    for_each_block_of_faces<Space>(execution, [&](auto number_type, std::size_t block) {
+      using FT = typename decltype(number_type)::FT;
+      std::array<std::array<double, faces_per_block>, 3> terms;
+      const std::size_t begin = first_face(block), n = first_face(block + 1) - begin;
+      const FT scale = (radius / m_radius) * (radius / m_radius), sharpness = objective.ordinary.sharpness,
+               level = objective.ordinary.level;
+      for(std::size_t k = 0; k < n; k += Lanes<FT>::width)
+      {
+        const FT i = scale * invariant<FT>(begin + k, &Face_invariants_3::i),
+                 d = scale * invariant<FT>(begin + k, area_ratio);
+        const Energy_derivatives_3<FT> e = space.energy().derivatives(i, d);
+        // With t = log(radius), dI/dt = 2 I and dd/dt = 2 d.
+        const FT et = 2. * (e.i * i + e.d * d);
+        const FT ett = 2. * et + 4. * (e.ii * i * i + 2. * e.id * i * d + e.dd * d * d);
+        FT first = 1., second = 0.;
+        if(!objective.is_average())
+        {
+          const FT weight = objective.share * exponential(sharpness * (e.value - level));
+          first = (1. - objective.share) + weight;
+          second = sharpness * weight;
+        }
+        if constexpr(Space::Energy::weighs_faces_by_area)
+        {
+          const FT area = invariant<FT>(begin + k, &Face_invariants_3::area);
+          first *= area;
+          second *= area;
+        }
+        Lanes<FT>::store(first * et, terms[0].data() + k);
+        Lanes<FT>::store(first * ett + second * et * et, terms[1].data() + k);
+        Lanes<FT>::store(first * (absolute(e.i * i) + absolute(e.d * d)), terms[2].data() + k);
+      }
+      const std::size_t n_ordinary = n - number_of_slivers(block);
+      for(std::size_t j = 0; j < 3; ++j)
+      {
+        remove_slivers(block, terms[j].data());
+        std::array<double, width> columns = {};
+        for(std::size_t k = 0; k < n_ordinary; ++k)
+          columns[k % width] += terms[j][k];
+        parts[block][j] = std::accumulate(columns.begin(), columns.end(), 0.);
+      }
+    });
+    std::array<double, 3> result = {};
+    for(const std::array<double, 3>& part : parts)
+      for(std::size_t j = 0; j < 3; ++j)
+        result[j] += part[j];
+    return result;
+  }
+
+  // Calls f(part, faces, first, n) for all faces at these positions, several of them at once, where `faces` are
+  // Faces_in_lanes: those from `first` on, of which `n` count. The faces are in `n_parts` parts, each in order, and several
+  // parts run at once.
+  template <class Space, class Function>
+  void for_each_in_lanes(const Star_packets& stars, const std::vector<Vector_3d>& positions, std::size_t n_parts,
+                         Execution execution, const Function& f) const
+  {
+    for_each_block(execution, 0, n_parts, 1, [&](std::size_t part, std::size_t) {
+      const auto visit = [&](auto number_type) {
+        using FT = typename decltype(number_type)::FT;
+        for(std::size_t k = part * m_packets.size() / n_parts; k < (part + 1) * m_packets.size() / n_parts; ++k)
+        {
+          for(const std::uint32_t corner : m_packets[(std::min)(k + packets_ahead, m_packets.size() - 1)].corners)
+            stars.prefetch_rest(corner);
+          for(std::size_t lane = 0; lane < width && k * width + lane < m_number_of_faces; lane += Lanes<FT>::width)
+            f(part, in_lanes<FT>(stars, positions.data(), k, lane), k * width + lane,
+              (std::min)(Lanes<FT>::width, m_number_of_faces - k * width - lane));
+        }
+      };
+      if constexpr(Space::is_lanewise)
+        run_in_lanes(visit);
+      else
+        visit(Number_type<double>());
+    });
+  }
+
+  bool has_slivers() const { return !m_slivers.empty(); }
+  const std::vector<std::uint32_t>& slivers() const { return m_slivers; }
+
+  // what was measured last
+  const Face_invariants_3* begin() const { return m_invariants.data(); }
+  const Face_invariants_3* end() const { return m_invariants.data() + m_number_of_faces; }
+
+  // Calls f(a, b, c) for each face whose energy was above `bound` when it was measured last, as long as f returns true;
+  // but for blocks of faces that were all below it when they were summed up last, on a sphere that is nearly the same.
+  template <class Energy, class Function>
+  void for_each_above(const Energy& energy, double bound, const Function& f) const
+  {
+    for(std::size_t block = 0; block < m_partial.size(); ++block)
+    {
+      if(!(m_partial[block].all().maximum_energy() > bound))
+        continue;
+      for(std::size_t face = first_face(block); face < first_face(block + 1); ++face)
+        if(energy(m_invariants[face].i, m_invariants[face].d) > bound)
+        {
+          const auto& vertices = m_packets[face / width].vertices;
+          if(!f(vertices[0][face % width], vertices[1][face % width], vertices[2][face % width]))
+            return;
+        }
+    }
+  }
+
+private:
+  static constexpr std::size_t width = packet_width;
+  static constexpr std::size_t packets_per_block = 32; // of parallel work: 256 faces, some two microseconds
+  static constexpr std::size_t faces_per_block = packets_per_block * width;
+  static constexpr std::size_t packets_ahead = 3; // fetched; with columns, hand_42068 took 20 ns a vertex, not 44
+
+  struct Packet
+  {
+    std::array<std::uint32_t, width> corners; // of the smallest vertices in their stars
+    std::array<std::array<std::uint32_t, width>, 3> vertices;
+  };
+
+  std::size_t number_of_blocks() const { return (m_number_of_faces + faces_per_block - 1) / faces_per_block; }
+  std::size_t first_face(std::size_t block) const { return (std::min)(block * faces_per_block, m_number_of_faces); }
+
+  template <class Space, class Function>
+  void for_each_block_of_faces(Execution execution, const Function& f) const
+  {
+    for_each_block(execution, 0, number_of_blocks(), 1, [&](std::size_t block, std::size_t) {
+      if constexpr(Space::is_lanewise)
+        run_in_lanes([&](auto number_type) { f(number_type, block); });
+      else
+        f(Number_type<double>(), block);
+    });
+  }
+
+  template <class FT>
+  Faces_in_lanes<FT> in_lanes(const Star_packets& stars, const Vector_3d* positions, std::size_t k,
+                              std::size_t first) const
+  {
+    const Packet& packet = m_packets[k];
+    const auto point = [&](std::size_t corner) {
+      return points_in_lanes<FT>(packet.vertices[corner].data() + first, positions);
+    };
+    const auto rest = [&](std::size_t i) {
+      return Lanes<FT>::generate([&](std::size_t lane) { return stars.rest(packet.corners[first + lane], i); });
+    };
+    return {{point(0), point(1), point(2)}, {rest(0), rest(1), rest(2)}, rest(3)};
+  }
+
+  template <class FT, class Space>
+  void measure_lanes(const Space& space, const Star_packets& stars, const Vector_3d* positions, double squared_radius,
+                     const Face_objective& objective, std::size_t k, std::size_t first)
+  {
+    const Faces_in_lanes<FT> faces = in_lanes<FT>(stars, positions, k, first);
+    const FT doubled_area = 1. / faces.inverse_doubled_area;
+    const auto [i, d, flat_d] = space.template invariants<FT>(faces.corners, faces.opposite, faces.inverse_doubled_area,
+                                                              doubled_area, squared_radius, objective);
+    const FT area = 0.5 * doubled_area;
+    for(std::size_t j = 0; j < Lanes<FT>::width; ++j)
+      m_invariants[k * width + first + j] = {lane(area, j), lane(i, j), lane(d, j), lane(flat_d, j)};
+  }
+
+  // a member of the faces from `k` on
+  template <class FT>
+  FT invariant(std::size_t k, double Face_invariants_3::*member) const
+  {
+    return Lanes<FT>::generate([&](std::size_t lane) { return m_invariants[k + lane].*member; });
+  }
+
+  template <class FT, class Energy>
+  void summarize(const Energy& energy, double radius, const Face_objective& objective, std::size_t block)
+  {
+    const auto squared = [](double x) { return x * x; };
+    std::array<double, faces_per_block> energies, areas;
+    const double* const counts = Energy::weighs_faces_by_area ? areas.data() : nullptr;
+    const std::size_t begin = first_face(block), n = first_face(block + 1) - begin;
+    for(std::size_t k = 0; k < n; k += Lanes<FT>::width)
+    {
+      const FT scale = squared(radius / m_radius), i = scale * invariant<FT>(begin + k, &Face_invariants_3::i),
+               d = scale * invariant<FT>(begin + k, &Face_invariants_3::d);
+      Lanes<FT>::store(energy(i, d), energies.data() + k);
+    }
+    for(std::size_t k = 0; counts && k < n; ++k)
+      areas[k] = m_invariants[begin + k].area;
+    Mesh_summary& part = m_partial[block];
+    part = Mesh_summary(objective);
+    const std::size_t n_slivers = number_of_slivers(block);
+    remove_slivers(block, energies.data());
+    if(counts)
+      remove_slivers(block, areas.data());
+    part.ordinary.add_all<FT>(energies.data(), counts, n - n_slivers);
+
+    const double scale = squared((objective.sliver_radius > 0. ? objective.sliver_radius : radius) / m_radius);
+    for(std::size_t k = 0; k < n_slivers; ++k)
+    {
+      const std::size_t face = m_slivers[m_first_sliver[block] + k];
+      energies[k] = energy(scale * m_invariants[face].i, scale * m_invariants[face].d);
+      areas[k] = m_invariants[face].area;
+    }
+    part.slivers.add_all<FT>(energies.data(), counts, n_slivers);
+  }
+
+  Mesh_summary total(const Face_objective& objective) const
+  {
+    Mesh_summary result(objective);
+    for(const Mesh_summary& part : m_partial)
+      result.add(part);
+    return result;
+  }
+
+  void find_slivers(const Star_packets& stars)
+  {
+    m_slivers.clear();
+    m_first_sliver.clear();
+    for(std::size_t block = 0; block < number_of_blocks(); ++block)
+    {
+      m_first_sliver.push_back(m_slivers.size());
+      for(std::size_t face = first_face(block); face < first_face(block + 1); ++face)
+        if(stars.is_at_sliver(m_packets[face / width].corners[face % width]))
+          m_slivers.push_back(static_cast<std::uint32_t>(face));
+    }
+    m_first_sliver.push_back(m_slivers.size());
+  }
+
+  std::size_t number_of_slivers(std::size_t block) const { return m_first_sliver[block + 1] - m_first_sliver[block]; }
+
+  // Closes the gaps that the slivers of a block leave among the values of its faces.
+  void remove_slivers(std::size_t block, double* values) const
+  {
+    if(number_of_slivers(block) == 0)
+      return;
+    std::size_t n = 0, sliver = m_first_sliver[block];
+    for(std::size_t face = first_face(block); face < first_face(block + 1); ++face)
+      if(sliver < m_first_sliver[block + 1] && m_slivers[sliver] == face)
+        ++sliver;
+      else
+        values[n++] = values[face - first_face(block)];
+  }
+
+  std::size_t m_number_of_faces = 0;
+  boost::container::vector<Packet> m_packets;
+  boost::container::vector<Face_invariants_3> m_invariants;
+  std::vector<std::uint32_t> m_slivers;    // in the order of the faces
+  std::vector<std::size_t> m_first_sliver; // of the blocks, and the end
+  double m_radius = 1.;
+  std::vector<Mesh_summary> m_partial; // of the blocks
+};
+
+} // namespace CGAL::Spherical_parameterization::internal
+
+#endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_DESCENT_MEASURED_FACES_H

@@ -1,0 +1,353 @@
+// Copyright (c) 2026  The Spherical_parameterization authors.
+// All rights reserved.
+//
+// This file is part of the Spherical_parameterization package for CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Spherical_parameterization authors
+
+#ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_DESCENT_STAR_PACKETS_H
+#define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_DESCENT_STAR_PACKETS_H
+
+#include <CGAL/license/Spherical_parameterization.h>
+
+#include <CGAL/Spherical_parameterization/internal/numbers/Packed_double.h>
+#include <CGAL/Spherical_parameterization/internal/numbers/Vector_3.h>
+#include <CGAL/Spherical_parameterization/internal/surface/Rest_triangle.h>
+
+#include <CGAL/assertions.h>
+
+#include <boost/container/vector.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <numeric>
+#include <vector>
+
+namespace CGAL::Spherical_parameterization::internal {
+
+// How many stars or faces are laid out side by side, a multiple of all numbers of lanes.
+constexpr std::size_t packet_width = 8; // also of those of AVX-512, which saved a tenth of the time, but fuses products
+static_assert(packet_width % Lanes<Two_lanes>::width == 0 && packet_width % Lanes<Four_lanes>::width == 0,
+              "A packet is worked on lane by lane without a rest.");
+
+// Where number k of the rest shape of a corner is: those of packet_width corners lie side by side.
+inline std::size_t rest_index(std::size_t corner, std::size_t k)
+{
+  return 4 * (corner - corner % packet_width) + packet_width * k + corner % packet_width;
+}
+
+// The positions of consecutive vertices of an array.
+template <class FT>
+Vector_3<FT> points_in_lanes(const std::uint32_t* vertices, const Vector_3d* positions)
+{
+  const auto coordinate = [&](std::size_t i) {
+    return Lanes<FT>::generate([&](std::size_t lane) { return positions[vertices[lane]][i]; });
+  };
+  return {coordinate(0), coordinate(1), coordinate(2)};
+}
+
+// One star, or several of them lane by lane, where they lie in memory: the numbers of the vertices and their
+// neighbours, the rest shapes of the faces, and whether these are at slivers. Corner j of lane k is the one of the face
+// (vertex, neighbor j, neighbor j + 1) and has the index first + j * stride + k in the arrays of the neighbors and, by
+// rest_index(), of the rest shapes. A star that has fewer faces than others of its packet, which its degree tells, is
+// padded with its first neighbor, and with 0 for the rest shapes.
+template <class FT>
+class Star_view
+{
+public:
+  Star_view() = default;
+  // `is_at_sliver` is null where there are no slivers.
+  Star_view(const std::uint32_t* vertices, const std::uint32_t* degrees, const std::uint32_t* neighbors,
+            const double* rest, const char* is_at_sliver, std::size_t first, std::size_t stride, std::size_t size)
+    : m_vertices(vertices)
+    , m_neighbors(neighbors)
+    , m_rest(rest)
+    , m_is_at_sliver(is_at_sliver)
+    , m_first(first)
+    , m_stride(stride)
+    , m_size(size)
+    , m_degree(Lanes<FT>::generate([&](std::size_t lane) { return static_cast<double>(degrees[lane]); }))
+  {}
+
+  std::size_t size() const { return m_size; }
+
+  Vector_3<FT> center(const Vector_3d* positions) const { return points_in_lanes<FT>(m_vertices, positions); }
+  Vector_3<FT> neighbor(std::size_t j, const Vector_3d* positions) const
+  {
+    return points_in_lanes<FT>(m_neighbors + m_first + j * m_stride, positions);
+  }
+
+  std::uint32_t neighbor(std::size_t j, std::size_t lane = 0) const
+  {
+    return m_neighbors[m_first + j * m_stride + lane];
+  }
+
+  // see Rest_triangle
+  FT opposite_0(std::size_t j) const { return rest(j, 0); }
+  FT opposite_1(std::size_t j) const { return rest(j, 1); }
+  FT opposite_2(std::size_t j) const { return rest(j, 2); }
+  FT inverse_doubled_area(std::size_t j) const { return rest(j, 3); }
+  Rest_triangle rest(std::size_t j) const { return {rest(j, 0), rest(j, 1), rest(j, 2), rest(j, 3)}; } // of one star
+
+  // whether row j is beyond the end of the star
+  auto is_padding(std::size_t j) const { return !(FT(static_cast<double>(j)) < m_degree); }
+
+  // whether the face belongs to the group of the slivers, if there are any
+  bool has_slivers() const { return m_is_at_sliver != nullptr; }
+  auto is_at_sliver(std::size_t j) const
+  {
+    return Lanes<FT>::generate(
+               [&](std::size_t lane) { return double(m_is_at_sliver[m_first + j * m_stride + lane]); }) > 0.;
+  }
+
+private:
+  FT rest(std::size_t j, std::size_t k) const
+  {
+    return Lanes<FT>::load(m_rest + rest_index(m_first + j * m_stride, k));
+  }
+
+  const std::uint32_t* m_vertices = nullptr;
+  const std::uint32_t* m_neighbors = nullptr;
+  const double* m_rest = nullptr;
+  const char* m_is_at_sliver = nullptr;
+  std::size_t m_first = 0, m_stride = 0, m_size = 0;
+  FT m_degree = 0.;
+};
+
+// The stars of many vertices, laid out such that several of them can be worked on at once: `width` stars of the same
+// independent set, and wherever possible of the same number of faces, make a packet, in which they lie side by side as
+// Star_view wants them. A star of very many faces is a packet by itself.
+//
+// Each star has a place; those of a packet are consecutive, and so are the packets of an independent set. A packet that
+// is not full has its first star in the remaining places.
+//
+// Corners and places are counted in 32 bits. There are at most 6 n corners of n vertices, and padding adds less than 2
+// n: within a chunk of 1024 vertices of a set, which are ordered by degree, a packet wastes at most 8 times the
+// difference of its largest and smallest degree, which telescopes to less than 8 * 32, and the last packet as much
+// again; so does the last chunk of each set; a star by itself, of which there are less than n / 5, wastes at most 7.
+// read_mesh() refuses meshes with 2^31 halfedges, that is, n > 2^31 / 6, so that 8 n is below 2^32.
+class Star_packets
+{
+public:
+  static constexpr std::size_t width = packet_width;
+
+  struct Packet
+  {
+    std::size_t first_corner; // a multiple of packet_width
+    std::uint32_t first_place, number_of_stars, number_of_rows, stride;
+  };
+
+  // Sets memory aside for so many stars of six faces, the mean of a closed mesh, with a little to spare for the lanes
+  // that stay empty.
+  void reserve(std::size_t n_vertices)
+  {
+    const std::size_t n_places = n_vertices + n_vertices / 8 + width, n_corners = 6 * n_places;
+    m_vertices.reserve(n_places);
+    m_degrees.reserve(n_places);
+    m_packets.reserve(n_places / width);
+    m_neighbors.reserve(n_corners);
+    m_rest.reserve(4 * n_corners);
+  }
+
+  // Makes room for the stars of `vertices`, of which vertices[first_of_set[k]], ..., vertices[first_of_set[k + 1] - 1]
+  // are independent. degree_of(v) is the number of neighbors of a vertex; `has_slivers` says whether some faces are at
+  // slivers.
+  template <class DegreeOf>
+  void assign(const std::vector<std::uint32_t>& vertices, const std::vector<std::size_t>& first_of_set,
+              const DegreeOf& degree_of, bool has_slivers)
+  {
+    m_vertices.clear();
+    m_degrees.clear();
+    m_vertices.reserve(vertices.size() + vertices.size() / 16 + width);
+    m_degrees.reserve(m_vertices.capacity());
+    m_packets.clear();
+    m_packets.reserve(m_vertices.capacity() / width);
+    m_first_packet.assign(1, 0);
+    std::size_t n_corners = 0;
+    std::vector<std::uint32_t> order;
+    for(std::size_t set = 0; set + 1 < first_of_set.size(); ++set)
+    {
+      for(std::size_t begin = first_of_set[set]; begin < first_of_set[set + 1]; begin += chunk_size)
+      {
+        const std::size_t end = (std::min)(begin + chunk_size, first_of_set[set + 1]);
+        order_by_degree(vertices.data() + begin, vertices.data() + end, degree_of, order);
+        for(std::size_t k = 0; k < order.size();)
+        {
+          const bool is_large = degree_of(order[k]) > max_rows;
+          const std::size_t stride = is_large ? 1 : width;
+          std::size_t last = k + 1;
+          while(last < order.size() && last < k + stride && degree_of(order[last]) <= max_rows)
+            ++last;
+          const auto n_rows = static_cast<std::uint32_t>(degree_of(order[last - 1]));
+          m_packets.push_back({n_corners, static_cast<std::uint32_t>(m_vertices.size()),
+                               static_cast<std::uint32_t>(last - k), n_rows, static_cast<std::uint32_t>(stride)});
+          n_corners += (stride * n_rows + width - 1) / width * width;
+          for(std::size_t lane = 0; lane < stride; ++lane)
+          {
+            const std::uint32_t v = order[k + lane < last ? k + lane : k];
+            m_vertices.push_back(v);
+            m_degrees.push_back(static_cast<std::uint32_t>(degree_of(v)));
+          }
+          k = last;
+        }
+      }
+      m_first_packet.push_back(m_packets.size());
+    }
+    CGAL_assertion(n_corners <= (std::numeric_limits<std::uint32_t>::max)());
+    resize(m_neighbors, n_corners);
+    resize(m_rest, 4 * n_corners);
+    m_is_at_sliver.clear();
+    m_is_at_sliver.resize(has_slivers ? n_corners : 0, 0);
+  }
+
+  // Fills a packet: star_of(v) is the star of a vertex, with its size(), neighbor(j), rest(j) and,
+  // if any face is at a sliver, is_at_sliver(j).
+  template <class StarOf>
+  void fill(std::size_t packet, const StarOf& star_of)
+  {
+    const Packet& p = m_packets[packet];
+    for(std::size_t lane = 0; lane < p.stride; ++lane)
+    {
+      const auto star = star_of(m_vertices[p.first_place + lane]);
+      for(std::size_t j = 0; j < p.number_of_rows; ++j)
+      {
+        const std::size_t corner = p.first_corner + j * p.stride + lane;
+        const bool is_face = j < star.size();
+        const Rest_triangle rest = is_face ? star.rest(j) : Rest_triangle{0., 0., 0., 0.};
+        m_neighbors[corner] = star.neighbor(is_face ? j : 0);
+        m_rest[rest_index(corner, 0)] = rest.opposite_0;
+        m_rest[rest_index(corner, 1)] = rest.opposite_1;
+        m_rest[rest_index(corner, 2)] = rest.opposite_2;
+        m_rest[rest_index(corner, 3)] = rest.inverse_doubled_area;
+        if(has_slivers())
+          m_is_at_sliver[corner] = is_face && star.is_at_sliver(j);
+      }
+    }
+  }
+
+  // One star, to copy it.
+  Star_view<double> star(std::size_t place) const
+  {
+    const auto next = std::upper_bound(m_packets.begin(), m_packets.end(), place,
+                                       [](std::size_t p, const Packet& packet) { return p < packet.first_place; });
+    const Packet& packet = *(next - 1);
+    return view<double>(packet, place - packet.first_place);
+  }
+
+  std::size_t number_of_sets() const { return m_first_packet.size() - 1; }
+  std::size_t first_packet(std::size_t set) const { return m_first_packet[set]; }
+  std::size_t number_of_packets() const { return m_packets.size(); }
+  const Packet& packet(std::size_t k) const { return m_packets[k]; }
+
+  std::size_t number_of_places() const { return m_vertices.size(); }
+  std::size_t first_place_of_set(std::size_t set) const
+  {
+    return m_first_packet[set] < m_packets.size() ? m_packets[m_first_packet[set]].first_place : m_vertices.size();
+  }
+  std::uint32_t vertex(std::size_t place) const { return m_vertices[place]; }
+  const std::uint32_t* vertices(const Packet& p) const { return m_vertices.data() + p.first_place; }
+
+  // The stars of a packet from `lane` on. A single star has no padding.
+  template <class FT>
+  Star_view<FT> view(const Packet& p, std::size_t lane) const
+  {
+    std::size_t n_rows = p.number_of_rows;
+    if constexpr(Lanes<FT>::width == 1)
+      n_rows = m_degrees[p.first_place + lane];
+    return Star_view<FT>(m_vertices.data() + p.first_place + lane, m_degrees.data() + p.first_place + lane,
+                         m_neighbors.data(), m_rest.data(), has_slivers() ? m_is_at_sliver.data() : nullptr,
+                         p.first_corner + lane, p.stride, n_rows);
+  }
+
+  double rest(std::size_t corner, std::size_t k) const { return m_rest[rest_index(corner, k)]; }
+  bool has_slivers() const { return !m_is_at_sliver.empty(); }
+  bool is_at_sliver(std::size_t corner) const { return has_slivers() && m_is_at_sliver[corner]; }
+
+  // Announces that the rest shape of a corner is about to be read. Corners of a packet are near each other, but too far
+  // for a processor to see what comes next.
+  void prefetch_rest([[maybe_unused]] std::size_t corner) const
+  {
+#ifdef __GNUC__
+    for(std::size_t k = 0; k < 4; ++k)
+      __builtin_prefetch(m_rest.data() + rest_index(corner, k));
+#endif
+  }
+
+  // Calls f(corner, v, a, b) for the faces (v, a, b) of the mesh that have their smallest vertex v in a packet, in a fixed order.
+  template <class Function>
+  void for_each_face(std::size_t packet, const Function& f) const
+  {
+    const Packet& p = m_packets[packet];
+    for(std::size_t lane = 0; lane < p.number_of_stars; ++lane)
+      for(std::size_t j = 0; j < p.number_of_rows; ++j)
+      {
+        const std::size_t first = p.first_corner + lane, corner = first + j * p.stride;
+        const std::uint32_t v = m_vertices[p.first_place + lane], a = m_neighbors[corner],
+                            b = m_neighbors[j + 1 < p.number_of_rows ? corner + p.stride : first];
+        // A padding row has the first neighbor on both sides. Branches would be mispredicted.
+        if(static_cast<int>(v < a) & static_cast<int>(v < b) & static_cast<int>(a != b))
+          f(corner, v, a, b);
+      }
+  }
+
+  std::size_t number_of_faces(std::size_t packet) const
+  {
+    std::size_t result = 0;
+    for_each_face(packet, [&](std::size_t, std::uint32_t, std::uint32_t, std::uint32_t) { ++result; });
+    return result;
+  }
+
+private:
+  // Vertices are ordered by their numbers of faces in chunks: near in memory, but enough to fill packets of one number.
+  static constexpr std::size_t chunk_size = 1024;
+  static constexpr std::size_t max_rows = 32; // of a packet of several stars: to pad them for longer ones wastes memory
+
+  // Orders vertices by their numbers of neighbors; those of the same number, or of more than max_rows, stay as they were.
+  template <class DegreeOf>
+  static void order_by_degree(const std::uint32_t* begin, const std::uint32_t* end, const DegreeOf& degree_of,
+                              std::vector<std::uint32_t>& order)
+  {
+    const auto key_of = [&](std::uint32_t v) {
+      return (std::min)(static_cast<std::size_t>(degree_of(v)), max_rows + 1);
+    };
+    std::array<std::size_t, max_rows + 3> next = {};
+    for(const std::uint32_t* v = begin; v != end; ++v)
+      ++next[key_of(*v) + 1];
+    std::partial_sum(next.begin(), next.end(), next.begin());
+    order.resize(static_cast<std::size_t>(end - begin));
+    for(const std::uint32_t* v = begin; v != end; ++v)
+      order[next[key_of(*v)]++] = *v;
+  }
+
+  // A vector that grows a little at a time takes twice the memory that it needs, and copies what is of no use any more.
+  // What it gets is left to fill(), which touches the memory in parallel.
+  template <class T>
+  static void resize(boost::container::vector<T>& numbers, std::size_t n)
+  {
+    if(n > numbers.capacity())
+    {
+      const bool is_first = numbers.empty();
+      boost::container::vector<T>().swap(numbers);
+      numbers.reserve(is_first ? n : n + n / 16);
+    }
+    numbers.resize(n, boost::container::default_init);
+  }
+
+  std::vector<Packet> m_packets;
+  std::vector<std::size_t> m_first_packet;
+  std::vector<std::uint32_t> m_vertices, m_degrees; // of the places
+  boost::container::vector<std::uint32_t> m_neighbors;
+  boost::container::vector<double> m_rest;
+  std::vector<char> m_is_at_sliver; // the corners, if any is
+};
+
+} // namespace CGAL::Spherical_parameterization::internal
+
+#endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_DESCENT_STAR_PACKETS_H

@@ -1,0 +1,155 @@
+// Copyright (c) 2026  The Spherical_parameterization authors.
+// All rights reserved.
+//
+// This file is part of the Spherical_parameterization package for CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Spherical_parameterization authors
+
+#ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_EXECUTION_RUN_CONTROL_H
+#define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_EXECUTION_RUN_CONTROL_H
+
+#include <CGAL/license/Spherical_parameterization.h>
+
+#include <CGAL/Spherical_parameterization/Default_visitor.h>
+#include <CGAL/Spherical_parameterization/Parameterization_report.h>
+#include <CGAL/Spherical_parameterization/internal/execution/parallel.h>
+
+#include <CGAL/Named_function_parameters.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstddef>
+
+namespace CGAL::Spherical_parameterization::internal {
+
+// What accompanies a run from stage to stage: the caller's visitor, behind an interface, the clock and the report.
+class Run_control
+{
+public:
+  // There is no limit if `max_seconds` is not positive.
+  Run_control(double max_seconds, Parameterization_report& report)
+    : m_max_seconds(max_seconds)
+    , m_report(report)
+  {}
+
+  // the same of a run whose report is not given away
+  explicit Run_control(double max_seconds)
+    : m_max_seconds(max_seconds)
+    , m_report(m_own_report)
+  {}
+  virtual ~Run_control() = default;
+  Run_control(const Run_control&) = delete;
+  Run_control& operator=(const Run_control&) = delete;
+
+  // see SphericalParameterizationVisitor
+  virtual void on_initialization_begin(std::size_t number_of_vertices) = 0;
+  virtual void on_level(std::size_t number_of_vertices) = 0;
+  virtual void on_initialization_end() = 0;
+  virtual void after_iteration(std::size_t iteration, double energy, double radius) = 0;
+  virtual void on_optimization_end() = 0;
+
+  // Asks the visitor and the clock whether to go on. Once either has said no, it stays so.
+  bool go_further(std::size_t iteration, double energy)
+  {
+    if(m_stop_reason == NOT_RUN && !visitor_goes_further(iteration, energy))
+      m_stop_reason = STOPPED;
+    return check_clock();
+  }
+
+  // Asks the clock alone, which costs next to nothing.
+  bool check_clock()
+  {
+    if(m_stop_reason == NOT_RUN && m_max_seconds > 0. && seconds() > m_max_seconds)
+      m_stop_reason = TIME_LIMIT;
+    return m_stop_reason == NOT_RUN;
+  }
+
+  // STOPPED or TIME_LIMIT, or NOT_RUN if the run may go on
+  Stop_reason stop_reason() const { return m_stop_reason; }
+  bool is_stopped() const { return m_stop_reason != NOT_RUN; }
+
+  Parameterization_report& report() { return m_report; }
+
+  // returns the seconds since the last call, or since the beginning
+  double lap()
+  {
+    const double now = seconds(), lap = now - m_last_lap;
+    m_last_lap = now;
+    return lap;
+  }
+
+private:
+  using Clock = std::chrono::steady_clock; // monotonic, unlike the one of CGAL::Real_timer
+
+  virtual bool visitor_goes_further(std::size_t iteration, double energy) = 0;
+
+  double seconds() const { return std::chrono::duration<double>(Clock::now() - m_start).count(); }
+
+  double m_max_seconds;
+  Parameterization_report m_own_report;
+  Parameterization_report& m_report;
+  Clock::time_point m_start = Clock::now();
+  double m_last_lap = 0.;
+  Stop_reason m_stop_reason = NOT_RUN;
+};
+
+// Calls f(begin, end) for blocks as for_each_block() does, and asks the control after every few of them, some milliseconds of
+// work. Returns whether all has been done.
+template <class Function>
+bool for_each_block_until_stopped(Run_control& control, const Execution& execution, std::size_t n,
+                                  std::size_t block_size, const Function& f)
+{
+  const std::size_t step = 16 * block_size;
+  for(std::size_t begin = 0; begin < n; begin += step)
+  {
+    if(!control.go_further(0, 0.))
+      return false;
+    for_each_block(execution, begin, (std::min)(begin + step, n), block_size, f);
+  }
+  return control.go_further(0, 0.);
+}
+
+// A control by the named parameters of a call: its visitor, and its time limit.
+template <class NamedParameters>
+class Visitor_control : public Run_control
+{
+public:
+  // `report` is a `Parameterization_report`, if the call gives one.
+  template <class... Report>
+  explicit Visitor_control(const NamedParameters& np, Report&... report)
+    : Run_control(parameters::choose_parameter(parameters::get_parameter(np, internal_np::maximum_running_time), 0.),
+                  report...)
+    , m_visitor(parameters::choose_parameter(parameters::get_parameter_reference(np, internal_np::visitor),
+                                             m_default_visitor))
+  {}
+
+  void on_initialization_begin(std::size_t number_of_vertices) override
+  {
+    m_visitor.on_initialization_begin(number_of_vertices);
+  }
+  void on_level(std::size_t number_of_vertices) override { m_visitor.on_level(number_of_vertices); }
+  void on_initialization_end() override { m_visitor.on_initialization_end(); }
+  void after_iteration(std::size_t iteration, double energy, double radius) override
+  {
+    m_visitor.after_iteration(iteration, energy, radius);
+  }
+  void on_optimization_end() override { m_visitor.on_optimization_end(); }
+
+private:
+  bool visitor_goes_further(std::size_t iteration, double energy) override
+  {
+    return m_visitor.go_further(iteration, energy);
+  }
+
+  Default_visitor m_default_visitor;
+  typename internal_np::Lookup_named_param_def<internal_np::visitor_t, NamedParameters, Default_visitor>::reference
+      m_visitor;
+};
+
+} // namespace CGAL::Spherical_parameterization::internal
+
+#endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_EXECUTION_RUN_CONTROL_H

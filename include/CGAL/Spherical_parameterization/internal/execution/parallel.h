@@ -1,0 +1,190 @@
+// Copyright (c) 2026  The Spherical_parameterization authors.
+// All rights reserved.
+//
+// This file is part of the Spherical_parameterization package for CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Spherical_parameterization authors
+
+#ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_EXECUTION_PARALLEL_H
+#define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_EXECUTION_PARALLEL_H
+
+#include <CGAL/license/Spherical_parameterization.h>
+
+#include <CGAL/tags.h>
+
+#ifdef CGAL_LINKED_WITH_TBB
+#include <tbb/blocked_range.h>
+#include <tbb/enumerable_thread_specific.h>
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+#include <tbb/task_group.h>
+#endif
+
+#include <algorithm>
+#include <cstddef>
+#include <memory>
+#include <mutex>
+#include <type_traits>
+#include <vector>
+
+namespace CGAL::Spherical_parameterization::internal {
+
+// How loops are run, in one thread or in several, is a value, so that nothing below the parameterizers is compiled once
+// for each tag. The value holds the functions of the thread pool. So what is compiled without TBB is the same as what
+// is compiled with it, but for `execution_of<Parallel_tag>()`, and both may be linked into one program.
+
+// Refers to a function f(begin, end) without owning it.
+class Block_function
+{
+public:
+  template <class Function>
+  explicit Block_function(const Function& f)
+    : m_function(&f)
+    , m_call([](const void* function, std::size_t begin, std::size_t end) {
+      (*static_cast<const Function*>(function))(begin, end);
+    })
+  {}
+
+  void operator()(std::size_t begin, std::size_t end) const { m_call(m_function, begin, end); }
+
+private:
+  const void* m_function;
+  void (*m_call)(const void*, std::size_t, std::size_t);
+};
+
+// A pointer for each thread that asks, null at first.
+class Thread_pointers
+{
+public:
+  virtual ~Thread_pointers() = default;
+  virtual void*& local() = 0;
+};
+
+// Calls f(k, k + 1) for all k < n in this thread.
+inline void run_in_one_thread(std::size_t n, const Block_function& f)
+{
+  for(std::size_t k = 0; k < n; ++k)
+    f(k, k + 1);
+}
+
+struct Execution // sequential by default
+{
+  void (*run)(std::size_t n, const Block_function& f) = &run_in_one_thread;
+  std::unique_ptr<Thread_pointers> (*make_thread_pointers)() = nullptr; // null: there is one thread only
+};
+
+#ifdef CGAL_LINKED_WITH_TBB
+
+// The loop may come from within a task of the caller's. Two things keep that from showing: a task group context of its
+// own, as one that is cancelled along with the caller's would skip blocks silently, and isolation, as a thread that
+// waits for its blocks would otherwise take up another task of the caller's, long beyond any time limit. The blocks are
+// run with the rounding mode of the caller.
+inline void run_in_thread_pool(std::size_t n, const Block_function& f)
+{
+  tbb::task_group_context context(tbb::task_group_context::isolated,
+                                  tbb::task_group_context::default_traits | tbb::task_group_context::fp_settings);
+  tbb::this_task_arena::isolate([&] {
+    tbb::parallel_for(
+        tbb::blocked_range<std::size_t>(0, n),
+        [&](const tbb::blocked_range<std::size_t>& range) {
+          for(std::size_t k = range.begin(); k != range.end(); ++k)
+            f(k, k + 1);
+        },
+        context);
+  });
+}
+
+class Thread_pool_pointers : public Thread_pointers
+{
+public:
+  void*& local() override { return m_pointers.local(); }
+
+private:
+  tbb::enumerable_thread_specific<void*> m_pointers{nullptr};
+};
+
+#endif
+
+template <class ConcurrencyTag>
+Execution execution_of()
+{
+  if constexpr(std::is_convertible<ConcurrencyTag, Parallel_tag>::value)
+  {
+#ifdef CGAL_LINKED_WITH_TBB
+    return {&run_in_thread_pool, [] { return std::unique_ptr<Thread_pointers>(new Thread_pool_pointers); }};
+#else
+    static_assert(!std::is_convertible<ConcurrencyTag, Parallel_tag>::value,
+                  "Parallel_tag is enabled but TBB is unavailable.");
+#endif
+  }
+  else
+    return Execution();
+}
+
+// Calls f(begin, end) for consecutive blocks that cover [first, last), in parallel if there is more than one. The
+// blocks do not depend on the number of threads: block k starts at first + k * block_size. So whatever is reduced block
+// by block and then over the blocks in order has the same bits however it was run.
+template <class Function>
+void for_each_block(const Execution& execution, std::size_t first, std::size_t last, std::size_t block_size,
+                    const Function& f)
+{
+  const std::size_t n_blocks = last > first ? (last - first + block_size - 1) / block_size : 0;
+  const auto run_block = [&](std::size_t block, std::size_t) {
+    const std::size_t begin = first + block * block_size;
+    f(begin, (std::min)(begin + block_size, last));
+  };
+  (n_blocks > 1 ? execution.run : &run_in_one_thread)(n_blocks, Block_function(run_block));
+}
+
+// Calls f() and g(), in parallel or one after the other. Neither may see what the other one does. Loops within them are
+// parallel as well; but a thread that runs one of the two does not help with the loops of the other, so g() should be
+// the shorter one.
+template <class Function, class OtherFunction>
+void run_both(const Execution& execution, const Function& f, const OtherFunction& g)
+{
+  for_each_block(execution, 0, 2, 1, [&](std::size_t k, std::size_t) {
+    if(k == 0)
+      f();
+    else
+      g();
+  });
+}
+
+// One copy of a scratch object for each thread that asks for it, or just one if the execution is sequential.
+template <class T>
+class Per_thread
+{
+public:
+  Per_thread(const Execution& execution, const T& exemplar)
+    : m_exemplar(exemplar)
+    , m_pointers(execution.make_thread_pointers ? execution.make_thread_pointers() : nullptr)
+  {}
+
+  T& local()
+  {
+    if(!m_pointers)
+      return m_exemplar;
+    void*& pointer = m_pointers->local();
+    if(!pointer)
+    {
+      const std::lock_guard<std::mutex> lock(m_mutex);
+      m_objects.push_back(std::make_unique<T>(m_exemplar));
+      pointer = m_objects.back().get();
+    }
+    return *static_cast<T*>(pointer);
+  }
+
+private:
+  T m_exemplar;
+  std::unique_ptr<Thread_pointers> m_pointers;
+  std::mutex m_mutex; // of the objects, of which there are as many as threads
+  std::vector<std::unique_ptr<T>> m_objects;
+};
+
+} // namespace CGAL::Spherical_parameterization::internal
+
+#endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_EXECUTION_PARALLEL_H

@@ -1,0 +1,75 @@
+// Copyright (c) 2026  The Spherical_parameterization authors.
+// All rights reserved.
+//
+// This file is part of the Spherical_parameterization package for CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Spherical_parameterization authors
+
+#ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_EXECUTION_POLICY_TRAITS_H
+#define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_EXECUTION_POLICY_TRAITS_H
+
+#include <CGAL/license/Spherical_parameterization.h>
+
+#include <type_traits>
+#include <utility>
+
+namespace CGAL::Spherical_parameterization::internal {
+
+// The members that a model of a concept need not have, and what their absence means.
+
+template <class Policy, class = void>
+constexpr bool has_is_valid = false;
+template <class Policy>
+constexpr bool has_is_valid<Policy, std::void_t<decltype(std::declval<const Policy&>().is_valid())>> = true;
+
+// returns whether the parameters of a policy are in their ranges; a policy without parameters is valid
+template <class Policy>
+bool is_valid_policy(const Policy& policy)
+{
+  if constexpr(has_is_valid<Policy>)
+    return policy.is_valid();
+  else
+    return true;
+}
+
+template <class Policy, class = void>
+constexpr bool has_next_phase = false;
+template <class Policy>
+constexpr bool has_next_phase<Policy, std::void_t<decltype(std::declval<Policy&>().next_phase())>> = true;
+
+// starts the next phase of a policy and returns whether there is one; most policies have a single phase
+template <class Policy>
+bool next_phase(Policy& policy)
+{
+  if constexpr(has_next_phase<Policy>)
+    return policy.next_phase();
+  else
+    return false;
+}
+
+template <class Energy, class Faces, class = void>
+constexpr bool has_optimal_scale = false;
+template <class Energy, class Faces>
+constexpr bool has_optimal_scale<
+    Energy, Faces, std::void_t<decltype(std::declval<const Energy&>().optimal_scale(std::declval<const Faces&>()))>> =
+    true;
+
+// whether faces count by their areas on the surface; if an energy does not say so, each counts the same
+template <class Energy, class = void>
+constexpr bool weighs_faces_by_area = false;
+template <class Energy>
+constexpr bool weighs_faces_by_area<Energy, std::enable_if_t<Energy::weighs_faces_by_area>> = true;
+
+// whether the faces are given larger areas where the surface is curved; if an energy does not say so, they have their own
+template <class Energy, class = void>
+constexpr bool follows_curvature = false;
+template <class Energy>
+constexpr bool follows_curvature<Energy, std::enable_if_t<Energy::follows_curvature>> = true;
+
+} // namespace CGAL::Spherical_parameterization::internal
+
+#endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_EXECUTION_POLICY_TRAITS_H

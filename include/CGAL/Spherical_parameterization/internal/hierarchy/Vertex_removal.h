@@ -1,0 +1,162 @@
+// Copyright (c) 2026  The Spherical_parameterization authors.
+// All rights reserved.
+//
+// This file is part of the Spherical_parameterization package for CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Spherical_parameterization authors
+
+#ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_HIERARCHY_VERTEX_REMOVAL_H
+#define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_HIERARCHY_VERTEX_REMOVAL_H
+
+#include <CGAL/license/Spherical_parameterization.h>
+
+#include <CGAL/Spherical_parameterization/internal/certificate/is_safely_positive.h>
+#include <CGAL/Spherical_parameterization/internal/numbers/Vector_3.h>
+#include <CGAL/Spherical_parameterization/internal/surface/Vertex_rings.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Spherical_parameterization::internal {
+
+// The best way to remove one vertex from a mesh: by collapsing it into one of its neighbours, its target. The cost adds
+// up how far the target lies from the planes of the faces at the vertex (the quadric error of these faces) and a small
+// share of the length of the edge, so that flat parts are thinned out evenly; thin new faces and targets of high degree
+// raise it.
+struct Vertex_removal
+{
+  // Finds the best target of vertex v. Only targets that keep the mesh a simplicial complex are considered (the link
+  // condition). Whether two vertices of high degree are neighbours is looked up only if `is_exact`; otherwise they are
+  // taken for neighbours, so that the time for a vertex is bounded. Images of faces have to stay positive.
+  static Vertex_removal best(const Vertex_rings& rings, const std::vector<Vector_3d>& points, std::uint32_t v,
+                             bool is_exact, const std::vector<Vector_3d>& images = {})
+  {
+    Vertex_removal result;
+    const Vertex_rings::Ring ring = rings.ring(v);
+    const std::uint32_t d = static_cast<std::uint32_t>(ring.size());
+    if(d > max_degree)
+      return result;
+
+    std::array<Vector_3d, 2 * max_degree> e;       // edges from v, twice round, so that no index has to be wrapped
+    std::array<Vector_3d, max_degree> normal;      // of the faces of v, as long as their doubled area
+    std::array<double, max_degree> inverse_length; // of the normals
+    double total_doubled_area = 0.;
+    for(std::uint32_t j = 0; j < d; ++j)
+      e[j] = e[j + d] = points[ring[j]] - points[v];
+    for(std::uint32_t j = 0; j < d; ++j)
+    {
+      normal[j] = cross(e[j], e[j + 1]);
+      const double doubled_area = length(normal[j]);
+      total_doubled_area += doubled_area;
+      inverse_length[j] = doubled_area > 0. ? 1. / doubled_area : 0.;
+    }
+
+    // What takes longest comes last, and only for targets that may still be the best one.
+    for(std::uint32_t j = 0; j < d; ++j)
+    {
+      double cost = edge_weight * total_doubled_area * squared_length(e[j]);
+      for(std::uint32_t k = 0; k < d; ++k)
+      {
+        const double volume = dot(normal[k], e[j]);
+        cost += volume * volume * inverse_length[k];
+      }
+      cost = (std::max)(cost, min_cost);
+      const std::size_t degree = rings.degree(ring[j]) + d - 4;
+      if(degree > good_degree)
+        cost *= 1. + static_cast<double>((degree - good_degree) * (degree - good_degree));
+      if(result.is_possible() && rank_of(cost) >= result.rank)
+        continue;
+      double squared_quality = 1.;
+      for(std::uint32_t k = j + 1; k + 1 < j + d; ++k)
+        squared_quality = (std::min)(squared_quality, squared_quality_of(e[k] - e[j], e[k + 1] - e[j]));
+      const std::uint32_t new_rank =
+          rank_of(cost / std::sqrt(std::sqrt((std::max)(squared_quality, min_squared_quality))));
+      if((!result.is_possible() || new_rank < result.rank) && (images.empty() || is_fan_positive(ring, j, images)) &&
+         !has_chord(rings, ring, j, is_exact))
+      {
+        result.rank = new_rank;
+        result.target = j;
+      }
+    }
+    return result;
+  }
+
+  bool is_possible() const { return target != none; }
+
+  static constexpr std::uint32_t none = (std::numeric_limits<std::uint32_t>::max)();
+
+  std::uint32_t rank = 0;      // the cost as a key for sorting
+  std::uint32_t target = none; // as an index into the ring of the vertex
+
+private:
+  static constexpr std::uint32_t max_degree = 16; // of a vertex to be removed; every mesh has vertices below 6
+  static constexpr std::size_t good_degree = 9;  // of the target; beyond it the cost grows, as does the time for a star
+  static constexpr std::size_t high_degree = 64; // two beyond it may pass for neighbors: no long ring is searched
+  static constexpr double edge_weight = 1e-2; // of the squared edge: it decides where all distances from planes are 0
+  static constexpr double min_squared_quality = 1e-12; // a flat fan costs 1000 times as much as an equilateral one
+  static constexpr double min_cost = 1e-290;           // where the surface says nothing, the degrees decide
+
+  // Much coarser than the cost: costs that differ by rounding only nearly always have the same rank, so that no choice
+  // depends on how the mesh is placed in space.
+  static std::uint32_t rank_of(double cost)
+  {
+    static_assert(std::numeric_limits<double>::is_iec559, "The exponent is followed by the mantissa.");
+    constexpr double largest = (std::numeric_limits<double>::max)();
+    const double number = cost <= largest ? cost : largest;
+    std::uint64_t bits;
+    std::memcpy(&bits, &number, sizeof(bits));
+    return static_cast<std::uint32_t>(bits >> 41); // the exponent and 11 digits
+  }
+
+  // The square of how near a triangle with these edges is to equilateral: from 0 for a flat one to 1.
+  static double squared_quality_of(const Vector_3d& a, const Vector_3d& b)
+  {
+    const double sum = squared_length(a) + squared_length(b) + squared_length(b - a);
+    const double squared_ratio = squared_length(cross(a, b)) / (sum * sum);
+    return squared_ratio > 0. ? 12. * squared_ratio : 0.;
+  }
+
+  // Whether the new faces are positive, if vertex j of a ring is the target.
+  static bool is_fan_positive(const Vertex_rings::Ring& ring, std::uint32_t j, const std::vector<Vector_3d>& images)
+  {
+    for(std::size_t k = j + 1; k + 1 < j + ring.size(); ++k)
+      if(!is_safely_positive(images[ring[j]], images[ring.around(k)], images[ring.around(k + 1)]))
+        return false;
+    return true;
+  }
+
+  // Whether vertex j of a ring has neighbors in the ring other than the two next to it.
+  static bool has_chord(const Vertex_rings& rings, const Vertex_rings::Ring& ring, std::uint32_t j, bool is_exact)
+  {
+    const std::uint32_t d = static_cast<std::uint32_t>(ring.size());
+    for(std::uint32_t k = j + 2; k + 1 < j + d; ++k)
+      if(are_neighbors(rings, ring[j], ring.around(k), is_exact))
+        return true;
+    return false;
+  }
+
+  static bool are_neighbors(const Vertex_rings& rings, std::uint32_t a, std::uint32_t b, bool is_exact)
+  {
+    if(rings.degree(a) > rings.degree(b))
+      std::swap(a, b);
+    if(!is_exact && rings.degree(a) > high_degree)
+      return true;
+    const Vertex_rings::Ring ring = rings.ring(a);
+    return std::find(ring.begin(), ring.end(), b) != ring.end();
+  }
+};
+
+} // namespace CGAL::Spherical_parameterization::internal
+
+#endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_HIERARCHY_VERTEX_REMOVAL_H

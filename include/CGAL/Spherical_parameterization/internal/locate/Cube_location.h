@@ -1,0 +1,150 @@
+// Copyright (c) 2026  The Spherical_parameterization authors.
+// All rights reserved.
+//
+// This file is part of the Spherical_parameterization package for CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Spherical_parameterization authors
+
+#ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_LOCATE_CUBE_LOCATION_H
+#define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_LOCATE_CUBE_LOCATION_H
+
+#include <CGAL/license/Spherical_parameterization.h>
+
+#include <CGAL/Spherical_parameterization/internal/numbers/Vector_3.h>
+
+#include <array>
+#include <cstddef>
+#include <utility>
+
+namespace CGAL::Spherical_parameterization::internal {
+
+// Where a direction is on a cube around the sphere, whose sides have n x n squares: in which of them, and between which
+// nodes. An image with values at the nodes is looked up by it, without a search. With a packed number type, it is the place of
+// a direction in each lane.
+//
+// The nodes are numbered side by side, and on a side row by row; those on the edges of the cube are on two sides or three.
+template <class FT>
+class Basic_cube_location
+{
+public:
+  Basic_cube_location(const Vector_3<FT>& p, std::size_t n)
+    : m_n(n)
+    , m_is_along_x(!(absolute(p[0]) < absolute(p[1])) && !(absolute(p[0]) < absolute(p[2])))
+    , m_is_along_y(!(absolute(p[1]) < absolute(p[2])))
+  {
+    const Vector_3<FT> q = turned(p);
+    const FT half = 0.5 * static_cast<double>(n), whole = static_cast<double>(n);
+    m_inverse = 1. / q[2];
+    m_scale = half * absolute(m_inverse);
+    m_slope = {m_inverse * q[0], m_inverse * q[1]};
+    const FT x = maximum(FT(0.), minimum(half + m_scale * q[0], whole)),
+             y = maximum(FT(0.), minimum(half + m_scale * q[1], whole));
+    const FT side =
+        select(m_is_along_x, FT(0.), select(m_is_along_y, FT(2.), FT(4.))) + select(q[2] < 0., FT(1.), FT(0.));
+    const FT i = begin_of_step(x), j = begin_of_step(y);
+    m_u = x - i;
+    m_v = y - j;
+    for(std::size_t k = 0; k < width; ++k)
+      m_first[k] = (static_cast<std::size_t>(static_cast<int>(lane(side, k))) * (n + 1) +
+                    static_cast<std::size_t>(static_cast<int>(lane(i, k)))) *
+                       (n + 1) +
+                   static_cast<std::size_t>(static_cast<int>(lane(j, k)));
+  }
+
+  // the corners of the square in a lane
+  std::array<std::size_t, 4> nodes(std::size_t lane = 0) const
+  {
+    const std::size_t first = m_first[lane];
+    return {first, first + 1, first + m_n + 1, first + m_n + 2};
+  }
+  std::size_t nearest_node() const { return m_first[0] + (m_u < 0.5 ? 0 : m_n + 1) + (m_v < 0.5 ? 0 : 1); }
+
+  // A vector less a multiple of the direction, so that it is in the plane of the side: its two coordinates there.
+  std::array<FT, 2> flattened(const Vector_3<FT>& t) const
+  {
+    const Vector_3<FT> s = turned(t);
+    return {s[0] - m_slope[0] * s[2], s[1] - m_slope[1] * s[2]};
+  }
+  // That multiple, in units of the vector `p` that the place was made of. As p moves along t, flattened(e) changes by
+  // -height(e) flattened(t).
+  FT height(const Vector_3<FT>& t) const { return m_inverse * turned(t)[2]; }
+
+  // Where it is in the square, from 0 to 1, and how that changes as `p` moves along a vector that has been flattened.
+  const FT& u() const { return m_u; }
+  const FT& v() const { return m_v; }
+  std::array<FT, 2> change(const std::array<FT, 2>& t) const { return {m_scale * t[0], m_scale * t[1]}; }
+
+  // The bilinear weights of the corners.
+  std::array<FT, 4> weights() const { return {(1. - m_u) * (1. - m_v), (1. - m_u) * m_v, m_u * (1. - m_v), m_u * m_v}; }
+
+  // The half of the square, cut along its diagonal, that the direction is in: its number, its corners, and the weights
+  // that interpolate linearly in it.
+  struct Half
+  {
+    std::size_t index;
+    std::array<std::size_t, 3> nodes;
+    std::array<double, 3> weights;
+  };
+  Half half() const
+  {
+    const std::size_t first = m_first[0], last = first + m_n + 2;
+    return m_u > m_v ? Half{2 * first + 1, {first, first + m_n + 1, last}, {1. - m_u, m_u - m_v, m_v}}
+                     : Half{2 * first, {first, first + 1, last}, {1. - m_v, m_v - m_u, m_u}};
+  }
+
+  // A point of a side, with coordinates from -1 to 1.
+  static Vector_3d point(std::size_t side, double u, double v)
+  {
+    Vector_3d result;
+    result[side / 2] = side % 2 == 0 ? 1. : -1.;
+    result[(side / 2 + 1) % 3] = u;
+    result[(side / 2 + 2) % 3] = v;
+    return result;
+  }
+
+  // Calls f(side, u, v) for all nodes, in the order of their numbers.
+  template <class Function>
+  static void for_each_node(std::size_t n, const Function& f)
+  {
+    const double step = 2. / static_cast<double>(n);
+    for(std::size_t side = 0; side < 6; ++side)
+      for(std::size_t i = 0; i <= n; ++i)
+        for(std::size_t j = 0; j <= n; ++j)
+          f(side, step * static_cast<double>(i) - 1., step * static_cast<double>(j) - 1.);
+  }
+
+private:
+  static constexpr std::size_t width = Lanes<FT>::width;
+  using Condition = decltype(std::declval<FT>() < std::declval<FT>());
+
+  // A vector as seen from the side: the two coordinates in its plane, and the one along its axis.
+  Vector_3<FT> turned(const Vector_3<FT>& t) const
+  {
+    return {select(m_is_along_x, t[1], select(m_is_along_y, t[2], t[0])),
+            select(m_is_along_x, t[2], select(m_is_along_y, t[0], t[1])),
+            select(m_is_along_x, t[0], select(m_is_along_y, t[1], t[2]))};
+  }
+
+  FT begin_of_step(const FT& x) const
+  {
+    return minimum(
+        Lanes<FT>::generate([&](std::size_t k) { return static_cast<double>(static_cast<int>(lane(x, k))); }),
+        FT(static_cast<double>(m_n - 1)));
+  }
+
+  std::size_t m_n;
+  Condition m_is_along_x, m_is_along_y; // the latter if the former does not hold
+  std::array<std::size_t, width> m_first;
+  FT m_inverse, m_scale, m_u, m_v;
+  std::array<FT, 2> m_slope;
+};
+
+using Cube_location = Basic_cube_location<double>;
+
+} // namespace CGAL::Spherical_parameterization::internal
+
+#endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_LOCATE_CUBE_LOCATION_H

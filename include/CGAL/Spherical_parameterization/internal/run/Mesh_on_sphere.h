@@ -1,0 +1,130 @@
+// Copyright (c) 2026  The Spherical_parameterization authors.
+// All rights reserved.
+//
+// This file is part of the Spherical_parameterization package for CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Spherical_parameterization authors
+
+#ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_RUN_MESH_ON_SPHERE_H
+#define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_RUN_MESH_ON_SPHERE_H
+
+#include <CGAL/license/Spherical_parameterization.h>
+
+#include <CGAL/Spherical_parameterization/Error_code.h>
+#include <CGAL/Spherical_parameterization/internal/certificate/Bijectivity_certificate.h>
+#include <CGAL/Spherical_parameterization/internal/certificate/Orientation_about_origin_3.h>
+#include <CGAL/Spherical_parameterization/internal/execution/parallel.h>
+#include <CGAL/Spherical_parameterization/internal/numbers/Vector_3.h>
+#include <CGAL/Spherical_parameterization/internal/run/check_arguments.h>
+#include <CGAL/Spherical_parameterization/internal/surface/Surface.h>
+#include <CGAL/Spherical_parameterization/internal/surface/read_mesh.h>
+
+#include <CGAL/Named_function_parameters.h>
+#include <CGAL/boost/graph/named_params_helper.h>
+#include <CGAL/boost/graph/properties.h>
+
+#include <boost/graph/graph_traits.hpp>
+
+#include <cstddef>
+#include <tuple>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Spherical_parameterization::internal {
+
+// A mesh and its map as flat arrays, in the order of the mesh; vertices without faces are left out.
+template <class TriangleMesh, class VertexSphereMap>
+struct Mesh_on_sphere
+{
+  static_assert(check_mesh_and_readable_map<TriangleMesh, VertexSphereMap>());
+
+  using Selection = Exact_predicates_kernel_of_map<VertexSphereMap>;
+  using Exact_kernel = typename Selection::type;
+  using face_descriptor = typename boost::graph_traits<TriangleMesh>::face_descriptor;
+
+  std::vector<typename boost::graph_traits<TriangleMesh>::vertex_descriptor> vertices_of_mesh;
+  std::vector<face_descriptor> faces_of_mesh;
+  std::vector<typename Exact_kernel::Point_3> images;
+  std::vector<Linked_triangle> triangles;
+  std::vector<Vector_3d> points; // of the surface
+
+  // Copies the mesh and checks that the map is a bijection, unless that is known.
+  Error_code read(const TriangleMesh& tmesh, const VertexSphereMap& vertex_sphere_map, bool is_known_to_be_bijective,
+                  const Execution& execution)
+  {
+    Mesh_arrays<TriangleMesh> arrays;
+    if(const Error_code error = arrays.read(tmesh))
+      return error;
+    vertices_of_mesh = std::move(arrays.vertices_of_mesh);
+    images = read_values(vertices_of_mesh, vertex_sphere_map, [](const auto& p) { return Selection::convert(p); });
+    triangles = link_triangles(arrays.triangles, images.size());
+    if(triangles.empty() ||
+       (!is_known_to_be_bijective && !certify_bijectivity<Exact_kernel>(images, triangles, execution).is_bijective()))
+      return find_error(tmesh, vertex_sphere_map);
+    faces_of_mesh.assign(faces(tmesh).begin(), faces(tmesh).end());
+    return OK;
+  }
+
+  // The same with the points of the surface.
+  template <class VertexPointMap>
+  Error_code read_with_points(const TriangleMesh& tmesh, const VertexSphereMap& vertex_sphere_map,
+                              const VertexPointMap& vpm, const Execution& execution)
+  {
+    if(const Error_code error = read(tmesh, vertex_sphere_map, false, execution))
+      return error;
+    points = read_points(vertices_of_mesh, vpm);
+    return are_finite(points) ? OK : ERROR_NON_FINITE_COORDINATE;
+  }
+
+  // What is wrong with a mesh that has no map, or with its map, is told by the check that parameterize() makes.
+  static Error_code find_error(const TriangleMesh& tmesh, const VertexSphereMap& vertex_sphere_map)
+  {
+    Mesh_arrays<TriangleMesh> arrays;
+    Surface surface;
+    const Error_code error = read_surface(tmesh, vertex_sphere_map, arrays, surface);
+    return error == OK ? ERROR_NO_1_TO_1_MAPPING : error;
+  }
+};
+
+// for the functions of two surfaces, which compute with doubles
+template <class TriangleMesh1, class VertexSphereMap1, class TriangleMesh2, class VertexSphereMap2>
+constexpr bool check_two_spheres()
+{
+  if constexpr(check_mesh_and_readable_map<TriangleMesh1, VertexSphereMap1>() &&
+               check_mesh_and_readable_map<TriangleMesh2, VertexSphereMap2>())
+  {
+    using K1 = typename Exact_predicates_kernel_of_map<VertexSphereMap1>::type;
+    using K2 = typename Exact_predicates_kernel_of_map<VertexSphereMap2>::type;
+    constexpr bool are_doubles = std::is_same<typename K1::FT, double>::value && std::is_same<K1, K2>::value;
+    static_assert(are_doubles, "The coordinates of both maps to the sphere have to be of type double or float.");
+    return are_doubles;
+  }
+  return false;
+}
+
+// Reads features, each a pair of functions of a vertex, for the first surface (0) or the second one (1). Returns false if a
+// value is not finite.
+template <std::size_t surface, class Features, class Vertices>
+bool read_features(const Features& features, const Vertices& vertices, std::vector<std::vector<double>>& channels)
+{
+  for(const auto& feature : features)
+  {
+    channels.emplace_back();
+    for(const auto v : vertices)
+    {
+      channels.back().push_back(std::get<surface>(feature)(v));
+      if(!is_finite(channels.back().back()))
+        return false;
+    }
+  }
+  return true;
+}
+
+} // namespace CGAL::Spherical_parameterization::internal
+
+#endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_RUN_MESH_ON_SPHERE_H

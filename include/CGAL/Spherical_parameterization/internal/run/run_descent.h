@@ -1,0 +1,117 @@
+// Copyright (c) 2026  The Spherical_parameterization authors.
+// All rights reserved.
+//
+// This file is part of the Spherical_parameterization package for CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Spherical_parameterization authors
+
+#ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_RUN_RUN_DESCENT_H
+#define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_RUN_RUN_DESCENT_H
+
+#include <CGAL/license/Spherical_parameterization.h>
+
+#include <CGAL/Spherical_parameterization/Face_range_3.h>
+#include <CGAL/Spherical_parameterization/Parameterization_report.h>
+#include <CGAL/Spherical_parameterization/Sharpness.h>
+#include <CGAL/Spherical_parameterization/internal/certificate/is_safely_positive.h>
+#include <CGAL/Spherical_parameterization/internal/descent/Descent_loop.h>
+#include <CGAL/Spherical_parameterization/internal/descent/Hierarchical_embedding.h>
+#include <CGAL/Spherical_parameterization/internal/execution/policy_traits.h>
+#include <CGAL/Spherical_parameterization/internal/initializers/Schnyder_drawing.h>
+#include <CGAL/Spherical_parameterization/internal/surface/mesh_measures.h>
+
+#include <CGAL/Default.h>
+
+#include <cstddef>
+#include <type_traits>
+#include <vector>
+
+namespace CGAL::Spherical_parameterization::internal {
+
+// A model of SphereRadiusPolicy_3 as the loop over sweeps sees it. Each run works on a copy, as a policy may keep a
+// state.
+template <class Radius, class Energy>
+class Radius_policy_chooser : public Radius_chooser
+{
+public:
+  Radius_policy_chooser(const Radius& radius, const Energy& energy)
+    : m_radius(radius)
+    , m_energy(energy)
+  {}
+
+  double initial_radius(double equal_area_radius) const override { return m_radius.initial_radius(equal_area_radius); }
+  double next_radius(const Face_range_3& faces, double radius) override { return m_radius(m_energy, faces, radius); }
+  bool next_phase() override { return internal::next_phase(m_radius); }
+
+private:
+  Radius m_radius;
+  Energy m_energy;
+};
+
+// Makes a map of the connectivity alone, which never fails.
+template <class Run>
+void draw_surface(Run& run)
+{
+  run.positions = Schnyder_drawing(run.surface.rings()).positions();
+  run.control.report().seconds_for_embedding += run.control.lap();
+}
+
+// Makes the first map, by the hierarchy unless that fails, and tells the visitor of it. If `shares` are given, they are the areas
+// that the vertices are to have, in the place of their own.
+template <class Energy, class Run>
+void embed_surface(const Energy& energy, const Sharpness& sharpness, std::size_t sweeps_per_level,
+                   bool sweeps_finest_level, Run& run, const std::vector<double>& shares = {})
+{
+  run.control.on_initialization_begin(run.surface.number_of_vertices());
+  if(!embed_hierarchically(run.surface, energy, sharpness, sweeps_per_level, sweeps_finest_level, run.positions,
+                           run.control, run.execution, shares))
+  {
+    draw_surface(run);
+    run.control.report().used_last_resort = true;
+    run.control.report().stop_reason = OBSTRUCTED;
+  }
+  run.control.on_initialization_end();
+}
+
+// Lowers the energy of a bijection by sweeps. Faces that rounding might turn over on the way, as the last resort may have some
+// above 1.7 million vertices, stay as they are. If `shares` are given, faces get the shapes that they have on the surface, but the
+// areas that these say.
+template <class Step, class Energy, class Radius, class Run>
+void descend(const Energy& energy, const Radius& radius, const Sharpness& sharpness, const Descent_settings& settings,
+             std::size_t max_sweeps, Run& run, const std::vector<double>& shares = {})
+{
+  Parameterization_report& report = run.control.report();
+  const bool can_be_swept = !report.used_last_resort || are_safely_positive(run.surface.rings(), run.positions);
+  const auto lower = [&](Radius_chooser* chooser) {
+    Descent_loop<Energy, Step> loop(
+        run.surface, energy, Step(), sharpness, chooser, settings, run.control, run.execution,
+        shares.empty() ? shares : vertex_densities(run.surface.rings(), run.surface.points(), shares));
+    run.radius = loop.run(run.positions, can_be_swept ? max_sweeps : 0);
+  };
+  if constexpr(std::is_same<Radius, Default>::value)
+    lower(nullptr);
+  else
+  {
+    Radius_policy_chooser<Radius, Energy> chooser(radius, energy);
+    lower(&chooser);
+  }
+  if(!can_be_swept && report.stop_reason == ITERATION_LIMIT)
+    report.stop_reason = OBSTRUCTED;
+}
+
+// The same, and tells the visitor of the end.
+template <class Step, class Energy, class Radius, class Run>
+void run_descent(const Energy& energy, const Radius& radius, const Sharpness& sharpness,
+                 const Descent_settings& settings, std::size_t max_sweeps, Run& run)
+{
+  descend<Step>(energy, radius, sharpness, settings, max_sweeps, run);
+  run.control.on_optimization_end();
+}
+
+} // namespace CGAL::Spherical_parameterization::internal
+
+#endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_RUN_RUN_DESCENT_H

@@ -1,0 +1,216 @@
+// Copyright (c) 2026  The Spherical_parameterization authors.
+// All rights reserved.
+//
+// This file is part of the Spherical_parameterization package for CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Spherical_parameterization authors
+
+#ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_RUN_RUN_PARAMETERIZATION_H
+#define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_RUN_RUN_PARAMETERIZATION_H
+
+#include <CGAL/license/Spherical_parameterization.h>
+
+#include <CGAL/Spherical_parameterization/Default_visitor.h>
+#include <CGAL/Spherical_parameterization/Error_code.h>
+#include <CGAL/Spherical_parameterization/Parameterization_report.h>
+#include <CGAL/Spherical_parameterization/internal/certificate/is_safely_positive.h>
+#include <CGAL/Spherical_parameterization/internal/execution/Run_control.h>
+#include <CGAL/Spherical_parameterization/internal/execution/parallel.h>
+#include <CGAL/Spherical_parameterization/internal/numbers/Vector_3.h>
+#include <CGAL/Spherical_parameterization/internal/run/check_run.h>
+#include <CGAL/Spherical_parameterization/internal/run/write_map.h>
+#include <CGAL/Spherical_parameterization/internal/surface/Surface.h>
+#include <CGAL/Spherical_parameterization/internal/surface/read_mesh.h>
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Named_function_parameters.h>
+#include <CGAL/boost/graph/properties.h>
+
+#include <boost/graph/graph_traits.hpp>
+
+#include <cstddef>
+#include <functional>
+#include <optional>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Spherical_parameterization::internal {
+
+// A run from the caller's mesh to the caller's map, as every parameterizer makes it: read(), the work of its method on the
+// members below, and write(). The caller's types end here: methods work on the surface, the control and the execution.
+// `error` is what write() returns: at first that of a setting out of its range, then that of read(), then the method's.
+template <class ConcurrencyTag_, class TriangleMesh, class NamedParameters>
+class Parameterization_run
+{
+public:
+  using Concurrency_tag = ConcurrencyTag_;
+
+  Parameterization_run(const TriangleMesh& mesh, const NamedParameters& np, Parameterization_report& report)
+    : tmesh(mesh)
+    , m_np(np)
+    , control(np, report)
+  {
+    report = Parameterization_report();
+  }
+
+  auto vertex_point_map() const { return vertex_point_map_of(tmesh, m_np); }
+
+  // Reads the named parameter number_of_iterations, if it is given. Returns false if it is negative.
+  bool read_number_of_iterations()
+  {
+    if constexpr(!parameters::is_default_parameter<NamedParameters, internal_np::number_of_iterations_t>::value)
+    {
+      const auto given = parameters::get_parameter(m_np, internal_np::number_of_iterations);
+      using Number = std::decay_t<decltype(given)>;
+      static_assert(std::is_integral<Number>::value, "The named parameter number_of_iterations has to be an integer.");
+      number_of_iterations = static_cast<std::size_t>(given);
+      if constexpr(std::is_signed<Number>::value)
+        return given >= 0;
+    }
+    return true;
+  }
+
+  // Checks and copies the mesh. Returns whether it has no defect.
+  bool read()
+  {
+    return read([](const auto&) { return OK; });
+  }
+
+  // The same, and then calls read_more(arrays) for the arrays of the mesh, if it has none, which may return what else is wrong.
+  template <class Function>
+  bool read(const Function& read_more)
+  {
+    run_both(
+        execution, [] {}, [] {}); // the thread pool starts meanwhile
+    Mesh_arrays<TriangleMesh> arrays;
+    error = read_surface(tmesh, vertex_point_map(), arrays, surface);
+    Parameterization_report& report = control.report();
+    report.number_of_isolated_vertices = arrays.number_of_isolated_vertices;
+    report.number_of_vertices = surface.number_of_vertices();
+    report.number_of_faces = arrays.triangles.size();
+    report.number_of_flat_faces = surface.number_of_flat_faces();
+    if(error == OK)
+      error = read_more(arrays);
+    report.seconds_for_reading = control.lap();
+    m_vertices = std::move(arrays.vertices_of_mesh);
+    m_is_read = error == OK;
+    return m_is_read;
+  }
+
+  // Reads a map of the mesh and projects it to the unit sphere. Returns whether it is a bijection there.
+  template <class VertexSphereMap>
+  bool read_map(const VertexSphereMap& map)
+  {
+    std::vector<Vector_3d> images = read_points(m_vertices, map);
+    const bool is_bijective = project_map(surface.callers_triangles(), images, execution);
+    positions = surface.in_own_order(images);
+    return is_bijective;
+  }
+
+  // Certifies and writes the map, by what the method guarantees, if reading and the method have succeeded.
+  template <class VertexSphereMap>
+  Error_code write(VertexSphereMap vertex_sphere_map, Guarantee guarantee = Guarantee::ONE_TO_ONE)
+  {
+    if(!m_is_read)
+      return error;
+    Parameterization_report& report = control.report();
+    if(control.is_stopped() && report.stop_reason != NON_FINITE_ENERGY)
+      report.stop_reason = control.stop_reason();
+    if(error == OK)
+      error = write_map(m_vertices, surface.callers_triangles(), surface.in_callers_order(positions), radius, guarantee,
+                        vertex_sphere_map, execution);
+    report.radius = radius;
+    report.seconds_for_certificate = control.lap();
+    return error;
+  }
+
+  const TriangleMesh& tmesh;
+
+private:
+  const NamedParameters& m_np;
+  std::vector<typename boost::graph_traits<TriangleMesh>::vertex_descriptor> m_vertices;
+  bool m_is_read = false;
+
+public:
+  Visitor_control<NamedParameters> control;
+  Execution execution = execution_of<Concurrency_tag>();
+  Surface surface;
+  std::vector<Vector_3d> positions; // on the unit sphere
+  double radius = 1.;               // in the caller's unit of length
+  std::optional<std::size_t> number_of_iterations;
+  Error_code error = ERROR_WRONG_PARAMETER;
+};
+
+// What the initial parameterizer sees of the caller's visitor and of the time: it may be stopped, and its levels show.
+class Initial_map_visitor : public Default_visitor
+{
+public:
+  explicit Initial_map_visitor(Run_control& control)
+    : m_control(control)
+  {}
+
+  void on_level(std::size_t number_of_vertices) { m_control.on_level(number_of_vertices); }
+  bool go_further(std::size_t /* iteration */, double energy) { return m_control.go_further(0, energy); }
+
+private:
+  Run_control& m_control;
+};
+
+// What a parameterizer of the package has that can map the surface of a run: that spares the mesh a second reading.
+template <class Parameterizer, class Run>
+using Embed_result = decltype(std::declval<const Parameterizer&>().embed(std::declval<Run&>(), false));
+
+// Gets the map that a model of `SphericalParameterizer_3` makes, through its public interface, as positions on the unit
+// sphere.
+template <class Parameterizer, class Run>
+Error_code compute_initial_map(Parameterizer& parameterizer, Run& run)
+{
+  using Point_3 = Exact_predicates_inexact_constructions_kernel::Point_3;
+
+  const auto map = get(CGAL::dynamic_vertex_property_t<Point_3>(), run.tmesh);
+  Initial_map_visitor visitor(run.control);
+  const auto np = parameters::vertex_point_map(run.vertex_point_map()).visitor(std::ref(visitor));
+  constexpr bool is_parameterizer = is_detected<Parameterize_result, Parameterizer, std::decay_t<decltype(run.tmesh)>,
+                                                std::decay_t<decltype(map)>, std::decay_t<decltype(np)>>;
+  static_assert(is_parameterizer, "The setting initial_parameterizer has to be a model of SphericalParameterizer_3: "
+                                  "Precomputed_parameterizer_3(map) for a map.");
+  if constexpr(is_parameterizer)
+  {
+    const Error_code error = parameterizer.template parameterize<typename Run::Concurrency_tag>(run.tmesh, map, np);
+    if(error == ERROR_NO_1_TO_1_MAPPING)
+      return ERROR_INVALID_INITIAL_PARAMETERIZATION; // the caller's own map is untouched
+    if(error != OK)
+      return error;
+    // The sweeps compute with rounding, so a face that is positive by less than that would not be safe with them.
+    const bool is_safe = run.read_map(map) && are_safely_positive(run.surface.rings(), run.positions);
+    run.control.report().seconds_for_embedding = run.control.lap();
+    return is_safe ? OK : ERROR_INVALID_INITIAL_PARAMETERIZATION;
+  }
+  else
+    return ERROR_WRONG_PARAMETER;
+}
+
+// Makes the map that a method starts from, and tells the visitor of it.
+template <class Parameterizer, class Run>
+Error_code make_initial_map(Parameterizer& parameterizer, Run& run)
+{
+  if constexpr(is_detected<Embed_result, Parameterizer, Run>)
+    return parameterizer.embed(run, false);
+  else
+  {
+    run.control.on_initialization_begin(run.surface.number_of_vertices());
+    const Error_code error = compute_initial_map(parameterizer, run);
+    if(error == OK)
+      run.control.on_initialization_end();
+    return error;
+  }
+}
+
+} // namespace CGAL::Spherical_parameterization::internal
+
+#endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_RUN_RUN_PARAMETERIZATION_H
