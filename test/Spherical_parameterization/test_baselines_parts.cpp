@@ -2,7 +2,8 @@
 // its minimisation, the way through the plane, and the energy of maps that are as rigid as possible.
 
 #include <CGAL/Spherical_parameterization/internal/initializers/Laplacian_system.h>
-#include <CGAL/Spherical_parameterization/internal/initializers/Linear_step_maps.h>
+#include <CGAL/Spherical_parameterization/internal/initializers/ARAP_map.h>
+#include <CGAL/Spherical_parameterization/internal/initializers/Harmonic_map.h>
 #include <CGAL/Spherical_parameterization/internal/initializers/Stereographic_embedding.h>
 #include <CGAL/Spherical_parameterization/internal/certificate/is_safely_positive.h>
 #include <CGAL/Spherical_parameterization/internal/surface/mesh_measures.h>

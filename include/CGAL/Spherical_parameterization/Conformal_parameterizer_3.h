@@ -76,4 +76,8 @@ private:
 
 } // namespace CGAL::Spherical_parameterization
 
+#if defined(CGAL_SPHERICAL_PARAMETERIZATION_USE_LIBRARY) && defined(CGAL_EIGEN3_ENABLED)
+#include <CGAL/Spherical_parameterization/internal/initializers/initializers_of_library.h>
+#endif
+
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_CONFORMAL_PARAMETERIZER_3_H

@@ -126,8 +126,7 @@ public:
 
 #ifndef DOXYGEN_RUNNING
   // maps the surface of a run; see internal::make_initial_map()
-  template <class Run>
-  Error_code embed(Run& run, bool sweeps_finest_level) const
+  Error_code embed(internal::Run& run, bool sweeps_finest_level) const
   {
     internal::embed_surface(m_energy, m_sharpness, m_sweeps_per_level, sweeps_finest_level, run);
     return OK;

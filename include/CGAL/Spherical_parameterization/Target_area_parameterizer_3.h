@@ -261,14 +261,13 @@ private:
     return OK;
   }
 
-  template <class Run>
-  void map(const internal::Area_shares& shares, Run& run)
+  void map(const internal::Area_shares& shares, internal::Run& run)
   {
     constexpr std::size_t sweeps_per_level = 14; // as with a free radius, which only matters for the descent
     internal::embed_surface(m_energy, m_sharpness, sweeps_per_level, false, run, shares.of_vertices);
     const internal::Descent_settings settings;
     internal::descend<internal::Newton_step>(
-        m_energy, Default(), m_sharpness, settings,
+        m_energy, nullptr, m_sharpness, settings,
         run.number_of_iterations.value_or(internal::default_number_of_sweeps(run.surface.number_of_vertices())), run,
         shares.of_vertices);
     if(internal::are_safely_positive(run.surface.rings(), run.positions))
@@ -278,8 +277,8 @@ private:
     run.control.on_optimization_end();
   }
 
-  template <class TriangleMesh, class Run>
-  void tell_of_areas(const TriangleMesh& tmesh, const internal::Area_shares& shares, const Run& run)
+  template <class TriangleMesh>
+  void tell_of_areas(const TriangleMesh& tmesh, const internal::Area_shares& shares, const internal::Run& run)
   {
     std::vector<double> ratios;
     internal::find_area_ratios(run.surface.rings(), run.positions, shares.of_vertices, ratios);
@@ -307,5 +306,9 @@ private:
 };
 
 } // namespace CGAL::Spherical_parameterization
+
+#if defined(CGAL_SPHERICAL_PARAMETERIZATION_USE_LIBRARY) && defined(CGAL_EIGEN3_ENABLED)
+#include <CGAL/Spherical_parameterization/internal/areas/area_descents_of_library.h>
+#endif
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_TARGET_AREA_PARAMETERIZER_3_H

@@ -16,12 +16,16 @@
 
 #include <CGAL/Spherical_parameterization/internal/certificate/Orientation_about_origin_3.h>
 #include <CGAL/Spherical_parameterization/internal/execution/parallel.h>
+#include <CGAL/Spherical_parameterization/internal/library.h>
+#include <CGAL/Spherical_parameterization/internal/numbers/Vector_3.h>
+#include <CGAL/Spherical_parameterization/internal/surface/Linked_triangle.h>
 
 #include <CGAL/enum.h>
 
 #include <atomic>
 #include <cstddef>
 #include <type_traits>
+#include <vector>
 
 namespace CGAL::Spherical_parameterization::internal {
 
@@ -89,7 +93,7 @@ Bijectivity_certificate certify_bijectivity(const Points& points, const Triangle
   for(double k = 742913.; k < 0x1p26; ++k)
   {
     const double x = k * 0x1p-20;
-    const typename K::Point_3 q(FT(1.), FT(x), FT(x * x));
+    const typename K::Point_3 q{FT(1.), FT(x), FT(x * x)};
     std::atomic<bool> is_generic(true); // on the boundary of no cone that contains it
     certificate.degree = count_triangles(execution, triangles, [&](const auto& t) {
       bool is_on_boundary = false;
@@ -111,6 +115,13 @@ Bijectivity_certificate certify_bijectivity(const Points& points, const Triangle
   return certificate;
 }
 
+// Whether points on the sphere make a bijection of a closed triangle mesh.
+bool are_bijective(const Index_triangles& triangles, const std::vector<Vector_3d>& points, const Execution& execution);
+
 } // namespace CGAL::Spherical_parameterization::internal
+
+#ifdef CGAL_SPHERICAL_PARAMETERIZATION_HEADER_ONLY
+#include <CGAL/Spherical_parameterization/internal/certificate/Bijectivity_certificate_impl.h>
+#endif
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_CERTIFICATE_BIJECTIVITY_CERTIFICATE_H

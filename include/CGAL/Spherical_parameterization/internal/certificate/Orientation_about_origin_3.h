@@ -14,6 +14,7 @@
 
 #include <CGAL/license/Spherical_parameterization.h>
 
+#include <CGAL/Spherical_parameterization/internal/library.h>
 #include <CGAL/Spherical_parameterization/internal/numbers/Vector_3.h>
 
 #include <CGAL/Algebraic_structure_traits.h>
@@ -23,7 +24,6 @@
 #include <CGAL/enum.h>
 #include <CGAL/number_utils.h>
 
-#include <boost/multiprecision/cpp_int.hpp>
 #include <boost/property_map/property_map.hpp>
 
 #include <algorithm>
@@ -45,53 +45,10 @@
 
 namespace CGAL::Spherical_parameterization::internal {
 
-// An integer of any size; those that a determinant of coordinates of similar size needs are kept without allocation.
-using Determinant_integer = boost::multiprecision::number<boost::multiprecision::cpp_int_backend<512>>;
-
-// A positive multiple of `p`, whose coordinates are finite, with integer coordinates. It is taken from the bits: no
-// floating-point operation is involved.
-inline std::array<Determinant_integer, 3> integer_multiple(const Vector_3d& p)
-{
-  std::array<std::int64_t, 3> mantissas;
-  std::array<int, 3> exponents;
-  constexpr int largest_exponent = 0x7FF;
-  int smallest = largest_exponent; // of the coordinates that are not 0
-  for(std::size_t i = 0; i < 3; ++i)
-  {
-    std::uint64_t bits;
-    std::memcpy(&bits, &p[i], sizeof(bits));
-    std::uint64_t mantissa = bits & 0xFFFFFFFFFFFFFu;
-    exponents[i] = static_cast<int>((bits >> 52) & 0x7FFu);
-    if(exponents[i] > 0)
-      mantissa |= std::uint64_t(1) << 52;
-    else
-      exponents[i] = 1; // subnormal
-    mantissas[i] = static_cast<std::int64_t>(mantissa);
-    if(bits >> 63)
-      mantissas[i] = -mantissas[i];
-    if(mantissas[i] != 0)
-      smallest = (std::min)(smallest, exponents[i]);
-  }
-  std::array<Determinant_integer, 3> result;
-  for(std::size_t i = 0; i < 3; ++i)
-    if(mantissas[i] != 0)
-    {
-      result[i] = mantissas[i];
-      result[i] <<= static_cast<unsigned int>(exponents[i] - smallest);
-    }
-  return result;
-}
-
 // The exact sign of det(a, b, c), whose coordinates are finite, by integer arithmetic: about a microsecond for points
 // whose coordinates are of similar size. It depends neither on the rounding mode nor on what a compiler was allowed to
 // do to floating-point arithmetic, nor on whether the processor flushes subnormal numbers to zero.
-inline Sign exact_determinant_sign(const Vector_3d& a, const Vector_3d& b, const Vector_3d& c)
-{
-  const std::array<Determinant_integer, 3> p = integer_multiple(a), q = integer_multiple(b), r = integer_multiple(c);
-  const Determinant_integer determinant =
-      p[0] * (q[1] * r[2] - q[2] * r[1]) + p[1] * (q[2] * r[0] - q[0] * r[2]) + p[2] * (q[0] * r[1] - q[1] * r[0]);
-  return determinant.sign() > 0 ? POSITIVE : determinant.sign() < 0 ? NEGATIVE : ZERO;
-}
+Sign exact_determinant_sign(const Vector_3d& a, const Vector_3d& b, const Vector_3d& c);
 
 // The exact sign of det(a, b, c): POSITIVE if the triangle abc turns counterclockwise as seen from outside of a sphere
 // around the origin. A triangle with a coordinate that is not finite has no orientation: ZERO.
@@ -158,30 +115,41 @@ class Orientation_about_origin_3<K, double>
 public:
   Sign operator()(const Point_3& a, const Point_3& b, const Point_3& c) const
   {
+    return orientation(coordinates(a), coordinates(b), coordinates(c));
+  }
+
+private:
+  static const Vector_3d& coordinates(const Vector_3d& p) { return p; }
+  template <class Point>
+  static Vector_3d coordinates(const Point& p)
+  {
+    return {p.x(), p.y(), p.z()};
+  }
+
+  static Sign orientation(const Vector_3d& a, const Vector_3d& b, const Vector_3d& c)
+  {
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_NO_IEEE_ARITHMETIC
     const Sign sign = filtered(a, b, c);
     if(sign != ZERO)
       return sign;
 #endif
-    const Vector_3d p = {a.x(), a.y(), a.z()}, q = {b.x(), b.y(), b.z()}, r = {c.x(), c.y(), c.z()};
-    return is_finite(p) && is_finite(q) && is_finite(r) ? exact_determinant_sign(p, q, r) : ZERO;
+    return is_finite(a) && is_finite(b) && is_finite(c) ? exact_determinant_sign(a, b, c) : ZERO;
   }
 
-private:
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_NO_IEEE_ARITHMETIC
   // The sign, or ZERO if it is not certain.
-  static Sign filtered(const Point_3& a, const Point_3& b, const Point_3& c)
+  static Sign filtered(const Vector_3d& a, const Vector_3d& b, const Vector_3d& c)
   {
 #ifdef __clang__
 #pragma clang fp reassociate(off) // Clang defines no macro that tells of -fassociative-math alone.
 #endif
-    const double px = b.x() - a.x(), py = b.y() - a.y(), pz = b.z() - a.z();
-    const double qx = c.x() - a.x(), qy = c.y() - a.y(), qz = c.z() - a.z();
+    const double px = b[0] - a[0], py = b[1] - a[1], pz = b[2] - a[2];
+    const double qx = c[0] - a[0], qy = c[1] - a[1], qz = c[2] - a[2];
     const double pyqz = py * qz, pzqy = pz * qy;
     const double pzqx = pz * qx, pxqz = px * qz;
     const double pxqy = px * qy, pyqx = py * qx;
-    const double ax = std::abs(a.x()), ay = std::abs(a.y()), az = std::abs(a.z());
-    const double determinant = a.x() * (pyqz - pzqy) + a.y() * (pzqx - pxqz) + a.z() * (pxqy - pyqx);
+    const double ax = std::abs(a[0]), ay = std::abs(a[1]), az = std::abs(a[2]);
+    const double determinant = a[0] * (pyqz - pzqy) + a[1] * (pzqx - pxqz) + a[2] * (pxqy - pyqx);
     const double permanent = ax * (std::abs(pyqz) + std::abs(pzqy)) + ay * (std::abs(pzqx) + std::abs(pxqz)) +
                              az * (std::abs(pxqy) + std::abs(pyqx));
     const double m = (ax + ay + az) + (std::abs(px) + std::abs(py) + std::abs(pz)) +
@@ -192,6 +160,13 @@ private:
     return determinant > error ? POSITIVE : determinant < -error ? NEGATIVE : ZERO;
   }
 #endif
+};
+
+// Points as the package has them, about which Orientation_about_origin_3 decides as about those of a kernel with doubles.
+struct Double_points
+{
+  using FT = double;
+  using Point_3 = Vector_3d;
 };
 
 // The kernel in which Orientation_about_origin_3 decides exactly about points of `Kernel`, and the conversion of a
@@ -222,5 +197,9 @@ using Exact_predicates_kernel_of_map =
     Exact_predicates_kernel<typename Kernel_traits<typename boost::property_traits<PropertyMap>::value_type>::Kernel>;
 
 } // namespace CGAL::Spherical_parameterization::internal
+
+#ifdef CGAL_SPHERICAL_PARAMETERIZATION_HEADER_ONLY
+#include <CGAL/Spherical_parameterization/internal/certificate/Orientation_about_origin_3_impl.h>
+#endif
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_CERTIFICATE_ORIENTATION_ABOUT_ORIGIN_3_H

@@ -14,15 +14,9 @@
 
 #include <CGAL/license/Spherical_parameterization.h>
 
-#include <CGAL/tags.h>
+#include <CGAL/Spherical_parameterization/internal/library.h>
 
-#ifdef CGAL_LINKED_WITH_TBB
-#include <tbb/blocked_range.h>
-#include <tbb/enumerable_thread_specific.h>
-#include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
-#include <tbb/task_group.h>
-#endif
+#include <CGAL/tags.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -77,37 +71,8 @@ struct Execution // sequential by default
   std::unique_ptr<Thread_pointers> (*make_thread_pointers)() = nullptr; // null: there is one thread only
 };
 
-#ifdef CGAL_LINKED_WITH_TBB
-
-// The loop may come from within a task of the caller's. Two things keep that from showing: a task group context of its
-// own, as one that is cancelled along with the caller's would skip blocks silently, and isolation, as a thread that
-// waits for its blocks would otherwise take up another task of the caller's, long beyond any time limit. The blocks are
-// run with the rounding mode of the caller.
-inline void run_in_thread_pool(std::size_t n, const Block_function& f)
-{
-  tbb::task_group_context context(tbb::task_group_context::isolated,
-                                  tbb::task_group_context::default_traits | tbb::task_group_context::fp_settings);
-  tbb::this_task_arena::isolate([&] {
-    tbb::parallel_for(
-        tbb::blocked_range<std::size_t>(0, n),
-        [&](const tbb::blocked_range<std::size_t>& range) {
-          for(std::size_t k = range.begin(); k != range.end(); ++k)
-            f(k, k + 1);
-        },
-        context);
-  });
-}
-
-class Thread_pool_pointers : public Thread_pointers
-{
-public:
-  void*& local() override { return m_pointers.local(); }
-
-private:
-  tbb::enumerable_thread_specific<void*> m_pointers{nullptr};
-};
-
-#endif
+// Loops in the thread pool of TBB, whatever threads it has. The loop may come from within a task of the caller's.
+Execution parallel_execution();
 
 template <class ConcurrencyTag>
 Execution execution_of()
@@ -115,7 +80,7 @@ Execution execution_of()
   if constexpr(std::is_convertible<ConcurrencyTag, Parallel_tag>::value)
   {
 #ifdef CGAL_LINKED_WITH_TBB
-    return {&run_in_thread_pool, [] { return std::unique_ptr<Thread_pointers>(new Thread_pool_pointers); }};
+    return parallel_execution();
 #else
     static_assert(!std::is_convertible<ConcurrencyTag, Parallel_tag>::value,
                   "Parallel_tag is enabled but TBB is unavailable.");
@@ -186,5 +151,9 @@ private:
 };
 
 } // namespace CGAL::Spherical_parameterization::internal
+
+#ifdef CGAL_SPHERICAL_PARAMETERIZATION_HEADER_ONLY
+#include <CGAL/Spherical_parameterization/internal/execution/parallel_impl.h>
+#endif
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_EXECUTION_PARALLEL_H

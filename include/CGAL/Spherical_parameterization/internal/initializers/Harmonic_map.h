@@ -20,6 +20,7 @@
 #include <CGAL/Spherical_parameterization/internal/initializers/Laplacian_system.h>
 #include <CGAL/Spherical_parameterization/internal/initializers/Stereographic_embedding.h>
 #include <CGAL/Spherical_parameterization/internal/numbers/Vector_3.h>
+#include <CGAL/Spherical_parameterization/internal/surface/Run.h>
 #include <CGAL/Spherical_parameterization/internal/surface/Surface.h>
 #include <CGAL/Spherical_parameterization/internal/surface/Vertex_rings.h>
 #include <CGAL/Spherical_parameterization/internal/surface/mesh_measures.h>
@@ -132,7 +133,7 @@ private:
 };
 
 // Maps a mesh to the unit sphere with the minimum harmonic energy, starting through the plane.
-template <class SolverTraits, class Run>
+template <class SolverTraits>
 Error_code map_harmonically(Run& run, bool has_to_be_bijective, std::size_t max_rounds)
 {
   if(const Error_code error = embed_stereographically<SolverTraits>(run, has_to_be_bijective))

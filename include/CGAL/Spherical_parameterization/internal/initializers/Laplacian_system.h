@@ -17,6 +17,7 @@
 #include <CGAL/Spherical_parameterization/Error_code.h>
 #include <CGAL/Spherical_parameterization/Parameterization_report.h>
 #include <CGAL/Spherical_parameterization/internal/numbers/Vector_3.h>
+#include <CGAL/Spherical_parameterization/internal/surface/Run.h>
 #include <CGAL/Spherical_parameterization/internal/surface/Vertex_rings.h>
 
 #include <CGAL/Default.h>
@@ -126,7 +127,7 @@ private:
 //   bool move(positions, t, candidate)   whether the map that is the part t of the step away is allowed; if not, or if its
 //                                        energy is too high, the step is halved
 //   double energy_of(positions)          and radius(), that which is best for the last one
-template <class SolverTraits, class Method, class Run>
+template <class SolverTraits, class Method>
 Error_code lower_energy(Method method, std::size_t max_rounds, Run& run)
 {
   Laplacian_system<SolverTraits> system;

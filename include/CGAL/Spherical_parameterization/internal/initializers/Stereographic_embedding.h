@@ -19,6 +19,7 @@
 #include <CGAL/Spherical_parameterization/internal/certificate/is_safely_positive.h>
 #include <CGAL/Spherical_parameterization/internal/initializers/Laplacian_system.h>
 #include <CGAL/Spherical_parameterization/internal/numbers/Vector_3.h>
+#include <CGAL/Spherical_parameterization/internal/surface/Run.h>
 #include <CGAL/Spherical_parameterization/internal/surface/Surface.h>
 #include <CGAL/Spherical_parameterization/internal/surface/Vertex_rings.h>
 #include <CGAL/Spherical_parameterization/internal/surface/mesh_measures.h>
@@ -290,7 +291,7 @@ private:
 
 // Maps a mesh to the unit sphere through the plane, as what it is or as what other methods start from. If doubles cannot
 // hold a bijection, that is an error if the map `has_to_be_bijective`, or else the map is stereographic and folds.
-template <class SolverTraits, class Run>
+template <class SolverTraits>
 Error_code embed_stereographically(Run& run, bool has_to_be_bijective)
 {
   run.control.on_initialization_begin(run.surface.number_of_vertices());

@@ -21,7 +21,8 @@
 #include <CGAL/Spherical_parameterization/internal/descent/Descent_loop.h>
 #include <CGAL/Spherical_parameterization/internal/descent/Hierarchical_embedding.h>
 #include <CGAL/Spherical_parameterization/internal/execution/policy_traits.h>
-#include <CGAL/Spherical_parameterization/internal/initializers/Schnyder_drawing.h>
+#include <CGAL/Spherical_parameterization/internal/library.h>
+#include <CGAL/Spherical_parameterization/internal/surface/Run.h>
 #include <CGAL/Spherical_parameterization/internal/surface/mesh_measures.h>
 
 #include <CGAL/Default.h>
@@ -53,16 +54,11 @@ private:
 };
 
 // Makes a map of the connectivity alone, which never fails.
-template <class Run>
-void draw_surface(Run& run)
-{
-  run.positions = Schnyder_drawing(run.surface.rings()).positions();
-  run.control.report().seconds_for_embedding += run.control.lap();
-}
+void draw_surface(Run& run);
 
 // Makes the first map, by the hierarchy unless that fails, and tells the visitor of it. If `shares` are given, they are the areas
 // that the vertices are to have, in the place of their own.
-template <class Energy, class Run>
+template <class Energy>
 void embed_surface(const Energy& energy, const Sharpness& sharpness, std::size_t sweeps_per_level,
                    bool sweeps_finest_level, Run& run, const std::vector<double>& shares = {})
 {
@@ -80,38 +76,41 @@ void embed_surface(const Energy& energy, const Sharpness& sharpness, std::size_t
 // Lowers the energy of a bijection by sweeps. Faces that rounding might turn over on the way, as the last resort may have some
 // above 1.7 million vertices, stay as they are. If `shares` are given, faces get the shapes that they have on the surface, but the
 // areas that these say.
-template <class Step, class Energy, class Radius, class Run>
-void descend(const Energy& energy, const Radius& radius, const Sharpness& sharpness, const Descent_settings& settings,
+template <class Step, class Energy>
+void descend(const Energy& energy, Radius_chooser* radius, const Sharpness& sharpness, const Descent_settings& settings,
              std::size_t max_sweeps, Run& run, const std::vector<double>& shares = {})
 {
   Parameterization_report& report = run.control.report();
   const bool can_be_swept = !report.used_last_resort || are_safely_positive(run.surface.rings(), run.positions);
-  const auto lower = [&](Radius_chooser* chooser) {
-    Descent_loop<Energy, Step> loop(
-        run.surface, energy, Step(), sharpness, chooser, settings, run.control, run.execution,
-        shares.empty() ? shares : vertex_densities(run.surface.rings(), run.surface.points(), shares));
-    run.radius = loop.run(run.positions, can_be_swept ? max_sweeps : 0);
-  };
-  if constexpr(std::is_same<Radius, Default>::value)
-    lower(nullptr);
-  else
-  {
-    Radius_policy_chooser<Radius, Energy> chooser(radius, energy);
-    lower(&chooser);
-  }
+  Descent_loop<Energy, Step> loop(run.surface, energy, Step(), sharpness, radius, settings, run.control, run.execution,
+                                  shares.empty() ? shares
+                                                 : vertex_densities(run.surface.rings(), run.surface.points(), shares));
+  run.radius = loop.run(run.positions, can_be_swept ? max_sweeps : 0);
   if(!can_be_swept && report.stop_reason == ITERATION_LIMIT)
     report.stop_reason = OBSTRUCTED;
 }
 
-// The same, and tells the visitor of the end.
-template <class Step, class Energy, class Radius, class Run>
+// The same with a radius policy, or none, and tells the visitor of the end.
+template <class Step, class Energy, class Radius>
 void run_descent(const Energy& energy, const Radius& radius, const Sharpness& sharpness,
                  const Descent_settings& settings, std::size_t max_sweeps, Run& run)
 {
-  descend<Step>(energy, radius, sharpness, settings, max_sweeps, run);
+  if constexpr(std::is_same<Radius, Default>::value)
+    descend<Step>(energy, nullptr, sharpness, settings, max_sweeps, run);
+  else
+  {
+    Radius_policy_chooser<Radius, Energy> chooser(radius, energy);
+    descend<Step>(energy, &chooser, sharpness, settings, max_sweeps, run);
+  }
   run.control.on_optimization_end();
 }
 
 } // namespace CGAL::Spherical_parameterization::internal
+
+#ifdef CGAL_SPHERICAL_PARAMETERIZATION_HEADER_ONLY
+#include <CGAL/Spherical_parameterization/internal/run/run_descent_impl.h>
+#else
+#include <CGAL/Spherical_parameterization/internal/run/descents_of_library.h>
+#endif
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_RUN_RUN_DESCENT_H

@@ -20,10 +20,11 @@
 #include <CGAL/Spherical_parameterization/internal/certificate/is_safely_positive.h>
 #include <CGAL/Spherical_parameterization/internal/execution/Run_control.h>
 #include <CGAL/Spherical_parameterization/internal/execution/parallel.h>
+#include <CGAL/Spherical_parameterization/internal/library.h>
 #include <CGAL/Spherical_parameterization/internal/numbers/Vector_3.h>
 #include <CGAL/Spherical_parameterization/internal/run/check_run.h>
 #include <CGAL/Spherical_parameterization/internal/run/write_map.h>
-#include <CGAL/Spherical_parameterization/internal/surface/Surface.h>
+#include <CGAL/Spherical_parameterization/internal/surface/Run.h>
 #include <CGAL/Spherical_parameterization/internal/surface/read_mesh.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -41,19 +42,23 @@
 
 namespace CGAL::Spherical_parameterization::internal {
 
+// Takes images of the vertices, in the caller's order, projected to the unit sphere. Returns whether they make a bijection there.
+bool take_map(std::vector<Vector_3d> images, Run& run);
+
 // A run from the caller's mesh to the caller's map, as every parameterizer makes it: read(), the work of its method on the
-// members below, and write(). The caller's types end here: methods work on the surface, the control and the execution.
+// members of Run, and write(). The caller's types end here.
 // `error` is what write() returns: at first that of a setting out of its range, then that of read(), then the method's.
 template <class ConcurrencyTag_, class TriangleMesh, class NamedParameters>
-class Parameterization_run
+class Parameterization_run : public Run
 {
 public:
   using Concurrency_tag = ConcurrencyTag_;
 
   Parameterization_run(const TriangleMesh& mesh, const NamedParameters& np, Parameterization_report& report)
-    : tmesh(mesh)
+    : Run(m_control, execution_of<Concurrency_tag>())
+    , tmesh(mesh)
     , m_np(np)
-    , control(np, report)
+    , m_control(np, report)
   {
     report = Parameterization_report();
   }
@@ -106,10 +111,7 @@ public:
   template <class VertexSphereMap>
   bool read_map(const VertexSphereMap& map)
   {
-    std::vector<Vector_3d> images = read_points(m_vertices, map);
-    const bool is_bijective = project_map(surface.callers_triangles(), images, execution);
-    positions = surface.in_own_order(images);
-    return is_bijective;
+    return take_map(read_points(m_vertices, map), *this);
   }
 
   // Certifies and writes the map, by what the method guarantees, if reading and the method have succeeded.
@@ -136,13 +138,9 @@ private:
   std::vector<typename boost::graph_traits<TriangleMesh>::vertex_descriptor> m_vertices;
   bool m_is_read = false;
 
+  Visitor_control<NamedParameters> m_control;
+
 public:
-  Visitor_control<NamedParameters> control;
-  Execution execution = execution_of<Concurrency_tag>();
-  Surface surface;
-  std::vector<Vector_3d> positions; // on the unit sphere
-  double radius = 1.;               // in the caller's unit of length
-  std::optional<std::size_t> number_of_iterations;
   Error_code error = ERROR_WRONG_PARAMETER;
 };
 
@@ -162,13 +160,13 @@ private:
 };
 
 // What a parameterizer of the package has that can map the surface of a run: that spares the mesh a second reading.
-template <class Parameterizer, class Run>
+template <class Parameterizer>
 using Embed_result = decltype(std::declval<const Parameterizer&>().embed(std::declval<Run&>(), false));
 
 // Gets the map that a model of `SphericalParameterizer_3` makes, through its public interface, as positions on the unit
 // sphere.
-template <class Parameterizer, class Run>
-Error_code compute_initial_map(Parameterizer& parameterizer, Run& run)
+template <class Parameterizer, class Parameterization_run>
+Error_code compute_initial_map(Parameterizer& parameterizer, Parameterization_run& run)
 {
   using Point_3 = Exact_predicates_inexact_constructions_kernel::Point_3;
 
@@ -181,7 +179,8 @@ Error_code compute_initial_map(Parameterizer& parameterizer, Run& run)
                                   "Precomputed_parameterizer_3(map) for a map.");
   if constexpr(is_parameterizer)
   {
-    const Error_code error = parameterizer.template parameterize<typename Run::Concurrency_tag>(run.tmesh, map, np);
+    const Error_code error =
+        parameterizer.template parameterize<typename Parameterization_run::Concurrency_tag>(run.tmesh, map, np);
     if(error == ERROR_NO_1_TO_1_MAPPING)
       return ERROR_INVALID_INITIAL_PARAMETERIZATION; // the caller's own map is untouched
     if(error != OK)
@@ -196,10 +195,10 @@ Error_code compute_initial_map(Parameterizer& parameterizer, Run& run)
 }
 
 // Makes the map that a method starts from, and tells the visitor of it.
-template <class Parameterizer, class Run>
-Error_code make_initial_map(Parameterizer& parameterizer, Run& run)
+template <class Parameterizer, class Parameterization_run>
+Error_code make_initial_map(Parameterizer& parameterizer, Parameterization_run& run)
 {
-  if constexpr(is_detected<Embed_result, Parameterizer, Run>)
+  if constexpr(is_detected<Embed_result, Parameterizer>)
     return parameterizer.embed(run, false);
   else
   {
@@ -212,5 +211,9 @@ Error_code make_initial_map(Parameterizer& parameterizer, Run& run)
 }
 
 } // namespace CGAL::Spherical_parameterization::internal
+
+#ifdef CGAL_SPHERICAL_PARAMETERIZATION_HEADER_ONLY
+#include <CGAL/Spherical_parameterization/internal/run/run_parameterization_impl.h>
+#endif
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_RUN_RUN_PARAMETERIZATION_H

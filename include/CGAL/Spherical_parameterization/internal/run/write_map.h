@@ -22,7 +22,6 @@
 #include <CGAL/Spherical_parameterization/internal/surface/Linked_triangle.h>
 #include <CGAL/Spherical_parameterization/internal/surface/read_mesh.h>
 
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Kernel_traits.h>
 
 #include <boost/property_map/property_map.hpp>
@@ -47,36 +46,19 @@ enum class Guarantee
 
 // Whether points, images of the vertices of a mesh, make a bijection of it.
 template <class Point_3>
-bool are_bijective(const Index_triangles& triangles, const std::vector<Point_3>& images, Execution execution)
+bool are_bijective(const Index_triangles& triangles, const std::vector<Point_3>& images, const Execution& execution)
 {
-  using Selection = Exact_predicates_kernel<typename Kernel_traits<Point_3>::Kernel>;
-  using Exact_kernel = typename Selection::type;
-  std::vector<typename Exact_kernel::Point_3> exact_images;
-  exact_images.reserve(images.size());
-  for(const Point_3& p : images)
-    exact_images.push_back(Selection::convert(p));
-  return certify_bijectivity<Exact_kernel>(exact_images, triangles, execution).is_bijective();
-}
-
-// the same of points without a kernel
-inline bool are_bijective(const Index_triangles& triangles, const std::vector<Vector_3d>& images, Execution execution)
-{
-  std::vector<Exact_predicates_inexact_constructions_kernel::Point_3> points;
-  points.reserve(images.size());
-  for(const Vector_3d& x : images)
-    points.emplace_back(x[0], x[1], x[2]);
-  return are_bijective(triangles, points, execution);
-}
-
-// Projects the images of the vertices to the unit sphere. Returns whether they make a bijection there.
-inline bool project_map(const Index_triangles& triangles, std::vector<Vector_3d>& images, Execution execution)
-{
-  for(Vector_3d& x : images)
+  using Kernel = typename Kernel_traits<Point_3>::Kernel;
+  if constexpr(Exact_predicates_kernel<Kernel>::has_doubles)
   {
-    const double size = (std::max)({std::abs(x[0]), std::abs(x[1]), std::abs(x[2])}); // squares could overflow
-    x = normalized({x[0] / size, x[1] / size, x[2] / size});
+    std::vector<Vector_3d> points;
+    points.reserve(images.size());
+    for(const Point_3& p : images)
+      points.push_back({static_cast<double>(p.x()), static_cast<double>(p.y()), static_cast<double>(p.z())});
+    return are_bijective(triangles, points, execution);
   }
-  return are_bijective(triangles, images, execution);
+  else
+    return certify_bijectivity<Kernel>(images, triangles, execution).is_bijective();
 }
 
 // Whether two points with floating-point coordinates are the same for any compile flags: with -ffast-math, NaN equals
