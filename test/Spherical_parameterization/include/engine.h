@@ -10,21 +10,16 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_TEST_ENGINE_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_TEST_ENGINE_H
 
-// The part of the library that takes longest to compile, instantiated once (engine.cpp) for the energies that the tests, the
-// examples and the benchmarks use most.
+// An energy of the tests, by which the descent is compiled once (engine.cpp). In a CGAL tree, where there is no library, those
+// by the energies of the package are as well.
 
-#include <CGAL/Spherical_parameterization/Conformal_energy_3.h>
 #include <CGAL/Spherical_parameterization/Face_range_3.h>
-#include <CGAL/Spherical_parameterization/Isometric_energy_3.h>
 #include <CGAL/Spherical_parameterization/Symmetric_Dirichlet_energy_3.h>
-#include <CGAL/Spherical_parameterization/internal/descent/Descent_loop.h>
-#include <CGAL/Spherical_parameterization/internal/descent/Hierarchical_embedding.h>
+#include <CGAL/Spherical_parameterization/internal/run/descents_of_library.h>
 
-#include <cstddef>
 #include <functional>
 #include <memory>
 #include <optional>
-#include <vector>
 
 namespace test {
 
@@ -65,26 +60,8 @@ private:
 
 } // namespace test
 
-#define CGAL_SPHERICAL_PARAMETERIZATION_TEST_LOOP(EXTERN, Energy, Step)                                                \
-  EXTERN template class Descent_loop<Energy, Step>;
-#define CGAL_SPHERICAL_PARAMETERIZATION_TEST_ENERGY(EXTERN, Energy)                                                    \
-  EXTERN template bool embed_hierarchically(const Surface&, const Energy&, const Sharpness&, std::size_t, bool,        \
-                                            std::vector<Vector_3d>&, Run_control&, Execution,                          \
-                                            const std::vector<double>&);                                               \
-  CGAL_SPHERICAL_PARAMETERIZATION_TEST_LOOP(EXTERN, Energy, Newton_step)
-#define CGAL_SPHERICAL_PARAMETERIZATION_TEST_ENGINE(EXTERN)                                                            \
-  CGAL_SPHERICAL_PARAMETERIZATION_TEST_ENERGY(EXTERN, Symmetric_Dirichlet_energy_3)                                    \
-  CGAL_SPHERICAL_PARAMETERIZATION_TEST_ENERGY(EXTERN, Isometric_energy_3)                                              \
-  CGAL_SPHERICAL_PARAMETERIZATION_TEST_ENERGY(EXTERN, Conformal_energy_3)                                              \
-  CGAL_SPHERICAL_PARAMETERIZATION_TEST_ENERGY(EXTERN, test::Hooked_energy)                                             \
-  CGAL_SPHERICAL_PARAMETERIZATION_TEST_LOOP(EXTERN, Isometric_energy_3, Gradient_step)
-
-namespace CGAL {
-namespace Spherical_parameterization {
-namespace internal {
-CGAL_SPHERICAL_PARAMETERIZATION_TEST_ENGINE(extern)
-} // namespace internal
-} // namespace Spherical_parameterization
-} // namespace CGAL
+namespace CGAL::Spherical_parameterization::internal {
+CGAL_SPHERICAL_PARAMETERIZATION_DESCENTS_BY(extern, test::Hooked_energy)
+} // namespace CGAL::Spherical_parameterization::internal
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_TEST_ENGINE_H

@@ -1,9 +1,8 @@
 #include "engine.h"
 
-namespace CGAL {
-namespace Spherical_parameterization {
-namespace internal {
-CGAL_SPHERICAL_PARAMETERIZATION_TEST_ENGINE()
-} // namespace internal
-} // namespace Spherical_parameterization
-} // namespace CGAL
+namespace CGAL::Spherical_parameterization::internal {
+CGAL_SPHERICAL_PARAMETERIZATION_DESCENTS_BY(, test::Hooked_energy)
+#ifdef CGAL_SPHERICAL_PARAMETERIZATION_HEADER_ONLY
+CGAL_SPHERICAL_PARAMETERIZATION_DESCENTS()
+#endif
+} // namespace CGAL::Spherical_parameterization::internal

@@ -38,11 +38,14 @@ namespace CGAL::Spherical_parameterization::internal {
                                      const std::vector<double>&);                                                      \
   CGAL_SPHERICAL_PARAMETERIZATION_DESCENT(EXTERN, Energy, Newton_step)
 
-CGAL_SPHERICAL_PARAMETERIZATION_DESCENTS_BY(extern, Symmetric_Dirichlet_energy_3)
-CGAL_SPHERICAL_PARAMETERIZATION_DESCENTS_BY(extern, Isometric_energy_3)
-CGAL_SPHERICAL_PARAMETERIZATION_DESCENTS_BY(extern, Conformal_energy_3)
-CGAL_SPHERICAL_PARAMETERIZATION_DESCENTS_BY(extern, Stretch_energy_3)
-CGAL_SPHERICAL_PARAMETERIZATION_DESCENT(extern, Isometric_energy_3, Gradient_step)
+#define CGAL_SPHERICAL_PARAMETERIZATION_DESCENTS(EXTERN)                                                               \
+  CGAL_SPHERICAL_PARAMETERIZATION_DESCENTS_BY(EXTERN, Symmetric_Dirichlet_energy_3)                                    \
+  CGAL_SPHERICAL_PARAMETERIZATION_DESCENTS_BY(EXTERN, Isometric_energy_3)                                              \
+  CGAL_SPHERICAL_PARAMETERIZATION_DESCENTS_BY(EXTERN, Conformal_energy_3)                                              \
+  CGAL_SPHERICAL_PARAMETERIZATION_DESCENTS_BY(EXTERN, Stretch_energy_3)                                                \
+  CGAL_SPHERICAL_PARAMETERIZATION_DESCENT(EXTERN, Isometric_energy_3, Gradient_step)
+
+CGAL_SPHERICAL_PARAMETERIZATION_DESCENTS(extern)
 
 } // namespace CGAL::Spherical_parameterization::internal
 
