@@ -5,7 +5,8 @@ Checks that the reference manual says of everything in the public headers what a
 doxygen writes with EXTRACT_ALL, the undocumented included. Doxygen's own warnings tell of what is written wrongly; this is about
 what is missing. Prints what is wrong, and fails if anything is.
 
-- Every public header has a documented symbol in a group, and the convenience header includes it.
+- Every public header has a documented symbol in a group, and the convenience header of its part includes it, unless it needs a
+  library such as Eigen.
 - Every public class, member, function, type and enumerator has a description; that of a class or function is a full sentence,
   and that of a function starts with a verb in the lower case, as in "returns".
 - Every parameter of a function is described, or at least named in its description; so are its template parameters, and what it
@@ -16,8 +17,8 @@ what is missing. Prints what is wrong, and fails if anything is.
 - The classified list of the package has every class, concept, function and enumeration, with a link.
 - A name of the package in the text is a link, but in the description of the thing itself. In the user manual, this holds for
   full names.
-- Which room of internal/ includes files of which others is what CONTRIBUTING.md says, and those are drawn on lower floors. No rooms and
-  public headers include each other in a circle."""
+- Which room of internal/ includes files of which others, and which part those of others, is what CONTRIBUTING.md says. No rooms,
+  parts and public headers include each other in a circle."""
 
 import collections
 import graphlib
@@ -36,6 +37,9 @@ CLASS_KINDS = ("class", "struct")
 TAG = re.compile(r"internal_np::([a-z]\w*?)(?:_t)?\b")
 FOLDER = "CGAL/Spherical_parameterization/"
 PACKAGE_INCLUDE = re.compile(rf"#include <{FOLDER}([\w/]+\.h)>")
+PARTS = ("Sampling", "Surface_maps", "Harmonics", "Cortex", "Repair")
+# what not every user has
+NEEDS_A_LIBRARY = re.compile(r"CGAL_EIGEN3_ENABLED|#include <(png|Imf\w*|zlib|expat)\.h>")
 # CGAL's tag of a named parameter, where its name is another one
 NAMES_OF_TAGS = {"vertex_point": "vertex_point_map"}
 
@@ -276,7 +280,8 @@ def check_links(places, names):
                 complain(place, f"`{text}` is not a link")
 
 
-def check_headers(entries, groups):
+def included_by(convenience_header):
+    """The headers of the package that one includes, directly or through others."""
     included = set()
 
     def follow(source):
@@ -284,43 +289,63 @@ def check_headers(entries, groups):
             included.add(header)
             follow((HEADERS / header).read_text())
 
-    follow(CONVENIENCE_HEADER.read_text())
-    described = {pathlib.Path(e.file).name for e in entries if groups.get(e.name)}
-    for header in sorted(file.name for file in HEADERS.glob("*.h")):
-        if header not in described:
-            complain(header, "documents nothing that is in a group")
-        if header not in included:
-            complain(header, f"not included by {CONVENIENCE_HEADER.name}")
+    follow(convenience_header.read_text())
+    return included
+
+
+def check_headers(entries, groups):
+    described = {f"{FOLDER}{pathlib.Path(e.file).relative_to(FOLDER)}" for e in entries
+                 if groups.get(e.name) and e.file.startswith(FOLDER)}
+    for folder, convenience_header in ((HEADERS, CONVENIENCE_HEADER),
+                                       *((HEADERS / part, HEADERS / f"{part.lower()}.h") for part in PARTS)):
+        included = included_by(convenience_header)
+        for file in sorted(folder.glob("*.h")):
+            header = str(file.relative_to(HEADERS))
+            if file.stem in map(str.lower, PARTS):
+                continue
+            if FOLDER + header not in described:
+                complain(header, "documents nothing that is in a group")
+            if header not in included and not needs_a_library(header):
+                complain(header, f"not included by {convenience_header.name}")
+
+
+def needs_a_library(header):
+    """Whether a header needs what not every user has; such headers are included by their names."""
+    return any(NEEDS_A_LIBRARY.search((HEADERS / other).read_text())
+               for other in {header} | included_by(HEADERS / header))
+
+
+def part_of(header):
+    """The part that a header belongs to; the core if none."""
+    part = header.split("/")[0]
+    return next((name for name in PARTS if part in (name, f"{name.lower()}.h")), "core")
 
 
 def check_rooms():
+    """That rooms of the core, and parts, include what CONTRIBUTING.md says, and no more."""
     def room_of(header):
-        """The room of a header, or a public header itself."""
-        if not header.startswith("internal/"):
-            return header
-        return header.split("/")[1] + "/" if header.count("/") == 2 else "internal/"
+        """The room of a header of the core, or a public header itself; for others, their part."""
+        if part_of(header) != "core":
+            return part_of(header) + "/"
+        return header.split("/")[1] + "/" if header.startswith("internal/") and header.count("/") == 2 else header
 
     included = collections.defaultdict(set)
     for header in sorted(str(file.relative_to(HEADERS)) for file in HEADERS.rglob("*.h")):
-        others = {room_of(other) for other in re.findall(PACKAGE_INCLUDE, (HEADERS / header).read_text())}
-        included[room_of(header)] |= others - {room_of(header)}
+        others = re.findall(PACKAGE_INCLUDE, (HEADERS / header).read_text())
+        included[room_of(header)] |= {room_of(other) for other in others} - {room_of(header)}
     try:
         graphlib.TopologicalSorter(included).prepare()
     except graphlib.CycleError as error:
         complain("include", "a circle: " + " is included by ".join(error.args[1]))
 
-    text = CONTRIBUTING.read_text()
-    drawing = re.search(r"^Includes go down.*?```(.*?)```", text, re.MULTILINE | re.DOTALL)[1].splitlines()
-    floors = {room: floor for floor, line in enumerate(drawing) for room in re.findall(r"\w+/", line)}
-    rows = re.findall(r"^\| `(\w+/)`(?: itself)? \| (`.*|no other room) \|$", text, re.MULTILINE)
+    rows = re.findall(r"^\| `(\w+/)` \| (`.*|no other|all of these) \|$", CONTRIBUTING.read_text(), re.MULTILINE)
     described = {room: set(re.findall(r"`(\w+/)`", others)) for room, others in rows}
+    parts = {f"{part}/" for part in PARTS}
     for room in sorted({room for room in included if room.endswith("/")} | set(described)):
-        others = {other for other in included[room] if other.endswith("/")}
+        # what stands on all rooms of the core is not told of parts
+        others = {other for other in included[room] if other.endswith("/") and (room not in parts or other in parts)}
         if others != described.get(room):
             complain(CONTRIBUTING.name, f"{room} includes files of {others}, not of {described.get(room)}")
-        for other in sorted(others):
-            if room not in floors or floors.get(other, 0) <= floors[room]:
-                complain(CONTRIBUTING.name, f"{room} includes files of {other}, which is not drawn below it")
 
 
 def main():

@@ -16,8 +16,7 @@
 
 #include <CGAL/Spherical_parameterization/Error_code.h>
 #include <CGAL/Spherical_parameterization/Harmonics/Spherical_harmonics_3.h>
-#include <CGAL/Spherical_parameterization/Harmonics/internal/Coefficient_text.h>
-#include <CGAL/Spherical_parameterization/internal/files/File_bytes.h>
+#include <CGAL/Spherical_parameterization/internal/library.h>
 
 #include <istream>
 #include <ostream>
@@ -37,13 +36,7 @@ namespace CGAL::Spherical_parameterization::IO {
 /// \param message receives what is wrong with the file, where, and what helps, in one line; empty if nothing is
 ///
 /// \return `OK`, or `ERROR_INVALID_HARMONICS_FILE` if the file is damaged, or of another kind; `harmonics` is as it was then
-inline Error_code read_SPHARM_PDM(std::istream& in, Spherical_harmonics_3& harmonics, std::string& message)
-{
-  return internal::read_or_tell(
-      harmonics, message,
-      [&](Spherical_harmonics_3& result, std::string&) { result = internal::read_coef(internal::read_all(in)); },
-      ERROR_INVALID_HARMONICS_FILE);
-}
+Error_code read_SPHARM_PDM(std::istream& in, Spherical_harmonics_3& harmonics, std::string& message);
 
 /// \ingroup PkgSphericalParameterizationHarmonicsFiles
 ///
@@ -53,12 +46,7 @@ inline Error_code read_SPHARM_PDM(std::istream& in, Spherical_harmonics_3& harmo
 /// \param harmonics three functions, with any normalization
 ///
 /// \return `OK`; `ERROR_WRONG_PARAMETER` if there are not three functions; or `ERROR_CANNOT_WRITE_FILE`
-inline Error_code write_SPHARM_PDM(std::ostream& out, const Spherical_harmonics_3& harmonics)
-{
-  if(harmonics.number_of_functions() != 3)
-    return ERROR_WRONG_PARAMETER;
-  return internal::is_written(out, internal::coef_text(harmonics)) ? OK : ERROR_CANNOT_WRITE_FILE;
-}
+Error_code write_SPHARM_PDM(std::ostream& out, const Spherical_harmonics_3& harmonics);
 
 /// \ingroup PkgSphericalParameterizationHarmonicsFiles
 ///
@@ -70,13 +58,7 @@ inline Error_code write_SPHARM_PDM(std::ostream& out, const Spherical_harmonics_
 /// \param message receives what is wrong with the file, where, and what helps, in one line; empty if nothing is
 ///
 /// \return `OK`, or `ERROR_INVALID_HARMONICS_FILE` if the file is damaged, or of another kind; `harmonics` is as it was then
-inline Error_code read_harmonics_table(std::istream& in, Spherical_harmonics_3& harmonics, std::string& message)
-{
-  return internal::read_or_tell(
-      harmonics, message,
-      [&](Spherical_harmonics_3& result, std::string&) { result = internal::read_table(internal::read_all(in)); },
-      ERROR_INVALID_HARMONICS_FILE);
-}
+Error_code read_harmonics_table(std::istream& in, Spherical_harmonics_3& harmonics, std::string& message);
 
 /// \ingroup PkgSphericalParameterizationHarmonicsFiles
 ///
@@ -89,13 +71,12 @@ inline Error_code read_harmonics_table(std::istream& in, Spherical_harmonics_3& 
 /// \param harmonics the coefficients, which are written as they are
 ///
 /// \return `OK`; `ERROR_WRONG_PARAMETER` if there is no function; or `ERROR_CANNOT_WRITE_FILE`
-inline Error_code write_harmonics_table(std::ostream& out, const Spherical_harmonics_3& harmonics)
-{
-  if(harmonics.number_of_functions() == 0)
-    return ERROR_WRONG_PARAMETER;
-  return internal::is_written(out, internal::table_text(harmonics)) ? OK : ERROR_CANNOT_WRITE_FILE;
-}
+Error_code write_harmonics_table(std::ostream& out, const Spherical_harmonics_3& harmonics);
 
 } // namespace CGAL::Spherical_parameterization::IO
+
+#ifdef CGAL_SPHERICAL_PARAMETERIZATION_HEADER_ONLY
+#include <CGAL/Spherical_parameterization/Harmonics/internal/spherical_harmonics_files_impl.h>
+#endif
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_HARMONICS_SPHERICAL_HARMONICS_FILES_H
