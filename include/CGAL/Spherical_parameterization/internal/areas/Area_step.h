@@ -15,6 +15,7 @@
 #include <CGAL/license/Spherical_parameterization.h>
 
 #include <CGAL/Spherical_parameterization/Energy_derivatives_3.h>
+#include <CGAL/Spherical_parameterization/internal/areas/Block_equations.h>
 #include <CGAL/Spherical_parameterization/internal/areas/Cell_areas.h>
 #include <CGAL/Spherical_parameterization/internal/descent/Face_energy.h>
 #include <CGAL/Spherical_parameterization/internal/numbers/Vector_3.h>
@@ -22,9 +23,7 @@
 #include <CGAL/Spherical_parameterization/internal/surface/Vertex_rings.h>
 
 #ifdef CGAL_EIGEN3_ENABLED
-#include <Eigen/OrderingMethods>
-#include <Eigen/SparseCholesky>
-#include <Eigen/SparseCore>
+#include <Eigen/Core>
 #endif
 
 #include <algorithm>
@@ -64,12 +63,11 @@ public:
     , m_wanted(areas_of_vertices)
     , m_energy(energy)
     , m_isometric_energy(m_energy(2., 1.))
+    , m_equations(rings)
     , m_steps(points.size())
     , m_frames(points.size())
-    , m_right_side(3 * static_cast<Eigen::Index>(points.size()))
   {
     make_faces(points, areas_of_faces);
-    make_pattern();
   }
 
   // What is lowered. It may be infinite or NaN.
@@ -93,9 +91,7 @@ public:
   // Finds the step. Returns false if there is none.
   bool find(const std::vector<Vector_3d>& positions, double penalty, double damping)
   {
-    double* const values = m_matrix.valuePtr();
-    std::fill(values, values + m_matrix.nonZeros(), 0.);
-    m_right_side.setZero();
+    m_equations.set_zero();
     for(std::size_t v = 0; v < positions.size(); ++v)
     {
       const Tangent_frame frame(positions[v]);
@@ -107,20 +103,19 @@ public:
     for(std::uint32_t v = 0; v < positions.size(); ++v)
       add_areas(v, positions, penalty);
 
-    m_solver.factorize(m_matrix);
-    if(m_solver.info() != Eigen::Success)
+    Eigen::VectorXd solution;
+    if(!m_equations.solve(solution))
       return false;
-    const Eigen::VectorXd solution = m_solver.solve(m_right_side);
     m_slope = 0.;
     bool result = true;
     for(std::size_t v = 0; v < positions.size(); ++v)
     {
-      const Eigen::Index k = row(v);
+      const Eigen::Index k = m_equations.row(v);
       m_steps[v] = solution[k] * m_frames[v][0] + solution[k + 1] * m_frames[v][1];
       result = result && is_finite(m_steps[v]);
       const double excess = m_ratios[v] - 1.; // which changes by J x = y / mu - excess
       m_slope += excess * (solution[k + 2] - penalty * excess) -
-                 (m_right_side[k] * solution[k] + m_right_side[k + 1] * solution[k + 1]);
+                 (m_equations.right_side[k] * solution[k] + m_equations.right_side[k + 1] * solution[k + 1]);
     }
     return result && m_slope < 0.;
   }
@@ -138,7 +133,6 @@ public:
 
 private:
   using Complex = std::complex<double>;
-  using Matrix = Eigen::SparseMatrix<double>;   // the lower triangle
   static constexpr double min_curvature = 1e-3; // of the energy in the Jacobian of a face, where isometric faces have 8
 
   // A linear map z -> a z + b conj(z) + c of the triangle in the plane has a = sum of gradient_i * (image of corner i), and b the
@@ -160,7 +154,7 @@ private:
     std::array<std::uint32_t, 3> vertices;
     Gradients rest;
     double weight;
-    std::array<std::size_t, 3> pairs; // of corners 0 and 1, 1 and 2, 2 and 0, in m_pairs
+    std::array<std::size_t, 3> pairs; // of corners 0 and 1, 1 and 2, 2 and 0, see Block_equations::entry()
   };
 
   // The image of a face, in the plane of its corners.
@@ -219,100 +213,15 @@ private:
       const double base = std::sqrt(2. * area * (cotangent_0 + cotangent_1)), height = 2. * area / base;
       Face face;
       face.vertices = {a, b, c};
-      face.rest = gradients({Complex(0., 0.), Complex(base, 0.), Complex(height * cotangent_0, height)}, 2. * area);
-      face.weight = Face_energy<Energy>::weighs_faces_by_area ? area * static_cast<double>(areas.size()) / sum : 1.;
-      m_faces.push_back(face);
-    });
-  }
-
-  // The matrix is made of 3 x 3 blocks, one for each vertex and for each edge: for two coordinates and a multiplier. The vertices
-  // are in an order of least fill.
-  void make_pattern()
-  {
-    const auto n = static_cast<Eigen::Index>(m_rings.number_of_vertices());
-    {
-      std::vector<Eigen::Triplet<double>> entries;
-      entries.reserve(m_rings.number_of_corners() + m_rings.number_of_vertices());
-      for(Eigen::Index v = 0; v < n; ++v)
-      {
-        entries.emplace_back(v, v, 1.);
-        for(const std::uint32_t w : m_rings.ring(static_cast<std::size_t>(v)))
-          entries.emplace_back(static_cast<Eigen::Index>(w), v, 1.);
-      }
-      Matrix graph(n, n);
-      graph.setFromTriplets(entries.begin(), entries.end());
-      Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> order;
-      Eigen::AMDOrdering<int>()(graph, order);
-      m_order.resize(m_rings.number_of_vertices());
-      for(Eigen::Index k = 0; k < n; ++k) // the k-th vertex to be eliminated
-        m_order[static_cast<std::size_t>(order.indices()[k])] = static_cast<std::uint32_t>(k);
-    }
-
-    // The columns of a block: its vertex, and then those of its neighbours that come later, in increasing order.
-    std::vector<std::uint32_t> vertices(m_order.size());
-    for(std::uint32_t v = 0; v < m_order.size(); ++v)
-      vertices[m_order[v]] = v;
-    m_pairs.assign(m_rings.number_of_corners(), Pair());
-    m_matrix.resize(3 * n, 3 * n);
-    std::vector<std::uint32_t> later; // positions in a ring
-    std::vector<int> starts(static_cast<std::size_t>(3 * n) + 1, 0), rows;
-    rows.reserve(5 * m_rings.number_of_corners() + 6 * m_order.size());
-    m_diagonals.resize(m_order.size());
-    for(const std::uint32_t v : vertices)
-    {
-      const Vertex_rings::Ring ring = m_rings.ring(v);
-      later.clear();
-      for(std::uint32_t j = 0; j < ring.size(); ++j)
-        if(m_order[ring[j]] > m_order[v])
-          later.push_back(j);
-      std::sort(later.begin(), later.end(),
-                [&](std::uint32_t i, std::uint32_t j) { return m_order[ring[i]] < m_order[ring[j]]; });
-      for(std::size_t column = 0; column < 3; ++column)
-      {
-        const std::size_t start = rows.size();
-        starts[3 * m_order[v] + column] = static_cast<int>(start);
-        m_diagonals[v][column] = start - column; // of row 0, which the lower triangle may not have
-        for(std::size_t i = column; i < 3; ++i)
-          rows.push_back(static_cast<int>(row(v)) + static_cast<int>(i));
-        for(std::size_t k = 0; k < later.size(); ++k)
-        {
-          const std::uint32_t w = ring[later[k]];
-          Pair& pair = m_pairs[m_rings.offset(v) + later[k]];
-          pair.columns[column] = rows.size();
-          pair.is_transposed = false;
-          for(int i = 0; i < 3; ++i)
-            rows.push_back(static_cast<int>(row(w)) + i);
-          if(column == 2)
-          {
-            Pair& other = m_pairs[m_rings.offset(w) + m_rings.ring(w).position_of(v)];
-            other = pair;
-            other.is_transposed = true;
-          }
-        }
-      }
-    }
-    starts.back() = static_cast<int>(rows.size());
-    m_matrix.resizeNonZeros(static_cast<Eigen::Index>(rows.size()));
-    std::copy(starts.begin(), starts.end(), m_matrix.outerIndexPtr());
-    std::copy(rows.begin(), rows.end(), m_matrix.innerIndexPtr());
-    std::fill(m_matrix.valuePtr(), m_matrix.valuePtr() + rows.size(), 1.);
-    m_solver.analyzePattern(m_matrix);
-
-    for(Face& face : m_faces)
       for(std::size_t k = 0; k < 3; ++k)
       {
         const std::uint32_t v = face.vertices[k], w = face.vertices[(k + 1) % 3];
         face.pairs[k] = m_rings.offset(v) + m_rings.ring(v).position_of(w);
       }
-  }
-
-  Eigen::Index row(std::size_t v) const { return 3 * static_cast<Eigen::Index>(m_order[v]); }
-
-  // the entry in row i of the first vertex of a corner (v, w) and column j of the second one, or its mirror image
-  double& entry(std::size_t corner, std::size_t i, std::size_t j)
-  {
-    const Pair& pair = m_pairs[corner]; // with the columns of the one that is eliminated first
-    return m_matrix.valuePtr()[pair.is_transposed ? pair.columns[j] + i : pair.columns[i] + j];
+      face.rest = gradients({Complex(0., 0.), Complex(base, 0.), Complex(height * cotangent_0, height)}, 2. * area);
+      face.weight = Face_energy<Energy>::weighs_faces_by_area ? area * static_cast<double>(areas.size()) / sum : 1.;
+      m_faces.push_back(face);
+    });
   }
 
   void add_energy(const Face& face, const std::vector<Vector_3d>& positions, double damping)
@@ -375,15 +284,14 @@ private:
     {
       const std::uint32_t v = face.vertices[corner];
       const std::size_t k = 2 * corner, l = 2 * ((corner + 1) % 3);
-      double* const values = m_matrix.valuePtr();
-      values[m_diagonals[v][0]] += curvature(k, k);
-      values[m_diagonals[v][0] + 1] += curvature(k, k + 1);
-      values[m_diagonals[v][1] + 1] += curvature(k + 1, k + 1);
+      m_equations.diagonal(v, 0, 0) += curvature(k, k);
+      m_equations.diagonal(v, 1, 0) += curvature(k, k + 1);
+      m_equations.diagonal(v, 1, 1) += curvature(k + 1, k + 1);
       for(std::size_t i = 0; i < 2; ++i)
       {
-        m_right_side[row(v) + static_cast<Eigen::Index>(i)] -= slopes[k + i];
+        m_equations.right_side[m_equations.row(v) + static_cast<Eigen::Index>(i)] -= slopes[k + i];
         for(std::size_t j = 0; j < 2; ++j)
-          entry(face.pairs[corner], i, j) += curvature(k + i, l + j);
+          m_equations.entry(face.pairs[corner], i, j) += curvature(k + i, l + j);
       }
     }
   }
@@ -405,8 +313,8 @@ private:
   // The cell of a vertex changes with its neighbours only: they bound what its faces cover.
   void add_areas(std::uint32_t v, const std::vector<Vector_3d>& positions, double penalty)
   {
-    m_matrix.valuePtr()[m_diagonals[v][2] + 2] = -1. / penalty;
-    m_right_side[row(v) + 2] = 1. - m_ratios[v];
+    m_equations.diagonal(v, 2, 2) = -1. / penalty;
+    m_equations.right_side[m_equations.row(v) + 2] = 1. - m_ratios[v];
     const Vertex_rings::Ring ring = m_rings.ring(v);
     const Vector_3d& center = positions[v];
     for(std::size_t j = 0; j < ring.size(); ++j)
@@ -417,30 +325,19 @@ private:
       const Vector_3d gradient = (1. / (3. * m_wanted[v])) * (Spherical_area(x, next, center).gradient(x) +
                                                               Spherical_area(x, center, last).gradient(x));
       for(std::size_t i = 0; i < 2; ++i)
-        entry(m_rings.offset(v) + j, 2, i) += dot(gradient, m_frames[w][i]);
+        m_equations.entry(m_rings.offset(v) + j, 2, i) += dot(gradient, m_frames[w][i]);
     }
   }
-
-  struct Pair
-  {
-    std::array<std::size_t, 3> columns = {0, 0, 0}; // where the columns of a block begin in the values of the matrix
-    bool is_transposed = false;
-  };
 
   const Vertex_rings& m_rings;
   const std::vector<double>& m_wanted;
   Face_energy<Energy> m_energy;
   double m_isometric_energy;
   std::vector<Face> m_faces;
-  std::vector<std::uint32_t> m_order;                  // in which the vertices are eliminated
-  std::vector<std::array<std::size_t, 3>> m_diagonals; // of each vertex, as in a Pair
-  std::vector<Pair> m_pairs;                           // of each corner of the rings
-  Matrix m_matrix;
-  Eigen::SimplicialLDLT<Matrix, Eigen::Lower, Eigen::NaturalOrdering<int>> m_solver;
+  Block_equations m_equations;
   std::vector<Vector_3d> m_steps;
   std::vector<std::array<Vector_3d, 2>> m_frames;
   std::vector<double> m_ratios;
-  Eigen::VectorXd m_right_side;
   double m_slope = 0.;
 };
 

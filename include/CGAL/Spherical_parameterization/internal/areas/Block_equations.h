@@ -1,0 +1,169 @@
+// Copyright (c) 2026  The Spherical_parameterization authors.
+// All rights reserved.
+//
+// This file is part of the Spherical_parameterization package for CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Spherical_parameterization authors
+
+#ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_AREAS_BLOCK_EQUATIONS_H
+#define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_AREAS_BLOCK_EQUATIONS_H
+
+#include <CGAL/license/Spherical_parameterization.h>
+
+#include <CGAL/Spherical_parameterization/internal/surface/Vertex_rings.h>
+
+#ifdef CGAL_EIGEN3_ENABLED
+#include <Eigen/OrderingMethods>
+#include <Eigen/SparseCholesky>
+#include <Eigen/SparseCore>
+#endif
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace CGAL::Spherical_parameterization::internal {
+
+#ifdef CGAL_EIGEN3_ENABLED
+
+// The equations of a step of all vertices: a symmetric matrix of 3 x 3 blocks, one for each vertex and for each edge, for two
+// coordinates and a multiplier. The vertices are eliminated in an order of least fill.
+class Block_equations
+{
+public:
+  explicit Block_equations(const Vertex_rings& rings)
+    : right_side(3 * static_cast<Eigen::Index>(rings.number_of_vertices()))
+  {
+    make_pattern(rings);
+  }
+
+  void set_zero()
+  {
+    std::fill(m_matrix.valuePtr(), m_matrix.valuePtr() + m_matrix.nonZeros(), 0.);
+    right_side.setZero();
+  }
+
+  // the first of three rows of a vertex
+  Eigen::Index row(std::size_t v) const { return 3 * static_cast<Eigen::Index>(m_order[v]); }
+
+  // row i >= j, column j of the block of a vertex
+  double& diagonal(std::size_t v, std::size_t i, std::size_t j) { return m_matrix.valuePtr()[m_diagonals[v][j] + i]; }
+
+  // the entry in row i of the first vertex of a corner (v, w) and column j of the second one, or its mirror image
+  double& entry(std::size_t corner, std::size_t i, std::size_t j)
+  {
+    const Pair& pair = m_pairs[corner]; // with the columns of the one that is eliminated first
+    return m_matrix.valuePtr()[pair.is_transposed ? pair.columns[j] + i : pair.columns[i] + j];
+  }
+
+  // Returns false if the matrix has no factorisation.
+  bool solve(Eigen::VectorXd& solution)
+  {
+    m_solver.factorize(m_matrix);
+    if(m_solver.info() != Eigen::Success)
+      return false;
+    solution = m_solver.solve(right_side);
+    return true;
+  }
+
+  Eigen::VectorXd right_side;
+
+private:
+  using Matrix = Eigen::SparseMatrix<double>; // the lower triangle
+
+  struct Pair
+  {
+    std::array<std::size_t, 3> columns = {0, 0, 0}; // where the columns of a block begin in the values of the matrix
+    bool is_transposed = false;
+  };
+
+  void make_pattern(const Vertex_rings& rings)
+  {
+    const auto n = static_cast<Eigen::Index>(rings.number_of_vertices());
+    {
+      std::vector<Eigen::Triplet<double>> entries;
+      entries.reserve(rings.number_of_corners() + rings.number_of_vertices());
+      for(Eigen::Index v = 0; v < n; ++v)
+      {
+        entries.emplace_back(v, v, 1.);
+        for(const std::uint32_t w : rings.ring(static_cast<std::size_t>(v)))
+          entries.emplace_back(static_cast<Eigen::Index>(w), v, 1.);
+      }
+      Matrix graph(n, n);
+      graph.setFromTriplets(entries.begin(), entries.end());
+      Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> order;
+      Eigen::AMDOrdering<int>()(graph, order);
+      m_order.resize(rings.number_of_vertices());
+      for(Eigen::Index k = 0; k < n; ++k) // the k-th vertex to be eliminated
+        m_order[static_cast<std::size_t>(order.indices()[k])] = static_cast<std::uint32_t>(k);
+    }
+
+    // The columns of a block: its vertex, and then those of its neighbours that come later, in increasing order.
+    std::vector<std::uint32_t> vertices(m_order.size());
+    for(std::uint32_t v = 0; v < m_order.size(); ++v)
+      vertices[m_order[v]] = v;
+    m_pairs.assign(rings.number_of_corners(), Pair());
+    m_matrix.resize(3 * n, 3 * n);
+    std::vector<std::uint32_t> later; // positions in a ring
+    std::vector<int> starts(static_cast<std::size_t>(3 * n) + 1, 0), rows;
+    rows.reserve(5 * rings.number_of_corners() + 6 * m_order.size());
+    m_diagonals.resize(m_order.size());
+    for(const std::uint32_t v : vertices)
+    {
+      const Vertex_rings::Ring ring = rings.ring(v);
+      later.clear();
+      for(std::uint32_t j = 0; j < ring.size(); ++j)
+        if(m_order[ring[j]] > m_order[v])
+          later.push_back(j);
+      std::sort(later.begin(), later.end(),
+                [&](std::uint32_t i, std::uint32_t j) { return m_order[ring[i]] < m_order[ring[j]]; });
+      for(std::size_t column = 0; column < 3; ++column)
+      {
+        const std::size_t start = rows.size();
+        starts[3 * m_order[v] + column] = static_cast<int>(start);
+        m_diagonals[v][column] = start - column; // of row 0, which the lower triangle may not have
+        for(std::size_t i = column; i < 3; ++i)
+          rows.push_back(static_cast<int>(row(v)) + static_cast<int>(i));
+        for(std::size_t k = 0; k < later.size(); ++k)
+        {
+          const std::uint32_t w = ring[later[k]];
+          Pair& pair = m_pairs[rings.offset(v) + later[k]];
+          pair.columns[column] = rows.size();
+          pair.is_transposed = false;
+          for(int i = 0; i < 3; ++i)
+            rows.push_back(static_cast<int>(row(w)) + i);
+          if(column == 2)
+          {
+            Pair& other = m_pairs[rings.offset(w) + rings.ring(w).position_of(v)];
+            other = pair;
+            other.is_transposed = true;
+          }
+        }
+      }
+    }
+    starts.back() = static_cast<int>(rows.size());
+    m_matrix.resizeNonZeros(static_cast<Eigen::Index>(rows.size()));
+    std::copy(starts.begin(), starts.end(), m_matrix.outerIndexPtr());
+    std::copy(rows.begin(), rows.end(), m_matrix.innerIndexPtr());
+    std::fill(m_matrix.valuePtr(), m_matrix.valuePtr() + rows.size(), 1.);
+    m_solver.analyzePattern(m_matrix);
+  }
+
+  std::vector<std::uint32_t> m_order;                  // in which the vertices are eliminated
+  std::vector<std::array<std::size_t, 3>> m_diagonals; // of each vertex, as in a Pair
+  std::vector<Pair> m_pairs;                           // of each corner of the rings
+  Matrix m_matrix;
+  Eigen::SimplicialLDLT<Matrix, Eigen::Lower, Eigen::NaturalOrdering<int>> m_solver;
+};
+
+#endif // CGAL_EIGEN3_ENABLED
+
+} // namespace CGAL::Spherical_parameterization::internal
+
+#endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_AREAS_BLOCK_EQUATIONS_H
