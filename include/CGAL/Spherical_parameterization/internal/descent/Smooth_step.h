@@ -19,6 +19,7 @@
 #include <CGAL/Spherical_parameterization/internal/descent/Sphere_cells.h>
 #include <CGAL/Spherical_parameterization/internal/descent/Star_packets.h>
 #include <CGAL/Spherical_parameterization/internal/descent/Strain_sums.h>
+#include <CGAL/Spherical_parameterization/internal/execution/conjugate_gradients.h>
 #include <CGAL/Spherical_parameterization/internal/execution/parallel.h>
 #include <CGAL/Spherical_parameterization/internal/numbers/Vector_3.h>
 
@@ -27,7 +28,6 @@
 #include <cmath>
 #include <cstddef>
 #include <numeric>
-#include <utility>
 #include <vector>
 
 namespace CGAL::Spherical_parameterization::internal {
@@ -190,30 +190,22 @@ private:
   bool solve()
   {
     constexpr double tolerance = 0.1;
-    constexpr int max_rounds = 200; // some ten do
+    constexpr std::size_t max_rounds = 200; // some ten do
     const std::size_t n = m_right.size();
-    std::vector<double> x(n, 0.), residual = m_right, z(n), image(n);
-    precondition(residual, z);
-    std::vector<double> direction = z;
-    double size = inner_product(residual, z);
-    const double first_size = size;
-    for(int k = 0; k < max_rounds && size > tolerance * tolerance * first_size; ++k)
-    {
-      multiply(direction, image);
-      const double curvature = inner_product(direction, image);
-      if(!(curvature > 0.))
-        break;
-      const double t = size / curvature;
-      for(std::size_t i = 0; i < n; ++i)
-      {
-        x[i] += t * direction[i];
-        residual[i] -= t * image[i];
-      }
-      precondition(residual, z);
-      const double last_size = std::exchange(size, inner_product(residual, z));
-      for(std::size_t i = 0; i < n; ++i)
-        direction[i] = z[i] + size / last_size * direction[i];
-    }
+    std::vector<double> x(n, 0.), residual = m_right;
+    conjugate_gradients(
+        x, residual,
+        [this](const std::vector<double>& p, std::vector<double>& image) {
+          multiply(p, image);
+          return inner_product(p, image);
+        },
+        [this](const std::vector<double>& r, std::vector<double>& z) {
+          precondition(r, z);
+          return inner_product(r, z);
+        },
+        [](std::size_t k, double size, double first_size, double step) { // a step of 0 has found no curvature
+          return k < max_rounds && size > tolerance * tolerance * first_size && step > 0.;
+        });
     m_steps.clear();
     for(const Tangent_frame& frame : m_cells.frames())
     {
