@@ -75,8 +75,7 @@ public:
 private:
   using Matrix_6 = std::array<std::array<double, 6>, 6>;
 
-  // armadillo_104002, 20 sweeps: with 16, 64 and 256 vertices for a node, D_iso is 3.58, 3.55 and 3.59. Beyond a million
-  // vertices the grid would cost too much, whose equations are solved by one thread.
+  // Beyond a million vertices the grid would cost too much, whose equations are solved by one thread.
   static constexpr std::size_t vertices_per_node = 64, max_nodes = 20000;
 
   // the squares along an edge of the cube, which has six sides
@@ -186,7 +185,7 @@ private:
   }
 
   // Conjugate gradients, preconditioned by the blocks of the nodes. They end early, as the next step corrects what this one
-  // has left: with a tolerance of 0.01, steps do not get better.
+  // has left.
   bool solve()
   {
     constexpr double tolerance = 0.1;

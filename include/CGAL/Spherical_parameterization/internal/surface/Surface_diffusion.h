@@ -160,7 +160,7 @@ private:
 inline Vertex_scalars mean_curvature(const Vertex_rings& rings, const std::vector<Vector_3d>& points, double t,
                                      double min_area, const Execution& execution = {})
 {
-  constexpr double tolerance = 1e-5; // with 1e-3, maps between some poses of people were worse by a quarter
+  constexpr double tolerance = 1e-5; // as maps between surfaces are aligned by it
   const Surface_diffusion diffusion(rings, points, min_area, execution);
   return diffusion.outside(points, diffusion.after(t, points, tolerance));
 }
