@@ -33,8 +33,9 @@
 namespace CGAL::Spherical_parameterization::internal {
 
 // Moves points around the origin and scales them to a size of about 1 by a power of two, which is exact; returns its
-// exponent. Products of coordinates neither overflow nor underflow then.
-inline int normalize(std::vector<Vector_3d>& points)
+// exponent, and `origin`, where it is not null, becomes the point that is the origin now. Products of coordinates neither
+// overflow nor underflow then, so that nothing that works on normalized points has to guard against it.
+inline int normalize(std::vector<Vector_3d>& points, Vector_3d* origin = nullptr)
 {
   if(points.empty())
     return 0;
@@ -56,6 +57,8 @@ inline int normalize(std::vector<Vector_3d>& points)
   const double factor = std::ldexp(1., first), other_factor = std::ldexp(1., second);
   for(Vector_3d& p : points)
     p = other_factor * (factor * (p - center));
+  if(origin)
+    *origin = center;
   return exponent;
 }
 
