@@ -22,6 +22,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <numeric>
 #include <vector>
@@ -66,9 +67,9 @@ inline double squared_distance(const Vector_3d& p, const std::array<Vector_3d, 3
 class Triangle_set
 {
 public:
-  // Reads the faces of a mesh, which may have a border.
+  // Appends the corners of the faces of a mesh, which may have a border.
   template <class TriangleMesh, class VertexPointMap>
-  Error_code read(const TriangleMesh& tmesh, const VertexPointMap& vpm)
+  static Error_code read(const TriangleMesh& tmesh, const VertexPointMap& vpm, std::vector<Vector_3d>& corners)
   {
     Mesh_arrays<TriangleMesh> mesh;
     if(const Error_code error = mesh.read(tmesh, true))
@@ -76,31 +77,20 @@ public:
     const std::vector<Vector_3d> points = read_points(mesh.vertices_of_mesh, vpm);
     if(!are_finite(points))
       return ERROR_NON_FINITE_COORDINATE;
-    m_triangles.reserve(mesh.triangles.size());
-    for(const auto& [a, b, c] : mesh.triangles)
-      m_triangles.push_back({points[a], points[b], points[c]});
+    for(const auto& triangle : mesh.triangles)
+      for(const std::uint32_t v : triangle)
+        corners.push_back(points[v]);
     return OK;
   }
 
-  double largest_coordinate() const
-  {
-    double result = 0.;
-    for(const auto& triangle : m_triangles)
-      for(const Vector_3d& p : triangle)
-        result = (std::max)({result, std::abs(p[0]), std::abs(p[1]), std::abs(p[2])});
-    return result;
-  }
-
-  // Makes 2 to the power of `exponent` the unit, in which no coordinate is above 1, and prepares what is below.
-  void build(int exponent)
+  // Takes triangles by their corners, which are normalized.
+  Triangle_set(const Vector_3d* corners, std::size_t n_corners)
   {
     double area = 0.;
-    for(auto& triangle : m_triangles)
+    for(std::size_t k = 0; k < n_corners; k += 3)
     {
-      for(Vector_3d& p : triangle)
-        for(double& x : p)
-          x = std::scalbn(x, -exponent);
-      m_areas.push_back(area += length(cross(triangle[1] - triangle[0], triangle[2] - triangle[0])));
+      const auto& t = m_triangles.emplace_back(std::array<Vector_3d, 3>{corners[k], corners[k + 1], corners[k + 2]});
+      m_areas.push_back(area += length(cross(t[1] - t[0], t[2] - t[0])));
     }
     if(!(area > 0.))
       std::iota(m_areas.begin(), m_areas.end(), 1.);
