@@ -17,8 +17,8 @@
 #include <CGAL/Spherical_parameterization/Harmonics/internal/Sphere_nodes.h>
 #include <CGAL/Spherical_parameterization/Harmonics/internal/Spherical_harmonic_transform.h>
 #include <CGAL/Spherical_parameterization/internal/execution/Run_control.h>
-#include <CGAL/Spherical_parameterization/internal/execution/conjugate_gradients.h>
 #include <CGAL/Spherical_parameterization/internal/execution/parallel.h>
+#include <CGAL/Spherical_parameterization/internal/numbers/conjugate_gradients.h>
 
 #include <array>
 #include <cstddef>

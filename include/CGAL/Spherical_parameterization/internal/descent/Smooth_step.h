@@ -19,9 +19,9 @@
 #include <CGAL/Spherical_parameterization/internal/descent/Sphere_cells.h>
 #include <CGAL/Spherical_parameterization/internal/descent/Star_packets.h>
 #include <CGAL/Spherical_parameterization/internal/descent/Strain_sums.h>
-#include <CGAL/Spherical_parameterization/internal/execution/conjugate_gradients.h>
 #include <CGAL/Spherical_parameterization/internal/execution/parallel.h>
 #include <CGAL/Spherical_parameterization/internal/numbers/Vector_3.h>
+#include <CGAL/Spherical_parameterization/internal/numbers/conjugate_gradients.h>
 
 #include <algorithm>
 #include <array>
