@@ -177,9 +177,9 @@ TEST(Triangles, have_a_tree_that_finds_the_nearest_one)
   for(const Triangle_list& list : lists)
   {
     const Mesh mesh = make(list);
-    SP::internal::Triangle_set set;
-    ASSERT_EQ(set.read(mesh, mesh.points()), SP::OK);
-    set.build(0);
+    Images corners;
+    ASSERT_EQ(SP::internal::Triangle_set::read(mesh, mesh.points(), corners), SP::OK);
+    const SP::internal::Triangle_set set(corners.data(), corners.size());
     for(std::size_t k = 0; k < 100; ++k)
     {
       const Coordinates p = set.place(k, 100), q = {1.1 * p[0], 0.9 * p[1] - 0.1, p[2]};

@@ -22,6 +22,7 @@
 #include <CGAL/Spherical_parameterization/internal/locate/locations_of_vertices.h>
 #include <CGAL/Spherical_parameterization/internal/numbers/Vector_3.h>
 #include <CGAL/Spherical_parameterization/internal/surface/Linked_triangle.h>
+#include <CGAL/Spherical_parameterization/internal/surface/mesh_measures.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/tags.h>
@@ -224,16 +225,7 @@ public:
   /// \param triangles its triangles, each of which has three of these points
   static std::vector<double> vertex_areas(const Points& points, const Triangles& triangles)
   {
-    using internal::operator-;
-    std::vector<double> result(points.size(), 0.);
-    for(const auto& t : triangles)
-    {
-      const double area =
-          internal::length(internal::cross(points[t[1]] - points[t[0]], points[t[2]] - points[t[0]])) / 6.;
-      for(const std::uint32_t v : t)
-        result[v] += area;
-    }
-    return result;
+    return internal::vertex_areas(triangles, points);
   }
 
 private:

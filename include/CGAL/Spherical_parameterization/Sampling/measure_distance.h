@@ -18,6 +18,8 @@
 #include <CGAL/Spherical_parameterization/Sampling/internal/Triangle_set.h>
 #include <CGAL/Spherical_parameterization/internal/execution/Run_control.h>
 #include <CGAL/Spherical_parameterization/internal/execution/parallel.h>
+#include <CGAL/Spherical_parameterization/internal/numbers/Vector_3.h>
+#include <CGAL/Spherical_parameterization/internal/surface/Surface.h>
 #include <CGAL/Spherical_parameterization/internal/surface/read_mesh.h>
 
 #include <CGAL/Named_function_parameters.h>
@@ -113,15 +115,15 @@ Error_code measure_distance(const TriangleMesh1& tmesh1, const TriangleMesh2& tm
   if(n1 < 1 || n2 < 1)
     return ERROR_WRONG_PARAMETER;
   internal::Visitor_control<CGAL_NP_CLASS_1> control(np1);
-  internal::Triangle_set first, second;
-  if(const Error_code error = first.read(tmesh1, internal::vertex_point_map_of(tmesh1, np1)))
+  std::vector<internal::Vector_3d> corners;
+  if(const Error_code error = internal::Triangle_set::read(tmesh1, internal::vertex_point_map_of(tmesh1, np1), corners))
     return error;
-  if(const Error_code error = second.read(tmesh2, internal::vertex_point_map_of(tmesh2, np2)))
+  const std::size_t n_first = corners.size();
+  if(const Error_code error = internal::Triangle_set::read(tmesh2, internal::vertex_point_map_of(tmesh2, np2), corners))
     return error;
-  int exponent = 0;
-  std::frexp((std::max)(first.largest_coordinate(), second.largest_coordinate()), &exponent);
-  first.build(exponent);
-  second.build(exponent);
+  const int exponent = internal::normalize(corners);
+  const internal::Triangle_set first(corners.data(), n_first),
+      second(corners.data() + n_first, corners.size() - n_first);
 
   const auto one_way = [&](const internal::Triangle_set& from, const internal::Triangle_set& to, std::size_t n) {
     constexpr std::size_t block_size = 256; // of parallel work: enough that handing it out costs nothing

@@ -23,6 +23,8 @@
 #include <CGAL/Spherical_parameterization/internal/locate/Sphere_triangulation.h>
 #include <CGAL/Spherical_parameterization/internal/numbers/Vector_3.h>
 #include <CGAL/Spherical_parameterization/internal/surface/Linked_triangle.h>
+#include <CGAL/Spherical_parameterization/internal/surface/Surface.h>
+#include <CGAL/Spherical_parameterization/internal/surface/mesh_measures.h>
 
 #include <CGAL/number_utils.h>
 
@@ -37,32 +39,6 @@
 
 namespace CGAL::Spherical_parameterization::internal {
 
-// Three functions of the vertices, divided by a power of two and moved such that their means are 0: no square overflows, and a
-// surface far from the origin loses nothing.
-struct Vertex_functions
-{
-  explicit Vertex_functions(std::vector<Vector_3d> values_)
-    : values(std::move(values_))
-  {
-    double largest = 0.;
-    for(const Vector_3d& x : values)
-      largest = (std::max)({largest, std::abs(x[0]), std::abs(x[1]), std::abs(x[2])});
-    std::frexp(largest, &exponent);
-    for(Vector_3d& x : values)
-    {
-      x = {std::ldexp(x[0], -exponent), std::ldexp(x[1], -exponent), std::ldexp(x[2], -exponent)};
-      mean = mean + x;
-    }
-    mean = (1. / static_cast<double>(values.size())) * mean;
-    for(Vector_3d& x : values)
-      x = x - mean;
-  }
-
-  std::vector<Vector_3d> values;
-  Vector_3d mean = {0., 0., 0.};
-  int exponent = 0;
-};
-
 // Where functions of the vertices are sampled, and what each sample counts. The weights have the sum 1.
 class Expansion_samples
 {
@@ -71,11 +47,8 @@ public:
   template <class K>
   Expansion_samples(const Sphere_triangulation<K>& sphere, const std::vector<Vector_3d>& surface)
     : m_nodes(directions_of(sphere))
-    , m_counts(surface.size(), 0.)
+    , m_counts(vertex_sums(sphere.triangles(), surface.size(), area_on(surface)))
   {
-    for(const Linked_triangle& t : sphere.triangles())
-      for(const std::uint32_t v : t.vertices)
-        m_counts[v] += area(t, surface);
     normalize_counts(std::vector<double>(surface.size(), 1.));
     m_terms.reserve(surface.size());
     for(std::uint32_t v = 0; v < surface.size(); ++v)
@@ -133,7 +106,6 @@ private:
       directions.emplace_back(FT(q[0]), FT(q[1]), FT(q[2]));
       areas.push_back(grid.weights[k / width]);
     }
-    const std::vector<Vector_3d> images = scaled_images(sphere);
     m_counts = areas;
     m_terms.reserve(n);
     for(const auto& place : sphere.locate(directions, execution))
@@ -144,9 +116,10 @@ private:
                           CGAL::to_double(place.coordinates[2])}});
       if(!weighs_surface)
         continue;
-      const double det = dot(images[t[0]], cross(images[t[1]], images[t[2]])),
-                   r = length(interpolated(images, sphere.triangles(), place));
-      m_counts[m_terms.size() - 1] *= det > 0. ? area(t, surface) * (r * r * r / det) : 0.;
+      const std::array<Vector_3d, 3> p = sphere.corners(t);
+      const Vector_3d& w = m_terms.back().shares;
+      const double det = dot(p[0], cross(p[1], p[2])), r = length(w[0] * p[0] + w[1] * p[1] + w[2] * p[2]);
+      m_counts[m_terms.size() - 1] *= det > 0. ? area_on(surface)(t[0], t[1], t[2]) * (r * r * r / det) : 0.;
     }
     normalize_counts(areas);
   }
@@ -156,9 +129,11 @@ private:
     return m_nodes.place(k / m_nodes.width(), k % m_nodes.width(), function);
   }
 
-  static double area(const Linked_triangle& t, const std::vector<Vector_3d>& points)
+  static auto area_on(const std::vector<Vector_3d>& points)
   {
-    return 0.5 * length(cross(points[t[1]] - points[t[0]], points[t[2]] - points[t[0]]));
+    return [&points](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+      return 0.5 * doubled_area(points[a], points[b], points[c]);
+    };
   }
 
   template <class K>
@@ -168,27 +143,6 @@ private:
     result.reserve(sphere.points().size());
     for(std::size_t v = 0; v < sphere.points().size(); ++v)
       result.push_back(sphere.direction(v));
-    return result;
-  }
-
-  // the images, rounded and divided by a power of two, so that no product overflows
-  template <class K>
-  static std::vector<Vector_3d> scaled_images(const Sphere_triangulation<K>& sphere)
-  {
-    std::vector<Vector_3d> result;
-    result.reserve(sphere.points().size());
-    double largest = 0.;
-    for(const auto& p : sphere.points())
-    {
-      result.push_back({CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z())});
-      for(const double x : result.back())
-        largest = (std::max)(largest, std::abs(x));
-    }
-    int exponent = 0;
-    std::frexp(largest, &exponent);
-    for(Vector_3d& p : result)
-      for(double& x : p)
-        x = std::ldexp(x, -exponent);
     return result;
   }
 
@@ -248,27 +202,29 @@ public:
   // Returns whether it was not stopped.
   bool expand(const std::vector<Vector_3d>& of_vertices, std::vector<double>& coefficients, Run_control& control)
   {
-    const Vertex_functions functions(of_vertices);
+    std::vector<Vector_3d> values = of_vertices;
+    Vector_3d origin;
+    const int exponent = normalize(values, &origin);
     const Expansion_samples& samples = m_fit.weights == Harmonic_weights::vertices  ? m_at_vertices
                                        : m_fit.weights == Harmonic_weights::surface ? m_over_surface
                                                                                     : *m_over_sphere;
     std::vector<double> coarse;
-    if(!solve(samples, functions.values, coefficients, true, control) ||
-       (m_coarse && !solve(*m_coarse, functions.values, coarse, false, control)))
+    if(!solve(samples, values, coefficients, true, control) ||
+       (m_coarse && !solve(*m_coarse, values, coarse, false, control)))
       return false;
     double difference = 0.; // of harmonics whose squares have the mean 1
     for(std::size_t k = 0; k < coarse.size(); ++k)
       difference += (coefficients[k] - coarse[k]) * (coefficients[k] - coarse[k]);
     const auto add = [&](double& error, double square) {
-      error = std::hypot(error, std::ldexp(std::sqrt(square), functions.exponent));
+      error = std::hypot(error, std::ldexp(std::sqrt(square), exponent));
     };
     add(m_fit.aliasing, difference);
-    add(m_fit.error_over_surface, squared_error(m_over_surface, functions.values, coefficients));
-    add(m_fit.error_at_vertices, squared_error(m_at_vertices, functions.values, coefficients));
-    for(std::size_t i = 0; i < Sphere_nodes::n_functions; ++i)
-      coefficients[i] += functions.mean[i]; // those of degree 0
+    add(m_fit.error_over_surface, squared_error(m_over_surface, values, coefficients));
+    add(m_fit.error_at_vertices, squared_error(m_at_vertices, values, coefficients));
     for(double& c : coefficients)
-      c = std::ldexp(c, functions.exponent);
+      c = std::ldexp(c, exponent);
+    for(std::size_t i = 0; i < Sphere_nodes::n_functions; ++i)
+      coefficients[i] += origin[i]; // those of degree 0
     return control.go_further(0, 0.);
   }
 

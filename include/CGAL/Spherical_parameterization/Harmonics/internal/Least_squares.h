@@ -18,6 +18,7 @@
 #include <CGAL/Spherical_parameterization/Harmonics/internal/Spherical_harmonic_transform.h>
 #include <CGAL/Spherical_parameterization/internal/execution/Run_control.h>
 #include <CGAL/Spherical_parameterization/internal/execution/parallel.h>
+#include <CGAL/Spherical_parameterization/internal/numbers/conjugate_gradients.h>
 
 #include <array>
 #include <cstddef>
@@ -50,52 +51,41 @@ public:
   {
     constexpr std::size_t max_steps = 1000, n_between = 10;
     constexpr double min_decrease = 1e-3, squared_rounding = 1e-26;
-    std::vector<double> residual, direction, image, product = weighed(values);
-    std::array<double, n_functions> squares = dots_at_nodes(values, product); // the sums that are made least
-    double before = -1.;
+    using Values = std::vector<double>;
+    using Numbers = std::array<double, n_functions>;
+    Values residual, image, product = weighed(values);
+    Numbers squares = dots_at_nodes(values, product); // the sums that are made least
     m_transform.project(m_nodes, product, residual, m_execution);
     coefficients.assign(residual.size(), 0.);
-    direction = residual;
-    std::array<double, n_functions> rho = dots(residual, residual);
-    const std::array<double, n_functions> start = rho;
-    for(m_n_steps = 0; m_n_steps < max_steps; ++m_n_steps)
-    {
-      if(!control.go_further(0, 0.))
-        return false;
-      bool is_done = true;
-      for(std::size_t k = 0; k < n_functions; ++k)
-        is_done = is_done && rho[k] <= squared_rounding * start[k];
-      if(is_done)
-        break;
-      if(m_n_steps % n_between == 0)
-      {
-        const double sum = squares[0] + squares[1] + squares[2];
-        if(m_n_steps > 0 && sum > (1. - min_decrease) * before)
-          break;
-        before = sum;
-      }
-      m_transform.evaluate(m_nodes, direction, image, m_execution);
-      m_transform.project(m_nodes, weighed(image), product, m_execution);
-      const std::array<double, n_functions> curvature = dots(direction, product);
-      std::array<double, n_functions> step, turn;
-      for(std::size_t k = 0; k < n_functions; ++k)
-      {
-        step[k] = curvature[k] > 0. ? rho[k] / curvature[k] : 0.;
-        squares[k] -= step[k] * rho[k];
-      }
-      for(std::size_t k = 0; k < residual.size(); ++k)
-      {
-        coefficients[k] += step[k % n_functions] * direction[k];
-        residual[k] -= step[k % n_functions] * product[k];
-      }
-      const std::array<double, n_functions> next = dots(residual, residual);
-      for(std::size_t k = 0; k < n_functions; ++k)
-        turn[k] = rho[k] > 0. ? next[k] / rho[k] : 0.;
-      rho = next;
-      for(std::size_t k = 0; k < residual.size(); ++k)
-        direction[k] = residual[k] + turn[k % n_functions] * direction[k];
-    }
-    return true;
+    Numbers last = {}; // the products before the last step
+    double before = -1.;
+    m_n_steps = conjugate_gradients(
+        coefficients, residual,
+        [&](const Values& p, Values& q) {
+          m_transform.evaluate(m_nodes, p, image, m_execution);
+          m_transform.project(m_nodes, weighed(image), q, m_execution);
+          return dots(p, q);
+        },
+        [](const Values& r, Values& z) { return z = r, dots(r, r); },
+        [&](std::size_t k, const Numbers& rho, const Numbers& first, const Numbers& step) {
+          if(k == max_steps || !control.go_further(0, 0.))
+            return false;
+          bool is_done = true;
+          for(std::size_t i = 0; i < n_functions; ++i)
+          {
+            squares[i] -= step[i] * last[i];
+            is_done = is_done && rho[i] <= squared_rounding * first[i];
+          }
+          last = rho;
+          if(k % n_between == 0)
+          {
+            const double sum = squares[0] + squares[1] + squares[2];
+            is_done = is_done || (k > 0 && sum > (1. - min_decrease) * before);
+            before = sum;
+          }
+          return !is_done;
+        });
+    return !control.is_stopped();
   }
 
   // The integrals of the values times harmonics, which is the same if the weights are those of a Gauss grid.

@@ -22,6 +22,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <numeric>
 #include <vector>
@@ -61,13 +62,14 @@ inline double squared_distance(const Vector_3d& p, const std::array<Vector_3d, 3
   return result;
 }
 
-// The triangles of a surface: places that are spread evenly over them, and the distance to the nearest one.
+// The triangles of a surface: points that are spread evenly over them, and the distance to the nearest one. CGAL::AABB_tree
+// has upright boxes only, see lay_along_needles(), and takes up to 2.5 times as long on ordinary surfaces.
 class Triangle_set
 {
 public:
-  // Reads the faces of a mesh, which may have a border.
+  // Appends the corners of the faces of a mesh, which may have a border.
   template <class TriangleMesh, class VertexPointMap>
-  Error_code read(const TriangleMesh& tmesh, const VertexPointMap& vpm)
+  static Error_code read(const TriangleMesh& tmesh, const VertexPointMap& vpm, std::vector<Vector_3d>& corners)
   {
     Mesh_arrays<TriangleMesh> mesh;
     if(const Error_code error = mesh.read(tmesh, true))
@@ -75,31 +77,20 @@ public:
     const std::vector<Vector_3d> points = read_points(mesh.vertices_of_mesh, vpm);
     if(!are_finite(points))
       return ERROR_NON_FINITE_COORDINATE;
-    m_triangles.reserve(mesh.triangles.size());
-    for(const auto& [a, b, c] : mesh.triangles)
-      m_triangles.push_back({points[a], points[b], points[c]});
+    for(const auto& triangle : mesh.triangles)
+      for(const std::uint32_t v : triangle)
+        corners.push_back(points[v]);
     return OK;
   }
 
-  double largest_coordinate() const
-  {
-    double result = 0.;
-    for(const auto& triangle : m_triangles)
-      for(const Vector_3d& p : triangle)
-        result = (std::max)({result, std::abs(p[0]), std::abs(p[1]), std::abs(p[2])});
-    return result;
-  }
-
-  // Makes 2 to the power of `exponent` the unit, in which no coordinate is above 1, and prepares what is below.
-  void build(int exponent)
+  // Takes triangles by their corners, which are normalized.
+  Triangle_set(const Vector_3d* corners, std::size_t n_corners)
   {
     double area = 0.;
-    for(auto& triangle : m_triangles)
+    for(std::size_t k = 0; k < n_corners; k += 3)
     {
-      for(Vector_3d& p : triangle)
-        for(double& x : p)
-          x = std::scalbn(x, -exponent);
-      m_areas.push_back(area += length(cross(triangle[1] - triangle[0], triangle[2] - triangle[0])));
+      const auto& t = m_triangles.emplace_back(std::array<Vector_3d, 3>{corners[k], corners[k + 1], corners[k + 2]});
+      m_areas.push_back(area += length(cross(t[1] - t[0], t[2] - t[0])));
     }
     if(!(area > 0.))
       std::iota(m_areas.begin(), m_areas.end(), 1.);
@@ -171,7 +162,7 @@ private:
   }
 
   // A balanced binary tree: ranges of `m_order`, halved as long as they are longer than `leaf_size`. Its boxes have the
-  // numbers of the middles of their ranges, which differ as no half has less than two elements; longer leaves took longer.
+  // numbers of the middles of their ranges, which differ as no half has less than two elements.
   static constexpr std::size_t leaf_size = 4, none = (std::numeric_limits<std::size_t>::max)();
   static std::size_t middle(std::size_t begin, std::size_t end) { return begin + (end - begin) / 2; }
 
@@ -194,9 +185,8 @@ private:
     return box;
   }
 
-  // Lays the box of a range of needles along them. The upright boxes of needles around a vertex have most places in common, so
-  // that each query would look at most of them: 2.1 s for the distance of a double pyramid of degree 20,000 and its remesh,
-  // 0.09 s with boxes along needles.
+  // Lays the box of a range of needles along them. The upright boxes of needles around a vertex overlap nearly everywhere, so
+  // that each query would look at most of them.
   void lay_along_needles(std::size_t begin, std::size_t end, Box& box)
   {
     constexpr double min_filling = 0.1; // of the surface of a box, by triangles; where these are no needles, it is more

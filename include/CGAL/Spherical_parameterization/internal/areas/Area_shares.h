@@ -18,6 +18,7 @@
 #include <CGAL/Spherical_parameterization/internal/surface/Linked_triangle.h>
 #include <CGAL/Spherical_parameterization/internal/surface/Surface.h>
 #include <CGAL/Spherical_parameterization/internal/surface/Vertex_rings.h>
+#include <CGAL/Spherical_parameterization/internal/surface/mesh_measures.h>
 
 #include <CGAL/number_type_basic.h>
 
@@ -81,7 +82,7 @@ inline Area_shares find_area_shares(const Surface& surface, const Index_triangle
   Area_shares result;
   result.of_faces.reserve(surface.rings().number_of_faces());
   surface.rings().for_each_face([&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
-    const double area = length(cross(points[b] - points[a], points[c] - points[a]));
+    const double area = doubled_area(points[a], points[b], points[c]);
     const double density = largest > 0. ? densities[numbers[result.of_faces.size()]] / largest : 1.;
     result.of_faces.push_back(area * density);
   });
@@ -98,14 +99,10 @@ inline Area_shares find_area_shares(const Surface& surface, const Index_triangle
   }
   scale_to(4. * CGAL_PI);
 
-  result.of_vertices.assign(surface.number_of_vertices(), 0.);
   std::size_t face = 0;
-  surface.rings().for_each_face([&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
-    const double third = result.of_faces[face++] / 3.;
-    result.of_vertices[a] += third;
-    result.of_vertices[b] += third;
-    result.of_vertices[c] += third;
-  });
+  result.of_vertices =
+      vertex_sums(surface.rings(), surface.number_of_vertices(),
+                  [&](std::uint32_t, std::uint32_t, std::uint32_t) { return result.of_faces[face++] / 3.; });
   return result;
 }
 

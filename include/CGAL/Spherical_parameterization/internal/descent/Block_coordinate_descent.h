@@ -252,7 +252,7 @@ public:
 private:
   // The vertices around faces above a share of the largest energy are swept some times more, as they settle slowest, and
   // the largest distortion is theirs: as often as takes a share of the time of a sweep over all vertices. It is the first of
-  // these shares for which that is often enough to be worth it. maxplanck_15000: D_iso 1.70, with the first one only 1.83.
+  // these shares for which that is often enough to be worth it.
   static constexpr std::array<double, 3> focus_energies = {0.6, 0.8, 0.95};
   static constexpr double focus_share = 0.4;
   static constexpr std::size_t min_focus_sweeps = 2, max_focus_sweeps = 500;

@@ -25,8 +25,7 @@ namespace CGAL::Spherical_parameterization::internal {
 struct Descent_settings
 {
   // Two sweeps, with the smooth step before one of them, that change the energy by at most this much, relative, and the radius
-  // likewise, have converged; without acceleration, one sweep. With 4e-4, 38 meshes take 1.12 times the time, and maxima are
-  // 0.998 times these.
+  // likewise, have converged; without acceleration, one sweep.
   double energy_tolerance = 1e-3, radius_tolerance = 2e-3;
   // If so, there are smooth steps and extra sweeps over the worst faces, the radius makes half steps, and convergence asks
   // for more than that the sum of eq. 6 or 7 has settled.

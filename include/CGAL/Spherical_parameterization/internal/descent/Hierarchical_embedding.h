@@ -134,19 +134,18 @@ private:
 
   // Levels with fewer vertices follow the average energy (eq. 6), whatever the sharpness. Where a face stands for a
   // whole extremity, to fight the worst one throws the extremities into disorder, from which the finer levels do not recover.
-  static constexpr std::size_t min_sharp_level = 300; // octopus_16554: D_iso 8.78 / 5.89, without it 9.51 / 6.13
+  static constexpr std::size_t min_sharp_level = 300;
 
   // Levels with at least so many vertices, and half of those of the mesh, follow the worst faces as the mesh itself
-  // will: they leave to it what is near to where it ends. On smaller levels the average pays for it, a percent in
-  // places.
-  static constexpr std::size_t min_nearly_finest_level = 2500; // fandisk_6475 converges after 40 sweeps, without it 59
+  // will: they leave to it what is near to where it ends. On smaller levels the average pays for it.
+  static constexpr std::size_t min_nearly_finest_level = 2500;
 
   // Levels with fewer vertices are all swept until the extremities have found their places: until the average energy changes
   // by no more than this, see Energy_summary::has_settled(), from one measurement to the next, or so many times as often as
   // others. The share is as small as it is for the sake of conformal maps, whose areas go on changing at
   // hardly any gain of energy.
-  static constexpr std::size_t min_brief_level = 500; // fandisk_6475: 617 sweeps over levels, without it 1271
-  static constexpr std::size_t min_left_level = 2000; // armadillo_104002: 0.32 s for the first map, 0.53 without it
+  static constexpr std::size_t min_brief_level = 500;
+  static constexpr std::size_t min_left_level = 2000;
   static constexpr double settled_change = 1e-5;
   static constexpr std::size_t max_sweeps_to_settle = 10;
 

@@ -238,7 +238,7 @@ private:
   static constexpr std::size_t width = packet_width;
   static constexpr std::size_t packets_per_block = 32; // of parallel work: 256 faces, some two microseconds
   static constexpr std::size_t faces_per_block = packets_per_block * width;
-  static constexpr std::size_t packets_ahead = 3; // fetched; with columns, hand_42068 took 20 ns a vertex, not 44
+  static constexpr std::size_t packets_ahead = 3; // fetched
 
   struct Packet
   {

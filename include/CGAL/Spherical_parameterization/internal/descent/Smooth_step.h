@@ -21,13 +21,13 @@
 #include <CGAL/Spherical_parameterization/internal/descent/Strain_sums.h>
 #include <CGAL/Spherical_parameterization/internal/execution/parallel.h>
 #include <CGAL/Spherical_parameterization/internal/numbers/Vector_3.h>
+#include <CGAL/Spherical_parameterization/internal/numbers/conjugate_gradients.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <numeric>
-#include <utility>
 #include <vector>
 
 namespace CGAL::Spherical_parameterization::internal {
@@ -75,8 +75,7 @@ public:
 private:
   using Matrix_6 = std::array<std::array<double, 6>, 6>;
 
-  // armadillo_104002, 20 sweeps: with 16, 64 and 256 vertices for a node, D_iso is 3.58, 3.55 and 3.59. Beyond a million
-  // vertices the grid would cost too much, whose equations are solved by one thread.
+  // Beyond a million vertices the grid would cost too much, whose equations are solved by one thread.
   static constexpr std::size_t vertices_per_node = 64, max_nodes = 20000;
 
   // the squares along an edge of the cube, which has six sides
@@ -186,34 +185,26 @@ private:
   }
 
   // Conjugate gradients, preconditioned by the blocks of the nodes. They end early, as the next step corrects what this one
-  // has left: with a tolerance of 0.01, steps do not get better.
+  // has left.
   bool solve()
   {
     constexpr double tolerance = 0.1;
-    constexpr int max_rounds = 200; // some ten do
+    constexpr std::size_t max_rounds = 200; // some ten do
     const std::size_t n = m_right.size();
-    std::vector<double> x(n, 0.), residual = m_right, z(n), image(n);
-    precondition(residual, z);
-    std::vector<double> direction = z;
-    double size = inner_product(residual, z);
-    const double first_size = size;
-    for(int k = 0; k < max_rounds && size > tolerance * tolerance * first_size; ++k)
-    {
-      multiply(direction, image);
-      const double curvature = inner_product(direction, image);
-      if(!(curvature > 0.))
-        break;
-      const double t = size / curvature;
-      for(std::size_t i = 0; i < n; ++i)
-      {
-        x[i] += t * direction[i];
-        residual[i] -= t * image[i];
-      }
-      precondition(residual, z);
-      const double last_size = std::exchange(size, inner_product(residual, z));
-      for(std::size_t i = 0; i < n; ++i)
-        direction[i] = z[i] + size / last_size * direction[i];
-    }
+    std::vector<double> x(n, 0.), residual = m_right;
+    conjugate_gradients(
+        x, residual,
+        [this](const std::vector<double>& p, std::vector<double>& image) {
+          multiply(p, image);
+          return inner_product(p, image);
+        },
+        [this](const std::vector<double>& r, std::vector<double>& z) {
+          precondition(r, z);
+          return inner_product(r, z);
+        },
+        [](std::size_t k, double size, double first_size, double step) { // a step of 0 has found no curvature
+          return k < max_rounds && size > tolerance * tolerance * first_size && step > 0.;
+        });
     m_steps.clear();
     for(const Tangent_frame& frame : m_cells.frames())
     {

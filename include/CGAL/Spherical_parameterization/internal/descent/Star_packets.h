@@ -33,7 +33,7 @@
 namespace CGAL::Spherical_parameterization::internal {
 
 // How many stars or faces are laid out side by side, a multiple of all numbers of lanes.
-constexpr std::size_t packet_width = 8; // also of those of AVX-512, which saved a tenth of the time, but fuses products
+constexpr std::size_t packet_width = 8; // also for eight lanes
 static_assert(packet_width % Lanes<Two_lanes>::width == 0 && packet_width % Lanes<Four_lanes>::width == 0,
               "A packet is worked on lane by lane without a rest.");
 

@@ -66,7 +66,7 @@ namespace CGAL::Spherical_parameterization::internal {
 // stay positive, so that each direction stays covered once.
 //
 // That is a start where nothing else is, and no good one: areas follow the numbers of faces, and most of them are near to B or A.
-// With areas in place of these numbers, the descent came no nearer on three of four surfaces, and the bound would be worse.
+// Areas instead of these numbers would make the bound worse and hardly the start better.
 class Schnyder_drawing
 {
 public:

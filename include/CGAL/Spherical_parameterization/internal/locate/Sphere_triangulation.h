@@ -179,8 +179,8 @@ public:
     for(std::size_t i = 0; i < 3; ++i)
     {
       const Point_3& p = m_points[t[i]];
-      result[i] = {p.x(), p.y(), p.z()};
-      size = (std::max)({size, std::abs(p.x()), std::abs(p.y()), std::abs(p.z())});
+      result[i] = {CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z())};
+      size = (std::max)({size, std::abs(result[i][0]), std::abs(result[i][1]), std::abs(result[i][2])});
     }
     int exponent;
     std::frexp(size, &exponent);

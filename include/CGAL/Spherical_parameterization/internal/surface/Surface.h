@@ -34,8 +34,9 @@
 namespace CGAL::Spherical_parameterization::internal {
 
 // Moves points around the origin and scales them to a size of about 1 by a power of two, which is exact; returns its
-// exponent. Products of coordinates neither overflow nor underflow then.
-int normalize(std::vector<Vector_3d>& points);
+// exponent, and `origin`, where it is not null, becomes the point that is the origin now. Products of coordinates neither
+// overflow nor underflow then, so that nothing that works on normalized points has to guard against it.
+int normalize(std::vector<Vector_3d>& points, Vector_3d* origin = nullptr);
 
 // A closed triangle mesh of genus 0 as flat arrays: the points, scaled such that the area is 4 pi, and the rings of the
 // vertices.

@@ -16,6 +16,7 @@
 
 #include <CGAL/Spherical_parameterization/internal/execution/parallel.h>
 #include <CGAL/Spherical_parameterization/internal/numbers/Vector_3.h>
+#include <CGAL/Spherical_parameterization/internal/numbers/conjugate_gradients.h>
 #include <CGAL/Spherical_parameterization/internal/surface/Vertex_rings.h>
 #include <CGAL/Spherical_parameterization/internal/surface/vertex_scalars.h>
 
@@ -70,32 +71,27 @@ public:
   std::vector<T> after(double t, const std::vector<T>& values, double tolerance) const
   {
     constexpr std::size_t max_steps = 300; // bounds the time on surfaces of needles
-    std::vector<T> x = values, r(x.size()), z(x.size()), q(x.size());
-    const auto precondition = [&](std::size_t v) { z[v] = (1. / (m_areas[v] + t * m_sums[v])) * r[v]; };
-    double rz = sum_over_vertices([&](std::size_t v) { // M y - (M + t L) y
-      r[v] = -t * flow(x, v);
-      precondition(v);
-      return product(r[v], z[v]);
-    });
-    std::vector<T> p = z;
-    const double first = rz;
-    for(std::size_t k = 0; k < max_steps && rz > tolerance * tolerance * first; ++k)
-    {
-      const double pq = sum_over_vertices([&](std::size_t v) {
-        q[v] = m_areas[v] * p[v] + t * flow(p, v);
-        return product(p[v], q[v]);
-      });
-      const double alpha = rz / pq;
-      const double next = sum_over_vertices([&](std::size_t v) {
-        x[v] = x[v] + alpha * p[v];
-        r[v] = r[v] - alpha * q[v];
-        precondition(v);
-        return product(r[v], z[v]);
-      });
-      const double beta = next / rz;
-      rz = next;
-      for_each_vertex([&](std::size_t v) { p[v] = z[v] + beta * p[v]; });
-    }
+    using Values = std::vector<T>;
+    Values x = values, r(x.size());
+    for_each_vertex([&](std::size_t v) { r[v] = -t * flow(x, v); }); // M y - (M + t L) y
+    conjugate_gradients(
+        x, r,
+        [&](const Values& p, Values& q) {
+          return sum_over_vertices([&](std::size_t v) {
+            q[v] = m_areas[v] * p[v] + t * flow(p, v);
+            return product(p[v], q[v]);
+          });
+        },
+        [&](const Values& residual, Values& z) {
+          return sum_over_vertices([&](std::size_t v) {
+            z[v] = (1. / (m_areas[v] + t * m_sums[v])) * residual[v];
+            return product(residual[v], z[v]);
+          });
+        },
+        [&](std::size_t k, double rz, double first, double) {
+          return k < max_steps && rz > tolerance * tolerance * first;
+        },
+        m_execution);
     return x;
   }
 
@@ -164,7 +160,7 @@ private:
 inline Vertex_scalars mean_curvature(const Vertex_rings& rings, const std::vector<Vector_3d>& points, double t,
                                      double min_area, const Execution& execution = {})
 {
-  constexpr double tolerance = 1e-5; // with 1e-3, maps between some poses of people were worse by a quarter
+  constexpr double tolerance = 1e-5; // as maps between surfaces are aligned by it
   const Surface_diffusion diffusion(rings, points, min_area, execution);
   return diffusion.outside(points, diffusion.after(t, points, tolerance));
 }

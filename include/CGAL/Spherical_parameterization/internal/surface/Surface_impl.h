@@ -33,7 +33,7 @@
 
 namespace CGAL::Spherical_parameterization::internal {
 
-CGAL_SPHERICAL_PARAMETERIZATION_INLINE int normalize(std::vector<Vector_3d>& points)
+CGAL_SPHERICAL_PARAMETERIZATION_INLINE int normalize(std::vector<Vector_3d>& points, Vector_3d* origin)
 {
   if(points.empty())
     return 0;
@@ -55,6 +55,8 @@ CGAL_SPHERICAL_PARAMETERIZATION_INLINE int normalize(std::vector<Vector_3d>& poi
   const double factor = std::ldexp(1., first), other_factor = std::ldexp(1., second);
   for(Vector_3d& p : points)
     p = other_factor * (factor * (p - center));
+  if(origin)
+    *origin = center;
   return exponent;
 }
 

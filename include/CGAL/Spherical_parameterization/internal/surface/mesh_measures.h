@@ -23,21 +23,43 @@
 #include <cstddef>
 #include <cstdint>
 #include <numeric>
+#include <type_traits>
 #include <vector>
 
 namespace CGAL::Spherical_parameterization::internal {
 
-// returns for each vertex a third of the area of its faces
-inline std::vector<double> vertex_areas(const Vertex_rings& rings, const std::vector<Vector_3d>& points)
+// The area of a triangle with these corners, times two.
+inline double doubled_area(const Vector_3d& p, const Vector_3d& q, const Vector_3d& r)
 {
-  std::vector<double> areas(rings.number_of_vertices(), 0.);
-  rings.for_each_face([&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
-    const double third = length(cross(points[b] - points[a], points[c] - points[a])) / 6.;
-    areas[a] += third;
-    areas[b] += third;
-    areas[c] += third;
+  return length(cross(q - p, r - p));
+}
+
+// Sums up for each vertex what its triangles contribute: of_triangle(a, b, c) to each corner. The triangles are a range, or
+// the rings of a surface.
+template <class Triangles, class Function>
+std::vector<double> vertex_sums(const Triangles& triangles, std::size_t n_vertices, const Function& of_triangle)
+{
+  std::vector<double> sums(n_vertices, 0.);
+  const auto add = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+    const double x = of_triangle(a, b, c);
+    for(const std::uint32_t v : {a, b, c})
+      sums[v] += x;
+  };
+  if constexpr(std::is_same<Triangles, Vertex_rings>::value)
+    triangles.for_each_face(add);
+  else
+    for(const auto& t : triangles)
+      add(t[0], t[1], t[2]);
+  return sums;
+}
+
+// returns for each vertex a third of the area of its triangles
+template <class Triangles>
+std::vector<double> vertex_areas(const Triangles& triangles, const std::vector<Vector_3d>& points)
+{
+  return vertex_sums(triangles, points.size(), [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+    return doubled_area(points[a], points[b], points[c]) / 6.;
   });
-  return areas;
 }
 
 // the same to weigh the vertices with, so that they have a centre of mass even if the surface has no area
