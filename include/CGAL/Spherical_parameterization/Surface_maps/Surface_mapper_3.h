@@ -16,6 +16,7 @@
 
 #include <CGAL/Spherical_parameterization/Error_code.h>
 #include <CGAL/Spherical_parameterization/Surface_maps/Surface_map_report.h>
+#include <CGAL/Spherical_parameterization/Surface_maps/internal/Surface_map_settings.h>
 #include <CGAL/Spherical_parameterization/Surface_maps/internal/run_surface_map.h>
 
 #include <CGAL/Named_function_parameters.h>
@@ -24,7 +25,6 @@
 #include <boost/graph/graph_traits.hpp>
 
 #include <functional>
-#include <optional>
 #include <utility>
 #include <vector>
 
@@ -72,7 +72,7 @@ public:
   [[nodiscard]] Surface_mapper_3 landmark_weight(double weight) const
   {
     Surface_mapper_3 result = *this;
-    result.m_landmark_weight = weight;
+    result.m_settings.landmark_weight = weight;
     return result;
   }
 
@@ -90,7 +90,7 @@ public:
   [[nodiscard]] Surface_mapper_3 feature_weights(std::vector<double> weights) const
   {
     Surface_mapper_3 result = *this;
-    result.m_feature_weights = std::move(weights);
+    result.m_settings.feature_weights = std::move(weights);
     return result;
   }
 
@@ -100,7 +100,7 @@ public:
   [[nodiscard]] Surface_mapper_3 compare_values(bool compares_values = true) const
   {
     Surface_mapper_3 result = *this;
-    result.m_compares_values = compares_values;
+    result.m_settings.compares_values = compares_values;
     return result;
   }
 
@@ -120,7 +120,7 @@ public:
   [[nodiscard]] Surface_mapper_3 feature_weight(double weight) const
   {
     Surface_mapper_3 result = *this;
-    result.m_feature_weight = weight;
+    result.m_settings.feature_weight = weight;
     return result;
   }
 
@@ -130,7 +130,7 @@ public:
   [[nodiscard]] Surface_mapper_3 keep_alignment(bool keeps_alignment = true) const
   {
     Surface_mapper_3 result = *this;
-    result.m_keeps_alignment = keeps_alignment;
+    result.m_settings.keeps_alignment = keeps_alignment;
     return result;
   }
 
@@ -145,11 +145,9 @@ public:
                          const CGAL_NP_CLASS_2& np2 = parameters::default_values())
   {
     m_report = Surface_map_report();
-    const internal::Surface_map_settings<Landmark, Feature, Masks> settings = {
-        m_landmarks,       m_landmark_weight, m_features, m_feature_weight,
-        m_feature_weights, m_compares_values, m_masks,    m_keeps_alignment};
-    return internal::run_surface_map<ConcurrencyTag>(tmesh1, vertex_sphere_map1, tmesh2, vertex_sphere_map2, settings,
-                                                     vertex_direction_map, m_report, np1, np2);
+    return internal::run_surface_map<ConcurrencyTag>(tmesh1, vertex_sphere_map1, tmesh2, vertex_sphere_map2,
+                                                     m_landmarks, m_features, m_masks, m_settings, vertex_direction_map,
+                                                     m_report, np1, np2);
   }
 
   /// returns what the last run has found.
@@ -157,13 +155,9 @@ public:
 
 private:
   std::vector<Landmark> m_landmarks;
-  std::optional<double> m_landmark_weight;
   std::vector<Feature> m_features;
-  double m_feature_weight = 4.;
-  std::vector<double> m_feature_weights;
-  bool m_compares_values = false;
   Masks m_masks;
-  bool m_keeps_alignment = false;
+  internal::Surface_map_settings m_settings;
   Surface_map_report m_report;
 };
 

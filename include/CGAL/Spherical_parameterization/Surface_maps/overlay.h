@@ -15,10 +15,11 @@
 #include <CGAL/license/Spherical_parameterization.h>
 
 #include <CGAL/Spherical_parameterization/Error_code.h>
+#include <CGAL/Spherical_parameterization/Surface_maps/internal/Mesh_pair.h>
 #include <CGAL/Spherical_parameterization/Surface_maps/internal/overlay/Overlay_arrays.h>
+#include <CGAL/Spherical_parameterization/Surface_maps/internal/overlay/make_overlay.h>
 #include <CGAL/Spherical_parameterization/internal/execution/Run_control.h>
 #include <CGAL/Spherical_parameterization/internal/execution/parallel.h>
-#include <CGAL/Spherical_parameterization/internal/locate/Sphere_triangulation.h>
 #include <CGAL/Spherical_parameterization/internal/numbers/Vector_3.h>
 #include <CGAL/Spherical_parameterization/internal/run/Mesh_on_sphere.h>
 #include <CGAL/Spherical_parameterization/internal/run/check_run.h>
@@ -131,43 +132,29 @@ Error_code overlay(const TriangleMesh1& tmesh1, VertexSphereMap1 vertex_sphere_m
                internal::check_run_parameters<TriangleMesh1, CGAL_NP_CLASS_1>() &&
                internal::check_vertex_point_map<TriangleMesh2, CGAL_NP_CLASS_2>())
   {
-    using Arrays1 = internal::Mesh_on_sphere<TriangleMesh1, VertexSphereMap1>;
-    using Arrays2 = internal::Mesh_on_sphere<TriangleMesh2, VertexSphereMap2>;
-    using K = typename Arrays1::Exact_kernel;
     using Overlay = Surface_overlay_3<TriangleMesh1, TriangleMesh2>;
-
+    using Point_3 = typename Overlay::Point_3;
     internal::Visitor_control<CGAL_NP_CLASS_1> control(np1);
     const internal::Execution execution = internal::execution_of<ConcurrencyTag>();
-    Arrays1 arrays1;
-    Arrays2 arrays2;
+    internal::Mesh_pair<TriangleMesh1, VertexSphereMap1, TriangleMesh2, VertexSphereMap2> meshes;
     if(const Error_code error =
-           arrays1.read_with_points(tmesh1, vertex_sphere_map1, internal::vertex_point_map_of(tmesh1, np1), execution))
+           meshes.read(tmesh1, vertex_sphere_map1, np1, tmesh2, vertex_sphere_map2, np2, execution))
       return error;
-    if(const Error_code error =
-           arrays2.read_with_points(tmesh2, vertex_sphere_map2, internal::vertex_point_map_of(tmesh2, np2), execution))
-      return error;
-    internal::Sphere_triangulation<K> sphere1, sphere2;
-    sphere1.assign(std::move(arrays1.images), std::move(arrays1.triangles));
-    sphere2.assign(std::move(arrays2.images), std::move(arrays2.triangles));
-
-    std::size_t max_vertices = internal::Sphere_overlay<K>::default_max_vertices(sphere1, sphere2);
-    if constexpr(!parameters::is_default_parameter<CGAL_NP_CLASS_1, internal_np::maximum_number_t>::value)
-      max_vertices = static_cast<std::size_t>(parameters::get_parameter(np1, internal_np::maximum_number));
     internal::Overlay_arrays arrays;
     if(const Error_code error =
-           arrays.assign(sphere1, arrays1.points, sphere2, arrays2.points, max_vertices, control, execution))
+           internal::make_overlay(internal::surface_of(meshes.first), internal::surface_of(meshes.second),
+                                  internal::maximum_number_of(np1), arrays, control, execution))
       return error;
     Overlay overlay;
     overlay.points.reserve(arrays.points[0].size());
     for(std::size_t v = 0; v < arrays.points[0].size(); ++v)
     {
       const internal::Vector_3d &p = arrays.points[0][v], &q = arrays.points[1][v];
-      overlay.points.push_back(
-          {typename Overlay::Point_3(p[0], p[1], p[2]), typename Overlay::Point_3(q[0], q[1], q[2])});
+      overlay.points.push_back({Point_3(p[0], p[1], p[2]), Point_3(q[0], q[1], q[2])});
     }
     overlay.faces.reserve(arrays.parents.size());
     for(const auto& parents : arrays.parents)
-      overlay.faces.emplace_back(arrays1.faces_of_mesh[parents[0]], arrays2.faces_of_mesh[parents[1]]);
+      overlay.faces.emplace_back(meshes.first.faces_of_mesh[parents[0]], meshes.second.faces_of_mesh[parents[1]]);
     overlay.triangles = std::move(arrays.triangles);
     result = std::move(overlay);
     return OK;

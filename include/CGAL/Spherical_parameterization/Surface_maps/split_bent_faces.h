@@ -15,23 +15,21 @@
 #include <CGAL/license/Spherical_parameterization.h>
 
 #include <CGAL/Spherical_parameterization/Error_code.h>
-#include <CGAL/Spherical_parameterization/Surface_maps/overlay.h>
+#include <CGAL/Spherical_parameterization/Surface_maps/internal/Mesh_pair.h>
+#include <CGAL/Spherical_parameterization/Surface_maps/internal/overlay/find_bent_sides.h>
 #include <CGAL/Spherical_parameterization/Surface_maps/split_blocking_edges.h>
-#include <CGAL/Spherical_parameterization/Surface_maps/internal/overlay/distortion_between.h>
-#include <CGAL/Spherical_parameterization/internal/numbers/Vector_3.h>
+#include <CGAL/Spherical_parameterization/internal/execution/Run_control.h>
+#include <CGAL/Spherical_parameterization/internal/execution/parallel.h>
+#include <CGAL/Spherical_parameterization/internal/run/Mesh_on_sphere.h>
+#include <CGAL/Spherical_parameterization/internal/run/check_run.h>
 #include <CGAL/Spherical_parameterization/internal/surface/read_mesh.h>
 
 #include <CGAL/Named_function_parameters.h>
-#include <CGAL/boost/graph/properties.h>
 #include <CGAL/tags.h>
 
 #include <boost/graph/graph_traits.hpp>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
 #include <cstddef>
-#include <utility>
 #include <vector>
 
 namespace CGAL::Spherical_parameterization {
@@ -105,81 +103,37 @@ Error_code split_bent_faces(TriangleMesh1& tmesh1, VertexDirectionMap vertex_dir
                             const CGAL_NP_CLASS_1& np1 = parameters::default_values(),
                             const CGAL_NP_CLASS_2& np2 = parameters::default_values())
 {
-  using halfedge_descriptor = typename boost::graph_traits<TriangleMesh1>::halfedge_descriptor;
-  constexpr double part = 0.3; // cat_horse: 2.472 after three rounds
-
   split_edges.clear();
-  const auto points = internal::vertex_point_map_of(tmesh1, np1);
-  Surface_overlay_3<TriangleMesh1, TriangleMesh2> refinement;
-  if(const Error_code error = Spherical_parameterization::overlay<ConcurrencyTag>(
-         tmesh1, vertex_direction_map, tmesh2, vertex_sphere_map2, refinement, np1, np2))
-    return error;
-
-  const auto energies = get(CGAL::dynamic_face_property_t<double>(), tmesh1);
-  for(const auto f : faces(tmesh1))
-    put(energies, f, 0.);
-  const auto corners = [&](std::size_t k, std::size_t surface) {
-    std::array<internal::Vector_3d, 3> result;
-    for(std::size_t i = 0; i < 3; ++i)
-    {
-      const auto& p = refinement.points[refinement.triangles[k][i]][surface];
-      result[i] = {p.x(), p.y(), p.z()};
-    }
-    return result;
-  };
-  internal::distortion_between(
-      refinement.triangles.size(), internal::default_smallest_area, corners,
-      [&](std::size_t k, const std::array<double, 2>& shares, const internal::Triangle_stretch& stretch) {
-        const auto f = refinement.faces[k].first;
-        const double energy = 0.5 * stretch.angle * stretch.area;
-        put(energies, f, get(energies, f) + 0.5 * (shares[0] + shares[1]) * std::log(0.5 * energy));
-      },
-      internal::Execution());
-
-  struct Bent_face
+  if constexpr(internal::check_two_spheres<TriangleMesh1, VertexDirectionMap, TriangleMesh2, VertexSphereMap2>() &&
+               internal::check_run_parameters<TriangleMesh1, CGAL_NP_CLASS_1>() &&
+               internal::check_vertex_point_map<TriangleMesh2, CGAL_NP_CLASS_2>())
   {
-    double energy;
-    halfedge_descriptor longest;
-  };
-  const auto squared_length_of = [&](halfedge_descriptor h) {
-    using internal::operator-;
-    return internal::squared_length(internal::direction_of(get(vertex_direction_map, target(h, tmesh1))) -
-                                    internal::direction_of(get(vertex_direction_map, source(h, tmesh1))));
-  };
-  std::vector<Bent_face> bent;
-  double left = 0.; // of the sum
-  for(const auto f : faces(tmesh1))
-    if(const double energy = get(energies, f); energy > 0. && internal::is_finite(energy))
+    internal::Visitor_control<CGAL_NP_CLASS_1> control(np1);
+    const internal::Execution execution = internal::execution_of<ConcurrencyTag>();
+    internal::Mesh_pair<TriangleMesh1, VertexDirectionMap, TriangleMesh2, VertexSphereMap2> meshes;
+    if(const Error_code error =
+           meshes.read(tmesh1, vertex_direction_map, np1, tmesh2, vertex_sphere_map2, np2, execution))
+      return error;
+    std::vector<std::size_t> sides;
+    if(const Error_code error =
+           internal::find_bent_sides(internal::surface_of(meshes.first), internal::surface_of(meshes.second),
+                                     internal::maximum_number_of(np1), max_edges, sides, control, execution))
+      return error;
+    std::vector<typename boost::graph_traits<TriangleMesh1>::halfedge_descriptor> chosen;
+    for(const std::size_t side : sides) // that is opposite to a vertex, of which the first one is the source of h
     {
-      const halfedge_descriptor h = halfedge(f, tmesh1);
-      const std::array<halfedge_descriptor, 3> sides = {h, next(h, tmesh1), prev(h, tmesh1)};
-      bent.push_back({energy, *std::max_element(sides.begin(), sides.end(), [&](const auto& a, const auto& b) {
-                        return squared_length_of(a) < squared_length_of(b);
-                      })});
-      left += part * energy;
+      const auto h = halfedge(meshes.first.faces_of_mesh[side / 3], tmesh1);
+      chosen.push_back(side % 3 == 0 ? next(h, tmesh1) : side % 3 == 1 ? prev(h, tmesh1) : h);
     }
-  std::stable_sort(bent.begin(), bent.end(),
-                   [](const Bent_face& a, const Bent_face& b) { return a.energy > b.energy; });
-
-  const auto is_chosen = get(CGAL::dynamic_edge_property_t<bool>(), tmesh1);
-  for(const auto e : edges(tmesh1))
-    put(is_chosen, e, false);
-  std::vector<std::pair<double, halfedge_descriptor>> chosen;
-  for(std::size_t k = 0; k < bent.size() && left > 0. && chosen.size() < max_edges; ++k)
-  {
-    left -= bent[k].energy;
-    const halfedge_descriptor h = bent[k].longest;
-    if(!get(is_chosen, edge(h, tmesh1)))
-      chosen.emplace_back(squared_length_of(h), h);
-    put(is_chosen, edge(h, tmesh1), true);
+    const auto points = internal::vertex_point_map_of(tmesh1, np1);
+    for(const auto h : chosen)
+      if(Split_edge<TriangleMesh1> split;
+         internal::split_edge_on_sphere(h, tmesh1, points, vertex_direction_map, split))
+        split_edges.push_back(split);
+    return OK;
   }
-  // A face with two of them is halved at the longer one, whose halves are rounder.
-  std::stable_sort(chosen.begin(), chosen.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
-  for(const auto& length_and_edge : chosen)
-    if(Split_edge<TriangleMesh1> split;
-       internal::split_edge_on_sphere(length_and_edge.second, tmesh1, points, vertex_direction_map, split))
-      split_edges.push_back(split);
-  return OK;
+  else
+    return ERROR_WRONG_PARAMETER;
 }
 
 } // namespace CGAL::Spherical_parameterization

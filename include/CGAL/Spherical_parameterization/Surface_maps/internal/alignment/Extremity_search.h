@@ -48,18 +48,16 @@ public:
   using Extremities = std::vector<Surface_descriptor::Origin>;
 
   Extremity_search(Extremities first, Extremities second)
-    : m_limbs{std::move(first), std::move(second)}
+    : m_extremities{std::move(first), std::move(second)}
   {
     // The farthest ones come first. Seven are those of most animals; there are 130,922 ways to match them, with eight ten times
     // as many.
-    constexpr std::size_t max_limbs = 7;
-    for(Extremities& extremities : m_limbs)
-      extremities.resize((std::min)(extremities.size(), max_limbs));
-    m_partners.resize(m_limbs[0].size(), none);
-    m_is_taken.resize(m_limbs[1].size(), 0);
+    constexpr std::size_t max_extremities = 7;
+    for(Extremities& extremities : m_extremities)
+      extremities.resize((std::min)(extremities.size(), max_extremities));
+    m_partners.resize(m_extremities[0].size(), none);
+    m_is_taken.resize(m_extremities[1].size(), 0);
   }
-
-  const Extremities& extremities(std::size_t surface) const { return m_limbs[surface]; }
 
   // The best matchings whose rotations are at least 30 degrees apart, the best one first; perhaps none.
   std::vector<Extremity_matching> best(std::size_t n, const std::vector<Vector_3d>& directions1,
@@ -78,7 +76,7 @@ public:
     {
       std::vector<std::pair<Vector_3d, Vector_3d>> ends;
       for(const auto& [i, j] : matching.pairs)
-        ends.emplace_back(directions1[m_limbs[0][i].vertex], directions2[m_limbs[1][j].vertex]);
+        ends.emplace_back(directions1[m_extremities[0][i].vertex], directions2[m_extremities[1][j].vertex]);
       const std::optional<Rotation_matrix> rotation = fitting_rotation(ends);
       double sum_of_cosines = 0.;
       if(rotation)
@@ -106,7 +104,8 @@ private:
   {
     // Of the mean of both. Between the hands of a slim person and a stout one it is 0.27; with more, a hand passes for a head.
     constexpr double max_difference = 0.35;
-    const double x = m_limbs[0][i].distances[m_limbs[0][k].vertex], y = m_limbs[1][j].distances[m_limbs[1][l].vertex];
+    const double x = m_extremities[0][i].distances[m_extremities[0][k].vertex],
+                 y = m_extremities[1][j].distances[m_extremities[1][l].vertex];
     const double difference = (x - y) / (0.5 * (x + y) * max_difference);
     return 1. - difference * difference;
   }
@@ -115,7 +114,7 @@ private:
   void extend(std::uint32_t i, double score, std::size_t n_pairs)
   {
     constexpr std::size_t min_pairs = 3; // two determine a rotation, but have one distance, which says nothing
-    if(i == m_limbs[0].size())
+    if(i == m_extremities[0].size())
     {
       if(n_pairs < min_pairs)
         return;
@@ -125,7 +124,7 @@ private:
           m_found.back().pairs.push_back({k, m_partners[k]});
       return;
     }
-    for(std::uint32_t j = 0; j < m_limbs[1].size(); ++j)
+    for(std::uint32_t j = 0; j < m_extremities[1].size(); ++j)
     {
       double sum = score;
       bool is_possible = !m_is_taken[j];
@@ -147,7 +146,7 @@ private:
     extend(i + 1, score, n_pairs);
   }
 
-  std::array<Extremities, 2> m_limbs;
+  std::array<Extremities, 2> m_extremities;
   std::vector<std::uint32_t> m_partners; // of the extremities of the first surface
   std::vector<char> m_is_taken;
   std::vector<Extremity_matching> m_found;

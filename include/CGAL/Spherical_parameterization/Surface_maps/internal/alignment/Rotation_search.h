@@ -15,7 +15,8 @@
 #include <CGAL/license/Spherical_parameterization.h>
 
 #include <CGAL/Spherical_parameterization/Sampling/internal/Subdivided_solid.h>
-#include <CGAL/Spherical_parameterization/Surface_maps/internal/alignment/Sphere_image.h>
+#include <CGAL/Spherical_parameterization/Surface_maps/internal/Sphere_mesh.h>
+#include <CGAL/Spherical_parameterization/Surface_maps/internal/target/Sphere_image.h>
 #include <CGAL/Spherical_parameterization/Surface_maps/internal/alignment/Surface_descriptor.h>
 #include <CGAL/Spherical_parameterization/Surface_maps/internal/alignment/map_score.h>
 #include <CGAL/Spherical_parameterization/internal/execution/Run_control.h>
@@ -33,14 +34,6 @@
 #include <vector>
 
 namespace CGAL::Spherical_parameterization::internal {
-
-// The vertex that has the largest barycentric coordinate of a place.
-template <class Triangle_location>
-std::uint32_t nearest_vertex(const std::vector<Linked_triangle>& triangles, const Triangle_location& place)
-{
-  const auto& w = place.coordinates;
-  return triangles[place.triangle][static_cast<std::size_t>(std::max_element(w.begin(), w.end()) - w.begin())];
-}
 
 // A rotation of one image of features against another one, and their correlation.
 struct Scored_rotation
@@ -111,7 +104,7 @@ private:
     constexpr std::size_t batch_size = 2000,
                           block_size = 100; // between two questions, some milliseconds; and for a thread
     // Within which a maximum is one, a bit more than the grid's spacing. If it is less, rotations on the same flank are found
-    // in the place of other peaks; if it is more, peaks near a higher one are lost.
+    // instead of other peaks; if it is more, peaks near a higher one are lost.
     constexpr double max_radius = CGAL_PI / 12.;
     // A peak of the grid may be lower than the real one, and the best of those that are found be none but that: more of them
     // take more time to refine. Those below the best quarter are not looked at, as the time grows with the square.
@@ -155,13 +148,13 @@ private:
     {
       const auto& triangles = surface.sphere().triangles();
       const std::vector<Vector_3d> all = subdivided_icosahedron(n_steps).directions;
-      const auto places = surface.sphere().locate(points_of<Surface_descriptor::Kernel>(all), execution);
+      const auto locations = surface.sphere().locate(points_of(all), execution);
       for(std::size_t i = 0; i < all.size(); ++i)
-        if(surface.counts(nearest_vertex(triangles, places[i])))
+        if(surface.counts(nearest_vertex(triangles, locations[i])))
         {
           directions.push_back(all[i]);
           for(const Vertex_scalars& channel : surface.features())
-            values.push_back(interpolated(channel, triangles, places[i]));
+            values.push_back(interpolated(channel, triangles, locations[i]));
         }
     }
 

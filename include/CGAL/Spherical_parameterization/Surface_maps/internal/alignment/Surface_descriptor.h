@@ -14,18 +14,16 @@
 
 #include <CGAL/license/Spherical_parameterization.h>
 
+#include <CGAL/Spherical_parameterization/Surface_maps/internal/Sphere_mesh.h>
 #include <CGAL/Spherical_parameterization/Surface_maps/internal/alignment/Surface_paths.h>
 #include <CGAL/Spherical_parameterization/internal/certificate/is_safely_positive.h>
 #include <CGAL/Spherical_parameterization/internal/hierarchy/Mesh_hierarchy.h>
-#include <CGAL/Spherical_parameterization/internal/locate/Sphere_triangulation.h>
 #include <CGAL/Spherical_parameterization/internal/numbers/Vector_3.h>
 #include <CGAL/Spherical_parameterization/internal/surface/Linked_triangle.h>
 #include <CGAL/Spherical_parameterization/internal/surface/Surface.h>
 #include <CGAL/Spherical_parameterization/internal/surface/Surface_diffusion.h>
 #include <CGAL/Spherical_parameterization/internal/surface/Vertex_rings.h>
 #include <CGAL/Spherical_parameterization/internal/surface/vertex_scalars.h>
-
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
 #include <algorithm>
 #include <cmath>
@@ -39,25 +37,14 @@
 
 namespace CGAL::Spherical_parameterization::internal {
 
-template <class K>
-std::vector<typename K::Point_3> points_of(const std::vector<Vector_3d>& directions)
-{
-  std::vector<typename K::Point_3> result;
-  for(const Vector_3d& p : directions)
-    result.emplace_back(p[0], p[1], p[2]);
-  return result;
-}
-
 // A surface as it is compared with another one: the coarsest level of a hierarchy, scaled to area 1, whose vertices are
 // spread over the surface, and not over its sphere, on which extremities are small. What is computed here changes little when the
 // surface is bent, and not at all when it is moved.
 class Surface_descriptor
 {
 public:
-  using Kernel = Exact_predicates_inexact_constructions_kernel;
-
-  // Of surfaces that are larger, all are compared in the same time. With 700 vertices, random pairs of people are off by 3.2
-  // percent after their alignment, with 1000 by 3.0 and with 2000 by 2.8, where a start takes 1.3 and 2.4 times as long.
+  // All surfaces that are larger are compared in the same time. More vertices make alignments better, but each start takes
+  // longer, in proportion.
   static constexpr std::size_t max_size = 2000;
 
   // The hierarchy is that of the mesh with its images on the unit sphere; these, a caller's own features, of which vertices
@@ -73,7 +60,7 @@ public:
     const std::size_t n = m_points.size();
     Index_triangles triangles;
     m_rings.for_each_face([&](std::uint32_t a, std::uint32_t b, std::uint32_t c) { triangles.push_back({a, b, c}); });
-    m_sphere.assign(points_of<Kernel>(m_directions), link_triangles(triangles, n));
+    m_sphere.assign(points_of(m_directions), link_triangles(triangles, n));
     m_areas.assign(n, 0.);
     for(const Linked_triangle& t : m_sphere.triangles())
     {
@@ -110,7 +97,7 @@ public:
 
   // Whether its images are a bijection as doubles, which all that looks at the sphere takes for granted.
   bool is_bijective() const { return m_is_bijective; }
-  const Sphere_triangulation<Kernel>& sphere() const { return m_sphere; }
+  const Sphere_mesh& sphere() const { return m_sphere; }
 
   // The features, those of the package as ranks.
   const std::vector<Vertex_scalars>& features() const { return m_features; }
@@ -178,11 +165,11 @@ public:
   // The distances from where the sphere has a direction, in the same units.
   Vertex_scalars distances_from(const Vector_3d& direction) const
   {
-    Sphere_triangulation<Kernel>::Hint hint;
-    const auto place = m_sphere.locate(Kernel::Point_3(direction[0], direction[1], direction[2]), hint);
-    const Vector_3d p = interpolated(m_points, m_sphere.triangles(), place);
+    Sphere_mesh::Hint hint;
+    const auto location = m_sphere.locate(point_of(direction), hint);
+    const Vector_3d p = interpolated(m_points, m_sphere.triangles(), location);
     std::vector<Surface_paths::Joint> corners;
-    for(const std::uint32_t v : m_sphere.triangles()[place.triangle].vertices)
+    for(const std::uint32_t v : m_sphere.triangles()[location.triangle].vertices)
       corners.emplace_back(length(p - m_points[v]), v);
     Vertex_scalars result = m_paths.distances_from(corners);
     scale(result);
@@ -287,7 +274,7 @@ private:
   }
 
   Vertex_rings m_rings;
-  Sphere_triangulation<Kernel> m_sphere;
+  Sphere_mesh m_sphere;
   bool m_is_bijective = false;
   std::vector<Vector_3d> m_directions, m_points;
   Vertex_scalars m_areas; // around the vertices

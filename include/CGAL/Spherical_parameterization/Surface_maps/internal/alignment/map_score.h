@@ -80,9 +80,10 @@ inline double stretching(const Target_metric& metric, const Mesh_hierarchy::Leve
   rings.for_each_face([&](std::uint32_t i, std::uint32_t j, std::uint32_t k) {
     const std::uint32_t a = level.vertices[i], b = level.vertices[j], c = level.vertices[k];
     const Vector_3d u = points[b] - points[a], w = points[c] - points[a];
-    const Cube_location place = metric.place(directions[a] + directions[b] + directions[c], metric_level);
-    const Metric_sample<double> s = metric.at(place, metric_level);
-    const auto p = place.flattened(directions[b] - directions[a]), q = place.flattened(directions[c] - directions[a]);
+    const Cube_location location = metric.locate(directions[a] + directions[b] + directions[c], metric_level);
+    const Metric_sample<double> s = metric.at(location, metric_level);
+    const auto p = location.flattened(directions[b] - directions[a]),
+               q = location.flattened(directions[c] - directions[a]);
     const double uu = dot(u, u), uw = dot(u, w), ww = dot(w, w), pp = s.product(p, p), pq = s.product(p, q),
                  qq = s.product(q, q);
     const double squared_area = uu * ww - uw * uw, squared_image = pp * qq - pq * pq;

@@ -14,11 +14,9 @@
 
 #include <CGAL/license/Spherical_parameterization.h>
 
-#include <CGAL/Spherical_parameterization/Surface_maps/internal/alignment/Rotation_search.h>
-#include <CGAL/Spherical_parameterization/Surface_maps/internal/alignment/Surface_descriptor.h>
+#include <CGAL/Spherical_parameterization/Surface_maps/internal/Sphere_mesh.h>
 #include <CGAL/Spherical_parameterization/internal/execution/Run_control.h>
 #include <CGAL/Spherical_parameterization/internal/execution/parallel.h>
-#include <CGAL/Spherical_parameterization/internal/locate/Sphere_triangulation.h>
 #include <CGAL/Spherical_parameterization/internal/numbers/Rotation_matrix.h>
 #include <CGAL/Spherical_parameterization/internal/numbers/Vector_3.h>
 
@@ -30,21 +28,10 @@
 
 namespace CGAL::Spherical_parameterization::internal {
 
-template <class K>
-std::vector<Vector_3d> rotated_directions(const Rotation_matrix& rotation, const Sphere_triangulation<K>& sphere)
-{
-  std::vector<Vector_3d> result;
-  result.reserve(sphere.points().size());
-  for(std::size_t v = 0; v < sphere.points().size(); ++v)
-    result.push_back(normalized(rotated(rotation, sphere.direction(v))));
-  return result;
-}
-
 // The rotation that brings each vertex nearest to one of the second sphere, in a few rounds from a rotation that is nearly
 // so. For copies of a sphere it is exact but for rounding.
-template <class K>
-Rotation_matrix polished(Rotation_matrix rotation, const Sphere_triangulation<K>& sphere1,
-                         const Sphere_triangulation<K>& sphere2, Run_control& control, const Execution& execution)
+inline Rotation_matrix polished(Rotation_matrix rotation, const Sphere_mesh& sphere1, const Sphere_mesh& sphere2,
+                                Run_control& control, const Execution& execution)
 {
   // One is enough where vertices are farther apart than the rotation is off; of dense copies, more meet in each further one.
   constexpr int n_rounds = 8;
@@ -52,18 +39,18 @@ Rotation_matrix polished(Rotation_matrix rotation, const Sphere_triangulation<K>
       4096; // that is located until the control is asked: exact signs take long on copies
   for(int round = 0; round < n_rounds; ++round)
   {
-    const auto points = points_of<K>(rotated_directions(rotation, sphere1));
+    const auto points = points_of(rotated_directions(rotation, directions_of(sphere1)));
     std::vector<std::pair<Vector_3d, Vector_3d>> pairs;
     for(std::size_t begin = 0; begin < points.size(); begin += block_size)
     {
       if(!control.go_further(0, 0.))
         return rotation;
       const auto end = static_cast<std::ptrdiff_t>((std::min)(begin + block_size, points.size()));
-      const std::vector<typename K::Point_3> block(points.begin() + static_cast<std::ptrdiff_t>(begin),
-                                                   points.begin() + end);
-      for(const auto& place : sphere2.locate(block, execution))
+      const std::vector<Sphere_kernel::Point_3> block(points.begin() + static_cast<std::ptrdiff_t>(begin),
+                                                      points.begin() + end);
+      for(const auto& location : sphere2.locate(block, execution))
         pairs.emplace_back(sphere1.direction(pairs.size()),
-                           sphere2.direction(nearest_vertex(sphere2.triangles(), place)));
+                           sphere2.direction(nearest_vertex(sphere2.triangles(), location)));
     }
     if(const std::optional<Rotation_matrix> next = fitting_rotation(pairs))
       rotation = *next;

@@ -16,153 +16,36 @@
 
 #include <CGAL/Spherical_parameterization/Surface_maps/Distortion_between.h>
 #include <CGAL/Spherical_parameterization/internal/execution/parallel.h>
-#include <CGAL/Spherical_parameterization/internal/measuring/distortion.h>
+#include <CGAL/Spherical_parameterization/internal/library.h>
 #include <CGAL/Spherical_parameterization/internal/numbers/Vector_3.h>
+#include <CGAL/Spherical_parameterization/internal/surface/Linked_triangle.h>
 
-#include <algorithm>
 #include <array>
-#include <cmath>
-#include <cstddef>
-#include <limits>
 #include <vector>
 
 namespace CGAL::Spherical_parameterization::internal {
 
-inline Triangle_edges scaled_edges(const std::array<Vector_3d, 3>& p, double factor)
+// The fraction of the area of a surface below which a part of it is a sliver: of those that ties or rounding make, nothing can
+// be said.
+constexpr double default_smallest_area = 1e-10; // as measure_distortion_between() has it
+
+// The edges of a triangle, see Triangle_edges.
+inline std::array<Vector_3d, 3> scaled_edges(const std::array<Vector_3d, 3>& p, double factor)
 {
   return {factor * (p[2] - p[1]), factor * (p[0] - p[2]), factor * (p[1] - p[0])};
 }
 
-// The share of the area of a surface below which a part of it is a sliver: of those that ties or rounding make, nothing can be
-// said.
-constexpr double default_smallest_area = 1e-10; // as measure_distortion_between() has it
-
-// The distortion of a map that is linear in each of n triangles: corners_of(k, surface) are those of triangle k. What has a
-// share of at most `smallest_area` of the area of a surface is a sliver and left out. If nothing is left, as where a surface
-// has no area, all measures are infinite. Calls visit(k, its shares of both areas, its stretch) for each triangle that is measured.
-template <class Corners, class Visit>
-Distortion_between distortion_between(std::size_t n, double smallest_area, const Corners& corners_of,
-                                      const Visit& visit, const Execution& execution)
-{
-  constexpr std::size_t block_size = 4096; // some 0.3 ms
-  const std::size_t n_blocks = (n + block_size - 1) / block_size;
-  const auto for_all_blocks = [&](const auto& f) {
-    for_each_block(execution, 0, n, block_size,
-                   [&](std::size_t begin, std::size_t end) { f(begin / block_size, begin, end); });
-  };
-  // Scaled by powers of two, which is exact, so that no area overflows or underflows.
-  std::array<int, 2> exponents = {0, 0};
-  std::vector<std::array<double, 2>> of_blocks(n_blocks, {0., 0.});
-  for_all_blocks([&](std::size_t block, std::size_t begin, std::size_t end) {
-    for(std::size_t surface = 0; surface < 2; ++surface)
-      for(std::size_t k = begin; k < end; ++k)
-        for(const Vector_3d& p : corners_of(k, surface))
-          of_blocks[block][surface] =
-              (std::max)({of_blocks[block][surface], std::abs(p[0]), std::abs(p[1]), std::abs(p[2])});
-  });
-  for(std::size_t surface = 0; surface < 2; ++surface)
-  {
-    double size = 0.;
-    for(const std::array<double, 2>& sizes : of_blocks)
-      size = (std::max)(size, sizes[surface]);
-    std::frexp(size, &exponents[surface]);
-  }
-  const auto corners = [&](std::size_t k, std::size_t surface) {
-    std::array<Vector_3d, 3> result = corners_of(k, surface);
-    if(exponents[surface] != 0)
-      for(Vector_3d& p : result)
-        for(double& x : p)
-          x = std::ldexp(x, -exponents[surface]);
-    return result;
-  };
-  std::vector<std::array<double, 2>> areas(n);
-  for_all_blocks([&](std::size_t block, std::size_t begin, std::size_t end) {
-    of_blocks[block] = {0., 0.};
-    for(std::size_t k = begin; k < end; ++k)
-      for(std::size_t surface = 0; surface < 2; ++surface)
-      {
-        const std::array<Vector_3d, 3> p = corners(k, surface);
-        areas[k][surface] = 0.5 * length(cross(p[1] - p[0], p[2] - p[0]));
-        of_blocks[block][surface] += areas[k][surface];
-      }
-  });
-  std::array<double, 2> sums = {0., 0.};
-  for(const std::array<double, 2>& of_block : of_blocks)
-    for(std::size_t surface = 0; surface < 2; ++surface)
-      sums[surface] += of_block[surface];
-
-  struct Part
-  {
-    Distortion_between distortion; // sums, where it has means
-    std::array<double, 2> weights = {0., 0.};
-  };
-  using Statistics = Distortion_between::Statistics;
-  constexpr std::array<Statistics Distortion_between::*, 4> measures = {
-      &Distortion_between::isometric, &Distortion_between::area, &Distortion_between::angle,
-      &Distortion_between::energy};
-  const double factor = std::sqrt(sums[0] / sums[1]); // of the lengths on the second surface
-  std::vector<Part> parts(n_blocks);
-  for_all_blocks([&](std::size_t block, std::size_t begin, std::size_t end) {
-    Part part;
-    for(std::size_t k = begin; k < end; ++k)
-    {
-      const std::array<double, 2> shares = {areas[k][0] / sums[0], areas[k][1] / sums[1]};
-      const Triangle_stretch stretch(scaled_edges(corners(k, 0), 1.), scaled_edges(corners(k, 1), factor));
-      if(!(shares[0] > smallest_area) || !(shares[1] > smallest_area) || stretch.is_degenerate)
-      {
-        ++part.distortion.number_of_slivers;
-        continue;
-      }
-      const auto add = [&](Statistics& statistics, double value) {
-        statistics.maximum = (std::max)(statistics.maximum, value);
-        statistics.average_over_first += shares[0] * value;
-        statistics.average_over_second += shares[1] * value;
-      };
-      add(part.distortion.isometric, stretch.isometric);
-      add(part.distortion.area, stretch.area);
-      add(part.distortion.angle, stretch.angle);
-      add(part.distortion.energy, 0.5 * stretch.angle * stretch.area); // (I / d) (d + 1 / d) / 2
-      part.weights[0] += shares[0];
-      part.weights[1] += shares[1];
-      visit(k, shares, stretch);
-    }
-    parts[block] = part;
-  });
-  Part all;
-  for(const Part& part : parts)
-  {
-    for(const auto measure : measures)
-    {
-      Statistics& sum = all.distortion.*measure;
-      const Statistics& more = part.distortion.*measure;
-      sum = {(std::max)(sum.maximum, more.maximum), sum.average_over_first + more.average_over_first,
-             sum.average_over_second + more.average_over_second};
-    }
-    for(std::size_t surface = 0; surface < 2; ++surface)
-      all.weights[surface] += part.weights[surface];
-    all.distortion.number_of_slivers += part.distortion.number_of_slivers;
-  }
-  constexpr double infinity = std::numeric_limits<double>::infinity();
-  for(const auto measure : measures)
-  {
-    Statistics& s = all.distortion.*measure;
-    s = all.weights[0] > 0.
-            ? Statistics{s.maximum, s.average_over_first / all.weights[0], s.average_over_second / all.weights[1]}
-            : Statistics{infinity, infinity, infinity};
-  }
-  all.distortion.number_of_triangles = n;
-  return all.distortion;
-}
-
-template <class Corners>
-Distortion_between distortion_between(std::size_t n, double smallest_area, const Corners& corners_of,
-                                      const Execution& execution = Execution())
-{
-  return distortion_between(
-      n, smallest_area, corners_of, [](std::size_t, const std::array<double, 2>&, const Triangle_stretch&) {},
-      execution);
-}
+// The distortion of a map that is linear in each of these triangles, with their points on both surfaces. If nothing is left
+// beside slivers, as where a surface has no area, all measures are infinite. `bending` receives the contribution of each
+// triangle to the integral of the logarithm of the energy, if there is one.
+Distortion_between distortion_between(const std::array<std::vector<Vector_3d>, 2>& points,
+                                      const Index_triangles& triangles, double smallest_area,
+                                      const Execution& execution = Execution(), std::vector<double>* bending = nullptr);
 
 } // namespace CGAL::Spherical_parameterization::internal
+
+#ifdef CGAL_SPHERICAL_PARAMETERIZATION_HEADER_ONLY
+#include <CGAL/Spherical_parameterization/Surface_maps/internal/overlay/distortion_between_impl.h>
+#endif
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_SURFACE_MAPS_INTERNAL_OVERLAY_DISTORTION_BETWEEN_H

@@ -17,7 +17,8 @@
 #include <CGAL/Spherical_parameterization/Surface_maps/internal/overlay/distortion_between.h>
 #include <CGAL/Spherical_parameterization/internal/execution/Run_control.h>
 #include <CGAL/Spherical_parameterization/internal/execution/parallel.h>
-#include <CGAL/Spherical_parameterization/internal/locate/Sphere_triangulation.h>
+#include <CGAL/Spherical_parameterization/Surface_maps/internal/Sphere_mesh.h>
+#include <CGAL/Spherical_parameterization/internal/measuring/distortion.h>
 #include <CGAL/Spherical_parameterization/internal/numbers/Vector_3.h>
 #include <CGAL/Spherical_parameterization/internal/surface/Linked_triangle.h>
 
@@ -30,23 +31,22 @@
 
 namespace CGAL::Spherical_parameterization::internal {
 
-// What a map to a surface makes of the edges of a triangle: of its corners, the directions a, at its place
+// What a map to a surface makes of the edges of a triangle: of its corners, the directions a, at the location
 // q = w0 a0 + w1 a1 + w2 a2. The map is projective, so this is its differential there.
 //
 // In the face with the images b and the corners Q, q is s (v0 b0 + v1 b1 + v2 b2) with coordinates v of sum 1, and is mapped to
 // P = v0 Q0 + v1 Q1 + v2 Q2. A step d of q adds det(d, b1, b2) / det(b0, b1, b2), and so on, to s v, and so the sum of these
 // times Q0 - P, and so on, to s P.
-template <class K>
-Triangle_edges image_edges(const std::array<Vector_3d, 3>& a, const std::array<double, 3>& w,
-                           const Sphere_triangulation<K>& sphere, const std::vector<Vector_3d>& points,
-                           typename Sphere_triangulation<K>::Hint& hint)
+inline Triangle_edges image_edges(const std::array<Vector_3d, 3>& a, const std::array<double, 3>& w,
+                                  const Sphere_mesh& sphere, const std::vector<Vector_3d>& points,
+                                  Sphere_mesh::Hint& hint)
 {
   const Vector_3d q = w[0] * a[0] + w[1] * a[1] + w[2] * a[2];
-  const auto place = sphere.locate(typename K::Point_3(q[0], q[1], q[2]), hint);
-  const Linked_triangle& t = sphere.triangles()[place.triangle];
+  const auto location = sphere.locate(point_of(q), hint);
+  const Linked_triangle& t = sphere.triangles()[location.triangle];
   const std::array<Vector_3d, 3> b = sphere.corners(t);
-  const Vector_3d p = interpolated(points, sphere.triangles(), place);
-  const auto& v = place.coordinates;
+  const Vector_3d p = interpolated(points, sphere.triangles(), location);
+  const auto& v = location.coordinates;
   const double s = length(q) / length(v[0] * b[0] + v[1] * b[1] + v[2] * b[2]);
   const double determinant = s * dot(b[0], cross(b[1] - b[0], b[2] - b[0]));
   const auto image_of = [&](const Vector_3d& d) {
@@ -58,9 +58,9 @@ Triangle_edges image_edges(const std::array<Vector_3d, 3>& a, const std::array<d
   return {image_of(a[2] - a[1]), image_of(a[0] - a[2]), image_of(a[1] - a[0])};
 }
 
-// The weights of places that are spread evenly over a triangle: the centres of the n^2 parts into which it is divided if each
+// Barycentric coordinates that are spread evenly over a triangle: the centers of the n^2 parts into which it is divided if each
 // edge is divided into n.
-inline std::vector<std::array<double, 3>> places_in_triangle(std::size_t n)
+inline std::vector<std::array<double, 3>> samples_in_triangle(std::size_t n)
 {
   std::vector<std::array<double, 3>> result;
   const auto add = [&](std::size_t x, std::size_t y) { // in thirds of a part
@@ -79,44 +79,40 @@ inline std::vector<std::array<double, 3>> places_in_triangle(std::size_t n)
 }
 
 // The mean over the first surface of the symmetric Dirichlet energy of the map to the second one, by the sphere of both, if
-// they are scaled to the same area: 2 for an isometry. It is measured at places in each face of the first surface, in the time
+// they are scaled to the same area: 2 for an isometry. It is measured at samples in each face of the first surface, in the time
 // that it takes to locate them: refined in common, two surfaces can have as many parts as the product of their sizes. What has
 // no area, or nearly so, on one of the surfaces is left out; the mean is infinite if nothing is left. The second sphere needs
 // its grid. It is 0 if the control ends it.
-template <class K>
-double mean_energy_over_first(const Sphere_triangulation<K>& sphere1, const std::vector<Vector_3d>& points1,
-                              const Sphere_triangulation<K>& sphere2, const std::vector<Vector_3d>& points2,
-                              Run_control& control, const Execution& execution)
+inline double mean_energy_over_first(const Sphere_mesh& sphere1, const std::vector<Vector_3d>& points1,
+                                     const Sphere_mesh& sphere2, const std::vector<Vector_3d>& points2,
+                                     Run_control& control, const Execution& execution)
 {
-  constexpr std::size_t min_places = 20000; // on surfaces of a few faces
-  constexpr std::size_t block_size = 256;   // of parallel work: enough that handing it out costs nothing
+  constexpr std::size_t min_samples = 20000; // on surfaces of a few faces
+  constexpr std::size_t block_size = 256;    // of parallel work: enough that handing it out costs nothing
   const std::vector<Linked_triangle>& triangles = sphere1.triangles();
-  const auto corners = [](const Linked_triangle& t, const std::vector<Vector_3d>& points) {
-    return std::array<Vector_3d, 3>{points[t[0]], points[t[1]], points[t[2]]};
-  };
   const auto area = [](const Triangle_edges& edges) { return 0.5 * length(cross(edges[0], edges[1])); };
   std::array<double, 2> areas = {0., 0.};
   for(const Linked_triangle& t : triangles)
-    areas[0] += area(scaled_edges(corners(t, points1), 1.));
+    areas[0] += area(scaled_edges(corners_of(t.vertices, points1), 1.));
   for(const Linked_triangle& t : sphere2.triangles())
-    areas[1] += area(scaled_edges(corners(t, points2), 1.));
+    areas[1] += area(scaled_edges(corners_of(t.vertices, points2), 1.));
   const double scale = std::sqrt(areas[0] / areas[1]); // of the second surface
 
   std::size_t n = 1;
-  while(n * n * triangles.size() < min_places)
+  while(n * n * triangles.size() < min_samples)
     ++n;
-  const std::vector<std::array<double, 3>> places = places_in_triangle(n);
-  const double share = 1. / static_cast<double>(places.size());
+  const std::vector<std::array<double, 3>> samples = samples_in_triangle(n);
+  const double share = 1. / static_cast<double>(samples.size());
   std::vector<std::array<double, 2>> sums(triangles.size(), {0., 0.}); // of energies and weights
   const auto measure = [&](std::size_t begin, std::size_t end) {
-    typename Sphere_triangulation<K>::Hint hint;
+    Sphere_mesh::Hint hint;
     for(std::size_t k = begin; k < end; ++k)
     {
       const Linked_triangle& t = triangles[k];
-      const Triangle_edges edges = scaled_edges(corners(t, points1), 1.);
+      const Triangle_edges edges = scaled_edges(corners_of(t.vertices, points1), 1.);
       const std::array<Vector_3d, 3> images = sphere1.corners(t);
       const double weight = share * area(edges);
-      for(const auto& w : places)
+      for(const auto& w : samples)
       {
         Triangle_edges image = image_edges(images, w, sphere2, points2, hint);
         for(Vector_3d& edge : image)

@@ -1,0 +1,120 @@
+// Copyright (c) 2026  The Spherical_parameterization authors.
+// All rights reserved.
+//
+// This file is part of the Spherical_parameterization package for CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Spherical_parameterization authors
+
+#ifndef CGAL_SPHERICAL_PARAMETERIZATION_SURFACE_MAPS_INTERNAL_REFINE_START_H
+#define CGAL_SPHERICAL_PARAMETERIZATION_SURFACE_MAPS_INTERNAL_REFINE_START_H
+
+#include <CGAL/license/Spherical_parameterization.h>
+
+#include <CGAL/Spherical_parameterization/Surface_maps/internal/Sphere_mesh.h>
+#include <CGAL/Spherical_parameterization/Surface_maps/internal/Surface_pair.h>
+#include <CGAL/Spherical_parameterization/Surface_maps/internal/alignment/Alignment_descent.h>
+#include <CGAL/Spherical_parameterization/Surface_maps/internal/choose_start.h>
+#include <CGAL/Spherical_parameterization/Surface_maps/internal/surface_goals.h>
+#include <CGAL/Spherical_parameterization/Surface_maps/internal/target/Target_levels.h>
+#include <CGAL/Spherical_parameterization/Surface_maps/internal/target/Target_sphere.h>
+#include <CGAL/Spherical_parameterization/internal/numbers/Rotation_matrix.h>
+#include <CGAL/Spherical_parameterization/internal/numbers/Vector_3.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Spherical_parameterization::internal {
+
+// Chooses among the start and its rivals, after a descent on finer levels from each.
+inline void choose_among_rivals(const Surface_pair& pair, Target_goals& goals, Surface_start& start)
+{
+  const auto score = [&](const Alignment& alignment) {
+    goals.features.weight = weight_of_features(alignment, pair.settings);
+    return start.levels->score_on_finer_level(alignment.directions, goals, pair.control, pair.execution) -
+           alignment.missed;
+  };
+  double best = score(start.alignment);
+  for(Alignment& rival : start.rivals)
+    if(const double s = score(rival); s > best && pair.control.go_further(0, 0.))
+    {
+      best = s;
+      std::swap(start.alignment, rival);
+    }
+  goals.features.weight = weight_of_features(start.alignment, pair.settings);
+}
+
+// Lowers the energy down to the finest level. `directions`, the rotation of the start, receives the map; returns false, and
+// leaves them, if doubles cannot hold it.
+inline bool refine_start(const Surface_pair& pair, Surface_start& start, std::vector<Vector_3d>& directions)
+{
+  // Landmarks are moved on levels of very few vertices. Surfaces that correspond already have lost too much to be compared on
+  // coarser levels than the other one.
+  constexpr std::size_t min_size_with_landmarks = 60, min_size = 1000;
+  const Surface_map_settings& settings = pair.settings;
+  const bool is_rotation = start.alignment.directions.empty(), has_landmarks = !settings.landmarks.empty();
+  Target_goals features_alone = {pair.metric, feature_goals(pair, start)};
+  if(features_alone.features.image && !start.rivals.empty())
+    choose_among_rivals(pair, features_alone, start);
+  if(!is_rotation && start.surfaces->goes_on())
+  {
+    start.surfaces->measure_distances();
+    Alignment_descent(*start.surfaces, pair.metric).keep_distances(start.alignment.directions);
+  }
+  const Target_goals goals = {pair.metric, features_alone.features, landmark_goals(pair)};
+  const auto lower = [&](const Target_goals& all, std::size_t coarsest_size, std::vector<Vector_3d>& map) {
+    return lower_on_target(pair.first.mesh.rings(), pair.first.mesh.points(), all, coarsest_size, Target_sweeps(), map,
+                           pair.control, pair.execution);
+  };
+  std::vector<Vector_3d> lowered;
+  bool is_lowered = is_rotation || start.levels->refine(start.alignment.directions, features_alone, lowered,
+                                                        pair.control, pair.execution);
+  if(is_rotation)
+    lowered = pair.first.mesh.in_own_order(directions);
+  // Coarser levels would take apart what an earlier descent has found.
+  const bool is_found =
+      settings.keeps_alignment && std::all_of(pair.landmarks.begin(), pair.landmarks.end(), [](const auto& landmark) {
+        constexpr double cosine_of_rounding = 1. - 1e-14;
+        return dot(landmark.first, landmark.second) > cosine_of_rounding;
+      });
+  if(is_lowered && (is_rotation || has_landmarks))
+    is_lowered = lower(goals,
+                       is_found        ? pair.first.points.size()
+                       : has_landmarks ? min_size_with_landmarks
+                                       : min_size,
+                       lowered);
+  // Landmarks may be missed from a start by features where they are met from a rotation alone.
+  const auto n_missed = [&](const std::vector<Vector_3d>& own_order) {
+    const std::vector<Vector_3d> found = pair.first.mesh.in_callers_order(own_order);
+    return std::count_if(settings.landmarks.begin(), settings.landmarks.end(), [&](const auto& landmark) {
+      return found[landmark[0]] != pair.second.sphere.direction(landmark[1]);
+    });
+  };
+  if(!is_rotation && settings.has_hard_landmarks() && (!is_lowered || n_missed(lowered) > 0))
+    if(const std::optional<Rotation_matrix> rotation = fitting_rotation(pair.landmarks))
+    {
+      const Target_goals without_own_features = {
+          pair.metric, settings.features[0].empty() ? Feature_goals() : goals.features, goals.landmarks};
+      std::vector<Vector_3d> other =
+          pair.first.mesh.in_own_order(rotated_directions(*rotation, directions_of(pair.first.sphere)));
+      if(lower(without_own_features, min_size_with_landmarks, other) &&
+         (!is_lowered || n_missed(other) < n_missed(lowered)))
+      {
+        is_lowered = true;
+        lowered.swap(other);
+      }
+    }
+  if(is_lowered)
+    directions = pair.first.mesh.in_callers_order(lowered);
+  return is_lowered;
+}
+
+} // namespace CGAL::Spherical_parameterization::internal
+
+#endif // CGAL_SPHERICAL_PARAMETERIZATION_SURFACE_MAPS_INTERNAL_REFINE_START_H
