@@ -1,11 +1,8 @@
-// The definitions of maps between surfaces: all of the part that does not depend on a caller's types.
+// Maps between surfaces: all of the part that does not depend on a caller's types.
 
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_USE_LIBRARY
 #define CGAL_SPHERICAL_PARAMETERIZATION_USE_LIBRARY
 #endif
 
-#include <CGAL/Spherical_parameterization/Surface_maps/internal/alignment/find_rotations_impl.h>
 #include <CGAL/Spherical_parameterization/Surface_maps/internal/find_surface_map_impl.h>
-#include <CGAL/Spherical_parameterization/Surface_maps/internal/overlay/distortion_between_impl.h>
-#include <CGAL/Spherical_parameterization/Surface_maps/internal/overlay/find_bent_sides_impl.h>
-#include <CGAL/Spherical_parameterization/Surface_maps/internal/overlay/make_overlay_impl.h>
+#include <CGAL/Spherical_parameterization/Surface_maps/internal/overlay/overlay_surfaces_impl.h>

@@ -17,7 +17,7 @@
 #include <CGAL/Spherical_parameterization/Error_code.h>
 #include <CGAL/Spherical_parameterization/Surface_maps/Sphere_alignment_3.h>
 #include <CGAL/Spherical_parameterization/Surface_maps/internal/Mesh_pair.h>
-#include <CGAL/Spherical_parameterization/Surface_maps/internal/alignment/find_rotations.h>
+#include <CGAL/Spherical_parameterization/Surface_maps/internal/find_surface_map.h>
 #include <CGAL/Spherical_parameterization/internal/execution/Run_control.h>
 #include <CGAL/Spherical_parameterization/internal/execution/parallel.h>
 #include <CGAL/Spherical_parameterization/internal/numbers/Rotation_matrix.h>

@@ -16,8 +16,8 @@
 
 #include <CGAL/Spherical_parameterization/Error_code.h>
 #include <CGAL/Spherical_parameterization/Surface_maps/internal/Mesh_pair.h>
-#include <CGAL/Spherical_parameterization/Surface_maps/internal/overlay/Overlay_arrays.h>
-#include <CGAL/Spherical_parameterization/Surface_maps/internal/overlay/make_overlay.h>
+#include <CGAL/Spherical_parameterization/Surface_maps/internal/Surface_on_sphere.h>
+#include <CGAL/Spherical_parameterization/Surface_maps/internal/overlay/overlay_surfaces.h>
 #include <CGAL/Spherical_parameterization/internal/execution/Run_control.h>
 #include <CGAL/Spherical_parameterization/internal/execution/parallel.h>
 #include <CGAL/Spherical_parameterization/internal/numbers/Vector_3.h>

@@ -16,7 +16,7 @@
 
 #include <CGAL/Spherical_parameterization/Error_code.h>
 #include <CGAL/Spherical_parameterization/Surface_maps/internal/Mesh_pair.h>
-#include <CGAL/Spherical_parameterization/Surface_maps/internal/overlay/find_bent_sides.h>
+#include <CGAL/Spherical_parameterization/Surface_maps/internal/overlay/overlay_surfaces.h>
 #include <CGAL/Spherical_parameterization/Surface_maps/split_blocking_edges.h>
 #include <CGAL/Spherical_parameterization/internal/execution/Run_control.h>
 #include <CGAL/Spherical_parameterization/internal/execution/parallel.h>

@@ -19,6 +19,8 @@
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
+#include <array>
+#include <cstdint>
 #include <vector>
 
 namespace CGAL::Spherical_parameterization::internal {
@@ -32,6 +34,22 @@ struct Surface_on_sphere
   std::vector<Vector_3d> points;
   std::vector<Sphere_kernel::Point_3> images;
   std::vector<Linked_triangle> triangles;
+};
+
+// A surface, the directions of its images, and features, if any, in the order of the caller.
+struct Aligned_surface
+{
+  std::vector<Vector_3d> points, directions;
+  std::vector<Linked_triangle> triangles;
+  std::vector<std::vector<double>> features;
+};
+
+// The common refinement of two surfaces, triangulated, with the points of its vertices on both.
+struct Overlay_arrays
+{
+  std::array<std::vector<Vector_3d>, 2> points; // on each surface
+  Index_triangles triangles;
+  std::vector<std::array<std::uint32_t, 2>> parents; // of the triangles, on each surface
 };
 
 } // namespace CGAL::Spherical_parameterization::internal

@@ -14,8 +14,10 @@
 
 #include <CGAL/license/Spherical_parameterization.h>
 
-#include <CGAL/Spherical_parameterization/Surface_maps/internal/Located_surface.h>
+#include <CGAL/Spherical_parameterization/Error_code.h>
+#include <CGAL/Spherical_parameterization/Surface_maps/internal/Sphere_mesh.h>
 #include <CGAL/Spherical_parameterization/Surface_maps/internal/Surface_map_settings.h>
+#include <CGAL/Spherical_parameterization/Surface_maps/internal/Surface_on_sphere.h>
 #include <CGAL/Spherical_parameterization/Surface_maps/internal/target/Target_metric.h>
 #include <CGAL/Spherical_parameterization/internal/execution/Run_control.h>
 #include <CGAL/Spherical_parameterization/internal/execution/parallel.h>
@@ -32,6 +34,27 @@
 #include <vector>
 
 namespace CGAL::Spherical_parameterization::internal {
+
+// A surface on its sphere, in which directions can be located. The length that is 1 for its points is 2 to the power of
+// `exponent`, see normalize().
+struct Located_surface
+{
+  Surface mesh; // the same surface; all else is in the order of the caller
+  Sphere_mesh sphere;
+  std::vector<Vector_3d> points;
+  int exponent = 0;
+
+  Error_code assign(Surface_on_sphere surface)
+  {
+    if(const Error_code error = mesh.assign(surface.points, surface.triangles))
+      return error;
+    points = std::move(surface.points);
+    exponent = normalize(points);
+    sphere.assign(std::move(surface.images), std::move(surface.triangles));
+    sphere.make_grid();
+    return OK;
+  }
+};
 
 // Brings the features to the scale in which they are compared, with their weights, and takes them and the masks to the own order
 // of the surfaces.

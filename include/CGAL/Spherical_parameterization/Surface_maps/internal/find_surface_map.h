@@ -15,6 +15,7 @@
 #include <CGAL/license/Spherical_parameterization.h>
 
 #include <CGAL/Spherical_parameterization/Error_code.h>
+#include <CGAL/Spherical_parameterization/Surface_maps/Sphere_alignment_3.h>
 #include <CGAL/Spherical_parameterization/Surface_maps/Surface_map_report.h>
 #include <CGAL/Spherical_parameterization/Surface_maps/internal/Surface_map_settings.h>
 #include <CGAL/Spherical_parameterization/Surface_maps/internal/Surface_on_sphere.h>
@@ -32,6 +33,10 @@ namespace CGAL::Spherical_parameterization::internal {
 Error_code find_surface_map(Surface_on_sphere first_surface, Surface_on_sphere second_surface,
                             Surface_map_settings settings, std::vector<Vector_3d>& directions,
                             Surface_map_report& report, Run_control& control, const Execution& execution);
+
+// Finds what align_spheres() does.
+Error_code find_rotations(const Aligned_surface& first, const Aligned_surface& second, Sphere_alignment_3& alignment,
+                          Run_control& control, const Execution& execution);
 
 } // namespace CGAL::Spherical_parameterization::internal
 

@@ -19,7 +19,6 @@
 #include <CGAL/Spherical_parameterization/Surface_maps/internal/alignment/Coarse_pair.h>
 #include <CGAL/Spherical_parameterization/Surface_maps/internal/alignment/Extremity_search.h>
 #include <CGAL/Spherical_parameterization/Surface_maps/internal/alignment/Rotation_search.h>
-#include <CGAL/Spherical_parameterization/Surface_maps/internal/alignment/polished_rotation.h>
 #include <CGAL/Spherical_parameterization/Surface_maps/internal/target/Target_metric.h>
 #include <CGAL/Spherical_parameterization/internal/execution/parallel.h>
 #include <CGAL/Spherical_parameterization/internal/numbers/Rotation_matrix.h>

@@ -16,9 +16,9 @@
 
 #include <CGAL/Spherical_parameterization/Error_code.h>
 #include <CGAL/Spherical_parameterization/Surface_maps/internal/Sphere_mesh.h>
-#include <CGAL/Spherical_parameterization/Surface_maps/internal/overlay/Triangle_sides.h>
 #include <CGAL/Spherical_parameterization/internal/execution/Run_control.h>
 #include <CGAL/Spherical_parameterization/internal/execution/parallel.h>
+#include <CGAL/Spherical_parameterization/internal/surface/Linked_triangle.h>
 
 #include <CGAL/enum.h>
 
@@ -30,6 +30,36 @@
 #include <vector>
 
 namespace CGAL::Spherical_parameterization::internal {
+
+// A side of a triangle is numbered 3 t + i if it is opposite to vertex i of triangle t, from vertex i + 1 to vertex
+// i + 2. An edge has the number of its side in the triangle with the smaller number.
+class Triangle_sides
+{
+public:
+  using Index = std::uint32_t;
+
+  explicit Triangle_sides(const std::vector<Linked_triangle>& triangles)
+    : m_triangles(triangles)
+  {}
+
+  std::size_t size() const { return 3 * m_triangles.size(); }
+  Index source(std::size_t side) const { return m_triangles[side / 3][(side % 3 + 1) % 3]; }
+  Index target(std::size_t side) const { return m_triangles[side / 3][(side % 3 + 2) % 3]; }
+  Index triangle(std::size_t side) const { return static_cast<Index>(side / 3); }
+  Index opposite_triangle(std::size_t side) const { return m_triangles[side / 3].neighbors[side % 3]; }
+
+  std::size_t opposite(std::size_t side) const
+  {
+    const Index t = opposite_triangle(side);
+    return 3 * std::size_t(t) + m_triangles[t].side_of(triangle(side));
+  }
+
+  bool is_edge(std::size_t side) const { return triangle(side) < opposite_triangle(side); }
+  std::size_t edge(std::size_t side) const { return is_edge(side) ? side : opposite(side); }
+
+private:
+  const std::vector<Linked_triangle>& m_triangles;
+};
 
 // For each edge of a triangulation, by its number, the edges of the other one that it crosses, in order, and the
 // triangles that it runs through, one more.

@@ -18,7 +18,6 @@
 #include <CGAL/Spherical_parameterization/Surface_maps/internal/Sphere_mesh.h>
 #include <CGAL/Spherical_parameterization/Surface_maps/internal/overlay/Edge_traces.h>
 #include <CGAL/Spherical_parameterization/Surface_maps/internal/overlay/Perturbed_orientation.h>
-#include <CGAL/Spherical_parameterization/Surface_maps/internal/overlay/Triangle_sides.h>
 #include <CGAL/Spherical_parameterization/internal/execution/Run_control.h>
 #include <CGAL/Spherical_parameterization/internal/execution/parallel.h>
 

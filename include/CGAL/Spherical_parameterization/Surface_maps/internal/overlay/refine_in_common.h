@@ -16,9 +16,9 @@
 
 #include <CGAL/Spherical_parameterization/Error_code.h>
 #include <CGAL/Spherical_parameterization/Surface_maps/internal/Sphere_mesh.h>
-#include <CGAL/Spherical_parameterization/Surface_maps/internal/overlay/Overlay_arrays.h>
+#include <CGAL/Spherical_parameterization/Surface_maps/internal/Surface_on_sphere.h>
 #include <CGAL/Spherical_parameterization/Surface_maps/internal/overlay/Sphere_overlay.h>
-#include <CGAL/Spherical_parameterization/Surface_maps/internal/overlay/Triangle_sides.h>
+#include <CGAL/Spherical_parameterization/Surface_maps/internal/overlay/Edge_traces.h>
 #include <CGAL/Spherical_parameterization/internal/execution/Run_control.h>
 #include <CGAL/Spherical_parameterization/internal/execution/parallel.h>
 #include <CGAL/Spherical_parameterization/internal/numbers/Vector_3.h>

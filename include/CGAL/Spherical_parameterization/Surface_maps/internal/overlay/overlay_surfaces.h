@@ -9,21 +9,36 @@
 //
 // Author(s)     : The Spherical_parameterization authors
 
-#ifndef CGAL_SPHERICAL_PARAMETERIZATION_SURFACE_MAPS_INTERNAL_OVERLAY_DISTORTION_BETWEEN_H
-#define CGAL_SPHERICAL_PARAMETERIZATION_SURFACE_MAPS_INTERNAL_OVERLAY_DISTORTION_BETWEEN_H
+#ifndef CGAL_SPHERICAL_PARAMETERIZATION_SURFACE_MAPS_INTERNAL_OVERLAY_OVERLAY_SURFACES_H
+#define CGAL_SPHERICAL_PARAMETERIZATION_SURFACE_MAPS_INTERNAL_OVERLAY_OVERLAY_SURFACES_H
 
 #include <CGAL/license/Spherical_parameterization.h>
 
+#include <CGAL/Spherical_parameterization/Error_code.h>
 #include <CGAL/Spherical_parameterization/Surface_maps/Distortion_between.h>
+#include <CGAL/Spherical_parameterization/Surface_maps/internal/Surface_on_sphere.h>
+#include <CGAL/Spherical_parameterization/internal/execution/Run_control.h>
 #include <CGAL/Spherical_parameterization/internal/execution/parallel.h>
 #include <CGAL/Spherical_parameterization/internal/library.h>
 #include <CGAL/Spherical_parameterization/internal/numbers/Vector_3.h>
 #include <CGAL/Spherical_parameterization/internal/surface/Linked_triangle.h>
 
 #include <array>
+#include <cstddef>
+#include <optional>
 #include <vector>
 
 namespace CGAL::Spherical_parameterization::internal {
+
+// Makes the common refinement, of at most so many vertices if a bound is given. Returns the same errors as Sphere_overlay.
+Error_code make_overlay(Surface_on_sphere first, Surface_on_sphere second, std::optional<std::size_t> max_vertices,
+                        Overlay_arrays& overlay, Run_control& control, const Execution& execution);
+
+// Finds the edges of the first surface that split_bent_faces() splits, as sides of its triangles, see Triangle_sides, in the
+// order in which they are to be split. Returns the same errors as make_overlay().
+Error_code find_bent_sides(Surface_on_sphere first, Surface_on_sphere second, std::optional<std::size_t> max_vertices,
+                           std::size_t max_edges, std::vector<std::size_t>& result, Run_control& control,
+                           const Execution& execution);
 
 // The fraction of the area of a surface below which a part of it is a sliver: of those that ties or rounding make, nothing can
 // be said.
@@ -45,7 +60,7 @@ Distortion_between distortion_between(const std::array<std::vector<Vector_3d>, 2
 } // namespace CGAL::Spherical_parameterization::internal
 
 #ifdef CGAL_SPHERICAL_PARAMETERIZATION_HEADER_ONLY
-#include <CGAL/Spherical_parameterization/Surface_maps/internal/overlay/distortion_between_impl.h>
+#include <CGAL/Spherical_parameterization/Surface_maps/internal/overlay/overlay_surfaces_impl.h>
 #endif
 
-#endif // CGAL_SPHERICAL_PARAMETERIZATION_SURFACE_MAPS_INTERNAL_OVERLAY_DISTORTION_BETWEEN_H
+#endif // CGAL_SPHERICAL_PARAMETERIZATION_SURFACE_MAPS_INTERNAL_OVERLAY_OVERLAY_SURFACES_H
