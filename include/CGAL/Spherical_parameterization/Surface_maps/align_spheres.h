@@ -16,14 +16,9 @@
 
 #include <CGAL/Spherical_parameterization/Error_code.h>
 #include <CGAL/Spherical_parameterization/Surface_maps/Sphere_alignment_3.h>
-#include <CGAL/Spherical_parameterization/Surface_maps/internal/Mesh_pair.h>
 #include <CGAL/Spherical_parameterization/Surface_maps/internal/find_surface_map.h>
-#include <CGAL/Spherical_parameterization/internal/execution/Run_control.h>
-#include <CGAL/Spherical_parameterization/internal/execution/parallel.h>
+#include <CGAL/Spherical_parameterization/Surface_maps/internal/read_two_surfaces.h>
 #include <CGAL/Spherical_parameterization/internal/numbers/Rotation_matrix.h>
-#include <CGAL/Spherical_parameterization/internal/numbers/Vector_3.h>
-#include <CGAL/Spherical_parameterization/internal/run/Mesh_on_sphere.h>
-#include <CGAL/Spherical_parameterization/internal/run/check_run.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/tags.h>
@@ -104,17 +99,8 @@ Error_code align_spheres(const TriangleMesh1& tmesh1, VertexSphereMap1 vertex_sp
                          const CGAL_NP_CLASS_1& np1 = parameters::default_values(),
                          const CGAL_NP_CLASS_2& np2 = parameters::default_values())
 {
-  if constexpr(internal::check_mesh_and_readable_map<TriangleMesh1, VertexSphereMap1>() &&
-               internal::check_mesh_and_readable_map<TriangleMesh2, VertexSphereMap2>() &&
-               internal::check_run_parameters<TriangleMesh1, CGAL_NP_CLASS_1>() &&
-               internal::check_vertex_point_map<TriangleMesh2, CGAL_NP_CLASS_2>())
-  {
-    internal::Visitor_control<CGAL_NP_CLASS_1> control(np1);
-    const internal::Execution execution = internal::execution_of<ConcurrencyTag>();
-    internal::Mesh_pair<TriangleMesh1, VertexSphereMap1, TriangleMesh2, VertexSphereMap2> meshes;
-    if(const Error_code error =
-           meshes.read(tmesh1, vertex_sphere_map1, np1, tmesh2, vertex_sphere_map2, np2, execution))
-      return error;
+  const auto run = [&](auto& arrays1, auto& arrays2, internal::Run_control& control,
+                       const internal::Execution& execution) -> Error_code {
     const auto aligned = [](auto& arrays) {
       internal::Aligned_surface result;
       for(const auto& p : arrays.images)
@@ -123,14 +109,14 @@ Error_code align_spheres(const TriangleMesh1& tmesh1, VertexSphereMap1 vertex_sp
       result.triangles = std::move(arrays.triangles);
       return result;
     };
-    internal::Aligned_surface first = aligned(meshes.first), second = aligned(meshes.second);
-    if(!internal::read_features<0>(features, meshes.first.vertices_of_mesh, first.features) ||
-       !internal::read_features<1>(features, meshes.second.vertices_of_mesh, second.features))
+    internal::Aligned_surface first = aligned(arrays1), second = aligned(arrays2);
+    if(!internal::read_features<0>(features, arrays1.vertices_of_mesh, first.features) ||
+       !internal::read_features<1>(features, arrays2.vertices_of_mesh, second.features))
       return ERROR_WRONG_PARAMETER;
     return internal::find_rotations(first, second, alignment, control, execution);
-  }
-  else
-    return ERROR_WRONG_PARAMETER;
+  };
+  return internal::with_two_surfaces<ConcurrencyTag, true>(tmesh1, vertex_sphere_map1, np1, tmesh2, vertex_sphere_map2,
+                                                           np2, run);
 }
 
 /// \ingroup PkgSphericalParameterizationSurfaces

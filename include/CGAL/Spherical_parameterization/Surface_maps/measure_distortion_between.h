@@ -17,8 +17,6 @@
 #include <CGAL/Spherical_parameterization/Error_code.h>
 #include <CGAL/Spherical_parameterization/Surface_maps/Distortion_between.h>
 #include <CGAL/Spherical_parameterization/Surface_maps/overlay.h>
-#include <CGAL/Spherical_parameterization/Surface_maps/internal/overlay/overlay_surfaces.h>
-#include <CGAL/Spherical_parameterization/internal/numbers/Vector_3.h>
 
 #include <array>
 #include <cstddef>

@@ -15,14 +15,8 @@
 #include <CGAL/license/Spherical_parameterization.h>
 
 #include <CGAL/Spherical_parameterization/Error_code.h>
-#include <CGAL/Spherical_parameterization/Surface_maps/internal/Mesh_pair.h>
-#include <CGAL/Spherical_parameterization/Surface_maps/internal/Surface_on_sphere.h>
 #include <CGAL/Spherical_parameterization/Surface_maps/internal/overlay/overlay_surfaces.h>
-#include <CGAL/Spherical_parameterization/internal/execution/Run_control.h>
-#include <CGAL/Spherical_parameterization/internal/execution/parallel.h>
-#include <CGAL/Spherical_parameterization/internal/numbers/Vector_3.h>
-#include <CGAL/Spherical_parameterization/internal/run/Mesh_on_sphere.h>
-#include <CGAL/Spherical_parameterization/internal/run/check_run.h>
+#include <CGAL/Spherical_parameterization/Surface_maps/internal/read_two_surfaces.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Named_function_parameters.h>
@@ -128,22 +122,13 @@ Error_code overlay(const TriangleMesh1& tmesh1, VertexSphereMap1 vertex_sphere_m
                    const CGAL_NP_CLASS_1& np1 = parameters::default_values(),
                    const CGAL_NP_CLASS_2& np2 = parameters::default_values())
 {
-  if constexpr(internal::check_two_spheres<TriangleMesh1, VertexSphereMap1, TriangleMesh2, VertexSphereMap2>() &&
-               internal::check_run_parameters<TriangleMesh1, CGAL_NP_CLASS_1>() &&
-               internal::check_vertex_point_map<TriangleMesh2, CGAL_NP_CLASS_2>())
-  {
+  const auto run = [&](auto& first, auto& second, internal::Run_control& control,
+                       const internal::Execution& execution) -> Error_code {
     using Overlay = Surface_overlay_3<TriangleMesh1, TriangleMesh2>;
     using Point_3 = typename Overlay::Point_3;
-    internal::Visitor_control<CGAL_NP_CLASS_1> control(np1);
-    const internal::Execution execution = internal::execution_of<ConcurrencyTag>();
-    internal::Mesh_pair<TriangleMesh1, VertexSphereMap1, TriangleMesh2, VertexSphereMap2> meshes;
-    if(const Error_code error =
-           meshes.read(tmesh1, vertex_sphere_map1, np1, tmesh2, vertex_sphere_map2, np2, execution))
-      return error;
     internal::Overlay_arrays arrays;
-    if(const Error_code error =
-           internal::make_overlay(internal::surface_of(meshes.first), internal::surface_of(meshes.second),
-                                  internal::maximum_number_of(np1), arrays, control, execution))
+    if(const Error_code error = internal::make_overlay(internal::surface_of(first), internal::surface_of(second),
+                                                       internal::maximum_number_of(np1), arrays, control, execution))
       return error;
     Overlay overlay;
     overlay.points.reserve(arrays.points[0].size());
@@ -154,13 +139,13 @@ Error_code overlay(const TriangleMesh1& tmesh1, VertexSphereMap1 vertex_sphere_m
     }
     overlay.faces.reserve(arrays.parents.size());
     for(const auto& parents : arrays.parents)
-      overlay.faces.emplace_back(meshes.first.faces_of_mesh[parents[0]], meshes.second.faces_of_mesh[parents[1]]);
+      overlay.faces.emplace_back(first.faces_of_mesh[parents[0]], second.faces_of_mesh[parents[1]]);
     overlay.triangles = std::move(arrays.triangles);
     result = std::move(overlay);
     return OK;
-  }
-  else
-    return ERROR_WRONG_PARAMETER;
+  };
+  return internal::with_two_surfaces<ConcurrencyTag>(tmesh1, vertex_sphere_map1, np1, tmesh2, vertex_sphere_map2, np2,
+                                                     run);
 }
 
 } // namespace CGAL::Spherical_parameterization

@@ -15,14 +15,9 @@
 #include <CGAL/license/Spherical_parameterization.h>
 
 #include <CGAL/Spherical_parameterization/Error_code.h>
-#include <CGAL/Spherical_parameterization/Surface_maps/internal/Mesh_pair.h>
 #include <CGAL/Spherical_parameterization/Surface_maps/internal/overlay/overlay_surfaces.h>
+#include <CGAL/Spherical_parameterization/Surface_maps/internal/read_two_surfaces.h>
 #include <CGAL/Spherical_parameterization/Surface_maps/split_blocking_edges.h>
-#include <CGAL/Spherical_parameterization/internal/execution/Run_control.h>
-#include <CGAL/Spherical_parameterization/internal/execution/parallel.h>
-#include <CGAL/Spherical_parameterization/internal/run/Mesh_on_sphere.h>
-#include <CGAL/Spherical_parameterization/internal/run/check_run.h>
-#include <CGAL/Spherical_parameterization/internal/surface/read_mesh.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/tags.h>
@@ -104,25 +99,17 @@ Error_code split_bent_faces(TriangleMesh1& tmesh1, VertexDirectionMap vertex_dir
                             const CGAL_NP_CLASS_2& np2 = parameters::default_values())
 {
   split_edges.clear();
-  if constexpr(internal::check_two_spheres<TriangleMesh1, VertexDirectionMap, TriangleMesh2, VertexSphereMap2>() &&
-               internal::check_run_parameters<TriangleMesh1, CGAL_NP_CLASS_1>() &&
-               internal::check_vertex_point_map<TriangleMesh2, CGAL_NP_CLASS_2>())
-  {
-    internal::Visitor_control<CGAL_NP_CLASS_1> control(np1);
-    const internal::Execution execution = internal::execution_of<ConcurrencyTag>();
-    internal::Mesh_pair<TriangleMesh1, VertexDirectionMap, TriangleMesh2, VertexSphereMap2> meshes;
-    if(const Error_code error =
-           meshes.read(tmesh1, vertex_direction_map, np1, tmesh2, vertex_sphere_map2, np2, execution))
-      return error;
+  const auto run = [&](auto& first, auto& second, internal::Run_control& control,
+                       const internal::Execution& execution) -> Error_code {
     std::vector<std::size_t> sides;
     if(const Error_code error =
-           internal::find_bent_sides(internal::surface_of(meshes.first), internal::surface_of(meshes.second),
+           internal::find_bent_sides(internal::surface_of(first), internal::surface_of(second),
                                      internal::maximum_number_of(np1), max_edges, sides, control, execution))
       return error;
     std::vector<typename boost::graph_traits<TriangleMesh1>::halfedge_descriptor> chosen;
     for(const std::size_t side : sides) // that is opposite to a vertex, of which the first one is the source of h
     {
-      const auto h = halfedge(meshes.first.faces_of_mesh[side / 3], tmesh1);
+      const auto h = halfedge(first.faces_of_mesh[side / 3], tmesh1);
       chosen.push_back(side % 3 == 0 ? next(h, tmesh1) : side % 3 == 1 ? prev(h, tmesh1) : h);
     }
     const auto points = internal::vertex_point_map_of(tmesh1, np1);
@@ -131,9 +118,9 @@ Error_code split_bent_faces(TriangleMesh1& tmesh1, VertexDirectionMap vertex_dir
          internal::split_edge_on_sphere(h, tmesh1, points, vertex_direction_map, split))
         split_edges.push_back(split);
     return OK;
-  }
-  else
-    return ERROR_WRONG_PARAMETER;
+  };
+  return internal::with_two_surfaces<ConcurrencyTag>(tmesh1, vertex_direction_map, np1, tmesh2, vertex_sphere_map2, np2,
+                                                     run);
 }
 
 } // namespace CGAL::Spherical_parameterization

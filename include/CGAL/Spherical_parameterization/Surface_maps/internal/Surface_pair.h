@@ -15,23 +15,12 @@
 #include <CGAL/license/Spherical_parameterization.h>
 
 #include <CGAL/Spherical_parameterization/Error_code.h>
-#include <CGAL/Spherical_parameterization/Surface_maps/internal/Sphere_mesh.h>
 #include <CGAL/Spherical_parameterization/Surface_maps/internal/Surface_map_settings.h>
-#include <CGAL/Spherical_parameterization/Surface_maps/internal/Surface_on_sphere.h>
 #include <CGAL/Spherical_parameterization/Surface_maps/internal/target/Target_metric.h>
 #include <CGAL/Spherical_parameterization/internal/execution/Run_control.h>
-#include <CGAL/Spherical_parameterization/internal/execution/parallel.h>
-#include <CGAL/Spherical_parameterization/internal/numbers/Vector_3.h>
 #include <CGAL/Spherical_parameterization/internal/surface/Surface.h>
 #include <CGAL/Spherical_parameterization/internal/surface/mesh_measures.h>
 #include <CGAL/Spherical_parameterization/internal/surface/vertex_scalars.h>
-
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <numeric>
-#include <utility>
-#include <vector>
 
 namespace CGAL::Spherical_parameterization::internal {
 
@@ -93,20 +82,6 @@ inline void prepare_features(const std::array<const Surface*, 2>& surfaces, Surf
 // Two surfaces of which the first one is mapped onto the second one, with what all stages of that need.
 struct Surface_pair
 {
-  // All have to last as long as this.
-  Surface_pair(const Located_surface& first_surface, const Located_surface& second_surface,
-               const Surface_map_settings& known, Run_control& run_control, const Execution& loops)
-    : first(first_surface)
-    , second(second_surface)
-    , settings(known)
-    , control(run_control)
-    , execution(loops)
-    , metric(second.sphere, second.points, execution)
-  {
-    for(const auto& [v, w] : settings.landmarks)
-      landmarks.emplace_back(first.sphere.direction(v), second.sphere.direction(w));
-  }
-
   const Located_surface &first, &second;
   const Surface_map_settings& settings;
   Run_control& control;

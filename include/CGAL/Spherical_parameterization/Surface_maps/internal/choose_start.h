@@ -14,20 +14,9 @@
 
 #include <CGAL/license/Spherical_parameterization.h>
 
-#include <CGAL/Spherical_parameterization/Surface_maps/internal/Sphere_mesh.h>
 #include <CGAL/Spherical_parameterization/Surface_maps/internal/Surface_levels.h>
 #include <CGAL/Spherical_parameterization/Surface_maps/internal/Surface_pair.h>
-#include <CGAL/Spherical_parameterization/Surface_maps/internal/alignment/Alignment_descent.h>
-#include <CGAL/Spherical_parameterization/Surface_maps/internal/alignment/Coarse_pair.h>
-#include <CGAL/Spherical_parameterization/Surface_maps/internal/alignment/Surface_descriptor.h>
 #include <CGAL/Spherical_parameterization/Surface_maps/internal/alignment/best_alignments.h>
-#include <CGAL/Spherical_parameterization/internal/numbers/Rotation_matrix.h>
-
-#include <cstddef>
-#include <memory>
-#include <optional>
-#include <utility>
-#include <vector>
 
 namespace CGAL::Spherical_parameterization::internal {
 

@@ -22,9 +22,6 @@
 #include <CGAL/Spherical_parameterization/internal/execution/Run_control.h>
 #include <CGAL/Spherical_parameterization/internal/execution/parallel.h>
 #include <CGAL/Spherical_parameterization/internal/library.h>
-#include <CGAL/Spherical_parameterization/internal/numbers/Vector_3.h>
-
-#include <vector>
 
 namespace CGAL::Spherical_parameterization::internal {
 

@@ -14,24 +14,9 @@
 
 #include <CGAL/license/Spherical_parameterization.h>
 
-#include <CGAL/Spherical_parameterization/Surface_maps/internal/Surface_pair.h>
-#include <CGAL/Spherical_parameterization/Surface_maps/internal/Sphere_mesh.h>
-#include <CGAL/Spherical_parameterization/Surface_maps/internal/Surface_levels.h>
-#include <CGAL/Spherical_parameterization/Surface_maps/internal/alignment/Coarse_pair.h>
-#include <CGAL/Spherical_parameterization/Surface_maps/internal/alignment/Surface_descriptor.h>
-#include <CGAL/Spherical_parameterization/Surface_maps/internal/choose_start.h>
 #include <CGAL/Spherical_parameterization/Surface_maps/internal/find_surface_map.h>
 #include <CGAL/Spherical_parameterization/Surface_maps/internal/measure_map.h>
 #include <CGAL/Spherical_parameterization/Surface_maps/internal/refine_start.h>
-#include <CGAL/Spherical_parameterization/internal/numbers/Rotation_matrix.h>
-#include <CGAL/Spherical_parameterization/internal/surface/Surface.h>
-#include <CGAL/Spherical_parameterization/internal/surface/mesh_measures.h>
-#include <CGAL/Spherical_parameterization/internal/surface/vertex_scalars.h>
-
-#include <array>
-#include <cstddef>
-#include <optional>
-#include <utility>
 
 namespace CGAL::Spherical_parameterization::internal {
 
@@ -51,7 +36,9 @@ Error_code find_surface_map(Surface_on_sphere first_surface, Surface_on_sphere s
   report.seconds_for_reading = control.lap();
   prepare_features({&first.mesh, &second.mesh}, settings);
   control.on_initialization_begin(first.points.size());
-  const Surface_pair pair(first, second, settings, control, execution);
+  Surface_pair pair = {first, second, settings, control, execution, {second.sphere, second.points, execution}, {}};
+  for(const auto& [v, w] : settings.landmarks)
+    pair.landmarks.emplace_back(first.sphere.direction(v), second.sphere.direction(w));
 
   // Propose and choose.
   Surface_start start = choose_start(pair);

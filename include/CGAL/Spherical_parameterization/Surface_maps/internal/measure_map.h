@@ -14,26 +14,11 @@
 
 #include <CGAL/license/Spherical_parameterization.h>
 
-#include <CGAL/Spherical_parameterization/Error_code.h>
-#include <CGAL/Spherical_parameterization/Surface_maps/Distortion_between.h>
 #include <CGAL/Spherical_parameterization/Surface_maps/internal/Surface_pair.h>
-#include <CGAL/Spherical_parameterization/Surface_maps/internal/Sphere_mesh.h>
 #include <CGAL/Spherical_parameterization/Surface_maps/internal/overlay/overlay_surfaces.h>
 #include <CGAL/Spherical_parameterization/Surface_maps/internal/overlay/refine_in_common.h>
 #include <CGAL/Spherical_parameterization/internal/certificate/Bijectivity_certificate.h>
-#include <CGAL/Spherical_parameterization/internal/execution/Run_control.h>
-#include <CGAL/Spherical_parameterization/internal/execution/parallel.h>
 #include <CGAL/Spherical_parameterization/internal/measuring/distortion.h>
-#include <CGAL/Spherical_parameterization/internal/numbers/Vector_3.h>
-#include <CGAL/Spherical_parameterization/internal/surface/Linked_triangle.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <limits>
-#include <optional>
-#include <vector>
 
 namespace CGAL::Spherical_parameterization::internal {
 

@@ -14,30 +14,7 @@
 
 #include <CGAL/license/Spherical_parameterization.h>
 
-#include <CGAL/Spherical_parameterization/Surface_maps/internal/Surface_pair.h>
-#include <CGAL/Spherical_parameterization/Surface_maps/internal/Sphere_mesh.h>
-#include <CGAL/Spherical_parameterization/Surface_maps/internal/alignment/Alignment_descent.h>
 #include <CGAL/Spherical_parameterization/Surface_maps/internal/choose_start.h>
-#include <CGAL/Spherical_parameterization/Surface_maps/internal/target/Sphere_image.h>
-#include <CGAL/Spherical_parameterization/Surface_maps/internal/target/Target_levels.h>
-#include <CGAL/Spherical_parameterization/Surface_maps/internal/target/Target_sphere.h>
-#include <CGAL/Spherical_parameterization/internal/execution/parallel.h>
-#include <CGAL/Spherical_parameterization/internal/numbers/Rotation_matrix.h>
-#include <CGAL/Spherical_parameterization/internal/numbers/Vector_3.h>
-#include <CGAL/Spherical_parameterization/internal/surface/Surface_diffusion.h>
-#include <CGAL/Spherical_parameterization/internal/surface/mesh_measures.h>
-#include <CGAL/Spherical_parameterization/internal/surface/vertex_scalars.h>
-
-#include <CGAL/number_type_config.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <numeric>
-#include <optional>
-#include <utility>
-#include <vector>
 
 namespace CGAL::Spherical_parameterization::internal {
 

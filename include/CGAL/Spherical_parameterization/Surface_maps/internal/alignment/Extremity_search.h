@@ -14,29 +14,14 @@
 
 #include <CGAL/license/Spherical_parameterization.h>
 
-#include <CGAL/Spherical_parameterization/Surface_maps/internal/alignment/Surface_descriptor.h>
-#include <CGAL/Spherical_parameterization/internal/numbers/Rotation_matrix.h>
-#include <CGAL/Spherical_parameterization/internal/numbers/Vector_3.h>
-
-#include <CGAL/number_type_config.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <cstdint>
-#include <optional>
-#include <utility>
-#include <vector>
+#include <CGAL/Spherical_parameterization/Surface_maps/internal/alignment/Rotation_search.h>
 
 namespace CGAL::Spherical_parameterization::internal {
 
-// Extremities of two surfaces that are taken for each other, by their numbers, and the rotation that brings their ends together.
-struct Extremity_matching
+// Extremities of two surfaces that may correspond, by their numbers, and the rotation that brings their tips together.
+struct Extremity_matching : Scored_rotation
 {
   std::vector<std::array<std::uint32_t, 2>> pairs;
-  Rotation_matrix rotation;
-  double score; // of the distances, the more the better
 };
 
 // Searches for the extremities of two surfaces that may be the same: no pose changes how far their ends are from each other on the
@@ -69,8 +54,8 @@ public:
     constexpr std::size_t max_fitted = 2000;
     m_found.clear();
     extend(0, 0., 0);
-    const auto is_better = [](const Extremity_matching& a, const Extremity_matching& b) { return a.score > b.score; };
-    std::stable_sort(m_found.begin(), m_found.end(), is_better);
+    std::stable_sort(m_found.begin(), m_found.end(),
+                     [](const Extremity_matching& a, const Extremity_matching& b) { return a.score > b.score; });
     m_found.resize((std::min)(m_found.size(), max_fitted));
     for(Extremity_matching& matching : m_found)
     {
@@ -85,15 +70,10 @@ public:
       matching.score *= (std::max)(sum_of_cosines / static_cast<double>(ends.size()), 0.);
       matching.rotation = rotation.value_or(rotation_matrix({1., 0., 0., 0.}));
     }
-    std::stable_sort(m_found.begin(), m_found.end(), is_better);
-    std::vector<Extremity_matching> result;
-    for(const Extremity_matching& matching : m_found)
-      if(result.size() < n && matching.score > 0. &&
-         std::all_of(result.begin(), result.end(), [&](const Extremity_matching& other) {
-           return angle_between(matching.rotation, other.rotation) >= min_angle;
-         }))
-        result.push_back(matching);
-    return result;
+    m_found.erase(std::remove_if(m_found.begin(), m_found.end(),
+                                 [](const Extremity_matching& matching) { return !(matching.score > 0.); }),
+                  m_found.end());
+    return best_rotations(std::move(m_found), n, min_angle);
   }
 
 private:
@@ -118,7 +98,7 @@ private:
     {
       if(n_pairs < min_pairs)
         return;
-      m_found.push_back({{}, {}, score});
+      m_found.push_back({{{}, score}, {}});
       for(std::uint32_t k = 0; k < i; ++k)
         if(m_partners[k] != none)
           m_found.back().pairs.push_back({k, m_partners[k]});

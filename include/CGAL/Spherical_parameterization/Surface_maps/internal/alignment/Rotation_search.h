@@ -15,34 +15,32 @@
 #include <CGAL/license/Spherical_parameterization.h>
 
 #include <CGAL/Spherical_parameterization/Sampling/internal/Subdivided_solid.h>
-#include <CGAL/Spherical_parameterization/Surface_maps/internal/Sphere_mesh.h>
 #include <CGAL/Spherical_parameterization/Surface_maps/internal/alignment/Surface_descriptor.h>
 #include <CGAL/Spherical_parameterization/Surface_maps/internal/alignment/map_score.h>
-#include <CGAL/Spherical_parameterization/Surface_maps/internal/target/Sphere_image.h>
 #include <CGAL/Spherical_parameterization/internal/execution/Run_control.h>
-#include <CGAL/Spherical_parameterization/internal/execution/parallel.h>
-#include <CGAL/Spherical_parameterization/internal/numbers/Rotation_matrix.h>
-#include <CGAL/Spherical_parameterization/internal/numbers/Vector_3.h>
-
-#include <CGAL/number_type_config.h>
-
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
-#include <cstdint>
-#include <numeric>
-#include <optional>
-#include <utility>
-#include <vector>
 
 namespace CGAL::Spherical_parameterization::internal {
 
-// A rotation of one image of features against another one, and their correlation.
+// A rotation of the first sphere, and how well the surfaces agree by it, the more the better.
 struct Scored_rotation
 {
   Rotation_matrix rotation;
   double score;
 };
+
+// At most n rotations that are at least this angle apart, the best one first.
+template <class Rotation>
+std::vector<Rotation> best_rotations(std::vector<Rotation> found, std::size_t n, double min_angle)
+{
+  std::stable_sort(found.begin(), found.end(), [](const Rotation& a, const Rotation& b) { return a.score > b.score; });
+  std::vector<Rotation> result;
+  for(const Rotation& candidate : found)
+    if(result.size() < n && std::all_of(result.begin(), result.end(), [&](const Rotation& other) {
+         return angle_between(candidate.rotation, other.rotation) >= min_angle;
+       }))
+      result.push_back(candidate);
+  return result;
+}
 
 // Searches all rotations: those of a grid, and around the best of them.
 class Rotation_search
@@ -71,15 +69,7 @@ public:
     for(std::size_t k = 0; k < found.size() && control.go_further(0, 0.); k += batch_size)
       for_each_block(m_execution, k, (std::min)(k + batch_size, found.size()), 1,
                      [&](std::size_t i, std::size_t) { found[i] = refined(found[i].rotation); });
-    std::stable_sort(found.begin(), found.end(),
-                     [](const Scored_rotation& a, const Scored_rotation& b) { return a.score > b.score; });
-    std::vector<Scored_rotation> result;
-    for(const Scored_rotation& candidate : found)
-      if(result.size() < n && std::all_of(result.begin(), result.end(), [&](const Scored_rotation& other) {
-           return angle_between(candidate.rotation, other.rotation) >= min_angle;
-         }))
-        result.push_back(candidate);
-    return result;
+    return best_rotations(std::move(found), n, min_angle);
   }
 
 private:

@@ -18,22 +18,13 @@
 #include <CGAL/Spherical_parameterization/Surface_maps/internal/alignment/Surface_paths.h>
 #include <CGAL/Spherical_parameterization/internal/certificate/is_safely_positive.h>
 #include <CGAL/Spherical_parameterization/internal/hierarchy/Mesh_hierarchy.h>
-#include <CGAL/Spherical_parameterization/internal/numbers/Vector_3.h>
-#include <CGAL/Spherical_parameterization/internal/surface/Linked_triangle.h>
 #include <CGAL/Spherical_parameterization/internal/surface/Surface.h>
 #include <CGAL/Spherical_parameterization/internal/surface/Surface_diffusion.h>
 #include <CGAL/Spherical_parameterization/internal/surface/Vertex_rings.h>
-#include <CGAL/Spherical_parameterization/internal/surface/vertex_scalars.h>
+#include <CGAL/Spherical_parameterization/internal/surface/mesh_measures.h>
 
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
-#include <cstdint>
-#include <functional>
 #include <numeric>
 #include <tuple>
-#include <utility>
-#include <vector>
 
 namespace CGAL::Spherical_parameterization::internal {
 
@@ -61,13 +52,7 @@ public:
     Index_triangles triangles;
     m_rings.for_each_face([&](std::uint32_t a, std::uint32_t b, std::uint32_t c) { triangles.push_back({a, b, c}); });
     m_sphere.assign(points_of(m_directions), link_triangles(triangles, n));
-    m_areas.assign(n, 0.);
-    for(const Linked_triangle& t : m_sphere.triangles())
-    {
-      const double sixth = length(cross(m_points[t[1]] - m_points[t[0]], m_points[t[2]] - m_points[t[0]])) / 6.;
-      for(const std::uint32_t v : t.vertices)
-        m_areas[v] += sixth;
-    }
+    m_areas = vertex_areas(m_rings, m_points);
     const double area = std::accumulate(m_areas.begin(), m_areas.end(), 0.);
     const double scale = area > 0. ? 1. / std::sqrt(area) : 1.;
     for(std::size_t v = 0; v < n; ++v)

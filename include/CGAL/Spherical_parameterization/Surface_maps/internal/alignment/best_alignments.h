@@ -14,24 +14,8 @@
 
 #include <CGAL/license/Spherical_parameterization.h>
 
-#include <CGAL/Spherical_parameterization/Surface_maps/internal/Sphere_mesh.h>
 #include <CGAL/Spherical_parameterization/Surface_maps/internal/alignment/Alignment_descent.h>
-#include <CGAL/Spherical_parameterization/Surface_maps/internal/alignment/Coarse_pair.h>
 #include <CGAL/Spherical_parameterization/Surface_maps/internal/alignment/Extremity_search.h>
-#include <CGAL/Spherical_parameterization/Surface_maps/internal/alignment/Rotation_search.h>
-#include <CGAL/Spherical_parameterization/Surface_maps/internal/target/Target_metric.h>
-#include <CGAL/Spherical_parameterization/internal/execution/parallel.h>
-#include <CGAL/Spherical_parameterization/internal/numbers/Rotation_matrix.h>
-#include <CGAL/Spherical_parameterization/internal/numbers/Vector_3.h>
-#include <CGAL/Spherical_parameterization/internal/surface/vertex_scalars.h>
-
-#include <CGAL/number_type_config.h>
-
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
-#include <utility>
-#include <vector>
 
 // The first two stages of map_surface(): candidates are proposed, and chosen among on coarse surfaces. Spheres of poses of a
 // body differ by more than a rotation: extremities lean to one side here and to the other one there, as both are nearly as

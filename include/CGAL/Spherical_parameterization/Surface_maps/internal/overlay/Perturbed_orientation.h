@@ -20,7 +20,6 @@
 #include <CGAL/enum.h>
 #include <CGAL/number_utils.h>
 
-#include <array>
 #include <cstddef>
 
 namespace CGAL::Spherical_parameterization::internal {

@@ -20,13 +20,8 @@
 #include <CGAL/Spherical_parameterization/internal/execution/Run_control.h>
 #include <CGAL/Spherical_parameterization/internal/execution/parallel.h>
 #include <CGAL/Spherical_parameterization/internal/library.h>
-#include <CGAL/Spherical_parameterization/internal/numbers/Vector_3.h>
-#include <CGAL/Spherical_parameterization/internal/surface/Linked_triangle.h>
 
-#include <array>
-#include <cstddef>
 #include <optional>
-#include <vector>
 
 namespace CGAL::Spherical_parameterization::internal {
 

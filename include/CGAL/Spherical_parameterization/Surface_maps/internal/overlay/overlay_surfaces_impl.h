@@ -14,16 +14,10 @@
 
 #include <CGAL/license/Spherical_parameterization.h>
 
-#include <CGAL/Spherical_parameterization/Surface_maps/internal/Sphere_mesh.h>
 #include <CGAL/Spherical_parameterization/Surface_maps/internal/overlay/overlay_surfaces.h>
 #include <CGAL/Spherical_parameterization/Surface_maps/internal/overlay/refine_in_common.h>
 #include <CGAL/Spherical_parameterization/internal/measuring/distortion.h>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <limits>
 #include <utility>
 
 namespace CGAL::Spherical_parameterization::internal {

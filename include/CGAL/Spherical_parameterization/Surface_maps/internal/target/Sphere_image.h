@@ -17,13 +17,8 @@
 #include <CGAL/Spherical_parameterization/Surface_maps/internal/Sphere_mesh.h>
 #include <CGAL/Spherical_parameterization/internal/execution/parallel.h>
 #include <CGAL/Spherical_parameterization/internal/locate/Cube_location.h>
-#include <CGAL/Spherical_parameterization/internal/numbers/Vector_3.h>
 
-#include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstddef>
-#include <vector>
 
 namespace CGAL::Spherical_parameterization::internal {
 

@@ -14,22 +14,12 @@
 
 #include <CGAL/license/Spherical_parameterization.h>
 
-#include <CGAL/Spherical_parameterization/Surface_maps/internal/target/Sphere_image.h>
-#include <CGAL/Spherical_parameterization/Surface_maps/internal/target/Target_metric.h>
 #include <CGAL/Spherical_parameterization/Surface_maps/internal/target/Target_star.h>
 #include <CGAL/Spherical_parameterization/internal/descent/Face_energy.h>
-#include <CGAL/Spherical_parameterization/internal/descent/Star_packets.h>
 #include <CGAL/Spherical_parameterization/internal/descent/Vertex_step.h>
-#include <CGAL/Spherical_parameterization/internal/numbers/Vector_3.h>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <cstdint>
 #include <optional>
 #include <tuple>
-#include <vector>
 
 namespace CGAL::Spherical_parameterization::internal {
 

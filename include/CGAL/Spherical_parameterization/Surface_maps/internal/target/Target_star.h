@@ -15,19 +15,12 @@
 #include <CGAL/license/Spherical_parameterization.h>
 
 #include <CGAL/Spherical_parameterization/Energy_derivatives_3.h>
-#include <CGAL/Spherical_parameterization/Surface_maps/internal/target/Sphere_image.h>
 #include <CGAL/Spherical_parameterization/Surface_maps/internal/target/Target_metric.h>
 #include <CGAL/Spherical_parameterization/internal/certificate/is_safely_positive.h>
 #include <CGAL/Spherical_parameterization/internal/descent/Star_packets.h>
-#include <CGAL/Spherical_parameterization/internal/numbers/Vector_3.h>
 #include <CGAL/Spherical_parameterization/internal/surface/Rest_triangle.h>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
 #include <limits>
-#include <vector>
 
 namespace CGAL::Spherical_parameterization::internal {
 
