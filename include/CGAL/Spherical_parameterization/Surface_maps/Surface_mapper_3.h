@@ -134,7 +134,8 @@ public:
       return ERROR_WRONG_PARAMETER;
     const auto run = [&](auto& first, auto& second, internal::Run_control& control,
                          const internal::Execution& execution) -> Error_code {
-      const auto &vertices1 = first.vertices_of_mesh, &vertices2 = second.vertices_of_mesh;
+      const auto& vertices1 = first.vertices_of_mesh;
+      const auto& vertices2 = second.vertices_of_mesh;
       internal::Surface_map_settings settings = m_settings;
       if(!internal::read_landmarks<0>(m_landmarks, vertices1, settings.landmarks) ||
          !internal::read_landmarks<1>(m_landmarks, vertices2, settings.landmarks))
