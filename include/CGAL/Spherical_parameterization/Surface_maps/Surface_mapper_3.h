@@ -59,7 +59,7 @@ public:
   /// @{
 
   /// sets vertices that correspond. They lead the alignment of the surfaces together with features, and choose among what is found. If
-  /// features agree by less than 0.5 in the end, and there are two or more in different directions, these alone turn the spheres.
+  /// features agree by less than 0.5 in the end, and there are two or more in different directions, these alone rotate the spheres.
   [[nodiscard]] Surface_mapper_3 landmarks(std::vector<Landmark> landmarks) const
   {
     return with([&](Surface_mapper_3& mapper) { mapper.m_landmarks = std::move(landmarks); });
@@ -96,7 +96,7 @@ public:
   }
 
   /// sets where the surfaces count. At other vertices, such as those that holes have been filled with, or of the medial wall of a
-  /// cortex, features are not compared, and ends of extremities are not looked for; what features have there on the second surface
+  /// cortex, features are not compared, and tips of extremities are not looked for; what features have there on the second surface
   /// is continued from around it. The map is a bijection there as well, of low distortion.
   [[nodiscard]] Surface_mapper_3 masks(Masks masks) const
   {
@@ -111,7 +111,7 @@ public:
     return with([&](Surface_mapper_3& mapper) { mapper.m_settings.feature_weight = weight; });
   }
 
-  /// takes the spheres as they lie on each other, if `keeps_alignment` is `true`, and goes on from there: with what `map_surface()`
+  /// keeps the rotations of both spheres, if `keeps_alignment` is `true`, and goes on from there: with what `map_surface()`
   /// has found as the map of the first surface, and perhaps after `split_bent_faces()`. Only the finest level is swept, unless
   /// hard landmarks have to be moved. Features of the package, which align the spheres, are left out.
   [[nodiscard]] Surface_mapper_3 keep_alignment(bool keeps_alignment = true) const

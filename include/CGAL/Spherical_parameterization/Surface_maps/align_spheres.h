@@ -35,10 +35,10 @@ namespace CGAL::Spherical_parameterization {
 /// \ingroup PkgSphericalParameterizationSurfaces
 ///
 /// finds the rotations that bring the sphere of one surface onto that of another one such that the surfaces agree best, among
-/// all rotations and without a start. What is compared are features of the surfaces that do not depend on how they lie in
-/// space, and little on their pose: how much the maps change areas; the average geodesic distance of a place from all others
-/// \cgalCite{cgal:hskk-tmfase-01}; and the mean curvature, with its sign, at two scales, which tells front from back where a
-/// half turn would exchange both sides of a body. Instead, the caller may give any features.
+/// all rotations and without a start. Compared are features of the surfaces that do not depend on rotations, and little on
+/// the pose: how much the maps change areas; the average geodesic distance of a point from all others
+/// \cgalCite{cgal:hskk-tmfase-01}; and the mean curvature, with its sign, at two scales, which distinguishes front
+/// from back where a half-turn would exchange both. Instead, the caller may give any features.
 ///
 /// Both surfaces are simplified to at most 2000 vertices. Only the order of the values of a feature counts, so that scales and
 /// outliers do not matter. The score of a rotation is the correlation of all features, evenly over the sphere. 12,000
@@ -62,7 +62,7 @@ namespace CGAL::Spherical_parameterization {
 ///
 /// \param tmesh1,tmesh2 the first surface and the second one
 /// \param vertex_sphere_map1,vertex_sphere_map2 the images of their vertices, at any distance from the origin
-/// \param features what is to be compared; if there are none, the features of the package are
+/// \param features the features to compare; if there are none, the features of the package are
 /// \param alignment receives the rotations of the first sphere
 /// \param np1,np2 optional sequences of \ref bgl_namedparameters "Named Parameters" among the ones listed below; of
 ///        `np2`, only `vertex_point_map` is used
@@ -85,7 +85,7 @@ namespace CGAL::Spherical_parameterization {
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
-/// \return `OK`; what is wrong with the first mesh, or else the second one, see `find_defect()`, or with its map:
+/// \return `OK`; the defect of the first mesh, or else of the second one, see `find_defect()`, or with its map:
 ///         `ERROR_NO_1_TO_1_MAPPING` if that is no bijection, and `ERROR_INSUFFICIENT_PRECISION` if it is none any more once unit
 ///         vectors have been rounded to doubles; `ERROR_NON_FINITE_COORDINATE` if a point is not finite; or
 ///         `ERROR_WRONG_PARAMETER` if the value of a feature is not. The alignment is as it was then.

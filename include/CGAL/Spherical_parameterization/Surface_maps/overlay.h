@@ -45,7 +45,7 @@ struct Surface_overlay_3
   /// Type of the points
   using Point_3 = Exact_predicates_inexact_constructions_kernel::Point_3;
 
-  /// For each vertex, its places on the first surface and on the second one
+  /// For each vertex, the corresponding points of the first surface and of the second one
   std::vector<std::array<Point_3, 2>> points;
 
   /// The vertices of each triangle, counterclockwise as seen from outside
@@ -64,7 +64,7 @@ struct Surface_overlay_3
 /// face of each. The map is projective between the two faces of a cell; on each of the triangles that it is divided into, it
 /// is taken as affine. Such refinements were introduced for morphing \cgalCite{cgal:kcp-stpo-92}, \cgalCite{cgal:a-mpssf-00}.
 ///
-/// The connectivity is exact: the places of vertices in the faces of the other mesh, and which edges cross, are decided by
+/// The connectivity is exact: the faces of the other mesh that contain the vertices, and which edges cross, are decided by
 /// exact predicates on the points as they are in the maps. Ties, such as a vertex on an edge, or equal meshes, are broken as
 /// if the first sphere were moved by an infinitesimal linear map, a simulation of simplicity \cgalCite{cgal:em-sstcd-90};
 /// then triangles have no area, but are where they belong.
@@ -109,7 +109,7 @@ struct Surface_overlay_3
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
-/// \return `OK`; what is wrong with the first mesh, or else the second one, see `find_defect()`, or with its map:
+/// \return `OK`; the defect of the first mesh, or else of the second one, see `find_defect()`, or with its map:
 ///         `ERROR_NO_1_TO_1_MAPPING` if that is no bijection; `ERROR_TOO_LARGE_OVERLAY` if the refinement would have more
 ///         vertices than the bound; or `ERROR_STOPPED`. The result is as it was then.
 ///

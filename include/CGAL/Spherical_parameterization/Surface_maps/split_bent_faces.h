@@ -33,8 +33,8 @@ namespace CGAL::Spherical_parameterization {
 ///
 /// splits edges of a surface that `map_surface()` has mapped onto another one, where its faces are too large for what they cover
 /// there: the images of edges are straight, and a face can follow the other surface only as well as three corners can. For the
-/// faces that add most to the energy of the map, 0.3 of the sum together, it splits that edge whose image is longest. Their new vertices lie on the surface as it was. Call `map_surface()` again, which goes on from the map that there is,
-/// while that pays, or a few times:
+/// faces that add most to the energy of the map, 0.3 of the sum together, it splits that edge whose image is longest. Their new vertices lie on the surface as it was. Call
+/// `map_surface()` again, which goes on from the map that there is, while that pays, or a few times:
 ///
 /// \code{.cpp}
 /// std::vector<Split_edge<Mesh>> split_edges;

@@ -26,7 +26,7 @@
 
 namespace CGAL::Spherical_parameterization::internal {
 
-// What is known of two surfaces beside their shapes; see Surface_mapper_3.
+// The settings of Surface_mapper_3: all that is known of two surfaces beside their shapes.
 struct Surface_map_settings
 {
   std::optional<double> landmark_weight; // without it, they are to be met exactly

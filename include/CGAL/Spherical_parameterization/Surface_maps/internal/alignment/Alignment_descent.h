@@ -21,7 +21,7 @@
 
 namespace CGAL::Spherical_parameterization::internal {
 
-// A way in which two coarse surfaces, and their spheres, may correspond.
+// A correspondence of two coarse surfaces, and of their spheres.
 struct Alignment
 {
   Rotation_matrix rotation = rotation_matrix({1., 0., 0., 0.});
@@ -31,7 +31,7 @@ struct Alignment
   double missed = 0.;                // how far that is, in units of the mean distance
 };
 
-// A start on its way.
+// A start during its descent.
 struct Alignment_start
 {
   Alignment alignment;
@@ -123,7 +123,7 @@ private:
   bool lower(Coarse_pair::Leads leads, double weight, std::vector<Vector_3d>& directions,
              const Execution& execution) const
   {
-    constexpr std::size_t min_size = 500; // the coarsest level once the large parts lie well
+    constexpr std::size_t min_size = 500; // the coarsest level once the large parts correspond
     Silent_control control;
     return lower_on_target(m_surfaces.first().rings(), m_surfaces.points(),
                            {m_metric, m_surfaces.goals(std::move(leads), weight)}, min_size, m_sweeps, directions,

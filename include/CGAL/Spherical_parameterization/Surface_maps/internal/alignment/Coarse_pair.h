@@ -104,7 +104,7 @@ public:
     return result;
   }
 
-  // Gets ready for what is below.
+  // Gets ready for leads_of() directions.
   void measure_distances()
   {
     in_parallel(2, [&](std::size_t k) { m_surfaces[k].measure_distances(); });

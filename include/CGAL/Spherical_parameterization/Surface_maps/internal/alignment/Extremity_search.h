@@ -24,8 +24,8 @@ struct Extremity_matching : Scored_rotation
   std::vector<std::array<std::uint32_t, 2>> pairs;
 };
 
-// Searches for the extremities of two surfaces that may be the same: no pose changes how far their ends are from each other on the
-// surface. Distances do not tell left from right, but then the ends lie on the spheres as in a mirror, and no rotation brings
+// Searches for extremities of two surfaces that may correspond: no pose changes the distances of their tips along the surface.
+// Distances do not distinguish left from right, but then the tips are on the spheres as in a mirror, and no rotation brings
 // them together.
 class Extremity_search
 {
@@ -50,7 +50,7 @@ public:
   {
     // Those that are nearer to each other end at the same map.
     constexpr double min_angle = CGAL_PI / 6.;
-    // For which rotations are fitted, a microsecond each. The right ones were among the first 100 on all pairs that were tried.
+    // For which rotations are fitted, a microsecond each. The right ones were among the first 100.
     constexpr std::size_t max_fitted = 2000;
     m_found.clear();
     extend(0, 0., 0);

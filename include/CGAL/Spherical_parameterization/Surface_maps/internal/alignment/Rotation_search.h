@@ -171,7 +171,7 @@ private:
   Scored_rotation refined(const Rotation_matrix& start) const
   {
     // In radians. The first one is most of the grid's spacing, 10 degrees: a larger one leaves the peak. Below few_angle, turns
-    // are finer than what a few directions tell. The last one that is tried is 0.2 degrees, a tenth of the spacing of the images.
+    // are finer than a few directions can resolve. The last one that is tried is 0.2 degrees, a tenth of the spacing of the images.
     constexpr double first_angle = 0.12, few_angle = 0.02, last_angle = 0.002;
     Scored_rotation result = {start, 0.};
     const Samples* samples = nullptr;

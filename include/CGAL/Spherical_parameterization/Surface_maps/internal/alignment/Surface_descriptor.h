@@ -29,8 +29,8 @@
 namespace CGAL::Spherical_parameterization::internal {
 
 // A surface as it is compared with another one: the coarsest level of a hierarchy, scaled to area 1, whose vertices are
-// spread over the surface, and not over its sphere, on which extremities are small. What is computed here changes little when the
-// surface is bent, and not at all when it is moved.
+// spread over the surface, and not over its sphere, on which extremities are small. All that is computed here changes little
+// when the surface is bent, and not at all when it is moved.
 class Surface_descriptor
 {
 public:
@@ -99,7 +99,7 @@ public:
     // The time of heat that goes 0.045, where the vertices are 0.024 apart, and twice as far. With less time, the
     // curvature is that of the sampling; with more, that of the whole body, and small features are lost.
     constexpr double fine = 0.002, coarse = 0.008;
-    // It tells front from back as nothing else does. As a goal of the descent, or in the search of rotations, it is to count no
+    // It distinguishes front from back as nothing else does. As a goal of the descent, or in the search of rotations, it is to count no
     // more than the others: its features are small, and the maps are led to the nearest of them.
     constexpr double weight_of_fine_curvature = 3.;
     add_ranks(k == 0   ? shrinking()
@@ -115,23 +115,23 @@ public:
     Vertex_scalars distances;
   };
 
-  // The ends of extremities. Those whose ends are farthest away: where the average distance is largest all around, and above the mean.
+  // The tips of extremities: where the average distance is largest all around, and above the mean.
   std::vector<Origin> extremities()
   {
-    // Between two ends, in units of the mean distance, which is about a half of the root of the area. With a smaller one, an
-    // end that is blunt counts twice; with a larger one, an extremity beside a longer one goes without an end.
+    // Between two tips, in units of the mean distance, which is about a half of the root of the area. With a smaller one, a
+    // blunt tip counts twice; with a larger one, an extremity beside a longer one goes without a tip.
     constexpr double min_distance = 0.45;
     const Vertex_scalars& average = average_distance();
-    std::vector<std::uint32_t> ends;
+    std::vector<std::uint32_t> tips;
     for(std::uint32_t v = 0; v < size(); ++v)
       if(const auto& ring = m_rings.ring(v);
          average[v] > 1. && counts(v) &&
          std::all_of(ring.begin(), ring.end(), [&](std::uint32_t w) { return average[w] <= average[v]; }))
-        ends.push_back(v);
-    std::stable_sort(ends.begin(), ends.end(),
+        tips.push_back(v);
+    std::stable_sort(tips.begin(), tips.end(),
                      [&](std::uint32_t v, std::uint32_t w) { return average[v] > average[w]; });
     std::vector<Origin> result;
-    for(const std::uint32_t v : ends)
+    for(const std::uint32_t v : tips)
       if(std::all_of(result.begin(), result.end(),
                      [&](const Origin& extremity) { return extremity.distances[v] > min_distance; }))
       {
@@ -141,7 +141,7 @@ public:
     return result;
   }
 
-  // Gets ready for what is below, unless extremities() has.
+  // Gets ready for the functions below, unless extremities() has.
   void measure_distances() { static_cast<void>(average_distance()); }
 
   // Vertices that are spread over the surface, each as far as possible from those before.

@@ -18,8 +18,7 @@
 #include <CGAL/Spherical_parameterization/Surface_maps/internal/alignment/Extremity_search.h>
 
 // The first two stages of map_surface(): candidates are proposed, and chosen among on coarse surfaces. Spheres of poses of a
-// body differ by more than a rotation: extremities lean to one side here and to the other one there, as both are nearly as
-// good. So many starts are taken to their end, and the outcome decides.
+// body differ by more than a rotation: extremities lean to one side or to the other, as both are nearly as good. So many starts are taken to their end, and the outcome decides.
 
 namespace CGAL::Spherical_parameterization::internal {
 
@@ -96,9 +95,9 @@ inline std::vector<Alignment> best_alignments(Coarse_pair& surfaces, const Targe
   // Copies of a surface with rotated copies of its sphere have a score of nearly 1, poses of a body less. If it is larger,
   // copies are bent, to 1.3 degrees from each other where the rotation leaves 0.2; if it is smaller, poses are not bent.
   constexpr double min_score_of_same_shape = 0.97;
-  // Different alignments are farther apart, in the mean. On the way, which of two near ones is better is not clear yet, unless
-  // they are the same.
-  constexpr double min_angle = CGAL_PI / 9., min_angle_on_the_way = CGAL_PI / 36.;
+  // Different alignments are farther apart, in the mean. Before the end of the descent, it is not clear which of two near ones
+  // is better, unless they are the same.
+  constexpr double min_angle = CGAL_PI / 9., min_angle_at_first = CGAL_PI / 36.;
   constexpr std::size_t n_rotations = 4, n_carried_on = 5; // with fewer, a right one is lost now and then
   std::vector<Alignment> result;
   for(const Scored_rotation& r : surfaces.best_rotations(n_rotations))
@@ -117,7 +116,7 @@ inline std::vector<Alignment> best_alignments(Coarse_pair& surfaces, const Targe
   const Vertex_scalars& areas = surfaces.first().areas();
   std::vector<Alignment_start> starts = propose(surfaces, result, descent);
   for_each_start(surfaces, starts, [&](Alignment_start& start) { descent.lead(true, start); });
-  keep_best(areas, min_angle_on_the_way, starts);
+  keep_best(areas, min_angle_at_first, starts);
   while(starts.size() > n_carried_on ||
         (!starts.empty() && starts.back().alignment.score < starts.front().alignment.score - max_lag_of_starts))
     starts.pop_back();

@@ -38,8 +38,8 @@ private:
   double m_ab = 0., m_aa = 0., m_bb = 0.;
 };
 
-// The correlation over the first surface between its features and those of what its vertices lie on, each with a weight if there
-// are any.
+// The correlation over the first surface between its features and those of the corresponding points, each with a weight if
+// there are any.
 inline double feature_agreement(const Feature_goals& features, const Mesh_hierarchy::Level& level,
                                 const std::vector<Vector_3d>& directions, const std::vector<double>& weights = {})
 {

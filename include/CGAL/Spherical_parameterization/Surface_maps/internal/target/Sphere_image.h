@@ -22,7 +22,7 @@
 
 namespace CGAL::Spherical_parameterization::internal {
 
-// What is interpolated between the corners of a square, (0, 0), (0, 1), (1, 0) and (1, 1), and how it changes along both sides.
+// The bilinear interpolation between the corners of a square, (0, 0), (0, 1), (1, 0) and (1, 1), and its slopes.
 template <class T>
 struct Bilinear
 {

@@ -137,7 +137,7 @@ private:
     std::vector<Texel> texels;
   };
 
-  // In each lane there are other texels; what is done with their four numbers is done at once.
+  // In each lane there are other texels, whose four numbers are processed at once.
   using Numbers = Four_lanes;
   template <class FT>
   using Numbers_of_lanes = std::array<std::array<double, 4>, Lanes<FT>::width>;
