@@ -10,7 +10,14 @@
 #include <CGAL/Spherical_parameterization/Surface_maps/Surface_mapper_3.h>
 #include <CGAL/Spherical_parameterization/Surface_maps/align_spheres.h>
 #include <CGAL/Spherical_parameterization/Cortex/fit_rotation_to_surface.h>
+#include <CGAL/Spherical_parameterization/Surface_maps/internal/Surface_levels.h>
+#include <CGAL/Spherical_parameterization/Surface_maps/internal/Surface_pair.h>
+#include <CGAL/Spherical_parameterization/Surface_maps/internal/alignment/Alignment_descent.h>
+#include <CGAL/Spherical_parameterization/Surface_maps/internal/alignment/Coarse_pair.h>
 #include <CGAL/Spherical_parameterization/Surface_maps/internal/alignment/Extremity_search.h>
+#include <CGAL/Spherical_parameterization/Surface_maps/internal/alignment/best_alignments.h>
+#include <CGAL/Spherical_parameterization/Surface_maps/internal/read_two_surfaces.h>
+#include <CGAL/Spherical_parameterization/Sphere_locator_3.h>
 #include <CGAL/Spherical_parameterization/is_bijective.h>
 #include <CGAL/Spherical_parameterization/Surface_maps/map_surface.h>
 #include <CGAL/Spherical_parameterization/Cortex/compute_sulcal_measures.h>
@@ -22,7 +29,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <limits>
 #include <optional>
 #include <utility>
@@ -229,27 +235,24 @@ const Arms straight_arms = {
     {{1., 0., 0.}, {0., 1., 0.}, {-0.6, -0.8, 0.}, {0., 0.6, -0.8}, {0.6, -0.64, -0.48}}, {3.2, 2., 2.6, 1.6, 4.}, 0.};
 const Arms bent_arms = {straight_arms.directions, straight_arms.lengths, 0.35};
 
-template <class Result>
-Result with_levels(const Mapped_mesh& mesh, const std::vector<std::vector<double>>& features,
-                   const std::function<Result(SP::internal::Surface_descriptor&&)>& f)
+void locate(const Mapped_mesh& mesh, SP::internal::Located_surface& surface)
 {
-  using Arrays = SP::internal::Mesh_on_sphere<Mesh, Mesh::Property_map<Vertex_index, Point_3>>;
-  Arrays arrays;
-  Recording_control control;
+  SP::internal::Mesh_on_sphere<Mesh, Mesh::Property_map<Vertex_index, Point_3>> arrays;
   EXPECT_EQ(arrays.read_with_points(mesh.mesh, mesh.sphere, mesh.mesh.points(), {}), SP::OK);
-  SP::internal::Located_surface<Arrays::Exact_kernel> surface;
-  EXPECT_EQ(SP::internal::locate_surface(arrays, surface), SP::OK);
-  const auto areas = SP::internal::vertex_areas(surface.mesh.rings(), surface.mesh.points());
-  std::vector<std::vector<double>> ranks;
-  for(const std::vector<double>& feature : features)
-    ranks.push_back(SP::internal::ranks_by_area(surface.mesh.in_own_order(feature), areas));
-  return f(SP::internal::Surface_levels(surface, control, {}).coarse_surface(ranks, {}));
+  EXPECT_EQ(surface.assign(SP::internal::surface_of(arrays)), SP::OK);
 }
 
 SP::internal::Surface_descriptor coarse(const Mapped_mesh& mesh, const std::vector<std::vector<double>>& features = {})
 {
-  return with_levels<SP::internal::Surface_descriptor>(
-      mesh, features, [](SP::internal::Surface_descriptor&& surface) { return std::move(surface); });
+  SP::internal::Located_surface surface;
+  locate(mesh, surface);
+  const auto areas = SP::internal::vertex_areas(surface.mesh.rings(), surface.mesh.points());
+  std::vector<std::vector<double>> ranks;
+  for(const std::vector<double>& feature : features)
+    ranks.push_back(SP::internal::ranks_by_area(surface.mesh.in_own_order(feature), areas));
+  Recording_control control;
+  return SP::internal::Surface_levels(surface.mesh, SP::internal::directions_of(surface.sphere), control, {})
+      .coarse_surface(ranks, {});
 }
 
 TEST(Surface_descriptor, has_the_ranks_of_features_by_area)
@@ -299,10 +302,10 @@ TEST(Extremities, are_found_on_the_ends_of_arms_and_matched_whatever_the_pose)
 {
   const Mapped_mesh a(icosphere(4), straight_arms, rotation(turns[0])), b(icosphere(4), bent_arms, rotation(turns[1]));
   SP::internal::Surface_descriptor first = coarse(a), second = coarse(b);
-  const auto limbs1 = first.extremities(), limbs2 = second.extremities();
-  ASSERT_EQ(limbs1.size(), 5u);
-  ASSERT_EQ(limbs2.size(), 5u);
-  SP::internal::Extremity_search search(limbs1, limbs2);
+  const auto tips1 = first.extremities(), tips2 = second.extremities();
+  ASSERT_EQ(tips1.size(), 5u);
+  ASSERT_EQ(tips2.size(), 5u);
+  SP::internal::Extremity_search search(tips1, tips2);
   const auto matchings = search.best(4, first.directions(), second.directions());
   ASSERT_FALSE(matchings.empty());
   EXPECT_EQ(matchings[0].pairs.size(), 5u);
@@ -410,7 +413,7 @@ TEST(Alignment, is_mended_by_distances_where_it_has_slid)
   const Mapped_mesh a(icosphere(4), straight_arms, rotation(turns[0])), b(icosphere(4), bent_arms, rotation(turns[1]));
   const std::vector<std::vector<double>> nothing(1, std::vector<double>(num_vertices(a.mesh), 0.));
   Recording_control control;
-  Surface_alignment surfaces(coarse(a, nothing), coarse(b, nothing), control, {});
+  Coarse_pair surfaces(coarse(a, nothing), coarse(b, nothing), control, {});
   const Surface_descriptor first = coarse(a), second = coarse(b);
   const Rotation_3 turn = rotation(turns[1]) * rotation(turns[0]).inverse();
   std::vector<Vector_3d> truth;
@@ -438,7 +441,8 @@ TEST(Alignment, is_mended_by_distances_where_it_has_slid)
   const Target_metric metric(second.sphere(), second.points(), {});
   ASSERT_TRUE(
       lower_on_target(first.rings(), points, {metric, {}}, 500, {20, 1e-3, 0.02}, by_energy_alone, control, {}));
-  surfaces.keep_distances(metric, directions);
+  surfaces.measure_distances();
+  Alignment_descent(surfaces, metric).keep_distances(directions);
   EXPECT_LT(error(directions), 0.5 * before);
   EXPECT_LT(error(directions), 0.7 * error(by_energy_alone));
 }
@@ -463,24 +467,17 @@ TEST(Alignment, of_arms_with_bodies_that_have_none_is_uncertain)
 TEST(Alignment, of_surfaces_stops_when_it_is_told_to)
 {
   const Mapped_mesh a(icosphere(3), straight_arms, rotation(turns[0])), b(icosphere(3), bent_arms, rotation(turns[1]));
-  using Arrays = SP::internal::Mesh_on_sphere<Mesh, Mesh::Property_map<Vertex_index, Point_3>>;
-  using Surface = SP::internal::Located_surface<Arrays::Exact_kernel>;
-  const auto read = [](const Mapped_mesh& mesh, Surface& surface) {
-    Arrays arrays;
-    EXPECT_EQ(arrays.read_with_points(mesh.mesh, mesh.sphere, mesh.mesh.points(), {}), SP::OK);
-    EXPECT_EQ(SP::internal::locate_surface(arrays, surface), SP::OK);
-  };
-  Surface first, second;
-  read(a, first);
-  read(b, second);
+  SP::internal::Located_surface first, second;
+  locate(a, first);
+  locate(b, second);
   const SP::internal::Target_metric metric(second.sphere, second.points, {});
   std::size_t n_questions = 0;
   for(const std::size_t max_questions : {1000u, 0u, 3u, 8u, 14u, 18u})
   {
     Recording_control control;
     control.max_questions = max_questions;
-    SP::internal::Surface_alignment surfaces(coarse(a), coarse(b), control, {});
-    const auto best = surfaces.best(metric, 4., first.sphere, second.sphere);
+    SP::internal::Coarse_pair surfaces(coarse(a), coarse(b), control, {});
+    const auto best = SP::internal::best_alignments(surfaces, metric, 4., first.sphere, second.sphere);
     ASSERT_FALSE(best.empty());
     EXPECT_EQ(control.is_stopped(), max_questions < 1000u);
     EXPECT_LE(control.number_of_questions, max_questions + 1);

@@ -9,7 +9,7 @@
 #include "test_meshes.h"
 
 #include <CGAL/Spherical_parameterization/Surface_maps/internal/alignment/Surface_descriptor.h>
-#include <CGAL/Spherical_parameterization/Surface_maps/internal/alignment/Sphere_image.h>
+#include <CGAL/Spherical_parameterization/Surface_maps/internal/target/Sphere_image.h>
 #include <CGAL/Spherical_parameterization/internal/certificate/is_safely_positive.h>
 #include <CGAL/Spherical_parameterization/internal/hierarchy/Mesh_hierarchy.h>
 #include <CGAL/Spherical_parameterization/internal/surface/Linked_triangle.h>
@@ -978,7 +978,7 @@ TEST(Map_surface, tells_what_is_wrong_with_the_first_surface)
   EXPECT_EQ(Match::make(a, b).error, SP::ERROR_NON_CLOSED_MESH);
 }
 
-SP::internal::Sphere_triangulation<Kernel> located(const Mapped_mesh& m, std::vector<Vector_3d>& points)
+SP::internal::Sphere_mesh located(const Mapped_mesh& m, std::vector<Vector_3d>& points)
 {
   std::vector<Point_3> images;
   std::vector<std::array<std::uint32_t, 3>> triangles;
@@ -994,14 +994,13 @@ SP::internal::Sphere_triangulation<Kernel> located(const Mapped_mesh& m, std::ve
     for(const Vertex_index v : CGAL::vertices_around_face(m.mesh.halfedge(f), m.mesh))
       triangles.back()[i++] = v;
   }
-  SP::internal::Sphere_triangulation<Kernel> result;
+  SP::internal::Sphere_mesh result;
   result.assign(images, SP::internal::link_triangles(triangles, images.size()));
   result.make_grid();
   return result;
 }
 
-SP::internal::Surface indexed(const SP::internal::Sphere_triangulation<Kernel>& images,
-                              const std::vector<Vector_3d>& points)
+SP::internal::Surface indexed(const SP::internal::Sphere_mesh& images, const std::vector<Vector_3d>& points)
 {
   SP::internal::Surface mesh;
   EXPECT_EQ(mesh.assign(points, images.triangles()), SP::OK);
@@ -1012,9 +1011,9 @@ SP::internal::Surface indexed(const SP::internal::Sphere_triangulation<Kernel>& 
 double squared_length_on(const SP::internal::Target_metric& metric, const Vector_3d& p, std::size_t level,
                          const Vector_3d& e)
 {
-  const SP::internal::Cube_location place = metric.place(p, level);
-  const auto flat = place.flattened(e);
-  return metric.at(place, level).product(flat, flat);
+  const SP::internal::Cube_location location = metric.locate(p, level);
+  const auto flat = location.flattened(e);
+  return metric.at(location, level).product(flat, flat);
 }
 
 // On a sphere that is mapped to itself, lengths and areas are what they are.
@@ -1033,8 +1032,8 @@ TEST(Target_metric, of_a_sphere_is_that_of_its_tangent_planes)
     for(const std::size_t n : {100u, 10000u})
     {
       const std::size_t level = metric.level_for(n);
-      const SP::internal::Cube_location place = metric.place(p, level);
-      EXPECT_NEAR(metric.at(place, level).area(), 1., 0.05);
+      const SP::internal::Cube_location location = metric.locate(p, level);
+      EXPECT_NEAR(metric.at(location, level).area(), 1., 0.05);
       EXPECT_NEAR(squared_length_on(metric, p, level, frame.vector_of(0.6, 0.8)), 1., 0.05);
       EXPECT_NEAR(squared_length_on(metric, p, level, p), 0., 1e-20); // what is along the direction does not count
     }
@@ -1059,7 +1058,7 @@ TEST(Target_metric, sees_the_lengths_of_images)
     const Tangent_frame frame(p);
     const auto place = [&](double x) {
       const Vector_3d q = p + x * frame.vector_of(0.6, 0.8);
-      Sphere_triangulation<Kernel>::Hint hint;
+      Sphere_mesh::Hint hint;
       return interpolated(points, images.triangles(), images.locate(Point_3(q[0], q[1], q[2]), hint));
     };
     constexpr double h = 1e-4;
@@ -1108,8 +1107,7 @@ std::vector<Vector_3d> directions_in(const SP::internal::Surface& mesh, const Tr
 }
 
 // Features of a sphere.
-SP::internal::Sphere_image features_of(
-    const SP::internal::Sphere_triangulation<SP::internal::Surface_descriptor::Kernel>& images)
+SP::internal::Sphere_image features_of(const SP::internal::Sphere_mesh& images)
 {
   std::vector<std::vector<double>> channels(2);
   for(std::size_t v = 0; v < images.points().size(); ++v)
@@ -1118,8 +1116,7 @@ SP::internal::Sphere_image features_of(
     channels[0].push_back(q[0] * q[1]);
     channels[1].push_back(q[2]);
   }
-  return SP::internal::Sphere_image(SP::internal::Sphere_image::places_of_nodes(images, {}), images.triangles(),
-                                    channels);
+  return SP::internal::Sphere_image(SP::internal::Sphere_image::locate_nodes(images, {}), images.triangles(), channels);
 }
 
 // The gradient is the derivative of the value, wherever the metric has one.

@@ -36,22 +36,22 @@ struct Surface_map_report
   /// The distortion of the map, as `measure_distortion_between()` has it; none if the energy has not been measured, or by samples
   std::optional<Distortion_between> distortion;
 
-  /// Whether it has been measured at places in each face instead, as the refinement has more vertices than `overlay()`
-  /// makes by default. That misses a part of what is near vertices: 5 to 15 percent of the energy where both were measured.
+  /// Whether it has been measured at samples in each face instead, as the refinement has more vertices than `overlay()`
+  /// makes by default. That misses a part of the energy near vertices: 5 to 15 percent of all where both were measured.
   bool is_energy_sampled = false;
 
   /// How well features agree after the surfaces have been aligned on coarse levels, a correlation, at most 1; 0 if landmarks
-  /// alone turned the spheres, as features did not agree
+  /// alone rotated the spheres, as features did not agree
   double agreement = 0.;
 
   /// How much better the best alignment of coarse surfaces is than the next best one that differs from it: in agreement, where
   /// curvature counts most, less a third of how much is stretched, the mean root of the logarithm of the symmetric Dirichlet
-  /// energy; 0.2 if no other one came that near on the way. Below 0.1, the surface has a symmetry, or nearly, and the map may have exchanged its sides, though both have been
-  /// compared on a finer level.
+  /// energy; 0.2 if no other one came that near. Below 0.1, the surface has a symmetry, or nearly, and the map may be a
+  /// half-turn off, though both have been compared on a finer level.
   double margin = 0.;
 
-  /// Whether it is not clear that the surfaces lie well on each other: they agree by less than 0.73, or the margin is below 0.1.
-  /// Look at the map, or give landmarks. It is never so if landmarks alone turned the spheres.
+  /// Whether the alignment is ambiguous: the surfaces agree by less than 0.73, or the margin is below 0.1.
+  /// Look at the map, or give landmarks. It is never so if landmarks alone rotated the spheres.
   bool is_uncertain = false;
 
   /// For each landmark, how far its image is from where it should be, in the unit of length of the second surface; 0 if
@@ -67,7 +67,7 @@ struct Surface_map_report
 
   std::size_t number_of_sweeps = 0;  ///< over levels of the first surface
   double seconds_for_reading = 0.;   ///< to read both surfaces, and to certify their maps
-  double seconds_for_alignment = 0.; ///< to find out how the surfaces lie on each other
+  double seconds_for_alignment = 0.; ///< to align the surfaces
   double seconds_for_descent = 0.;   ///< to lower the energy
   double seconds_for_overlay = 0.;   ///< to measure it, as a rule on the common refinement
 };

@@ -16,7 +16,9 @@
 
 #include <CGAL/Spherical_parameterization/Error_code.h>
 #include <CGAL/Spherical_parameterization/Surface_maps/Surface_map_report.h>
-#include <CGAL/Spherical_parameterization/Surface_maps/internal/run_surface_map.h>
+#include <CGAL/Spherical_parameterization/Surface_maps/internal/find_surface_map.h>
+#include <CGAL/Spherical_parameterization/Surface_maps/internal/read_two_surfaces.h>
+#include <CGAL/Spherical_parameterization/internal/run/write_map.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/tags.h>
@@ -24,7 +26,6 @@
 #include <boost/graph/graph_traits.hpp>
 
 #include <functional>
-#include <optional>
 #include <utility>
 #include <vector>
 
@@ -58,12 +59,10 @@ public:
   /// @{
 
   /// sets vertices that correspond. They lead the alignment of the surfaces together with features, and choose among what is found. If
-  /// features agree by less than 0.5 in the end, and there are two or more in different directions, these alone turn the spheres.
+  /// features agree by less than 0.5 in the end, and there are two or more in different directions, these alone rotate the spheres.
   [[nodiscard]] Surface_mapper_3 landmarks(std::vector<Landmark> landmarks) const
   {
-    Surface_mapper_3 result = *this;
-    result.m_landmarks = std::move(landmarks);
-    return result;
+    return with([&](Surface_mapper_3& mapper) { mapper.m_landmarks = std::move(landmarks); });
   }
 
   /// makes landmarks soft: the mean of their squared distances, on a sphere of radius 1, is added to the mean energy, times
@@ -71,27 +70,21 @@ public:
   /// not allow for it.
   [[nodiscard]] Surface_mapper_3 landmark_weight(double weight) const
   {
-    Surface_mapper_3 result = *this;
-    result.m_landmark_weight = weight;
-    return result;
+    return with([&](Surface_mapper_3& mapper) { mapper.m_settings.landmark_weight = weight; });
   }
 
   /// sets features of the surfaces that are to agree. Only the order of their values counts, unless `compare_values()` says
   /// otherwise. By default the package has its own.
   [[nodiscard]] Surface_mapper_3 features(std::vector<Feature> features) const
   {
-    Surface_mapper_3 result = *this;
-    result.m_features = std::move(features);
-    return result;
+    return with([&](Surface_mapper_3& mapper) { mapper.m_features = std::move(features); });
   }
 
   /// sets how much `features()` count beside each other by their `weights`, one for each, at least 0 and not all 0. By default all
   /// count the same.
   [[nodiscard]] Surface_mapper_3 feature_weights(std::vector<double> weights) const
   {
-    Surface_mapper_3 result = *this;
-    result.m_feature_weights = std::move(weights);
-    return result;
+    return with([&](Surface_mapper_3& mapper) { mapper.m_settings.feature_weights = std::move(weights); });
   }
 
   /// compares the values of `features()` and not their ranks, if `compares_values` is `true`: less the mean over both surfaces,
@@ -99,19 +92,15 @@ public:
   /// both, such as a thickness; ranks also suit what is on another scale on the other surface, or has outliers.
   [[nodiscard]] Surface_mapper_3 compare_values(bool compares_values = true) const
   {
-    Surface_mapper_3 result = *this;
-    result.m_compares_values = compares_values;
-    return result;
+    return with([&](Surface_mapper_3& mapper) { mapper.m_settings.compares_values = compares_values; });
   }
 
   /// sets where the surfaces count. At other vertices, such as those that holes have been filled with, or of the medial wall of a
-  /// cortex, features are not compared, and ends of extremities are not looked for; what features have there on the second surface
+  /// cortex, features are not compared, and tips of extremities are not looked for; what features have there on the second surface
   /// is continued from around it. The map is a bijection there as well, of low distortion.
   [[nodiscard]] Surface_mapper_3 masks(Masks masks) const
   {
-    Surface_mapper_3 result = *this;
-    result.m_masks = std::move(masks);
-    return result;
+    return with([&](Surface_mapper_3& mapper) { mapper.m_masks = std::move(masks); });
   }
 
   /// sets the weight of features once they have aligned the spheres, 4 by default: the mean of the squared differences of
@@ -119,19 +108,15 @@ public:
   /// the fourth power of their agreement as well. The `weight` is at least 0; with 0, features only align the spheres.
   [[nodiscard]] Surface_mapper_3 feature_weight(double weight) const
   {
-    Surface_mapper_3 result = *this;
-    result.m_feature_weight = weight;
-    return result;
+    return with([&](Surface_mapper_3& mapper) { mapper.m_settings.feature_weight = weight; });
   }
 
-  /// takes the spheres as they lie on each other, if `keeps_alignment` is `true`, and goes on from there: with what `map_surface()`
+  /// keeps the rotations of both spheres, if `keeps_alignment` is `true`, and goes on from there: with what `map_surface()`
   /// has found as the map of the first surface, and perhaps after `split_bent_faces()`. Only the finest level is swept, unless
   /// hard landmarks have to be moved. Features of the package, which align the spheres, are left out.
   [[nodiscard]] Surface_mapper_3 keep_alignment(bool keeps_alignment = true) const
   {
-    Surface_mapper_3 result = *this;
-    result.m_keeps_alignment = keeps_alignment;
-    return result;
+    return with([&](Surface_mapper_3& mapper) { mapper.m_settings.keeps_alignment = keeps_alignment; });
   }
 
   /// @}
@@ -145,25 +130,52 @@ public:
                          const CGAL_NP_CLASS_2& np2 = parameters::default_values())
   {
     m_report = Surface_map_report();
-    const internal::Surface_map_settings<Landmark, Feature, Masks> settings = {
-        m_landmarks,       m_landmark_weight, m_features, m_feature_weight,
-        m_feature_weights, m_compares_values, m_masks,    m_keeps_alignment};
-    return internal::run_surface_map<ConcurrencyTag>(tmesh1, vertex_sphere_map1, tmesh2, vertex_sphere_map2, settings,
-                                                     vertex_direction_map, m_report, np1, np2);
+    if(!m_settings.are_valid(m_features.size()))
+      return ERROR_WRONG_PARAMETER;
+    const auto run = [&](auto& first, auto& second, internal::Run_control& control,
+                         const internal::Execution& execution) -> Error_code {
+      const auto& vertices1 = first.vertices_of_mesh;
+      const auto& vertices2 = second.vertices_of_mesh;
+      internal::Surface_map_settings settings = m_settings;
+      if(!internal::read_landmarks<0>(m_landmarks, vertices1, settings.landmarks) ||
+         !internal::read_landmarks<1>(m_landmarks, vertices2, settings.landmarks))
+        return ERROR_INVALID_LANDMARK;
+      if(!internal::read_features<0>(m_features, vertices1, settings.features[0]) ||
+         !internal::read_features<1>(m_features, vertices2, settings.features[1]) ||
+         !internal::read_mask(m_masks.first, vertices1, settings.masks[0]) ||
+         !internal::read_mask(m_masks.second, vertices2, settings.masks[1]))
+        return ERROR_WRONG_PARAMETER;
+      internal::Index_triangles triangles;
+      for(const internal::Linked_triangle& t : first.triangles)
+        triangles.push_back(t.vertices);
+      std::vector<internal::Vector_3d> directions;
+      if(const Error_code error =
+             internal::find_surface_map(internal::surface_of(first), internal::surface_of(second), std::move(settings),
+                                        directions, m_report, control, execution))
+        return error;
+      return internal::write_map(vertices1, triangles, directions, 1., internal::Guarantee::ONE_TO_ONE,
+                                 vertex_direction_map, execution);
+    };
+    return internal::with_two_surfaces<ConcurrencyTag>(tmesh1, vertex_sphere_map1, np1, tmesh2, vertex_sphere_map2, np2,
+                                                       run);
   }
 
   /// returns what the last run has found.
   const Surface_map_report& report() const { return m_report; }
 
 private:
+  template <class Change>
+  Surface_mapper_3 with(const Change& change) const
+  {
+    Surface_mapper_3 result = *this;
+    change(result);
+    return result;
+  }
+
   std::vector<Landmark> m_landmarks;
-  std::optional<double> m_landmark_weight;
   std::vector<Feature> m_features;
-  double m_feature_weight = 4.;
-  std::vector<double> m_feature_weights;
-  bool m_compares_values = false;
   Masks m_masks;
-  bool m_keeps_alignment = false;
+  internal::Surface_map_settings m_settings;
   Surface_map_report m_report;
 };
 

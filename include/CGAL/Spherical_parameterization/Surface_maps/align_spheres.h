@@ -15,27 +15,17 @@
 #include <CGAL/license/Spherical_parameterization.h>
 
 #include <CGAL/Spherical_parameterization/Error_code.h>
-#include <CGAL/Spherical_parameterization/Surface_maps/internal/alignment/Rotation_search.h>
-#include <CGAL/Spherical_parameterization/Surface_maps/internal/alignment/Surface_alignment.h>
-#include <CGAL/Spherical_parameterization/Surface_maps/internal/alignment/Surface_descriptor.h>
+#include <CGAL/Spherical_parameterization/Surface_maps/Sphere_alignment_3.h>
 #include <CGAL/Spherical_parameterization/Surface_maps/internal/find_surface_map.h>
-#include <CGAL/Spherical_parameterization/internal/execution/Run_control.h>
-#include <CGAL/Spherical_parameterization/internal/execution/parallel.h>
+#include <CGAL/Spherical_parameterization/Surface_maps/internal/read_two_surfaces.h>
 #include <CGAL/Spherical_parameterization/internal/numbers/Rotation_matrix.h>
-#include <CGAL/Spherical_parameterization/internal/numbers/Vector_3.h>
-#include <CGAL/Spherical_parameterization/internal/run/Mesh_on_sphere.h>
-#include <CGAL/Spherical_parameterization/internal/run/check_run.h>
 
-#include <CGAL/Aff_transformation_3.h>
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Named_function_parameters.h>
-#include <CGAL/number_utils.h>
 #include <CGAL/tags.h>
 
 #include <boost/graph/graph_traits.hpp>
 
 #include <array>
-#include <cstddef>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -44,63 +34,11 @@ namespace CGAL::Spherical_parameterization {
 
 /// \ingroup PkgSphericalParameterizationSurfaces
 ///
-/// The rotations that bring the sphere of one surface onto the sphere of another one: what `align_spheres()` finds.
-struct Sphere_alignment_3
-{
-  /// Type of a rotation about the origin
-  using Rotation_3 = CGAL::Aff_transformation_3<Exact_predicates_inexact_constructions_kernel>;
-
-  /// A rotation, and how well the surfaces agree by it
-  struct Candidate
-  {
-    Rotation_3 rotation; ///< Of the first sphere
-    double score;        ///< Correlation of the features, at most 1
-  };
-
-  /// The best rotations that differ by 20 degrees or more, at most four, the best one first
-  std::vector<Candidate> candidates;
-
-  /// Whether the visitor or the time limit has ended the search: the candidates are the best of what has been tried by then,
-  /// at worst the identity alone, with the score 0
-  bool is_stopped = false;
-
-  /// returns how much higher the score of the best candidate is than that of the second best, or than 0 if there is one only.
-  /// A margin below 0.1 or so means that the surface has a symmetry, or nearly: then look at both.
-  double margin() const
-  {
-    if(candidates.empty())
-      return 0.;
-    return candidates[0].score - (candidates.size() > 1 ? candidates[1].score : 0.);
-  }
-};
-
-namespace internal {
-
-// Simplifies a surface that has been read, with the values of features at its vertices.
-template <class Arrays>
-Error_code simplify(Arrays& arrays, const std::vector<Vertex_scalars>& features,
-                    std::optional<Surface_descriptor>& coarse, Run_control& control, const Execution& execution)
-{
-  Located_surface<typename Arrays::Exact_kernel> surface;
-  if(const Error_code error = locate_surface(arrays, surface))
-    return error;
-  const Vertex_scalars areas = vertex_areas(surface.mesh.rings(), surface.mesh.points());
-  std::vector<Vertex_scalars> ranks;
-  for(const Vertex_scalars& feature : features)
-    ranks.push_back(ranks_by_area(surface.mesh.in_own_order(feature), areas));
-  coarse.emplace(Surface_levels(surface, control, execution).coarse_surface(ranks, {}));
-  return coarse->is_bijective() ? OK : ERROR_INSUFFICIENT_PRECISION;
-}
-
-} // namespace internal
-
-/// \ingroup PkgSphericalParameterizationSurfaces
-///
 /// finds the rotations that bring the sphere of one surface onto that of another one such that the surfaces agree best, among
-/// all rotations and without a start. What is compared are features of the surfaces that do not depend on how they lie in
-/// space, and little on their pose: how much the maps change areas; the average geodesic distance of a place from all others
-/// \cgalCite{cgal:hskk-tmfase-01}; and the mean curvature, with its sign, at two scales, which tells front from back where a
-/// half turn would exchange both sides of a body. Instead, the caller may give any features.
+/// all rotations and without a start. Compared are features of the surfaces that do not depend on rotations, and little on
+/// the pose: how much the maps change areas; the average geodesic distance of a point from all others
+/// \cgalCite{cgal:hskk-tmfase-01}; and the mean curvature, with its sign, at two scales, which distinguishes front
+/// from back where a half-turn would exchange both. Instead, the caller may give any features.
 ///
 /// Both surfaces are simplified to at most 2000 vertices. Only the order of the values of a feature counts, so that scales and
 /// outliers do not matter. The score of a rotation is the correlation of all features, evenly over the sphere. 12,000
@@ -124,7 +62,7 @@ Error_code simplify(Arrays& arrays, const std::vector<Vertex_scalars>& features,
 ///
 /// \param tmesh1,tmesh2 the first surface and the second one
 /// \param vertex_sphere_map1,vertex_sphere_map2 the images of their vertices, at any distance from the origin
-/// \param features what is to be compared; if there are none, the features of the package are
+/// \param features the features to compare; if there are none, the features of the package are
 /// \param alignment receives the rotations of the first sphere
 /// \param np1,np2 optional sequences of \ref bgl_namedparameters "Named Parameters" among the ones listed below; of
 ///        `np2`, only `vertex_point_map` is used
@@ -147,7 +85,7 @@ Error_code simplify(Arrays& arrays, const std::vector<Vertex_scalars>& features,
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
-/// \return `OK`; what is wrong with the first mesh, or else the second one, see `find_defect()`, or with its map:
+/// \return `OK`; the defect of the first mesh, or else of the second one, see `find_defect()`, or with its map:
 ///         `ERROR_NO_1_TO_1_MAPPING` if that is no bijection, and `ERROR_INSUFFICIENT_PRECISION` if it is none any more once unit
 ///         vectors have been rounded to doubles; `ERROR_NON_FINITE_COORDINATE` if a point is not finite; or
 ///         `ERROR_WRONG_PARAMETER` if the value of a feature is not. The alignment is as it was then.
@@ -161,40 +99,24 @@ Error_code align_spheres(const TriangleMesh1& tmesh1, VertexSphereMap1 vertex_sp
                          const CGAL_NP_CLASS_1& np1 = parameters::default_values(),
                          const CGAL_NP_CLASS_2& np2 = parameters::default_values())
 {
-  if constexpr(internal::check_mesh_and_readable_map<TriangleMesh1, VertexSphereMap1>() &&
-               internal::check_mesh_and_readable_map<TriangleMesh2, VertexSphereMap2>() &&
-               internal::check_run_parameters<TriangleMesh1, CGAL_NP_CLASS_1>() &&
-               internal::check_vertex_point_map<TriangleMesh2, CGAL_NP_CLASS_2>())
-  {
-    internal::Visitor_control<CGAL_NP_CLASS_1> control(np1);
-    const internal::Execution execution = internal::execution_of<ConcurrencyTag>();
-    internal::Mesh_on_sphere<TriangleMesh1, VertexSphereMap1> arrays1;
-    internal::Mesh_on_sphere<TriangleMesh2, VertexSphereMap2> arrays2;
-    std::vector<internal::Vertex_scalars> features1, features2;
-    if(const Error_code error =
-           arrays1.read_with_points(tmesh1, vertex_sphere_map1, internal::vertex_point_map_of(tmesh1, np1), execution))
-      return error;
-    if(const Error_code error =
-           arrays2.read_with_points(tmesh2, vertex_sphere_map2, internal::vertex_point_map_of(tmesh2, np2), execution))
-      return error;
-    if(!internal::read_features<0>(features, arrays1.vertices_of_mesh, features1) ||
-       !internal::read_features<1>(features, arrays2.vertices_of_mesh, features2))
+  const auto run = [&](auto& arrays1, auto& arrays2, internal::Run_control& control,
+                       const internal::Execution& execution) -> Error_code {
+    const auto aligned = [](auto& arrays) {
+      internal::Aligned_surface result;
+      for(const auto& p : arrays.images)
+        result.directions.push_back(internal::direction_of(p));
+      result.points = std::move(arrays.points);
+      result.triangles = std::move(arrays.triangles);
+      return result;
+    };
+    internal::Aligned_surface first = aligned(arrays1), second = aligned(arrays2);
+    if(!internal::read_features<0>(features, arrays1.vertices_of_mesh, first.features) ||
+       !internal::read_features<1>(features, arrays2.vertices_of_mesh, second.features))
       return ERROR_WRONG_PARAMETER;
-    std::optional<internal::Surface_descriptor> coarse1, coarse2;
-    if(const Error_code error = internal::simplify(arrays1, features1, coarse1, control, execution))
-      return error;
-    if(const Error_code error = internal::simplify(arrays2, features2, coarse2, control, execution))
-      return error;
-    const internal::Surface_alignment surfaces(std::move(*coarse1), std::move(*coarse2), control, execution);
-    constexpr std::size_t n_candidates = 4; // to choose from, where a surface is nearly symmetric
-    alignment.candidates.clear();
-    for(const internal::Scored_rotation& candidate : surfaces.best_rotations(n_candidates))
-      alignment.candidates.push_back({internal::as_transformation(candidate.rotation), candidate.score});
-    alignment.is_stopped = control.is_stopped();
-    return OK;
-  }
-  else
-    return ERROR_WRONG_PARAMETER;
+    return internal::find_rotations(first, second, alignment, control, execution);
+  };
+  return internal::with_two_surfaces<ConcurrencyTag, true>(tmesh1, vertex_sphere_map1, np1, tmesh2, vertex_sphere_map2,
+                                                           np2, run);
 }
 
 /// \ingroup PkgSphericalParameterizationSurfaces

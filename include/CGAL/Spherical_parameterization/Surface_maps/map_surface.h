@@ -32,10 +32,10 @@ namespace CGAL::Spherical_parameterization {
 /// `transfer()` carries properties over, and `overlay()` is the common refinement.
 /// Schmidt et al. have maps of the same form \cgalCite{cgal:scbk-ismccm-20}.
 ///
-/// Features turn the spheres against each other, see `align_spheres()`, and extremities that may be the same, by how
-/// far their ends are from each other along the surfaces. Unless the surfaces are copies, several such starts are taken through
-/// the descent on coarse levels, led by the features and by the distances from those ends. What agrees best and stretches
-/// least is taken to the finest level; if others are nearly as good, a finer level chooses among them first. The symmetric
+/// Features rotate the spheres against each other, see `align_spheres()`, and so do extremities that may correspond, by the
+/// distances of their tips along the surfaces. Unless the surfaces are copies, several such starts are taken through
+/// the descent on coarse levels, led by the features and by the distances from those tips. The start that agrees best and
+/// stretches least is taken to the finest level; if others are nearly as good, a finer level chooses among them first. The symmetric
 /// Dirichlet energy of the map \cgalCite{cgal:ss-bpfb-15}, integrated over both surfaces, is lowered by the steps that
 /// `Bijective_low_distortion_parameterizer_3` makes, level by level of a hierarchy \cgalCite{cgal:saph-ism-04}, together with
 /// terms for soft landmarks and for features. What a face sees of the second surface is the metric that this gives to its
@@ -62,7 +62,7 @@ namespace CGAL::Spherical_parameterization {
 ///
 /// \param tmesh1,tmesh2 the first surface and the second one
 /// \param vertex_sphere_map1,vertex_sphere_map2 the images of their vertices, at any distance from the origin
-/// \param mapper the method: landmarks and features, if any. Its report tells what has been found.
+/// \param mapper the method: landmarks and features, if any. Its report has the results.
 /// \param vertex_direction_map receives for each vertex of the first surface its direction on the sphere of the second
 ///        one, a point at distance 1 of the origin. It may be `vertex_sphere_map1`.
 /// \param np1,np2 optional sequences of \ref bgl_namedparameters "Named Parameters" among the ones listed below; of
@@ -75,7 +75,7 @@ namespace CGAL::Spherical_parameterization {
 ///     \cgalParamDefault{`boost::get(CGAL::vertex_point, tmesh1)`, or of `tmesh2`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{visitor}
-///     \cgalParamDescription{a visitor that is told of the progress, and may end the run}
+///     \cgalParamDescription{a visitor that follows the progress, and may end the run}
 ///     \cgalParamType{a class model of `SphericalParameterizationVisitor`, or `std::ref()` of one}
 ///     \cgalParamDefault{`Default_visitor`}
 ///   \cgalParamNEnd
@@ -86,7 +86,7 @@ namespace CGAL::Spherical_parameterization {
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
-/// \return `OK`: the map is certified, whether all landmarks are met or not; what is wrong with the first mesh, or else the
+/// \return `OK`: the map is certified, whether all landmarks are met or not; the defect of the first mesh, or else of the
 ///         second one, see `find_defect()`, or with its map: `ERROR_NO_1_TO_1_MAPPING` if that is no bijection;
 ///         `ERROR_NON_FINITE_COORDINATE` if a point is not finite; `ERROR_INVALID_LANDMARK` if a vertex has two landmarks,
 ///         or a landmark is no vertex of a face; `ERROR_WRONG_PARAMETER` if the weight of landmarks is not positive, one of

@@ -17,11 +17,10 @@
 #include <CGAL/Spherical_parameterization/Error_code.h>
 #include <CGAL/Spherical_parameterization/Surface_maps/Distortion_between.h>
 #include <CGAL/Spherical_parameterization/Surface_maps/overlay.h>
-#include <CGAL/Spherical_parameterization/Surface_maps/internal/overlay/distortion_between.h>
-#include <CGAL/Spherical_parameterization/internal/numbers/Vector_3.h>
 
 #include <array>
 #include <cstddef>
+#include <vector>
 
 namespace CGAL::Spherical_parameterization {
 
@@ -46,16 +45,14 @@ Error_code measure_distortion_between(const Surface_overlay_3<TriangleMesh1, Tri
     return ERROR_WRONG_PARAMETER;
   if(overlay.triangles.empty())
     return ERROR_EMPTY_MESH;
-  distortion =
-      internal::distortion_between(overlay.triangles.size(), smallest_area, [&](std::size_t k, std::size_t surface) {
-        std::array<internal::Vector_3d, 3> corners;
-        for(std::size_t i = 0; i < 3; ++i)
-        {
-          const auto& p = overlay.points[overlay.triangles[k][i]][surface];
-          corners[i] = {p.x(), p.y(), p.z()};
-        }
-        return corners;
-      });
+  std::array<std::vector<internal::Vector_3d>, 2> points;
+  for(std::size_t surface = 0; surface < 2; ++surface)
+    for(const auto& corresponding : overlay.points)
+    {
+      const auto& p = corresponding[surface];
+      points[surface].push_back({p.x(), p.y(), p.z()});
+    }
+  distortion = internal::distortion_between(points, overlay.triangles, smallest_area);
   return OK;
 }
 

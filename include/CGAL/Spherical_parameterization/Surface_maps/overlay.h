@@ -15,13 +15,8 @@
 #include <CGAL/license/Spherical_parameterization.h>
 
 #include <CGAL/Spherical_parameterization/Error_code.h>
-#include <CGAL/Spherical_parameterization/Surface_maps/internal/overlay/Overlay_arrays.h>
-#include <CGAL/Spherical_parameterization/internal/execution/Run_control.h>
-#include <CGAL/Spherical_parameterization/internal/execution/parallel.h>
-#include <CGAL/Spherical_parameterization/internal/locate/Sphere_triangulation.h>
-#include <CGAL/Spherical_parameterization/internal/numbers/Vector_3.h>
-#include <CGAL/Spherical_parameterization/internal/run/Mesh_on_sphere.h>
-#include <CGAL/Spherical_parameterization/internal/run/check_run.h>
+#include <CGAL/Spherical_parameterization/Surface_maps/internal/overlay/overlay_surfaces.h>
+#include <CGAL/Spherical_parameterization/Surface_maps/internal/read_two_surfaces.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Named_function_parameters.h>
@@ -50,7 +45,7 @@ struct Surface_overlay_3
   /// Type of the points
   using Point_3 = Exact_predicates_inexact_constructions_kernel::Point_3;
 
-  /// For each vertex, its places on the first surface and on the second one
+  /// For each vertex, the corresponding points of the first surface and of the second one
   std::vector<std::array<Point_3, 2>> points;
 
   /// The vertices of each triangle, counterclockwise as seen from outside
@@ -69,7 +64,7 @@ struct Surface_overlay_3
 /// face of each. The map is projective between the two faces of a cell; on each of the triangles that it is divided into, it
 /// is taken as affine. Such refinements were introduced for morphing \cgalCite{cgal:kcp-stpo-92}, \cgalCite{cgal:a-mpssf-00}.
 ///
-/// The connectivity is exact: the places of vertices in the faces of the other mesh, and which edges cross, are decided by
+/// The connectivity is exact: the faces of the other mesh that contain the vertices, and which edges cross, are decided by
 /// exact predicates on the points as they are in the maps. Ties, such as a vertex on an edge, or equal meshes, are broken as
 /// if the first sphere were moved by an infinitesimal linear map, a simulation of simplicity \cgalCite{cgal:em-sstcd-90};
 /// then triangles have no area, but are where they belong.
@@ -114,7 +109,7 @@ struct Surface_overlay_3
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
-/// \return `OK`; what is wrong with the first mesh, or else the second one, see `find_defect()`, or with its map:
+/// \return `OK`; the defect of the first mesh, or else of the second one, see `find_defect()`, or with its map:
 ///         `ERROR_NO_1_TO_1_MAPPING` if that is no bijection; `ERROR_TOO_LARGE_OVERLAY` if the refinement would have more
 ///         vertices than the bound; or `ERROR_STOPPED`. The result is as it was then.
 ///
@@ -127,53 +122,30 @@ Error_code overlay(const TriangleMesh1& tmesh1, VertexSphereMap1 vertex_sphere_m
                    const CGAL_NP_CLASS_1& np1 = parameters::default_values(),
                    const CGAL_NP_CLASS_2& np2 = parameters::default_values())
 {
-  if constexpr(internal::check_two_spheres<TriangleMesh1, VertexSphereMap1, TriangleMesh2, VertexSphereMap2>() &&
-               internal::check_run_parameters<TriangleMesh1, CGAL_NP_CLASS_1>() &&
-               internal::check_vertex_point_map<TriangleMesh2, CGAL_NP_CLASS_2>())
-  {
-    using Arrays1 = internal::Mesh_on_sphere<TriangleMesh1, VertexSphereMap1>;
-    using Arrays2 = internal::Mesh_on_sphere<TriangleMesh2, VertexSphereMap2>;
-    using K = typename Arrays1::Exact_kernel;
+  const auto run = [&](auto& first, auto& second, internal::Run_control& control,
+                       const internal::Execution& execution) -> Error_code {
     using Overlay = Surface_overlay_3<TriangleMesh1, TriangleMesh2>;
-
-    internal::Visitor_control<CGAL_NP_CLASS_1> control(np1);
-    const internal::Execution execution = internal::execution_of<ConcurrencyTag>();
-    Arrays1 arrays1;
-    Arrays2 arrays2;
-    if(const Error_code error =
-           arrays1.read_with_points(tmesh1, vertex_sphere_map1, internal::vertex_point_map_of(tmesh1, np1), execution))
-      return error;
-    if(const Error_code error =
-           arrays2.read_with_points(tmesh2, vertex_sphere_map2, internal::vertex_point_map_of(tmesh2, np2), execution))
-      return error;
-    internal::Sphere_triangulation<K> sphere1, sphere2;
-    sphere1.assign(std::move(arrays1.images), std::move(arrays1.triangles));
-    sphere2.assign(std::move(arrays2.images), std::move(arrays2.triangles));
-
-    std::size_t max_vertices = internal::Sphere_overlay<K>::default_max_vertices(sphere1, sphere2);
-    if constexpr(!parameters::is_default_parameter<CGAL_NP_CLASS_1, internal_np::maximum_number_t>::value)
-      max_vertices = static_cast<std::size_t>(parameters::get_parameter(np1, internal_np::maximum_number));
+    using Point_3 = typename Overlay::Point_3;
     internal::Overlay_arrays arrays;
-    if(const Error_code error =
-           arrays.assign(sphere1, arrays1.points, sphere2, arrays2.points, max_vertices, control, execution))
+    if(const Error_code error = internal::make_overlay(internal::surface_of(first), internal::surface_of(second),
+                                                       internal::maximum_number_of(np1), arrays, control, execution))
       return error;
     Overlay overlay;
     overlay.points.reserve(arrays.points[0].size());
     for(std::size_t v = 0; v < arrays.points[0].size(); ++v)
     {
       const internal::Vector_3d &p = arrays.points[0][v], &q = arrays.points[1][v];
-      overlay.points.push_back(
-          {typename Overlay::Point_3(p[0], p[1], p[2]), typename Overlay::Point_3(q[0], q[1], q[2])});
+      overlay.points.push_back({Point_3(p[0], p[1], p[2]), Point_3(q[0], q[1], q[2])});
     }
     overlay.faces.reserve(arrays.parents.size());
     for(const auto& parents : arrays.parents)
-      overlay.faces.emplace_back(arrays1.faces_of_mesh[parents[0]], arrays2.faces_of_mesh[parents[1]]);
+      overlay.faces.emplace_back(first.faces_of_mesh[parents[0]], second.faces_of_mesh[parents[1]]);
     overlay.triangles = std::move(arrays.triangles);
     result = std::move(overlay);
     return OK;
-  }
-  else
-    return ERROR_WRONG_PARAMETER;
+  };
+  return internal::with_two_surfaces<ConcurrencyTag>(tmesh1, vertex_sphere_map1, np1, tmesh2, vertex_sphere_map2, np2,
+                                                     run);
 }
 
 } // namespace CGAL::Spherical_parameterization

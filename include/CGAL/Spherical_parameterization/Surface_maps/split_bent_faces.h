@@ -15,23 +15,16 @@
 #include <CGAL/license/Spherical_parameterization.h>
 
 #include <CGAL/Spherical_parameterization/Error_code.h>
-#include <CGAL/Spherical_parameterization/Surface_maps/overlay.h>
+#include <CGAL/Spherical_parameterization/Surface_maps/internal/overlay/overlay_surfaces.h>
+#include <CGAL/Spherical_parameterization/Surface_maps/internal/read_two_surfaces.h>
 #include <CGAL/Spherical_parameterization/Surface_maps/split_blocking_edges.h>
-#include <CGAL/Spherical_parameterization/Surface_maps/internal/overlay/distortion_between.h>
-#include <CGAL/Spherical_parameterization/internal/numbers/Vector_3.h>
-#include <CGAL/Spherical_parameterization/internal/surface/read_mesh.h>
 
 #include <CGAL/Named_function_parameters.h>
-#include <CGAL/boost/graph/properties.h>
 #include <CGAL/tags.h>
 
 #include <boost/graph/graph_traits.hpp>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
 #include <cstddef>
-#include <utility>
 #include <vector>
 
 namespace CGAL::Spherical_parameterization {
@@ -40,8 +33,8 @@ namespace CGAL::Spherical_parameterization {
 ///
 /// splits edges of a surface that `map_surface()` has mapped onto another one, where its faces are too large for what they cover
 /// there: the images of edges are straight, and a face can follow the other surface only as well as three corners can. For the
-/// faces that add most to the energy of the map, 0.3 of the sum together, it splits that edge whose image is longest. Their new vertices lie on the surface as it was. Call `map_surface()` again, which goes on from the map that there is,
-/// while that pays, or a few times:
+/// faces that add most to the energy of the map, 0.3 of the sum together, it splits that edge whose image is longest. Their new vertices lie on the surface as it was. Call
+/// `map_surface()` again, which goes on from the map that there is, while that pays, or a few times:
 ///
 /// \code{.cpp}
 /// std::vector<Split_edge<Mesh>> split_edges;
@@ -105,81 +98,29 @@ Error_code split_bent_faces(TriangleMesh1& tmesh1, VertexDirectionMap vertex_dir
                             const CGAL_NP_CLASS_1& np1 = parameters::default_values(),
                             const CGAL_NP_CLASS_2& np2 = parameters::default_values())
 {
-  using halfedge_descriptor = typename boost::graph_traits<TriangleMesh1>::halfedge_descriptor;
-  constexpr double part = 0.3; // cat_horse: 2.472 after three rounds
-
   split_edges.clear();
-  const auto points = internal::vertex_point_map_of(tmesh1, np1);
-  Surface_overlay_3<TriangleMesh1, TriangleMesh2> refinement;
-  if(const Error_code error = Spherical_parameterization::overlay<ConcurrencyTag>(
-         tmesh1, vertex_direction_map, tmesh2, vertex_sphere_map2, refinement, np1, np2))
-    return error;
-
-  const auto energies = get(CGAL::dynamic_face_property_t<double>(), tmesh1);
-  for(const auto f : faces(tmesh1))
-    put(energies, f, 0.);
-  const auto corners = [&](std::size_t k, std::size_t surface) {
-    std::array<internal::Vector_3d, 3> result;
-    for(std::size_t i = 0; i < 3; ++i)
+  const auto run = [&](auto& first, auto& second, internal::Run_control& control,
+                       const internal::Execution& execution) -> Error_code {
+    std::vector<std::size_t> sides;
+    if(const Error_code error =
+           internal::find_bent_sides(internal::surface_of(first), internal::surface_of(second),
+                                     internal::maximum_number_of(np1), max_edges, sides, control, execution))
+      return error;
+    std::vector<typename boost::graph_traits<TriangleMesh1>::halfedge_descriptor> chosen;
+    for(const std::size_t side : sides) // that is opposite to a vertex, of which the first one is the source of h
     {
-      const auto& p = refinement.points[refinement.triangles[k][i]][surface];
-      result[i] = {p.x(), p.y(), p.z()};
+      const auto h = halfedge(first.faces_of_mesh[side / 3], tmesh1);
+      chosen.push_back(side % 3 == 0 ? next(h, tmesh1) : side % 3 == 1 ? prev(h, tmesh1) : h);
     }
-    return result;
+    const auto points = internal::vertex_point_map_of(tmesh1, np1);
+    for(const auto h : chosen)
+      if(Split_edge<TriangleMesh1> split;
+         internal::split_edge_on_sphere(h, tmesh1, points, vertex_direction_map, split))
+        split_edges.push_back(split);
+    return OK;
   };
-  internal::distortion_between(
-      refinement.triangles.size(), internal::default_smallest_area, corners,
-      [&](std::size_t k, const std::array<double, 2>& shares, const internal::Triangle_stretch& stretch) {
-        const auto f = refinement.faces[k].first;
-        const double energy = 0.5 * stretch.angle * stretch.area;
-        put(energies, f, get(energies, f) + 0.5 * (shares[0] + shares[1]) * std::log(0.5 * energy));
-      },
-      internal::Execution());
-
-  struct Bent_face
-  {
-    double energy;
-    halfedge_descriptor longest;
-  };
-  const auto squared_length_of = [&](halfedge_descriptor h) {
-    using internal::operator-;
-    return internal::squared_length(internal::direction_of(get(vertex_direction_map, target(h, tmesh1))) -
-                                    internal::direction_of(get(vertex_direction_map, source(h, tmesh1))));
-  };
-  std::vector<Bent_face> bent;
-  double left = 0.; // of the sum
-  for(const auto f : faces(tmesh1))
-    if(const double energy = get(energies, f); energy > 0. && internal::is_finite(energy))
-    {
-      const halfedge_descriptor h = halfedge(f, tmesh1);
-      const std::array<halfedge_descriptor, 3> sides = {h, next(h, tmesh1), prev(h, tmesh1)};
-      bent.push_back({energy, *std::max_element(sides.begin(), sides.end(), [&](const auto& a, const auto& b) {
-                        return squared_length_of(a) < squared_length_of(b);
-                      })});
-      left += part * energy;
-    }
-  std::stable_sort(bent.begin(), bent.end(),
-                   [](const Bent_face& a, const Bent_face& b) { return a.energy > b.energy; });
-
-  const auto is_chosen = get(CGAL::dynamic_edge_property_t<bool>(), tmesh1);
-  for(const auto e : edges(tmesh1))
-    put(is_chosen, e, false);
-  std::vector<std::pair<double, halfedge_descriptor>> chosen;
-  for(std::size_t k = 0; k < bent.size() && left > 0. && chosen.size() < max_edges; ++k)
-  {
-    left -= bent[k].energy;
-    const halfedge_descriptor h = bent[k].longest;
-    if(!get(is_chosen, edge(h, tmesh1)))
-      chosen.emplace_back(squared_length_of(h), h);
-    put(is_chosen, edge(h, tmesh1), true);
-  }
-  // A face with two of them is halved at the longer one, whose halves are rounder.
-  std::stable_sort(chosen.begin(), chosen.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
-  for(const auto& length_and_edge : chosen)
-    if(Split_edge<TriangleMesh1> split;
-       internal::split_edge_on_sphere(length_and_edge.second, tmesh1, points, vertex_direction_map, split))
-      split_edges.push_back(split);
-  return OK;
+  return internal::with_two_surfaces<ConcurrencyTag>(tmesh1, vertex_direction_map, np1, tmesh2, vertex_sphere_map2, np2,
+                                                     run);
 }
 
 } // namespace CGAL::Spherical_parameterization

@@ -34,26 +34,10 @@
 
 namespace CGAL::Spherical_parameterization {
 
-namespace internal {
-
-// returns whether two arcs cross, in their interiors: then all four triangles have the same orientation. If one arc crosses
-// the antipodes of the other one, two of them differ.
-inline bool do_arcs_cross(const Vector_3d& a, const Vector_3d& b, const Vector_3d& c, const Vector_3d& d)
-{
-  const auto side = [](const Vector_3d& p, const Vector_3d& q, const Vector_3d& r) {
-    const double determinant = dot(p, cross(q, r));
-    return determinant > 0. ? 1 : determinant < 0. ? -1 : 0;
-  };
-  const int acb = side(a, c, b);
-  return acb != 0 && side(c, b, d) == acb && side(b, d, a) == acb && side(d, a, c) == acb;
-}
-
-} // namespace internal
-
 /// \ingroup PkgSphericalParameterizationSurfaces
 ///
-/// What `split_blocking_edges()` and `split_bent_faces()` tell of an edge that they have split in the middle. Values of vertices and
-/// of faces can follow by it, in the order in which edges have been split.
+/// The report of `split_blocking_edges()` and `split_bent_faces()` on an edge that they have split in the middle. Values of
+/// vertices and of faces can follow by it, in the order in which edges have been split.
 ///
 /// \tparam TriangleMesh a model of `MutableFaceGraph`
 template <class TriangleMesh>
@@ -72,6 +56,18 @@ struct Split_edge
 };
 
 namespace internal {
+
+// Returns whether two arcs cross, in their interiors: then all four triangles have the same orientation. If one arc crosses
+// the antipodes of the other one, two of them differ.
+inline bool do_arcs_cross(const Vector_3d& a, const Vector_3d& b, const Vector_3d& c, const Vector_3d& d)
+{
+  const auto side = [](const Vector_3d& p, const Vector_3d& q, const Vector_3d& r) {
+    const double determinant = dot(p, cross(q, r));
+    return determinant > 0. ? 1 : determinant < 0. ? -1 : 0;
+  };
+  const int acb = side(a, c, b);
+  return acb != 0 && side(c, b, d) == acb && side(b, d, a) == acb && side(d, a, c) == acb;
+}
 
 // Splits an edge in the middle, and its image, which may be the direction map as well. Does nothing, and returns false, if double
 // precision numbers cannot hold what is left of its faces.
@@ -112,7 +108,7 @@ bool split_edge_on_sphere(typename boost::graph_traits<TriangleMesh>::halfedge_d
 /// \ingroup PkgSphericalParameterizationSurfaces
 ///
 /// splits the edges of a surface that keep landmarks from where they are to go, after `map_surface()` has missed some: those
-/// that the ways of the landmarks on the sphere of the second surface would cross. Their new vertices lie on the surface as
+/// that the paths of the landmarks on the sphere of the second surface would cross. Their new vertices lie on the surface as
 /// it was, and can bend the edges when `map_surface()` is called again. With few vertices, that often meets what was missed;
 /// landmarks that would have to be exchanged, it does not. Call both until all are met, or a few times:
 ///
@@ -138,7 +134,7 @@ bool split_edge_on_sphere(typename boost::graph_traits<TriangleMesh>::halfedge_d
 /// \param vertex_direction_map what `map_surface()` has found for it. New vertices have none yet
 /// \param vertex_sphere_map2 the map of the second surface
 /// \param landmarks as for `Surface_mapper_3`
-/// \param split_edges receives the edges that have been split: none if none is crossed, as where a way leads exactly through
+/// \param split_edges receives the edges that have been split: none if none is crossed, as where a path leads exactly through
 ///        vertices, or if double precision numbers cannot hold what is left of their faces
 /// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
 ///
@@ -162,29 +158,29 @@ Error_code split_blocking_edges(TriangleMesh& tmesh, VertexSphereMap vertex_sphe
   using halfedge_descriptor = typename boost::graph_traits<TriangleMesh>::halfedge_descriptor;
   using internal::direction_of;
   std::vector<halfedge_descriptor> blocking;
-  std::vector<std::pair<internal::Vector_3d, internal::Vector_3d>> ways;
-  constexpr double cosine_of_rounding = 1. - 1e-14; // landmarks within 1.4e-7 of their places are there
+  std::vector<std::pair<internal::Vector_3d, internal::Vector_3d>> paths;
+  constexpr double cosine_of_rounding = 1. - 1e-14; // landmarks within 1.4e-7 of their goals have met them
   for(const auto& [v, w] : landmarks)
   {
     const internal::Vector_3d p = direction_of(get(vertex_direction_map, v)),
                               q = direction_of(get(vertex_sphere_map2, w));
     if(internal::dot(p, q) < cosine_of_rounding)
-      ways.emplace_back(p, q);
+      paths.emplace_back(p, q);
   }
   split_edges.clear();
   if(!CGAL::is_closed(tmesh))
     return ERROR_NON_CLOSED_MESH;
   if(!CGAL::is_triangle_mesh(tmesh))
     return ERROR_NON_TRIANGULAR_MESH;
-  if(ways.empty())
+  if(paths.empty())
     return OK;
   for(const auto e : edges(tmesh))
   {
     const halfedge_descriptor h = halfedge(e, tmesh);
     const internal::Vector_3d a = direction_of(get(vertex_direction_map, source(h, tmesh))),
                               b = direction_of(get(vertex_direction_map, target(h, tmesh)));
-    if(std::any_of(ways.begin(), ways.end(),
-                   [&](const auto& way) { return internal::do_arcs_cross(way.first, way.second, a, b); }))
+    if(std::any_of(paths.begin(), paths.end(),
+                   [&](const auto& path) { return internal::do_arcs_cross(path.first, path.second, a, b); }))
       blocking.push_back(h);
   }
 

@@ -14,33 +14,18 @@
 
 #include <CGAL/license/Spherical_parameterization.h>
 
-#include <CGAL/Spherical_parameterization/Surface_maps/internal/alignment/Surface_descriptor.h>
-#include <CGAL/Spherical_parameterization/internal/numbers/Rotation_matrix.h>
-#include <CGAL/Spherical_parameterization/internal/numbers/Vector_3.h>
-
-#include <CGAL/number_type_config.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <cstdint>
-#include <optional>
-#include <utility>
-#include <vector>
+#include <CGAL/Spherical_parameterization/Surface_maps/internal/alignment/Rotation_search.h>
 
 namespace CGAL::Spherical_parameterization::internal {
 
-// Extremities of two surfaces that are taken for each other, by their numbers, and the rotation that brings their ends together.
-struct Extremity_matching
+// Extremities of two surfaces that may correspond, by their numbers, and the rotation that brings their tips together.
+struct Extremity_matching : Scored_rotation
 {
   std::vector<std::array<std::uint32_t, 2>> pairs;
-  Rotation_matrix rotation;
-  double score; // of the distances, the more the better
 };
 
-// Searches for the extremities of two surfaces that may be the same: no pose changes how far their ends are from each other on the
-// surface. Distances do not tell left from right, but then the ends lie on the spheres as in a mirror, and no rotation brings
+// Searches for extremities of two surfaces that may correspond: no pose changes the distances of their tips along the surface.
+// Distances do not distinguish left from right, but then the tips are on the spheres as in a mirror, and no rotation brings
 // them together.
 class Extremity_search
 {
@@ -48,18 +33,16 @@ public:
   using Extremities = std::vector<Surface_descriptor::Origin>;
 
   Extremity_search(Extremities first, Extremities second)
-    : m_limbs{std::move(first), std::move(second)}
+    : m_extremities{std::move(first), std::move(second)}
   {
     // The farthest ones come first. Seven are those of most animals; there are 130,922 ways to match them, with eight ten times
     // as many.
-    constexpr std::size_t max_limbs = 7;
-    for(Extremities& extremities : m_limbs)
-      extremities.resize((std::min)(extremities.size(), max_limbs));
-    m_partners.resize(m_limbs[0].size(), none);
-    m_is_taken.resize(m_limbs[1].size(), 0);
+    constexpr std::size_t max_extremities = 7;
+    for(Extremities& extremities : m_extremities)
+      extremities.resize((std::min)(extremities.size(), max_extremities));
+    m_partners.resize(m_extremities[0].size(), none);
+    m_is_taken.resize(m_extremities[1].size(), 0);
   }
-
-  const Extremities& extremities(std::size_t surface) const { return m_limbs[surface]; }
 
   // The best matchings whose rotations are at least 30 degrees apart, the best one first; perhaps none.
   std::vector<Extremity_matching> best(std::size_t n, const std::vector<Vector_3d>& directions1,
@@ -67,18 +50,18 @@ public:
   {
     // Those that are nearer to each other end at the same map.
     constexpr double min_angle = CGAL_PI / 6.;
-    // For which rotations are fitted, a microsecond each. The right ones were among the first 100 on all pairs that were tried.
+    // For which rotations are fitted, a microsecond each. The right ones were among the first 100.
     constexpr std::size_t max_fitted = 2000;
     m_found.clear();
     extend(0, 0., 0);
-    const auto is_better = [](const Extremity_matching& a, const Extremity_matching& b) { return a.score > b.score; };
-    std::stable_sort(m_found.begin(), m_found.end(), is_better);
+    std::stable_sort(m_found.begin(), m_found.end(),
+                     [](const Extremity_matching& a, const Extremity_matching& b) { return a.score > b.score; });
     m_found.resize((std::min)(m_found.size(), max_fitted));
     for(Extremity_matching& matching : m_found)
     {
       std::vector<std::pair<Vector_3d, Vector_3d>> ends;
       for(const auto& [i, j] : matching.pairs)
-        ends.emplace_back(directions1[m_limbs[0][i].vertex], directions2[m_limbs[1][j].vertex]);
+        ends.emplace_back(directions1[m_extremities[0][i].vertex], directions2[m_extremities[1][j].vertex]);
       const std::optional<Rotation_matrix> rotation = fitting_rotation(ends);
       double sum_of_cosines = 0.;
       if(rotation)
@@ -87,15 +70,10 @@ public:
       matching.score *= (std::max)(sum_of_cosines / static_cast<double>(ends.size()), 0.);
       matching.rotation = rotation.value_or(rotation_matrix({1., 0., 0., 0.}));
     }
-    std::stable_sort(m_found.begin(), m_found.end(), is_better);
-    std::vector<Extremity_matching> result;
-    for(const Extremity_matching& matching : m_found)
-      if(result.size() < n && matching.score > 0. &&
-         std::all_of(result.begin(), result.end(), [&](const Extremity_matching& other) {
-           return angle_between(matching.rotation, other.rotation) >= min_angle;
-         }))
-        result.push_back(matching);
-    return result;
+    m_found.erase(std::remove_if(m_found.begin(), m_found.end(),
+                                 [](const Extremity_matching& matching) { return !(matching.score > 0.); }),
+                  m_found.end());
+    return best_rotations(std::move(m_found), n, min_angle);
   }
 
 private:
@@ -106,7 +84,8 @@ private:
   {
     // Of the mean of both. Between the hands of a slim person and a stout one it is 0.27; with more, a hand passes for a head.
     constexpr double max_difference = 0.35;
-    const double x = m_limbs[0][i].distances[m_limbs[0][k].vertex], y = m_limbs[1][j].distances[m_limbs[1][l].vertex];
+    const double x = m_extremities[0][i].distances[m_extremities[0][k].vertex],
+                 y = m_extremities[1][j].distances[m_extremities[1][l].vertex];
     const double difference = (x - y) / (0.5 * (x + y) * max_difference);
     return 1. - difference * difference;
   }
@@ -115,17 +94,17 @@ private:
   void extend(std::uint32_t i, double score, std::size_t n_pairs)
   {
     constexpr std::size_t min_pairs = 3; // two determine a rotation, but have one distance, which says nothing
-    if(i == m_limbs[0].size())
+    if(i == m_extremities[0].size())
     {
       if(n_pairs < min_pairs)
         return;
-      m_found.push_back({{}, {}, score});
+      m_found.push_back({{{}, score}, {}});
       for(std::uint32_t k = 0; k < i; ++k)
         if(m_partners[k] != none)
           m_found.back().pairs.push_back({k, m_partners[k]});
       return;
     }
-    for(std::uint32_t j = 0; j < m_limbs[1].size(); ++j)
+    for(std::uint32_t j = 0; j < m_extremities[1].size(); ++j)
     {
       double sum = score;
       bool is_possible = !m_is_taken[j];
@@ -147,7 +126,7 @@ private:
     extend(i + 1, score, n_pairs);
   }
 
-  std::array<Extremities, 2> m_limbs;
+  std::array<Extremities, 2> m_extremities;
   std::vector<std::uint32_t> m_partners; // of the extremities of the first surface
   std::vector<char> m_is_taken;
   std::vector<Extremity_matching> m_found;

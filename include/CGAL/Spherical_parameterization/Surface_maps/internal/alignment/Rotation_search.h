@@ -15,39 +15,32 @@
 #include <CGAL/license/Spherical_parameterization.h>
 
 #include <CGAL/Spherical_parameterization/Sampling/internal/Subdivided_solid.h>
-#include <CGAL/Spherical_parameterization/Surface_maps/internal/alignment/Sphere_image.h>
 #include <CGAL/Spherical_parameterization/Surface_maps/internal/alignment/Surface_descriptor.h>
 #include <CGAL/Spherical_parameterization/Surface_maps/internal/alignment/map_score.h>
 #include <CGAL/Spherical_parameterization/internal/execution/Run_control.h>
-#include <CGAL/Spherical_parameterization/internal/execution/parallel.h>
-#include <CGAL/Spherical_parameterization/internal/numbers/Rotation_matrix.h>
-#include <CGAL/Spherical_parameterization/internal/numbers/Vector_3.h>
-
-#include <CGAL/number_type_config.h>
-
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
-#include <cstdint>
-#include <numeric>
-#include <vector>
 
 namespace CGAL::Spherical_parameterization::internal {
 
-// The vertex that has the largest barycentric coordinate of a place.
-template <class Triangle_location>
-std::uint32_t nearest_vertex(const std::vector<Linked_triangle>& triangles, const Triangle_location& place)
-{
-  const auto& w = place.coordinates;
-  return triangles[place.triangle][static_cast<std::size_t>(std::max_element(w.begin(), w.end()) - w.begin())];
-}
-
-// A rotation of one image of features against another one, and their correlation.
+// A rotation of the first sphere, and how well the surfaces agree by it, the more the better.
 struct Scored_rotation
 {
   Rotation_matrix rotation;
   double score;
 };
+
+// At most n rotations that are at least this angle apart, the best one first.
+template <class Rotation>
+std::vector<Rotation> best_rotations(std::vector<Rotation> found, std::size_t n, double min_angle)
+{
+  std::stable_sort(found.begin(), found.end(), [](const Rotation& a, const Rotation& b) { return a.score > b.score; });
+  std::vector<Rotation> result;
+  for(const Rotation& candidate : found)
+    if(result.size() < n && std::all_of(result.begin(), result.end(), [&](const Rotation& other) {
+         return angle_between(candidate.rotation, other.rotation) >= min_angle;
+       }))
+      result.push_back(candidate);
+  return result;
+}
 
 // Searches all rotations: those of a grid, and around the best of them.
 class Rotation_search
@@ -76,15 +69,7 @@ public:
     for(std::size_t k = 0; k < found.size() && control.go_further(0, 0.); k += batch_size)
       for_each_block(m_execution, k, (std::min)(k + batch_size, found.size()), 1,
                      [&](std::size_t i, std::size_t) { found[i] = refined(found[i].rotation); });
-    std::stable_sort(found.begin(), found.end(),
-                     [](const Scored_rotation& a, const Scored_rotation& b) { return a.score > b.score; });
-    std::vector<Scored_rotation> result;
-    for(const Scored_rotation& candidate : found)
-      if(result.size() < n && std::all_of(result.begin(), result.end(), [&](const Scored_rotation& other) {
-           return angle_between(candidate.rotation, other.rotation) >= min_angle;
-         }))
-        result.push_back(candidate);
-    return result;
+    return best_rotations(std::move(found), n, min_angle);
   }
 
 private:
@@ -111,7 +96,7 @@ private:
     constexpr std::size_t batch_size = 2000,
                           block_size = 100; // between two questions, some milliseconds; and for a thread
     // Within which a maximum is one, a bit more than the grid's spacing. If it is less, rotations on the same flank are found
-    // in the place of other peaks; if it is more, peaks near a higher one are lost.
+    // instead of other peaks; if it is more, peaks near a higher one are lost.
     constexpr double max_radius = CGAL_PI / 12.;
     // A peak of the grid may be lower than the real one, and the best of those that are found be none but that: more of them
     // take more time to refine. Those below the best quarter are not looked at, as the time grows with the square.
@@ -155,13 +140,13 @@ private:
     {
       const auto& triangles = surface.sphere().triangles();
       const std::vector<Vector_3d> all = subdivided_icosahedron(n_steps).directions;
-      const auto places = surface.sphere().locate(points_of<Surface_descriptor::Kernel>(all), execution);
+      const auto locations = surface.sphere().locate(points_of(all), execution);
       for(std::size_t i = 0; i < all.size(); ++i)
-        if(surface.counts(nearest_vertex(triangles, places[i])))
+        if(surface.counts(nearest_vertex(triangles, locations[i])))
         {
           directions.push_back(all[i]);
           for(const Vertex_scalars& channel : surface.features())
-            values.push_back(interpolated(channel, triangles, places[i]));
+            values.push_back(interpolated(channel, triangles, locations[i]));
         }
     }
 
@@ -186,7 +171,7 @@ private:
   Scored_rotation refined(const Rotation_matrix& start) const
   {
     // In radians. The first one is most of the grid's spacing, 10 degrees: a larger one leaves the peak. Below few_angle, turns
-    // are finer than what a few directions tell. The last one that is tried is 0.2 degrees, a tenth of the spacing of the images.
+    // are finer than a few directions can resolve. The last one that is tried is 0.2 degrees, a tenth of the spacing of the images.
     constexpr double first_angle = 0.12, few_angle = 0.02, last_angle = 0.002;
     Scored_rotation result = {start, 0.};
     const Samples* samples = nullptr;
@@ -219,6 +204,36 @@ private:
   Execution m_execution;
   Samples m_few, m_all;
 };
+
+// The rotation that brings each vertex nearest to one of the second sphere, in a few rounds from a rotation that is nearly
+// so. For copies of a sphere it is exact but for rounding.
+inline Rotation_matrix polished(Rotation_matrix rotation, const Sphere_mesh& sphere1, const Sphere_mesh& sphere2,
+                                Run_control& control, const Execution& execution)
+{
+  // One is enough where vertices are farther apart than the rotation is off; of dense copies, more meet in each further one.
+  constexpr int n_rounds = 8;
+  constexpr std::size_t block_size =
+      4096; // that is located until the control is asked: exact signs take long on copies
+  for(int round = 0; round < n_rounds; ++round)
+  {
+    const auto points = points_of(rotated_directions(rotation, directions_of(sphere1)));
+    std::vector<std::pair<Vector_3d, Vector_3d>> pairs;
+    for(std::size_t begin = 0; begin < points.size(); begin += block_size)
+    {
+      if(!control.go_further(0, 0.))
+        return rotation;
+      const auto end = static_cast<std::ptrdiff_t>((std::min)(begin + block_size, points.size()));
+      const std::vector<Sphere_kernel::Point_3> block(points.begin() + static_cast<std::ptrdiff_t>(begin),
+                                                      points.begin() + end);
+      for(const auto& location : sphere2.locate(block, execution))
+        pairs.emplace_back(sphere1.direction(pairs.size()),
+                           sphere2.direction(nearest_vertex(sphere2.triangles(), location)));
+    }
+    if(const std::optional<Rotation_matrix> next = fitting_rotation(pairs))
+      rotation = *next;
+  }
+  return rotation;
+}
 
 } // namespace CGAL::Spherical_parameterization::internal
 

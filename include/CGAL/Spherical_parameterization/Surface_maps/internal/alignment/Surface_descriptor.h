@@ -14,50 +14,28 @@
 
 #include <CGAL/license/Spherical_parameterization.h>
 
+#include <CGAL/Spherical_parameterization/Surface_maps/internal/Sphere_mesh.h>
 #include <CGAL/Spherical_parameterization/Surface_maps/internal/alignment/Surface_paths.h>
 #include <CGAL/Spherical_parameterization/internal/certificate/is_safely_positive.h>
 #include <CGAL/Spherical_parameterization/internal/hierarchy/Mesh_hierarchy.h>
-#include <CGAL/Spherical_parameterization/internal/locate/Sphere_triangulation.h>
-#include <CGAL/Spherical_parameterization/internal/numbers/Vector_3.h>
-#include <CGAL/Spherical_parameterization/internal/surface/Linked_triangle.h>
 #include <CGAL/Spherical_parameterization/internal/surface/Surface.h>
 #include <CGAL/Spherical_parameterization/internal/surface/Surface_diffusion.h>
 #include <CGAL/Spherical_parameterization/internal/surface/Vertex_rings.h>
-#include <CGAL/Spherical_parameterization/internal/surface/vertex_scalars.h>
+#include <CGAL/Spherical_parameterization/internal/surface/mesh_measures.h>
 
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
-#include <cstdint>
-#include <functional>
 #include <numeric>
 #include <tuple>
-#include <utility>
-#include <vector>
 
 namespace CGAL::Spherical_parameterization::internal {
 
-template <class K>
-std::vector<typename K::Point_3> points_of(const std::vector<Vector_3d>& directions)
-{
-  std::vector<typename K::Point_3> result;
-  for(const Vector_3d& p : directions)
-    result.emplace_back(p[0], p[1], p[2]);
-  return result;
-}
-
 // A surface as it is compared with another one: the coarsest level of a hierarchy, scaled to area 1, whose vertices are
-// spread over the surface, and not over its sphere, on which extremities are small. What is computed here changes little when the
-// surface is bent, and not at all when it is moved.
+// spread over the surface, and not over its sphere, on which extremities are small. All that is computed here changes little
+// when the surface is bent, and not at all when it is moved.
 class Surface_descriptor
 {
 public:
-  using Kernel = Exact_predicates_inexact_constructions_kernel;
-
-  // Of surfaces that are larger, all are compared in the same time. With 700 vertices, random pairs of people are off by 3.2
-  // percent after their alignment, with 1000 by 3.0 and with 2000 by 2.8, where a start takes 1.3 and 2.4 times as long.
+  // All surfaces that are larger are compared in the same time. More vertices make alignments better, but each start takes
+  // longer, in proportion.
   static constexpr std::size_t max_size = 2000;
 
   // The hierarchy is that of the mesh with its images on the unit sphere; these, a caller's own features, of which vertices
@@ -73,14 +51,8 @@ public:
     const std::size_t n = m_points.size();
     Index_triangles triangles;
     m_rings.for_each_face([&](std::uint32_t a, std::uint32_t b, std::uint32_t c) { triangles.push_back({a, b, c}); });
-    m_sphere.assign(points_of<Kernel>(m_directions), link_triangles(triangles, n));
-    m_areas.assign(n, 0.);
-    for(const Linked_triangle& t : m_sphere.triangles())
-    {
-      const double sixth = length(cross(m_points[t[1]] - m_points[t[0]], m_points[t[2]] - m_points[t[0]])) / 6.;
-      for(const std::uint32_t v : t.vertices)
-        m_areas[v] += sixth;
-    }
+    m_sphere.assign(points_of(m_directions), link_triangles(triangles, n));
+    m_areas = vertex_areas(m_rings, m_points);
     const double area = std::accumulate(m_areas.begin(), m_areas.end(), 0.);
     const double scale = area > 0. ? 1. / std::sqrt(area) : 1.;
     for(std::size_t v = 0; v < n; ++v)
@@ -110,7 +82,7 @@ public:
 
   // Whether its images are a bijection as doubles, which all that looks at the sphere takes for granted.
   bool is_bijective() const { return m_is_bijective; }
-  const Sphere_triangulation<Kernel>& sphere() const { return m_sphere; }
+  const Sphere_mesh& sphere() const { return m_sphere; }
 
   // The features, those of the package as ranks.
   const std::vector<Vertex_scalars>& features() const { return m_features; }
@@ -127,7 +99,7 @@ public:
     // The time of heat that goes 0.045, where the vertices are 0.024 apart, and twice as far. With less time, the
     // curvature is that of the sampling; with more, that of the whole body, and small features are lost.
     constexpr double fine = 0.002, coarse = 0.008;
-    // It tells front from back as nothing else does. As a goal of the descent, or in the search of rotations, it is to count no
+    // It distinguishes front from back as nothing else does. As a goal of the descent, or in the search of rotations, it is to count no
     // more than the others: its features are small, and the maps are led to the nearest of them.
     constexpr double weight_of_fine_curvature = 3.;
     add_ranks(k == 0   ? shrinking()
@@ -143,23 +115,23 @@ public:
     Vertex_scalars distances;
   };
 
-  // The ends of extremities. Those whose ends are farthest away: where the average distance is largest all around, and above the mean.
+  // The tips of extremities: where the average distance is largest all around, and above the mean.
   std::vector<Origin> extremities()
   {
-    // Between two ends, in units of the mean distance, which is about a half of the root of the area. With a smaller one, an
-    // end that is blunt counts twice; with a larger one, an extremity beside a longer one goes without an end.
+    // Between two tips, in units of the mean distance, which is about a half of the root of the area. With a smaller one, a
+    // blunt tip counts twice; with a larger one, an extremity beside a longer one goes without a tip.
     constexpr double min_distance = 0.45;
     const Vertex_scalars& average = average_distance();
-    std::vector<std::uint32_t> ends;
+    std::vector<std::uint32_t> tips;
     for(std::uint32_t v = 0; v < size(); ++v)
       if(const auto& ring = m_rings.ring(v);
          average[v] > 1. && counts(v) &&
          std::all_of(ring.begin(), ring.end(), [&](std::uint32_t w) { return average[w] <= average[v]; }))
-        ends.push_back(v);
-    std::stable_sort(ends.begin(), ends.end(),
+        tips.push_back(v);
+    std::stable_sort(tips.begin(), tips.end(),
                      [&](std::uint32_t v, std::uint32_t w) { return average[v] > average[w]; });
     std::vector<Origin> result;
-    for(const std::uint32_t v : ends)
+    for(const std::uint32_t v : tips)
       if(std::all_of(result.begin(), result.end(),
                      [&](const Origin& extremity) { return extremity.distances[v] > min_distance; }))
       {
@@ -169,7 +141,7 @@ public:
     return result;
   }
 
-  // Gets ready for what is below, unless extremities() has.
+  // Gets ready for the functions below, unless extremities() has.
   void measure_distances() { static_cast<void>(average_distance()); }
 
   // Vertices that are spread over the surface, each as far as possible from those before.
@@ -178,11 +150,11 @@ public:
   // The distances from where the sphere has a direction, in the same units.
   Vertex_scalars distances_from(const Vector_3d& direction) const
   {
-    Sphere_triangulation<Kernel>::Hint hint;
-    const auto place = m_sphere.locate(Kernel::Point_3(direction[0], direction[1], direction[2]), hint);
-    const Vector_3d p = interpolated(m_points, m_sphere.triangles(), place);
+    Sphere_mesh::Hint hint;
+    const auto location = m_sphere.locate(point_of(direction), hint);
+    const Vector_3d p = interpolated(m_points, m_sphere.triangles(), location);
     std::vector<Surface_paths::Joint> corners;
-    for(const std::uint32_t v : m_sphere.triangles()[place.triangle].vertices)
+    for(const std::uint32_t v : m_sphere.triangles()[location.triangle].vertices)
       corners.emplace_back(length(p - m_points[v]), v);
     Vertex_scalars result = m_paths.distances_from(corners);
     scale(result);
@@ -287,7 +259,7 @@ private:
   }
 
   Vertex_rings m_rings;
-  Sphere_triangulation<Kernel> m_sphere;
+  Sphere_mesh m_sphere;
   bool m_is_bijective = false;
   std::vector<Vector_3d> m_directions, m_points;
   Vertex_scalars m_areas; // around the vertices

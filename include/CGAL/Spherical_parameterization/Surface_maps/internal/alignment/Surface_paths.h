@@ -30,7 +30,7 @@
 
 namespace CGAL::Spherical_parameterization::internal {
 
-// How far places of a surface are from each other on it, which changes little when it is bent: the lengths of shortest paths
+// How far points of a surface are from each other along it, which changes little when it is bent: the lengths of shortest paths
 // along edges and across pairs of triangles, within 4 percent on regular triangles.
 class Surface_paths
 {
@@ -58,12 +58,12 @@ public:
 
   Vertex_scalars distances_from(std::uint32_t source) const { return distances_from(std::vector<Joint>{{0., source}}); }
 
-  // From a place that is this far from these vertices.
-  Vertex_scalars distances_from(const std::vector<Joint>& place) const
+  // From a point that is this far from these vertices.
+  Vertex_scalars distances_from(const std::vector<Joint>& corners) const
   {
     Vertex_scalars result(m_joints.size(), (std::numeric_limits<double>::max)());
     std::priority_queue<Joint, std::vector<Joint>, std::greater<Joint>> queue;
-    for(const auto& [d, v] : place)
+    for(const auto& [d, v] : corners)
     {
       result[v] = d;
       queue.emplace(d, v);
@@ -94,7 +94,7 @@ private:
     const Vector_3d u = (1. / edge) * (b - a);
     const double cx = dot(c - a, u), cy = std::sqrt((std::max)(squared_length(c - a) - cx * cx, 0.));
     const double dx = dot(d - a, u), dy = std::sqrt((std::max)(squared_length(d - a) - dx * dx, 0.));
-    const double x = cy + dy > 0. ? (cx * dy + dx * cy) / (cy + dy) : 0.; // where the straight way meets the line
+    const double x = cy + dy > 0. ? (cx * dy + dx * cy) / (cy + dy) : 0.; // where the straight line meets the edge
     return x >= 0. && x <= edge ? std::hypot(cx - dx, cy + dy)
                                 : (std::min)(length(c - a) + length(d - a), length(c - b) + length(d - b));
   }

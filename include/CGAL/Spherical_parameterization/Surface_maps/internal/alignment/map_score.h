@@ -14,17 +14,9 @@
 
 #include <CGAL/license/Spherical_parameterization.h>
 
-#include <CGAL/Spherical_parameterization/Surface_maps/internal/target/Target_metric.h>
 #include <CGAL/Spherical_parameterization/Surface_maps/internal/target/Target_sphere.h>
 #include <CGAL/Spherical_parameterization/internal/hierarchy/Mesh_hierarchy.h>
-#include <CGAL/Spherical_parameterization/internal/numbers/Vector_3.h>
 #include <CGAL/Spherical_parameterization/internal/surface/Vertex_rings.h>
-
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
-#include <cstdint>
-#include <vector>
 
 // How good a map between surfaces is, on a level of the first one.
 
@@ -46,8 +38,8 @@ private:
   double m_ab = 0., m_aa = 0., m_bb = 0.;
 };
 
-// The correlation over the first surface between its features and those of what its vertices lie on, each with a weight if there
-// are any.
+// The correlation over the first surface between its features and those of the corresponding points, each with a weight if
+// there are any.
 inline double feature_agreement(const Feature_goals& features, const Mesh_hierarchy::Level& level,
                                 const std::vector<Vector_3d>& directions, const std::vector<double>& weights = {})
 {
@@ -80,9 +72,10 @@ inline double stretching(const Target_metric& metric, const Mesh_hierarchy::Leve
   rings.for_each_face([&](std::uint32_t i, std::uint32_t j, std::uint32_t k) {
     const std::uint32_t a = level.vertices[i], b = level.vertices[j], c = level.vertices[k];
     const Vector_3d u = points[b] - points[a], w = points[c] - points[a];
-    const Cube_location place = metric.place(directions[a] + directions[b] + directions[c], metric_level);
-    const Metric_sample<double> s = metric.at(place, metric_level);
-    const auto p = place.flattened(directions[b] - directions[a]), q = place.flattened(directions[c] - directions[a]);
+    const Cube_location location = metric.locate(directions[a] + directions[b] + directions[c], metric_level);
+    const Metric_sample<double> s = metric.at(location, metric_level);
+    const auto p = location.flattened(directions[b] - directions[a]),
+               q = location.flattened(directions[c] - directions[a]);
     const double uu = dot(u, u), uw = dot(u, w), ww = dot(w, w), pp = s.product(p, p), pq = s.product(p, q),
                  qq = s.product(q, q);
     const double squared_area = uu * ww - uw * uw, squared_image = pp * qq - pq * pq;

@@ -14,12 +14,12 @@
 
 #include <CGAL/license/Spherical_parameterization.h>
 
+#include <CGAL/Spherical_parameterization/Surface_maps/internal/Surface_on_sphere.h>
 #include <CGAL/Spherical_parameterization/internal/certificate/Orientation_about_origin_3.h>
 
 #include <CGAL/enum.h>
 #include <CGAL/number_utils.h>
 
-#include <array>
 #include <cstddef>
 
 namespace CGAL::Spherical_parameterization::internal {
@@ -37,11 +37,10 @@ namespace CGAL::Spherical_parameterization::internal {
 //
 // Signs that are not 0 stay, and those within one mesh do: with det(1 + E) > 0, the first mesh is moved as a whole. So
 // all signs are those of two certified meshes in general position.
-template <class K>
 class Perturbed_orientation
 {
 public:
-  using Point_3 = typename K::Point_3;
+  using Point_3 = Sphere_kernel::Point_3;
 
   // of the ends of an edge of the first mesh and a vertex of the second one, or the other way round
   explicit Perturbed_orientation(bool is_edge_of_first)
@@ -68,7 +67,7 @@ private:
   }
 
   Sign m_sign_of_tie; // times that of the product
-  Orientation_about_origin_3<K> m_orientation;
+  Orientation_about_origin_3<Sphere_kernel> m_orientation;
 };
 
 } // namespace CGAL::Spherical_parameterization::internal

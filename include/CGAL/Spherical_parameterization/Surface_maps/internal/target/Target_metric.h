@@ -14,19 +14,11 @@
 
 #include <CGAL/license/Spherical_parameterization.h>
 
-#include <CGAL/Spherical_parameterization/Surface_maps/internal/alignment/Sphere_image.h>
-#include <CGAL/Spherical_parameterization/internal/execution/parallel.h>
-#include <CGAL/Spherical_parameterization/internal/locate/Sphere_triangulation.h>
-#include <CGAL/Spherical_parameterization/internal/numbers/Vector_3.h>
+#include <CGAL/Spherical_parameterization/Surface_maps/internal/target/Sphere_image.h>
 
 #include <CGAL/number_type_config.h>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
 #include <utility>
-#include <vector>
 
 namespace CGAL::Spherical_parameterization::internal {
 
@@ -59,8 +51,7 @@ struct Metric_sample
 class Target_metric
 {
 public:
-  template <class K>
-  Target_metric(const Sphere_triangulation<K>& images, const std::vector<Vector_3d>& points, const Execution& execution)
+  Target_metric(const Sphere_mesh& images, const std::vector<Vector_3d>& points, const Execution& execution)
   {
     double area = 0.;
     for(const Linked_triangle& t : images.triangles())
@@ -69,22 +60,16 @@ public:
     std::size_t n = min_size;
     while(6 * n * n < 2 * images.triangles().size() && n < max_size)
       n *= 2;
-    std::vector<typename K::Point_3> directions;
-    Cube_location::for_each_node(n, [&](std::size_t side, double u, double v) {
-      const Vector_3d p = Cube_location::point(side, u, v);
-      directions.emplace_back(p[0], p[1], p[2]);
-    });
-    const auto places = images.locate(directions, execution);
-    Tensor_image image{n, std::vector<Tensor>(places.size())};
+    const std::vector<Vector_3d> nodes = nodes_of_cube(n);
+    const auto locations = images.locate(points_of(nodes), execution);
+    Tensor_image image{n, std::vector<Tensor>(nodes.size())};
     // 1024 nodes of parallel work: enough that handing it out costs nothing
-    for_each_block(execution, 0, places.size(), 1024, [&](std::size_t begin, std::size_t end) {
+    for_each_block(execution, 0, nodes.size(), 1024, [&](std::size_t begin, std::size_t end) {
       for(std::size_t k = begin; k < end; ++k)
       {
-        const Linked_triangle& t = images.triangles()[places[k].triangle];
+        const Linked_triangle& t = images.triangles()[locations[k].triangle];
         const std::array<Vector_3d, 3> x = {scale * points[t[0]], scale * points[t[1]], scale * points[t[2]]};
-        const std::array<Vector_3d, 3> p = images.corners(t);
-        const auto& q = directions[k];
-        image.tensors[k] = tensor_of(p, x, normalized(Vector_3d{q.x(), q.y(), q.z()}));
+        image.tensors[k] = tensor_of(images.corners(t), x, normalized(nodes[k]));
       }
     });
     for(image = smoothed(image, n);; image = smoothed(image, image.n / 2))
@@ -96,7 +81,7 @@ public:
   }
 
   // The level that a mesh with so many vertices is to see: a coarser one hides what it could follow, a finer one is noise
-  // to it, as each of its faces looks at one place.
+  // to it, as each of its faces looks at one location.
   std::size_t level_for(std::size_t n_vertices) const
   {
     std::size_t level = 0;
@@ -106,18 +91,18 @@ public:
   }
 
   template <class FT>
-  Basic_cube_location<FT> place(const Vector_3<FT>& p, std::size_t level) const
+  Basic_cube_location<FT> locate(const Vector_3<FT>& p, std::size_t level) const
   {
     return Basic_cube_location<FT>(p, m_images[level].n);
   }
 
-  // The metric in a place of this level.
+  // The metric at a location of this level.
   template <class FT>
-  Metric_sample<FT> at(const Basic_cube_location<FT>& place, std::size_t level) const
+  Metric_sample<FT> at(const Basic_cube_location<FT>& location, std::size_t level) const
   {
-    const auto weights = place.weights();
+    const auto weights = location.weights();
     Numbers_of_lanes<FT> mixed;
-    for_each_lane(place, level, [&](std::size_t l, std::size_t k, const auto& c) {
+    for_each_lane(location, level, [&](std::size_t l, std::size_t k, const auto& c) {
       const auto weight = [&](std::size_t i) { return Numbers(lane(weights[i], l)); };
       Lanes<Numbers>::store(weight(0) * c[0] + weight(1) * c[1] + weight(2) * c[2] + weight(3) * c[3], &mixed[l][k]);
     });
@@ -126,11 +111,11 @@ public:
 
   // The same, and how it changes along both sides of the square.
   template <class FT>
-  std::array<Metric_sample<FT>, 3> with_slopes_at(const Basic_cube_location<FT>& place, std::size_t level) const
+  std::array<Metric_sample<FT>, 3> with_slopes_at(const Basic_cube_location<FT>& location, std::size_t level) const
   {
     Numbers_of_lanes<FT> value, along_u, along_v;
-    for_each_lane(place, level, [&](std::size_t l, std::size_t k, const auto& c) {
-      const Bilinear<Numbers> metric(c[0], c[1], c[2], c[3], lane(place.u(), l), lane(place.v(), l));
+    for_each_lane(location, level, [&](std::size_t l, std::size_t k, const auto& c) {
+      const Bilinear<Numbers> metric(c[0], c[1], c[2], c[3], lane(location.u(), l), lane(location.v(), l));
       Lanes<Numbers>::store(metric.value, &value[l][k]);
       Lanes<Numbers>::store(metric.along_u, &along_u[l][k]);
       Lanes<Numbers>::store(metric.along_v, &along_v[l][k]);
@@ -152,18 +137,18 @@ private:
     std::vector<Texel> texels;
   };
 
-  // In each lane there are other texels; what is done with their four numbers is done at once.
+  // In each lane there are other texels, whose four numbers are processed at once.
   using Numbers = Four_lanes;
   template <class FT>
   using Numbers_of_lanes = std::array<std::array<double, 4>, Lanes<FT>::width>;
 
-  // Calls f(lane, k, corners) with the numbers from k on of the corners around the place in each lane.
+  // Calls f(lane, k, corners) with the numbers from k on of the corners around the location in each lane.
   template <class FT, class Function>
-  void for_each_lane(const Basic_cube_location<FT>& place, std::size_t level, const Function& f) const
+  void for_each_lane(const Basic_cube_location<FT>& location, std::size_t level, const Function& f) const
   {
     for(std::size_t l = 0; l < Lanes<FT>::width; ++l)
     {
-      const auto nodes = place.nodes(l);
+      const auto nodes = location.nodes(l);
       for(std::size_t k = 0; k < 4; k += Lanes<Numbers>::width)
       {
         const auto corner = [&](std::size_t i) {
@@ -193,9 +178,9 @@ private:
 
     Tensor at(const Vector_3d& p) const
     {
-      const Cube_location place(p, n);
-      const auto nodes = place.nodes();
-      const auto weights = place.weights();
+      const Cube_location location(p, n);
+      const auto nodes = location.nodes();
+      const auto weights = location.weights();
       Tensor result{};
       for(std::size_t i = 0; i < 4; ++i)
         add(weights[i], tensors[nodes[i]], result);
@@ -245,18 +230,18 @@ private:
   static void join_sides(Tensor_image& image)
   {
     const int n = static_cast<int>(image.n);
-    std::vector<std::pair<std::array<int, 3>, std::size_t>> nodes; // with their places on the cube
+    std::vector<std::pair<std::array<int, 3>, std::size_t>> nodes; // with their coordinates on the cube
     std::size_t index = 0;
     for(std::size_t side = 0; side < 6; ++side)
       for(int i = 0; i <= n; ++i)
         for(int j = 0; j <= n; ++j, ++index)
           if(i % n == 0 || j % n == 0)
           {
-            std::array<int, 3> place;
-            place[side / 2] = side % 2 == 0 ? n : -n;
-            place[(side / 2 + 1) % 3] = 2 * i - n;
-            place[(side / 2 + 2) % 3] = 2 * j - n;
-            nodes.emplace_back(place, index);
+            std::array<int, 3> coordinates;
+            coordinates[side / 2] = side % 2 == 0 ? n : -n;
+            coordinates[(side / 2 + 1) % 3] = 2 * i - n;
+            coordinates[(side / 2 + 2) % 3] = 2 * j - n;
+            nodes.emplace_back(coordinates, index);
           }
     std::sort(nodes.begin(), nodes.end());
     for(std::size_t begin = 0, end; begin < nodes.size(); begin = end)
@@ -277,19 +262,19 @@ private:
     std::array<Vector_3d, 3> l = {cross(p[1], p[2]), cross(p[2], p[0]), cross(p[0], p[1])};
     const double determinant = dot(p[0], l[0]);
     double sum = 0.;
-    Vector_3d place = {0., 0., 0.};
+    Vector_3d point = {0., 0., 0.};
     for(std::size_t i = 0; i < 3; ++i)
     {
       l[i] = (1. / determinant) * l[i];
       sum += dot(l[i], q);
-      place = place + dot(l[i], q) * x[i];
+      point = point + dot(l[i], q) * x[i];
     }
-    place = (1. / sum) * place;
+    point = (1. / sum) * point;
     // J = sum over i of (x_i - x) l_i^T / sum
     std::array<Vector_3d, 3> rows = {Vector_3d{0., 0., 0.}, Vector_3d{0., 0., 0.}, Vector_3d{0., 0., 0.}};
     for(std::size_t i = 0; i < 3; ++i)
       for(std::size_t r = 0; r < 3; ++r)
-        rows[r] = rows[r] + ((x[i][r] - place[r]) / sum) * l[i];
+        rows[r] = rows[r] + ((x[i][r] - point[r]) / sum) * l[i];
     Tensor s{};
     for(const Vector_3d& r : rows)
       for(std::size_t i = 0, k = 0; i < 3; ++i)

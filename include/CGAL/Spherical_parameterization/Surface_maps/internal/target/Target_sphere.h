@@ -14,22 +14,12 @@
 
 #include <CGAL/license/Spherical_parameterization.h>
 
-#include <CGAL/Spherical_parameterization/Surface_maps/internal/alignment/Sphere_image.h>
-#include <CGAL/Spherical_parameterization/Surface_maps/internal/target/Target_metric.h>
 #include <CGAL/Spherical_parameterization/Surface_maps/internal/target/Target_star.h>
 #include <CGAL/Spherical_parameterization/internal/descent/Face_energy.h>
-#include <CGAL/Spherical_parameterization/internal/descent/Star_packets.h>
 #include <CGAL/Spherical_parameterization/internal/descent/Vertex_step.h>
-#include <CGAL/Spherical_parameterization/internal/numbers/Vector_3.h>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <cstdint>
 #include <optional>
 #include <tuple>
-#include <vector>
 
 namespace CGAL::Spherical_parameterization::internal {
 
@@ -154,9 +144,10 @@ public:
   std::array<FT, 3> invariants(const std::array<Vector_3<FT>, 3>& p, const std::array<FT, 3>& opposite,
                                const FT& inverse_doubled_area, const FT&, double, const Face_objective&) const
   {
-    const auto place = m_metric->place(p[0] + p[1] + p[2], m_metric_level);
-    const Metric_sample<FT> s = m_metric->at(place, m_metric_level);
-    const auto a0 = place.flattened(p[2] - p[1]), a1 = place.flattened(p[0] - p[2]), a2 = place.flattened(p[1] - p[0]);
+    const auto location = m_metric->locate(p[0] + p[1] + p[2], m_metric_level);
+    const Metric_sample<FT> s = m_metric->at(location, m_metric_level);
+    const auto a0 = location.flattened(p[2] - p[1]), a1 = location.flattened(p[0] - p[2]),
+               a2 = location.flattened(p[1] - p[0]);
     const FT d = inverse_doubled_area * dot(p[0], cross(p[1], p[2])) * s.area();
     return {opposite[0] * s.product(a0, a0) + opposite[1] * s.product(a1, a1) + opposite[2] * s.product(a2, a2), d, d};
   }

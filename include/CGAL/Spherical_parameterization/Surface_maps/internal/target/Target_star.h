@@ -15,19 +15,12 @@
 #include <CGAL/license/Spherical_parameterization.h>
 
 #include <CGAL/Spherical_parameterization/Energy_derivatives_3.h>
-#include <CGAL/Spherical_parameterization/Surface_maps/internal/alignment/Sphere_image.h>
 #include <CGAL/Spherical_parameterization/Surface_maps/internal/target/Target_metric.h>
 #include <CGAL/Spherical_parameterization/internal/certificate/is_safely_positive.h>
 #include <CGAL/Spherical_parameterization/internal/descent/Star_packets.h>
-#include <CGAL/Spherical_parameterization/internal/numbers/Vector_3.h>
 #include <CGAL/Spherical_parameterization/internal/surface/Rest_triangle.h>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
 #include <limits>
-#include <vector>
 
 namespace CGAL::Spherical_parameterization::internal {
 
@@ -129,9 +122,9 @@ public:
     {
       const Face& f = m_faces[j];
       const Vector_3<FT> e0 = f.q - f.p, e1 = m_center - f.q, e2 = f.p - m_center;
-      const auto place = m_metric.place(m_center + f.p + f.q, m_level);
-      const auto a0 = place.flattened(e0), a1 = place.flattened(e1), a2 = place.flattened(e2), u1 = place.flattened(t1),
-                 u2 = place.flattened(t2);
+      const auto location = m_metric.locate(m_center + f.p + f.q, m_level);
+      const auto a0 = location.flattened(e0), a1 = location.flattened(e1), a2 = location.flattened(e2),
+                 u1 = location.flattened(t1), u2 = location.flattened(t2);
       const auto& [o0, o1, o2] = f.opposite;
       const std::array<FT, 3> products = {o0 * a0[0] * a0[0] + o1 * a1[0] * a1[0] + o2 * a2[0] * a2[0],
                                           o0 * a0[0] * a0[1] + o1 * a1[0] * a1[1] + o2 * a2[0] * a2[1],
@@ -139,14 +132,15 @@ public:
       const auto dirichlet = [&](const Metric_sample<FT>& g) {
         return products[0] * g.numbers[0] + 2. * products[1] * g.numbers[1] + products[2] * g.numbers[2];
       };
-      const auto [s, along_u, along_v] = m_metric.with_slopes_at(place, m_level);
+      const auto [s, along_u, along_v] = m_metric.with_slopes_at(location, m_level);
       const FT i = dirichlet(s), volume = dot(m_center, f.normal), to_d = f.inverse_doubled_area * s.area(),
                d = to_d * volume + f.padding;
       // The metric changes with the sum of the corners.
-      const auto c1 = place.change(u1), c2 = place.change(u2);
+      const auto c1 = location.change(u1), c2 = location.change(u2);
       const FT iu = dirichlet(along_u), iv = dirichlet(along_v), to_area = f.inverse_doubled_area * volume;
       // So does how edges are flattened; those next to the vertex change with it as well.
-      const FT h0 = -o0 * place.height(e0), h1 = o1 * (1. - place.height(e1)), h2 = -o2 * (1. + place.height(e2));
+      const FT h0 = -o0 * location.height(e0), h1 = o1 * (1. - location.height(e1)),
+               h2 = -o2 * (1. + location.height(e2));
       const std::array<FT, 2> pull = {h0 * a0[0] + h1 * a1[0] + h2 * a2[0], h0 * a0[1] + h1 * a1[1] + h2 * a2[1]};
       const FT ix = 2. * s.product(pull, u1) + (iu * c1[0] + iv * c1[1]);
       const FT iy = 2. * s.product(pull, u2) + (iu * c2[0] + iv * c2[1]);
@@ -209,9 +203,9 @@ public:
       if constexpr(Lanes<FT>::width == 1) // in lanes, to look costs more than to go on
         if(!is_valid)
           return infinite;
-      const auto place = m_metric.place(center + f.p + f.q, m_level);
-      const Metric_sample<FT> s = m_metric.at(place, m_level);
-      const auto a0 = place.flattened(f.q - f.p), a1 = place.flattened(e1), a2 = place.flattened(e2);
+      const auto location = m_metric.locate(center + f.p + f.q, m_level);
+      const Metric_sample<FT> s = m_metric.at(location, m_level);
+      const auto a0 = location.flattened(f.q - f.p), a1 = location.flattened(e1), a2 = location.flattened(e2);
       const FT i =
           f.opposite[0] * s.product(a0, a0) + f.opposite[1] * s.product(a1, a1) + f.opposite[2] * s.product(a2, a2);
       const FT d = f.inverse_doubled_area * volume * s.area() + f.padding;

@@ -9,25 +9,20 @@
 //
 // Author(s)     : The Spherical_parameterization authors
 
-#ifndef CGAL_SPHERICAL_PARAMETERIZATION_SURFACE_MAPS_INTERNAL_ALIGNMENT_SPHERE_IMAGE_H
-#define CGAL_SPHERICAL_PARAMETERIZATION_SURFACE_MAPS_INTERNAL_ALIGNMENT_SPHERE_IMAGE_H
+#ifndef CGAL_SPHERICAL_PARAMETERIZATION_SURFACE_MAPS_INTERNAL_TARGET_SPHERE_IMAGE_H
+#define CGAL_SPHERICAL_PARAMETERIZATION_SURFACE_MAPS_INTERNAL_TARGET_SPHERE_IMAGE_H
 
 #include <CGAL/license/Spherical_parameterization.h>
 
+#include <CGAL/Spherical_parameterization/Surface_maps/internal/Sphere_mesh.h>
 #include <CGAL/Spherical_parameterization/internal/execution/parallel.h>
 #include <CGAL/Spherical_parameterization/internal/locate/Cube_location.h>
-#include <CGAL/Spherical_parameterization/internal/locate/Sphere_triangulation.h>
-#include <CGAL/Spherical_parameterization/internal/numbers/Vector_3.h>
 
-#include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstddef>
-#include <vector>
 
 namespace CGAL::Spherical_parameterization::internal {
 
-// What is interpolated between the corners of a square, (0, 0), (0, 1), (1, 0) and (1, 1), and how it changes along both sides.
+// The bilinear interpolation between the corners of a square, (0, 0), (0, 1), (1, 0) and (1, 1), and its slopes.
 template <class T>
 struct Bilinear
 {
@@ -42,6 +37,15 @@ struct Bilinear
   T value, along_u, along_v;
 };
 
+// The directions of the nodes of an image on the sides of a cube.
+inline std::vector<Vector_3d> nodes_of_cube(std::size_t n_steps)
+{
+  std::vector<Vector_3d> result;
+  Cube_location::for_each_node(
+      n_steps, [&](std::size_t side, double u, double v) { result.push_back(Cube_location::point(side, u, v)); });
+  return result;
+}
+
 // An image on the sphere with several values for each direction, on the faces of a cube: fast to look up.
 class Sphere_image
 {
@@ -49,41 +53,31 @@ public:
   // along an edge of the cube: 1.9 degrees at most, a quarter of how far the vertices of a Surface_descriptor are from each other
   static constexpr std::size_t default_steps = 48;
 
-  // Where the nodes of the cube are in a triangulation of the sphere, which has a grid.
-  template <class K>
-  static std::vector<typename Sphere_triangulation<K>::Triangle_location> places_of_nodes(
-      const Sphere_triangulation<K>& sphere, const Execution& execution, std::size_t n_steps = default_steps)
+  using Locations = std::vector<Sphere_mesh::Triangle_location>;
+
+  // Locates the nodes of the cube in a triangulation of the sphere, which has a grid.
+  static Locations locate_nodes(const Sphere_mesh& sphere, const Execution& execution,
+                                std::size_t n_steps = default_steps)
   {
-    std::vector<typename K::Point_3> nodes;
-    Cube_location::for_each_node(n_steps, [&](std::size_t side, double u, double v) {
-      const Vector_3d p = Cube_location::point(side, u, v);
-      nodes.emplace_back(p[0], p[1], p[2]);
-    });
-    return sphere.locate(nodes, execution);
+    return sphere.locate(points_of(nodes_of_cube(n_steps)), execution);
   }
 
   // Interpolates channels that have a value for each vertex of that triangulation.
-  template <class Triangle_location>
-  Sphere_image(const std::vector<Triangle_location>& places_of_nodes, const std::vector<Linked_triangle>& triangles,
+  Sphere_image(const Locations& nodes, const std::vector<Linked_triangle>& triangles,
                const std::vector<std::vector<double>>& channels, std::size_t n_steps = default_steps)
     : m_n_steps(n_steps)
     , m_n_channels(channels.size())
     , m_row(row_size(channels.size()))
-    , m_values(places_of_nodes.size() * m_row, 0.)
+    , m_values(nodes.size() * m_row, 0.)
   {
-    for(std::size_t i = 0; i < places_of_nodes.size(); ++i)
-    {
-      const Triangle_location& place = places_of_nodes[i];
-      const Linked_triangle& t = triangles[place.triangle];
+    for(std::size_t i = 0; i < nodes.size(); ++i)
       for(std::size_t k = 0; k < m_n_channels; ++k)
-        m_values[i * m_row + k] = place.coordinates[0] * channels[k][t[0]] + place.coordinates[1] * channels[k][t[1]] +
-                                  place.coordinates[2] * channels[k][t[2]];
-    }
+        m_values[i * m_row + k] = interpolated(channels[k], triangles, nodes[i]);
   }
 
   std::size_t number_of_channels() const { return m_n_channels; }
 
-  // How many numbers the values of one place take: so many that they are worked on in lanes without a rest. The others are 0.
+  // How many numbers the values of one node take: so many that they are worked on in lanes without a rest. The others are 0.
   static std::size_t row_size(std::size_t n_channels) { return (n_channels + 3) / 4 * 4; }
 
   // the values at the node that is nearest to a direction, in the side of the cube that it leads to
@@ -91,9 +85,9 @@ public:
 
   void interpolate(const Vector_3d& p, double* result) const
   {
-    const Cube_location place(p, m_n_steps);
-    const auto c = corners(place, 0);
-    const auto w = place.weights();
+    const Cube_location location(p, m_n_steps);
+    const auto c = corners(location, 0);
+    const auto w = location.weights();
     for(std::size_t k = 0; k < m_n_channels; ++k)
       result[k] = w[0] * c[0][k] + w[1] * c[1][k] + w[2] * c[2][k] + w[3] * c[3][k];
   }
@@ -102,10 +96,10 @@ public:
   template <class FT>
   FT squared_difference(const Vector_3<FT>& p, const std::array<const double*, Lanes<FT>::width>& values) const
   {
-    const Basic_cube_location<FT> place(p, m_n_steps);
-    const auto weights = place.weights();
+    const Basic_cube_location<FT> location(p, m_n_steps);
+    const auto weights = location.weights();
     return Lanes<FT>::generate([&](std::size_t l) {
-      const auto c = corners(place, l);
+      const auto c = corners(location, l);
       const std::array<Channels, 4> w = {lane(weights[0], l), lane(weights[1], l), lane(weights[2], l),
                                          lane(weights[3], l)};
       Channels sum = 0.;
@@ -128,12 +122,12 @@ public:
                         std::array<FT, 3>& hessian) const
   {
     constexpr std::size_t width = Lanes<FT>::width;
-    const Basic_cube_location<FT> place(p, m_n_steps);
+    const Basic_cube_location<FT> location(p, m_n_steps);
     std::array<std::array<double, width>, 6> sums; // of the products of the difference and its slopes, in the lanes
     for(std::size_t l = 0; l < width; ++l)
     {
-      const auto c = corners(place, l);
-      const Channels u = lane(place.u(), l), v = lane(place.v(), l);
+      const auto c = corners(location, l);
+      const Channels u = lane(location.u(), l), v = lane(location.v(), l);
       std::array<Channels, 6> sum = {0., 0., 0., 0., 0., 0.};
       for(std::size_t k = 0; k < m_row; k += Lanes<Channels>::width)
       {
@@ -152,7 +146,7 @@ public:
     }
     const auto in_lanes = [&](std::size_t i) { return Lanes<FT>::load(sums[i].data()); };
     const FT du = in_lanes(1), dv = in_lanes(2), uu = in_lanes(3), uv = in_lanes(4), vv = in_lanes(5);
-    const auto x = place.change(place.flattened(t1)), y = place.change(place.flattened(t2));
+    const auto x = location.change(location.flattened(t1)), y = location.change(location.flattened(t2));
     gradient = {du * x[0] + dv * x[1], du * y[0] + dv * y[1]};
     const std::array<FT, 2> to_x = {uu * x[0] + uv * x[1], uv * x[0] + vv * x[1]};
     hessian = {x[0] * to_x[0] + x[1] * to_x[1], y[0] * to_x[0] + y[1] * to_x[1],
@@ -173,11 +167,11 @@ private:
 
   const double* at_node(std::size_t node) const { return &m_values[node * m_row]; }
 
-  // the rows of the nodes around a place
+  // the rows of the nodes around a location
   template <class FT>
-  std::array<const double*, 4> corners(const Basic_cube_location<FT>& place, std::size_t lane) const
+  std::array<const double*, 4> corners(const Basic_cube_location<FT>& location, std::size_t lane) const
   {
-    const auto nodes = place.nodes(lane);
+    const auto nodes = location.nodes(lane);
     return {at_node(nodes[0]), at_node(nodes[1]), at_node(nodes[2]), at_node(nodes[3])};
   }
 
@@ -187,4 +181,4 @@ private:
 
 } // namespace CGAL::Spherical_parameterization::internal
 
-#endif // CGAL_SPHERICAL_PARAMETERIZATION_SURFACE_MAPS_INTERNAL_ALIGNMENT_SPHERE_IMAGE_H
+#endif // CGAL_SPHERICAL_PARAMETERIZATION_SURFACE_MAPS_INTERNAL_TARGET_SPHERE_IMAGE_H

@@ -1,0 +1,89 @@
+// Copyright (c) 2026  The Spherical_parameterization authors.
+// All rights reserved.
+//
+// This file is part of the Spherical_parameterization package for CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Spherical_parameterization authors
+
+#ifndef CGAL_SPHERICAL_PARAMETERIZATION_SURFACE_MAPS_INTERNAL_SURFACE_LEVELS_H
+#define CGAL_SPHERICAL_PARAMETERIZATION_SURFACE_MAPS_INTERNAL_SURFACE_LEVELS_H
+
+#include <CGAL/license/Spherical_parameterization.h>
+
+#include <CGAL/Spherical_parameterization/Surface_maps/internal/alignment/Surface_descriptor.h>
+#include <CGAL/Spherical_parameterization/Surface_maps/internal/alignment/map_score.h>
+#include <CGAL/Spherical_parameterization/Surface_maps/internal/target/Target_levels.h>
+
+namespace CGAL::Spherical_parameterization::internal {
+
+// The levels of a surface on its sphere, down to that by which it is compared with others.
+class Surface_levels
+{
+public:
+  // The directions of the images are in the order of the caller.
+  Surface_levels(const Surface& mesh, const std::vector<Vector_3d>& directions, Run_control& control,
+                 const Execution& execution)
+    : m_mesh(mesh)
+    , m_images(mesh.in_own_order(rotated_directions(rotation_matrix({1., 0., 0., 0.}), directions)))
+    , m_hierarchy(mesh.rings(), mesh.points(), vertex_areas(mesh.rings(), mesh.points()), control, execution, m_images,
+                  {}, Surface_descriptor::max_size)
+  {}
+
+  // The features and the mask are in the order of the mesh.
+  Surface_descriptor coarse_surface(const std::vector<Vertex_scalars>& features, const Mask& mask) const
+  {
+    return Surface_descriptor(m_hierarchy, m_mesh, m_images, features, mask);
+  }
+
+  // Takes a map of the coarsest level to the finest one; `positions` receives it. Returns false if doubles cannot hold it. The
+  // levels are used up.
+  bool refine(const std::vector<Vector_3d>& coarse, const Target_goals& goals, std::vector<Vector_3d>& positions,
+              Run_control& control, const Execution& execution)
+  {
+    return refine(m_hierarchy, coarse, goals, 0, positions, control, execution);
+  }
+
+  // The score of a map of the coarsest level, taken to a level that has up to 8000 vertices, where the features of the mesh
+  // itself show more than on the coarsest one; least if doubles cannot hold it.
+  double score_on_finer_level(const std::vector<Vector_3d>& coarse, const Target_goals& goals, Run_control& control,
+                              const Execution& execution) const
+  {
+    constexpr double weight_of_stretching = 0.15; // with more, half-turns win more often: their energy is often lower
+    constexpr std::size_t max_size = 8000;
+    std::size_t k = 0;
+    while(k + 1 < m_hierarchy.number_of_levels() && m_hierarchy.level(k).vertices.size() > max_size)
+      ++k;
+    Mesh_hierarchy levels = m_hierarchy;
+    std::vector<Vector_3d> positions;
+    if(!refine(levels, coarse, goals, k, positions, control, execution))
+      return std::numeric_limits<double>::lowest();
+    return feature_agreement(goals.features, levels.level(k), positions) -
+           weight_of_stretching *
+               stretching(goals.metric, levels.level(k), levels.rings(k), m_mesh.points(), positions);
+  }
+
+private:
+  bool refine(Mesh_hierarchy& levels, const std::vector<Vector_3d>& coarse, const Target_goals& goals,
+              std::size_t last_level, std::vector<Vector_3d>& positions, Run_control& control,
+              const Execution& execution) const
+  {
+    const Mesh_hierarchy::Level& level = levels.level(levels.number_of_levels() - 1);
+    positions = m_images;
+    for(std::size_t v = 0; v < coarse.size(); ++v)
+      positions[level.vertices[v]] = coarse[v];
+    return lower_on_levels(levels, m_mesh.points(), m_images, goals, Target_sweeps(), positions, control, execution,
+                           last_level);
+  }
+
+  const Surface& m_mesh;
+  std::vector<Vector_3d> m_images; // in the order of the mesh
+  Mesh_hierarchy m_hierarchy;
+};
+
+} // namespace CGAL::Spherical_parameterization::internal
+
+#endif // CGAL_SPHERICAL_PARAMETERIZATION_SURFACE_MAPS_INTERNAL_SURFACE_LEVELS_H

@@ -1,0 +1,164 @@
+// Copyright (c) 2026  The Spherical_parameterization authors.
+// All rights reserved.
+//
+// This file is part of the Spherical_parameterization package for CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Spherical_parameterization authors
+
+#ifndef CGAL_SPHERICAL_PARAMETERIZATION_SURFACE_MAPS_INTERNAL_ALIGNMENT_ALIGNMENT_DESCENT_H
+#define CGAL_SPHERICAL_PARAMETERIZATION_SURFACE_MAPS_INTERNAL_ALIGNMENT_ALIGNMENT_DESCENT_H
+
+#include <CGAL/license/Spherical_parameterization.h>
+
+#include <CGAL/Spherical_parameterization/Surface_maps/internal/alignment/Coarse_pair.h>
+#include <CGAL/Spherical_parameterization/Surface_maps/internal/target/Target_levels.h>
+
+#include <memory>
+
+namespace CGAL::Spherical_parameterization::internal {
+
+// A correspondence of two coarse surfaces, and of their spheres.
+struct Alignment
+{
+  Rotation_matrix rotation = rotation_matrix({1., 0., 0., 0.});
+  std::vector<Vector_3d> directions; // of the vertices of the first coarse surface; none if these are but rotated
+  double agreement = 0.;             // the correlation of the features
+  double score = 0.;                 // the same, less how much the map stretches, and how far it is from landmarks
+  double missed = 0.;                // how far that is, in units of the mean distance
+};
+
+// A start during its descent.
+struct Alignment_start
+{
+  Alignment alignment;
+  Coarse_pair::Leads leads;
+  std::vector<Vector_3d> images; // of the first surface, rotated
+  std::unique_ptr<Mesh_hierarchy> hierarchy;
+  bool is_valid = true; // Doubles hold it.
+};
+
+// A control for what runs beside others.
+class Silent_control : public Run_control
+{
+public:
+  Silent_control()
+    : Run_control(0.)
+  {}
+  void on_initialization_begin(std::size_t) override {}
+  void on_level(std::size_t) override {}
+  void on_initialization_end() override {}
+  void after_iteration(std::size_t, double, double) override {}
+  void on_optimization_end() override {}
+
+private:
+  bool visitor_goes_further(std::size_t, double) override { return true; }
+};
+
+// The descent of one start on the coarse surfaces, and the score of its end. The energy of a map between surfaces is led by
+// features of great weight first, among them the distances from extremities that may correspond, which no pose changes and
+// which show from afar where to go. Then it is led by the features of the surfaces alone, with their weight in the end.
+class Alignment_descent
+{
+public:
+  // Both have to last as long as this.
+  Alignment_descent(const Coarse_pair& surfaces, const Target_metric& metric)
+    : m_surfaces(surfaces)
+    , m_metric(metric)
+  {}
+
+  Alignment_start start_from(const Rotation_matrix& rotation, Coarse_pair::Leads leads) const
+  {
+    Alignment_start result;
+    result.alignment.rotation = rotation;
+    result.images = rotated_directions(rotation, m_surfaces.first().directions());
+    result.leads = std::move(leads);
+    return result;
+  }
+
+  // Lowers a map with its features and leads, first on the coarse levels alone, by which most starts can be left.
+  void lead(bool is_first, Alignment_start& start) const
+  {
+    // From 60 vertices on, whole extremities move; from 30 on the surfaces have lost too much, from 120 on they are not led far
+    // enough.
+    constexpr std::size_t min_size = 60, first_size = 700;
+    const Vertex_rings& rings = m_surfaces.first().rings();
+    std::size_t last_level = 0;
+    Silent_control control;
+    if(is_first)
+    {
+      start.hierarchy =
+          std::make_unique<Mesh_hierarchy>(rings, m_surfaces.points(), vertex_areas(rings, m_surfaces.points()),
+                                           control, Execution(), start.images, std::vector<char>(), min_size);
+      start.alignment.directions = start.images;
+      while(last_level + 1 < start.hierarchy->number_of_levels() &&
+            start.hierarchy->level(last_level).vertices.size() > first_size)
+        ++last_level;
+    }
+    const Target_goals led = {m_metric, m_surfaces.goals(start.leads, leading_weight)};
+    start.is_valid =
+        start.is_valid && lower_on_levels(*start.hierarchy, m_surfaces.points(), start.images, led, m_sweeps,
+                                          start.alignment.directions, control, Execution(), last_level);
+    assess(start);
+  }
+
+  // Lowers a map with the weight that features have in the end.
+  void settle(double feature_weight, Alignment_start& start) const
+  {
+    start.is_valid = start.is_valid && lower({}, feature_weight, start.alignment.directions, Execution());
+    assess(start);
+  }
+
+  // Lowers the chosen map further, led by the distances from points all over the surface, which poses keep: they show how far
+  // along an extremity or around a body a vertex is, where the energy and features are much the same.
+  void keep_distances(std::vector<Vector_3d>& directions) const
+  {
+    lower(m_surfaces.leads_of(directions), leading_weight, directions, m_surfaces.execution());
+  }
+
+private:
+  bool lower(Coarse_pair::Leads leads, double weight, std::vector<Vector_3d>& directions,
+             const Execution& execution) const
+  {
+    constexpr std::size_t min_size = 500; // the coarsest level once the large parts correspond
+    Silent_control control;
+    return lower_on_target(m_surfaces.first().rings(), m_surfaces.points(),
+                           {m_metric, m_surfaces.goals(std::move(leads), weight)}, min_size, m_sweeps, directions,
+                           control, execution);
+  }
+
+  // Finds the score of a map on the level that it has come to.
+  void assess(Alignment_start& start) const
+  {
+    const std::size_t k = start.hierarchy->number_of_levels() - 1;
+    const Mesh_hierarchy::Level& level = start.hierarchy->level(k);
+    // From a quarter to a half, the same starts are chosen.
+    constexpr double weight_of_stretching = 1. / 3.;
+    const std::vector<Vector_3d>& directions = start.alignment.directions;
+    start.alignment.agreement = feature_agreement(m_surfaces.feature_goals(), level, directions);
+    start.alignment.missed = m_surfaces.distance_from_landmarks([&](const Vector_3d& p) {
+      const auto cosine = [&](std::uint32_t v) { return dot(m_surfaces.first().directions()[v], p); };
+      return directions[*std::max_element(level.vertices.begin(), level.vertices.end(),
+                                          [&](std::uint32_t v, std::uint32_t w) { return cosine(v) < cosine(w); })];
+    });
+    start.alignment.score =
+        feature_agreement(m_surfaces.feature_goals(), level, directions, m_surfaces.first().weights_in_choice()) -
+        weight_of_stretching * stretching(m_metric, level, start.hierarchy->rings(k), m_surfaces.points(), directions) -
+        start.alignment.missed;
+  }
+
+  // With a weight of 40, extremities stay where they are on the first surface; more than 160 crushes what is between them.
+  static constexpr double leading_weight = 80.;
+  // Other levels follow. But with 0.04 as the last one, the scores are less exact, and more maps are half-turns.
+  static constexpr Target_sweeps m_sweeps = {20, 1e-3, 0.02};
+
+  const Coarse_pair& m_surfaces;
+  const Target_metric& m_metric;
+};
+
+} // namespace CGAL::Spherical_parameterization::internal
+
+#endif // CGAL_SPHERICAL_PARAMETERIZATION_SURFACE_MAPS_INTERNAL_ALIGNMENT_ALIGNMENT_DESCENT_H

@@ -1,0 +1,212 @@
+// Copyright (c) 2026  The Spherical_parameterization authors.
+// All rights reserved.
+//
+// This file is part of the Spherical_parameterization package for CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Spherical_parameterization authors
+
+#ifndef CGAL_SPHERICAL_PARAMETERIZATION_SURFACE_MAPS_INTERNAL_ALIGNMENT_COARSE_PAIR_H
+#define CGAL_SPHERICAL_PARAMETERIZATION_SURFACE_MAPS_INTERNAL_ALIGNMENT_COARSE_PAIR_H
+
+#include <CGAL/license/Spherical_parameterization.h>
+
+#include <CGAL/Spherical_parameterization/Surface_maps/internal/alignment/Rotation_search.h>
+
+namespace CGAL::Spherical_parameterization::internal {
+
+// Two coarse surfaces that are compared, and the goals of maps from the first one to the sphere of the second one: features,
+// landmarks, and distances along the surfaces. The control is asked between parts of the work, and all is valid whenever it
+// ends that.
+class Coarse_pair
+{
+public:
+  using Leads = std::array<std::vector<Vertex_scalars>, 2>; // features of both surfaces
+
+  Coarse_pair(Surface_descriptor first, Surface_descriptor second, Run_control& control, const Execution& execution)
+    : m_surfaces{std::move(first), std::move(second)}
+    , m_control(control)
+    , m_execution(execution)
+  {
+    if(m_surfaces[0].features().empty())
+      for(int feature = 0; feature < Surface_descriptor::number_of_own_features && goes_on(); ++feature)
+        in_parallel(2, [&](std::size_t k) { m_surfaces[k].add_own_feature(feature); });
+    for(const Vector_3d& p : m_surfaces[0].points())
+      m_points.push_back(std::sqrt(4. * CGAL_PI) * p);
+    m_nodes = Sphere_image::locate_nodes(m_surfaces[1].sphere(), execution);
+    m_features = goals({}, 0.);
+  }
+
+  // Takes pairs of directions that correspond, by which the best alignment is chosen, and all starts are led.
+  void set_landmarks(const std::vector<std::pair<Vector_3d, Vector_3d>>& landmarks)
+  {
+    if(landmarks.empty())
+      return;
+    measure_distances();
+    Leads distances;
+    for(const auto& [p, q] : landmarks)
+    {
+      m_landmarks.push_back(p);
+      distances[0].push_back(m_surfaces[0].distances_from(p));
+      distances[1].push_back(m_surfaces[1].distances_from(q));
+    }
+    m_landmark_image.emplace(image(distances[1]));
+    for(std::size_t surface = 0; surface < 2; ++surface)
+      for(const Vertex_scalars& d : distances[surface])
+        m_landmark_leads[surface].push_back(scaled(d, weight_of_leading_distances));
+  }
+
+  const Surface_descriptor& first() const { return m_surfaces[0]; }
+  const Surface_descriptor& second() const { return m_surfaces[1]; }
+
+  // The points of the first surface, scaled to the area 4 pi.
+  const std::vector<Vector_3d>& points() const { return m_points; }
+
+  // The goals by the features alone, without a weight.
+  const Feature_goals& feature_goals() const { return m_features; }
+
+  // Images of the features of both surfaces.
+  std::vector<Sphere_image> feature_images() const
+  {
+    return {Sphere_image(Sphere_image::locate_nodes(first().sphere(), m_execution), first().sphere().triangles(),
+                         first().features()),
+            *m_features.image};
+  }
+
+  // The best rotations, the best one first; at least one.
+  std::vector<Scored_rotation> best_rotations(std::size_t n) const
+  {
+    return Rotation_search(first(), *m_features.image, m_execution).best(n, m_control);
+  }
+
+  using Extremities = std::vector<Surface_descriptor::Origin>;
+  std::array<Extremities, 2> extremities()
+  {
+    std::array<Extremities, 2> result;
+    in_parallel(2, [&](std::size_t k) { result[k] = m_surfaces[k].extremities(); });
+    return result;
+  }
+
+  // The distances from extremities that correspond, and from landmarks, which lead a descent along with the features.
+  Leads leads_of(const std::array<Extremities, 2>& extremities,
+                 const std::vector<std::array<std::uint32_t, 2>>& pairs) const
+  {
+    Leads result;
+    for(std::size_t surface = 0; surface < 2; ++surface)
+    {
+      for(const auto& pair : pairs)
+        result[surface].push_back(scaled(extremities[surface][pair[surface]].distances, weight_of_leading_distances));
+      result[surface].insert(result[surface].end(), m_landmark_leads[surface].begin(), m_landmark_leads[surface].end());
+    }
+    return result;
+  }
+
+  // Gets ready for leads_of() directions.
+  void measure_distances()
+  {
+    in_parallel(2, [&](std::size_t k) { m_surfaces[k].measure_distances(); });
+  }
+
+  // The distances from points that are spread over the first surface, and from their images by a map.
+  Leads leads_of(const std::vector<Vector_3d>& directions) const
+  {
+    constexpr std::size_t n_points = 24; // twice as many do the same
+    constexpr double weight = 3.;        // from 2.5 to 4, the mean error is the same
+    // Distances that do not fit, in the mean, by a fifth of what they are, count half: those from a point that is mapped to a
+    // wrong one, or to extremities that are longer.
+    constexpr double squared_misfit = 0.2 * 0.2;
+    Leads result = {std::vector<Vertex_scalars>(n_points), std::vector<Vertex_scalars>(n_points)};
+    in_parallel(n_points, [&](std::size_t k) {
+      const Surface_descriptor::Origin& origin = first().spread_origins()[k];
+      result[0][k] = origin.distances;
+      result[1][k] = second().distances_from(directions[origin.vertex]);
+    });
+    const Sphere_image there = image(result[1]);
+    std::array<double, n_points> values;
+    std::array<double, n_points> misfit{};
+    for(std::size_t v = 0; v < directions.size(); ++v)
+    {
+      there.interpolate(directions[v], values.data());
+      for(std::size_t k = 0; k < n_points; ++k)
+      {
+        const double difference = values[k] - result[0][k][v];
+        misfit[k] += first().areas()[v] * difference * difference;
+      }
+    }
+    for(std::vector<Vertex_scalars>& distances : result)
+      for(std::size_t k = 0; k < n_points; ++k)
+        distances[k] = scaled(std::move(distances[k]), weight / (1. + misfit[k] / squared_misfit));
+    return result;
+  }
+
+  // How far a map is from the landmarks, in the mean, in units of the mean of all distances; 0 without any.
+  template <class Function>
+  double distance_from_landmarks(const Function& image_of) const
+  {
+    double sum = 0.;
+    std::vector<double> distances(m_landmarks.size());
+    for(std::size_t k = 0; k < m_landmarks.size(); ++k)
+    {
+      m_landmark_image->interpolate(image_of(m_landmarks[k]), distances.data());
+      sum += distances[k];
+    }
+    return m_landmarks.empty() ? 0. : sum / static_cast<double>(m_landmarks.size());
+  }
+
+  // The goals by the features, and by others beside them.
+  Feature_goals goals(Leads leads, double weight) const
+  {
+    for(std::size_t surface = 0; surface < 2; ++surface)
+      leads[surface].insert(leads[surface].end(), m_surfaces[surface].features().begin(),
+                            m_surfaces[surface].features().end());
+    Feature_goals result;
+    result.image = image(leads[1]);
+    result.weight = weight;
+    result.set_values(leads[0]);
+    result.mask = first().mask();
+    return result;
+  }
+
+  bool goes_on() const { return m_control.go_further(0, 0.); }
+  Run_control& control() const { return m_control; }
+  const Execution& execution() const { return m_execution; }
+
+private:
+  template <class Function>
+  void in_parallel(std::size_t n, const Function& f) const
+  {
+    for_each_block(m_execution, 0, n, 1, [&](std::size_t k, std::size_t) { f(k); });
+  }
+
+  Sphere_image image(const std::vector<Vertex_scalars>& channels) const
+  {
+    return Sphere_image(m_nodes, second().sphere().triangles(), channels);
+  }
+
+  static Vertex_scalars scaled(Vertex_scalars values, double factor)
+  {
+    for(double& x : values)
+      x *= factor;
+    return values;
+  }
+
+  // Beside ranks from -1 to 1, of distances that have the mean 1. With 2 or 6, people are aligned worse.
+  static constexpr double weight_of_leading_distances = 4.;
+
+  std::array<Surface_descriptor, 2> m_surfaces;
+  std::vector<Vector_3d> m_points;
+  Run_control& m_control;
+  Execution m_execution;
+  Sphere_image::Locations m_nodes; // of images, on the second sphere
+  Feature_goals m_features;
+  std::vector<Vector_3d> m_landmarks; // on the first sphere
+  Leads m_landmark_leads;
+  std::optional<Sphere_image> m_landmark_image;
+};
+
+} // namespace CGAL::Spherical_parameterization::internal
+
+#endif // CGAL_SPHERICAL_PARAMETERIZATION_SURFACE_MAPS_INTERNAL_ALIGNMENT_COARSE_PAIR_H

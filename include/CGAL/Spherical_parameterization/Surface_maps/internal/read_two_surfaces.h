@@ -1,0 +1,122 @@
+// Copyright (c) 2026  The Spherical_parameterization authors.
+// All rights reserved.
+//
+// This file is part of the Spherical_parameterization package for CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Spherical_parameterization authors
+
+#ifndef CGAL_SPHERICAL_PARAMETERIZATION_SURFACE_MAPS_INTERNAL_READ_TWO_SURFACES_H
+#define CGAL_SPHERICAL_PARAMETERIZATION_SURFACE_MAPS_INTERNAL_READ_TWO_SURFACES_H
+
+#include <CGAL/license/Spherical_parameterization.h>
+
+#include <CGAL/Spherical_parameterization/Error_code.h>
+#include <CGAL/Spherical_parameterization/Surface_maps/internal/Surface_on_sphere.h>
+#include <CGAL/Spherical_parameterization/internal/execution/Run_control.h>
+#include <CGAL/Spherical_parameterization/internal/execution/parallel.h>
+#include <CGAL/Spherical_parameterization/internal/run/Mesh_on_sphere.h>
+#include <CGAL/Spherical_parameterization/internal/run/check_run.h>
+#include <CGAL/Spherical_parameterization/internal/surface/read_mesh.h>
+
+#include <CGAL/Named_function_parameters.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <map>
+#include <optional>
+#include <utility>
+
+namespace CGAL::Spherical_parameterization::internal {
+
+// For functions of two surfaces, which compute with doubles, unless they take all that Exact_predicates_kernel does.
+template <bool takes_exact_numbers, class TriangleMesh1, class VertexSphereMap1, class TriangleMesh2,
+          class VertexSphereMap2>
+constexpr bool check_pair()
+{
+  if constexpr(takes_exact_numbers)
+    return check_mesh_and_readable_map<TriangleMesh1, VertexSphereMap1>() &&
+           check_mesh_and_readable_map<TriangleMesh2, VertexSphereMap2>();
+  else
+    return check_two_spheres<TriangleMesh1, VertexSphereMap1, TriangleMesh2, VertexSphereMap2>();
+}
+
+// Checks a call of a function of two surfaces, reads both, as Mesh_on_sphere, and returns f(first, second, control, execution).
+template <class ConcurrencyTag, bool takes_exact_numbers = false, class TriangleMesh1, class VertexSphereMap1,
+          class NamedParameters1, class TriangleMesh2, class VertexSphereMap2, class NamedParameters2, class Function>
+Error_code with_two_surfaces(const TriangleMesh1& tmesh1, const VertexSphereMap1& map1, const NamedParameters1& np1,
+                             const TriangleMesh2& tmesh2, const VertexSphereMap2& map2, const NamedParameters2& np2,
+                             const Function& f)
+{
+  if constexpr(check_pair<takes_exact_numbers, TriangleMesh1, VertexSphereMap1, TriangleMesh2, VertexSphereMap2>() &&
+               check_run_parameters<TriangleMesh1, NamedParameters1>() &&
+               check_vertex_point_map<TriangleMesh2, NamedParameters2>())
+  {
+    Visitor_control<NamedParameters1> control(np1);
+    const Execution execution = execution_of<ConcurrencyTag>();
+    Mesh_on_sphere<TriangleMesh1, VertexSphereMap1> first;
+    Mesh_on_sphere<TriangleMesh2, VertexSphereMap2> second;
+    if(const Error_code error = first.read_with_points(tmesh1, map1, vertex_point_map_of(tmesh1, np1), execution))
+      return error;
+    if(const Error_code error = second.read_with_points(tmesh2, map2, vertex_point_map_of(tmesh2, np2), execution))
+      return error;
+    return f(first, second, static_cast<Run_control&>(control), execution);
+  }
+  else
+    return ERROR_WRONG_PARAMETER;
+}
+
+// Takes over the arrays of a mesh that has been read.
+template <class Arrays>
+Surface_on_sphere surface_of(Arrays& arrays)
+{
+  return {std::move(arrays.points), std::move(arrays.images), std::move(arrays.triangles)};
+}
+
+// Reads the numbers of the landmarks on one of the surfaces among its vertices. Returns false if one is not among them, or
+// there twice.
+template <std::size_t surface, class Landmarks, class Vertex>
+bool read_landmarks(const Landmarks& landmarks, const std::vector<Vertex>& vertices,
+                    std::vector<std::array<std::uint32_t, 2>>& numbers)
+{
+  std::map<Vertex, std::size_t> indices; // of the landmarks
+  for(std::size_t k = 0; k < landmarks.size(); ++k)
+    indices.emplace(std::get<surface>(landmarks[k]), k);
+  numbers.resize(landmarks.size());
+  std::size_t n_found = 0;
+  for(std::uint32_t v = 0; v < vertices.size(); ++v)
+    if(const auto found = indices.find(vertices[v]); found != indices.end())
+    {
+      numbers[found->second][surface] = v;
+      ++n_found;
+    }
+  return n_found == landmarks.size();
+}
+
+// Reads where a surface does not count. Returns false if it does nowhere.
+template <class Function, class Vertices>
+bool read_mask(const Function& counts, const Vertices& vertices, std::vector<char>& mask)
+{
+  if(!counts)
+    return true;
+  for(const auto v : vertices)
+    mask.push_back(!counts(v));
+  return std::find(mask.begin(), mask.end(), 0) != mask.end();
+}
+
+// The largest number of vertices of a common refinement, if it is given.
+template <class NamedParameters>
+std::optional<std::size_t> maximum_number_of(const NamedParameters& np)
+{
+  if constexpr(parameters::is_default_parameter<NamedParameters, internal_np::maximum_number_t>::value)
+    return std::nullopt;
+  else
+    return static_cast<std::size_t>(parameters::get_parameter(np, internal_np::maximum_number));
+}
+
+} // namespace CGAL::Spherical_parameterization::internal
+
+#endif // CGAL_SPHERICAL_PARAMETERIZATION_SURFACE_MAPS_INTERNAL_READ_TWO_SURFACES_H
