@@ -39,6 +39,14 @@
 
 namespace CGAL::Spherical_parameterization::internal {
 
+// The area of a triangle of these points.
+inline auto area_on(const std::vector<Vector_3d>& points)
+{
+  return [&points](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+    return 0.5 * doubled_area(points[a], points[b], points[c]);
+  };
+}
+
 // Where functions of the vertices are sampled, and what each sample counts. The weights have the sum 1.
 class Expansion_samples
 {
@@ -127,13 +135,6 @@ private:
   std::size_t place(std::size_t k, std::size_t function) const
   {
     return m_nodes.place(k / m_nodes.width(), k % m_nodes.width(), function);
-  }
-
-  static auto area_on(const std::vector<Vector_3d>& points)
-  {
-    return [&points](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
-      return 0.5 * doubled_area(points[a], points[b], points[c]);
-    };
   }
 
   template <class K>
