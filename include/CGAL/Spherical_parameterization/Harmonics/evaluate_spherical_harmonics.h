@@ -17,9 +17,10 @@
 #include <CGAL/Spherical_parameterization/Error_code.h>
 #include <CGAL/Spherical_parameterization/Harmonics/Spherical_harmonics_3.h>
 #include <CGAL/Spherical_parameterization/Harmonics/internal/evaluate_harmonics.h>
-#include <CGAL/Spherical_parameterization/internal/execution/Run_control.h>
 #include <CGAL/Spherical_parameterization/internal/execution/parallel.h>
 #include <CGAL/Spherical_parameterization/internal/numbers/Vector_3.h>
+#include <CGAL/Spherical_parameterization/internal/numbers/direction_of.h>
+#include <CGAL/Spherical_parameterization/internal/run/Visitor_control.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/tags.h>

@@ -18,11 +18,11 @@
 #include <CGAL/Spherical_parameterization/Harmonics/Spherical_harmonics_3.h>
 #include <CGAL/Spherical_parameterization/Harmonics/internal/Coefficient_layout.h>
 #include <CGAL/Spherical_parameterization/Harmonics/internal/Expansion_samples.h>
-#include <CGAL/Spherical_parameterization/internal/execution/Run_control.h>
 #include <CGAL/Spherical_parameterization/internal/execution/parallel.h>
 #include <CGAL/Spherical_parameterization/internal/locate/Sphere_triangulation.h>
 #include <CGAL/Spherical_parameterization/internal/numbers/Vector_3.h>
 #include <CGAL/Spherical_parameterization/internal/run/Mesh_on_sphere.h>
+#include <CGAL/Spherical_parameterization/internal/run/Visitor_control.h>
 #include <CGAL/Spherical_parameterization/internal/run/check_arguments.h>
 #include <CGAL/Spherical_parameterization/internal/surface/Surface.h>
 #include <CGAL/Spherical_parameterization/internal/surface/read_mesh.h>

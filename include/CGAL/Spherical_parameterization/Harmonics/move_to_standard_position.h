@@ -18,10 +18,10 @@
 #include <CGAL/Spherical_parameterization/Harmonics/Spherical_harmonics_3.h>
 #include <CGAL/Spherical_parameterization/Harmonics/internal/First_degree_ellipsoid.h>
 #include <CGAL/Spherical_parameterization/Harmonics/internal/rotate_harmonics.h>
-#include <CGAL/Spherical_parameterization/internal/execution/Run_control.h>
 #include <CGAL/Spherical_parameterization/internal/execution/parallel.h>
 #include <CGAL/Spherical_parameterization/internal/numbers/Rotation_matrix.h>
 #include <CGAL/Spherical_parameterization/internal/numbers/Vector_3.h>
+#include <CGAL/Spherical_parameterization/internal/run/Visitor_control.h>
 
 #include <CGAL/Aff_transformation_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>

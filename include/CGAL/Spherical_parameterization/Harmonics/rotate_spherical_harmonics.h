@@ -17,9 +17,9 @@
 #include <CGAL/Spherical_parameterization/Error_code.h>
 #include <CGAL/Spherical_parameterization/Harmonics/Spherical_harmonics_3.h>
 #include <CGAL/Spherical_parameterization/Harmonics/internal/rotate_harmonics.h>
-#include <CGAL/Spherical_parameterization/internal/execution/Run_control.h>
 #include <CGAL/Spherical_parameterization/internal/execution/parallel.h>
 #include <CGAL/Spherical_parameterization/internal/numbers/Rotation_matrix.h>
+#include <CGAL/Spherical_parameterization/internal/run/Visitor_control.h>
 
 #include <CGAL/Aff_transformation_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>

@@ -14,11 +14,8 @@
 
 #include <CGAL/license/Spherical_parameterization.h>
 
-#include <CGAL/Spherical_parameterization/Default_visitor.h>
 #include <CGAL/Spherical_parameterization/Parameterization_report.h>
 #include <CGAL/Spherical_parameterization/internal/execution/parallel.h>
-
-#include <CGAL/Named_function_parameters.h>
 
 #include <algorithm>
 #include <chrono>
@@ -112,43 +109,6 @@ bool for_each_block_until_stopped(Run_control& control, const Execution& executi
   }
   return control.go_further(0, 0.);
 }
-
-// A control by the named parameters of a call: its visitor, and its time limit.
-template <class NamedParameters>
-class Visitor_control : public Run_control
-{
-public:
-  // `report` is a `Parameterization_report`, if the call gives one.
-  template <class... Report>
-  explicit Visitor_control(const NamedParameters& np, Report&... report)
-    : Run_control(parameters::choose_parameter(parameters::get_parameter(np, internal_np::maximum_running_time), 0.),
-                  report...)
-    , m_visitor(parameters::choose_parameter(parameters::get_parameter_reference(np, internal_np::visitor),
-                                             m_default_visitor))
-  {}
-
-  void on_initialization_begin(std::size_t number_of_vertices) override
-  {
-    m_visitor.on_initialization_begin(number_of_vertices);
-  }
-  void on_level(std::size_t number_of_vertices) override { m_visitor.on_level(number_of_vertices); }
-  void on_initialization_end() override { m_visitor.on_initialization_end(); }
-  void after_iteration(std::size_t iteration, double energy, double radius) override
-  {
-    m_visitor.after_iteration(iteration, energy, radius);
-  }
-  void on_optimization_end() override { m_visitor.on_optimization_end(); }
-
-private:
-  bool visitor_goes_further(std::size_t iteration, double energy) override
-  {
-    return m_visitor.go_further(iteration, energy);
-  }
-
-  Default_visitor m_default_visitor;
-  typename internal_np::Lookup_named_param_def<internal_np::visitor_t, NamedParameters, Default_visitor>::reference
-      m_visitor;
-};
 
 } // namespace CGAL::Spherical_parameterization::internal
 

@@ -16,8 +16,6 @@
 
 #include <CGAL/Spherical_parameterization/internal/numbers/Packed_double.h>
 
-#include <CGAL/number_utils.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -77,17 +75,6 @@ template <class FT = double>
 Vector_3<FT> normalized(const Vector_3<FT>& a)
 {
   return (1. / length(a)) * a;
-}
-
-// The direction of a point, at distance 1 from the origin, rounded. Powers of two keep squares from overflow and underflow,
-// and change no bit of what needs none.
-template <class Point_3>
-Vector_3d direction_of(const Point_3& p)
-{
-  const Vector_3d x = {CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z())};
-  int exponent;
-  std::frexp((std::max)({std::abs(x[0]), std::abs(x[1]), std::abs(x[2])}), &exponent);
-  return normalized(Vector_3d{std::ldexp(x[0], -exponent), std::ldexp(x[1], -exponent), std::ldexp(x[2], -exponent)});
 }
 
 // Whether x is neither infinite nor NaN. It asks the bits, as a compiler that may assume that all numbers are finite

@@ -18,10 +18,10 @@
 #include <CGAL/Spherical_parameterization/Error_code.h>
 #include <CGAL/Spherical_parameterization/Parameterization_report.h>
 #include <CGAL/Spherical_parameterization/internal/certificate/is_safely_positive.h>
-#include <CGAL/Spherical_parameterization/internal/execution/Run_control.h>
 #include <CGAL/Spherical_parameterization/internal/execution/parallel.h>
 #include <CGAL/Spherical_parameterization/internal/library.h>
 #include <CGAL/Spherical_parameterization/internal/numbers/Vector_3.h>
+#include <CGAL/Spherical_parameterization/internal/run/Visitor_control.h>
 #include <CGAL/Spherical_parameterization/internal/run/check_run.h>
 #include <CGAL/Spherical_parameterization/internal/run/write_map.h>
 #include <CGAL/Spherical_parameterization/internal/surface/Run.h>

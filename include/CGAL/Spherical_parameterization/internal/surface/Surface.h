@@ -21,8 +21,6 @@
 #include <CGAL/Spherical_parameterization/internal/surface/Rest_triangle.h>
 #include <CGAL/Spherical_parameterization/internal/surface/Vertex_rings.h>
 
-#include <CGAL/number_type_basic.h>
-
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
