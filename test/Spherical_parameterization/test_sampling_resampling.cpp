@@ -193,10 +193,10 @@ TEST(Resampling, constants_stay_as_they_are)
 TEST(Resampling, adaptive_weights_give_away_the_area_of_each_source)
 {
   const Pair pair = pairs()[0];
-  const auto weights = [&](const Weights& weights) {
-    return SP::internal::Interpolation_weights(weights.size(), [&](const auto& add) {
-      for(std::size_t v = 0; v < weights.size(); ++v)
-        for(const auto& [s, weight] : weights[v])
+  const auto weights = [](const Weights& rows) {
+    return SP::internal::Interpolation_weights(rows.size(), [&](const auto& add) {
+      for(std::size_t v = 0; v < rows.size(); ++v)
+        for(const auto& [s, weight] : rows[v])
           add(v, SP::internal::Weighted_source{static_cast<std::uint32_t>(s), weight});
     });
   };
