@@ -33,7 +33,7 @@ from ._files import read_coefficients, read_mesh, write_coefficients
 from ._harmonics import HarmonicFit, StandardPosition, expand, reconstruct, spectrum, standard_position
 from ._measuring import (
     Distortion,
-    Folding,
+    SulcalMeasures,
     Measure,
     OneWayDistance,
     SurfaceDistance,
@@ -68,7 +68,7 @@ __all__ = [
     "Error",
     "ErrorCode",
     "FilledSurface",
-    "Folding",
+    "SulcalMeasures",
     "Handle",
     "HarmonicFit",
     "Hole",

@@ -145,7 +145,7 @@ def round_to_float(faces: ArrayLike, sphere: ArrayLike, *, threads: Optional[int
     return _core.round_to_float(read_faces("faces", faces), read_points("sphere", sphere), read_threads(threads))
 
 
-class Folding(NamedTuple):
+class SulcalMeasures(NamedTuple):
     """How a surface is folded: a number for each vertex, positive in furrows and negative on ridges.
 
     Attributes
@@ -163,7 +163,7 @@ class Folding(NamedTuple):
     inflated_curvature: NDArray[np.float64]
 
 
-def compute_sulcal_measures(vertices: ArrayLike, faces: ArrayLike, *, threads: Optional[int] = None) -> Folding:
+def compute_sulcal_measures(vertices: ArrayLike, faces: ArrayLike, *, threads: Optional[int] = None) -> SulcalMeasures:
     """Measures the curvature and the depth of the folds of a surface, such as a cortex: features for `map_surface`.
 
     Parameters
@@ -177,7 +177,7 @@ def compute_sulcal_measures(vertices: ArrayLike, faces: ArrayLike, *, threads: O
 
     Returns
     -------
-    Folding
+    SulcalMeasures
         0 for vertices without a face.
 
     Raises
@@ -198,7 +198,7 @@ def compute_sulcal_measures(vertices: ArrayLike, faces: ArrayLike, *, threads: O
     >>> features = [(folding1.depth, folding2.depth), (folding1.inflated_curvature, folding2.inflated_curvature)]
     >>> directions, report = sp.map_surface(surface1, surface2, features=features, feature_weight=2, compare_values=True)
     """
-    return Folding(
+    return SulcalMeasures(
         *_core.compute_sulcal_measures(read_points("vertices", vertices), read_faces("faces", faces), read_threads(threads))
     )
 
