@@ -322,7 +322,7 @@ try {
   run("match", surface, directions, "--page", file("two.html"));
 
   writeLabels("labels.gii", body);
-  run("show", surface, "-o", file("classes.html"), "--labels", file("labels.gii"), "--convention", "cortex");
+  run("map", surface, "--page", file("classes.html"), "--labels", file("labels.gii"), "--convention", "cortex");
 
   writeOff("large.off", { points: body.points.map(enlarge), faces: body.faces });
   run("show", surface, "-o", file("beside.html"), "--beside", file("large.off"));
