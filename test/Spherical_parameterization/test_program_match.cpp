@@ -126,13 +126,13 @@ TEST_F(Match_program, compares_features)
   EXPECT_EQ(run(map + features + " --feature-weights height=2 --compare values").status, 0);
   write("a.txt", "0\n");
   write("nan.ply", ply_with_values(1, "float height", std::numeric_limits<double>::quiet_NaN()));
-  write("plain.ply", corner_ply);
+  write("plain.ply", ply_with_values(1, "uchar zero"));
   expect_messages(map + " -o result.off --features ",
                   {{"a.txt a.txt", "a.txt: this is no file with values of vertices"},
                    {"b.ply b.ply", "b.ply: has no features for the mesh: it has 42 vertices"},
                    {"a.ply nan.ply", "the property height of vertex 0 is infinite or not"},
                    {"a.ply plain.ply", "plain.ply: has no property of vertices"}});
-  for(const char* weights : {"float height", "height=x", "=1", "height=-1", "height=1,height=2"})
+  for(const char* weights : {"height", "height=x", "=1", "height=-1", "height=1,height=2"})
     expect_message(map + features + " --feature-weights " + weights,
                    "--feature-weights has to be a list such as sulc=2");
   expect_messages(map + features, {{" --feature-weights depth=2", "has no feature of the name 'depth'"},

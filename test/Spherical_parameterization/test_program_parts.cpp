@@ -88,7 +88,7 @@ TEST(Batch_scheduling, starts_with_the_largest_mesh)
 
 TEST(Batch_scheduling, runs_small_meshes_on_a_core_each_and_large_ones_on_all)
 {
-  for(const std::size_t n_threads : {1, 2, 4})
+  for(const std::size_t n_threads : {1u, 2u, 4u})
   {
     SCOPED_TRACE(n_threads);
     const Thread_limit limit(n_threads);
