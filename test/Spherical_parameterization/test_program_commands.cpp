@@ -138,7 +138,6 @@ TEST_F(Commands, are_completed_by_bash)
   EXPECT_EQ(completions("map --are"), Names{""});
 }
 
-// What keeps a surface from being mapped: test_program_formats.cpp.
 TEST_F(Commands, check_surfaces_and_their_spheres)
 {
   expect_success("corner.off -o sphere.off --json made.json");
@@ -162,6 +161,68 @@ TEST_F(Commands, check_surfaces_and_their_spheres)
                              {"torus.off sphere.off", "the surface has the genus 1"},
                              {"ball.off sphere.off", "vertices"},
                              {"ball.off --method arap", "--method"}});
+}
+
+TEST_F(Commands, says_what_is_wrong_with_a_mesh)
+{
+  const std::string points = "0 0 0\n1 0 0\n0 1 0\n0 0 1\n", begin = "4 4 0\n" + points, rest = "3 1 2 3\n3 2 0 3\n";
+  const Messages table = {
+      {"0 0 0\n", "no faces"},
+      {"4 4 0\n0 0 0\n1 nan 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n" + rest, "vertex 1 has a coordinate"},
+      {"4 4 0\n0 0 0\n1 inf 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n" + rest, "vertex 1 has a coordinate"},
+      {begin + "3 0 2 1\n3 0 1 1\n" + rest, "face 1 has the vertex 1 twice"},
+      {begin + "3 0 2 1\n2 0 1\n" + rest, "face 1 is not a triangle but has 2 corners"},
+      {"4 3 0\n" + points + "4 0 2 1 3\n" + rest, "face 0 is not a triangle but has 4 corners"},
+      {"4 3 0\n" + points + "3 0 2 1\n3 0 1 3\n3 1 2 3\n", "the mesh has a border"},
+      {begin + "3 0 1 2\n3 0 1 3\n" + rest,
+       "the faces 0 and 1 are oriented against each other: both use the edge between the vertices 0 and 1 in the same"},
+      {"4 5 0\n" + points + "3 0 2 1\n3 0 1 3\n" + rest + "3 1 0 2\n", "the faces 0 and 4 have the same corners"},
+      {"3 2 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n3 0 2 1\n", "only 3 vertices have a face"},
+      {"7 8 0\n" + points + "-1 0 0\n0 -1 0\n0 0 -1\n3 0 2 1\n3 0 1 3\n" + rest +
+           "3 0 4 5\n3 0 6 4\n3 4 6 5\n3 5 6 0\n",
+       "the surface touches itself in vertex 0"},
+      {"12 4 0\n0 0 0\n0 1 0\n1 0 0\n0 0 0\n1 0 0\n0 0 1\n1 0 0\n0 1 0\n0 0 1\n0 1 0\n0 0 0\n0 0 1\n"
+       "3 0 1 2\n3 3 4 5\n3 6 7 8\n3 9 10 11\n",
+       "8 vertices repeat the position of another one"}};
+  write("start.off", "");
+  for(const auto& [text, message] : table)
+  {
+    write("bad.off", "OFF\n" + text);
+    expect_messages("", {{"bad.off -o result.off --json result.json --colored result", message},
+                         {"bad.off --initial start.off", message}, // before the map to start from
+                         {"check bad.off", message}});
+  }
+}
+
+TEST_F(Commands, counts_the_faces_of_an_edge_that_has_many)
+{
+  const std::size_t n = 50000;
+  std::string points = "0 0 0\n1 0 0\n", faces;
+  for(std::size_t i = 0; i < n; ++i)
+  {
+    points += "0 1 " + std::to_string(i) + "\n";
+    faces += "3 0 1 " + std::to_string(i + 2) + "\n";
+  }
+  const std::string text = "OFF\n" + std::to_string(n + 2) + " " + std::to_string(n + 1) + " 0\n" + points + faces;
+  write("book.off", text + "3 0 1 2\n");
+  expect_message("book.off -o result.off", "the faces 0 and 50000 have the same corners");
+  write("book.off", text + "3 0 2 3\n");
+  expect_message("book.off -o result.off", "the edge between the vertices 0 and 1 has 50000 faces");
+}
+
+TEST_F(Commands, refuses_every_invalid_mesh_of_the_corpus)
+{
+  const fs::path folder = fs::path(SPHERICAL_PARAMETERIZATION_SHARED_DATA_DIR) / "nasty";
+  if(!fs::exists(folder))
+    GTEST_SKIP() << "The corpus is not there.";
+  std::size_t number_of_meshes = 0;
+  for(const fs::directory_entry& entry : fs::directory_iterator(folder))
+    if(entry.path().filename().string().rfind("invalid_", 0) == 0)
+    {
+      expect_message("'" + entry.path().string() + "' -o result.off", entry.path().filename().string());
+      ++number_of_meshes;
+    }
+  EXPECT_GT(number_of_meshes, 20u);
 }
 
 } // namespace

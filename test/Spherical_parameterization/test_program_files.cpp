@@ -28,10 +28,16 @@ protected:
 TEST_F(File_program, refuses_what_it_cannot_read_or_write)
 {
   write("mesh.xyz", "0 0 0\n");
+  write("bad.off", "ply\n");
+  write("nothing.off", std::string(100000, '\0'));
+  write("empty.off", "");
   fs::create_directory(path("folder.off"));
   fs::create_symlink("/dev/zero", path("zeros.off")); // which never ends
   expect_messages("", {{"missing.off -o result.off", "missing.off"},
                        {"mesh.xyz -o result.off", ".off"},
+                       {"bad.off", "bad.off: line 1: an OFF file begins with OFF, not with 'ply'"},
+                       {"nothing.off", "nothing.off: the file begins with nothing but zeros"},
+                       {"empty.off", "empty.off: the file is empty"},
                        {"folder.off -o result.off", "folder.off is a folder"},
                        {"folder.off", "folder.off is a folder"},
                        {"folder.off", "--output-folder"},

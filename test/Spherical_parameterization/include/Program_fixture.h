@@ -19,7 +19,7 @@
 #define BOOST_BIND_GLOBAL_PLACEHOLDERS // Boost's JSON parser uses them, and says so in every compilation otherwise
 #endif
 
-#include "Binary_file.h"
+#include "mesh_texts.h"
 #include "test_meshes.h"
 
 #include <CGAL/Spherical_parameterization/Cortex/FreeSurfer.h>
@@ -29,6 +29,8 @@
 #ifdef TEST_MGH
 #include <CGAL/Spherical_parameterization/Cortex/MGH.h>
 #endif
+
+#include <CGAL/Spherical_parameterization/internal/files/read_mesh_file.h>
 
 #include <boost/property_tree/json_parser.hpp>
 #include <boost/property_tree/ptree.hpp>
@@ -62,41 +64,12 @@ inline std::string content(const fs::path& path)
   return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
 }
 
-// A tetrahedron with a right angle, as text.
-inline const std::string corner_off = "OFF\n4 4 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n";
-inline const std::string corner_obj = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n";
-inline const std::string corner_stl =
-    "solid facet of a corner\n"
-    "facet normal 0 0 0\nouter loop\nvertex 0 0 0\nvertex 0 1 0\nvertex 1 0 0\nendloop\nendfacet\n"
-    "facet normal 0 0 0\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 0 1\nendloop\nendfacet\n"
-    "facet normal 0 0 0\nouter loop\nvertex 1 0 0\nvertex 0 1 0\nvertex 0 0 1\nendloop\nendfacet\n"
-    "facet normal 0 0 0\nouter loop\nvertex 0 1 0\nvertex 0 0 0\nvertex 0 0 1\nendloop\nendfacet\n"
-    "endsolid\n";
-
-inline const std::string corner_ply =
-    "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n"
-    "element face 4\nproperty list uchar int vertex_indices\nend_header\n"
-    "0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n";
-
 inline SP::IO::Surface_file corner_surface()
 {
   SP::IO::Surface_file surface;
   surface.points = {{{0., 0., 0.}}, {{1., 0., 0.}}, {{0., 1., 0.}}, {{0., 0., 1.}}};
   surface.triangles = {{{0, 2, 1}}, {{0, 1, 3}}, {{1, 2, 3}}, {{2, 0, 3}}};
   return surface;
-}
-
-inline std::string replaced(std::string text, const std::string& from, const std::string& to)
-{
-  for(std::size_t i = text.find(from); i != std::string::npos; i = text.find(from, i + to.size()))
-    text.replace(i, from.size(), to);
-  return text;
-}
-
-inline std::vector<std::string> words_of(const std::string& text)
-{
-  std::istringstream in(text);
-  return {std::istream_iterator<std::string>(in), {}};
 }
 
 // A sphere with properties of its vertices: a height, which can be chosen for the first one, a label, and which ones count.
@@ -147,52 +120,16 @@ struct Mesh_file
 {
   explicit Mesh_file(const fs::path& path)
   {
-    std::ifstream in(path, std::ios::binary);
-    std::vector<std::pair<std::size_t, std::vector<std::array<std::string, 2>>>> elements(
-        2); // names and types of columns
-    bool is_text = false;
-    std::string line, element, word, type;
-    if(std::getline(in, line) && line == "OFF")
-    {
-      is_text = true;
-      in >> elements[0].first >> elements[1].first >> word;
-      elements[0].second = {{"vertex x", ""}, {"vertex y", ""}, {"vertex z", ""}};
-      elements[1].second = {{"", "list"}};
-    }
-    for(; line != "OFF" && std::getline(in, line) && line != "end_header";)
-    {
-      std::istringstream words(line);
-      std::string statement;
-      words >> statement >> type >> word;
-      is_text = is_text || type == "ascii";
-      if(statement == "element")
-        elements.emplace_back(std::stoul(word), 0), element = type + ' ';
-      while(words >> word)
-        ;
-      if(statement == "property")
-        elements.back().second.push_back({element + word, type});
-    }
-    const auto take = [&](auto x) -> double {
-      if(is_text)
-        return in >> word ? std::stod(word) : NAN;
-      in.read(reinterpret_cast<char*>(&x), sizeof(x));
-      return static_cast<double>(x);
-    };
-    for(const auto& [n, names_and_types] : elements)
-      for(std::size_t k = 0; k < n; ++k)
-        for(const auto& [name, t] : names_and_types)
-          if(t == "list")
-            for(std::size_t& v : faces.emplace_back(static_cast<std::size_t>(take(std::uint8_t()))))
-              v = static_cast<std::size_t>(take(std::int32_t()));
-          else
-            columns[name].push_back(t == "float"                ? take(float())
-                                    : t == "uchar"              ? take(std::uint8_t())
-                                    : t == "ushort"             ? take(std::uint16_t())
-                                    : t == "int" || t == "uint" ? take(std::int32_t())
-                                                                : take(double()));
-    EXPECT_TRUE(in.good()) << path;
-    for(std::size_t v = 0; v < columns["vertex x"].size(); ++v)
-      points.push_back({columns["vertex x"][v], columns["vertex y"][v], columns["vertex z"][v]});
+    const SP::internal::Polygon_soup soup =
+        SP::internal::read_mesh_file(path.extension().string(), content(path), true);
+    for(const auto& p : soup.points)
+      points.push_back({p.x(), p.y(), p.z()});
+    for(const auto& polygon : soup.polygons)
+      faces.emplace_back(polygon.begin(), polygon.end());
+    for(const auto& property : soup.values_of_vertices)
+      columns["vertex " + property.name] = property.numbers;
+    for(const auto& property : soup.values_of_faces)
+      columns["face " + property.name] = property.numbers;
   }
 
   std::vector<test_meshes::Coordinates> points;
