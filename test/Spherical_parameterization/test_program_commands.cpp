@@ -29,7 +29,7 @@ TEST_F(Commands, are_explained_on_one_screen)
   {
     const std::string help = expect_success(command + " --help");
     EXPECT_EQ(expect_success(command + " -h"), help);
-    SCOPED_TRACE(help);
+    SCOPED_TRACE(command);
     EXPECT_LE(std::count(help.begin(), help.end(), '\n'), 40);
     std::istringstream lines(help);
     for(std::string line; std::getline(lines, line);)
@@ -145,8 +145,8 @@ TEST_F(Commands, check_surfaces_and_their_spheres)
   const std::string out = expect_success("check corner.off sphere.off --json checked.json");
   expect_part(out, "Certified");
   expect_part(out, "D_iso");
-  for(const char* key : {"vertices", "one_to_one", "distortion.D_angle.maximum", "distortion.D_angle.average"})
-    EXPECT_EQ(json("checked.json").get<std::string>(key), json("made.json").get<std::string>(key)) << key;
+  for(const char* key : {"vertices", "distortion.D_angle.maximum", "distortion.D_angle.average"})
+    EXPECT_NEAR(json("checked.json").get<double>(key), json("made.json").get<double>(key), 1e-9) << key;
   write("checked.json", expect_success("check corner.off sphere.off --json - --quiet"));
   EXPECT_TRUE(json("checked.json").get<bool>("one_to_one"));
 
