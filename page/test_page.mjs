@@ -314,30 +314,22 @@ try {
   writeOff("body.off", body);
   writeOff("directions.off", sphere);
   // The vertices of the remesh are the places that the program finds for the directions.
-  const options = [
-    "--page",
-    file("page.html"),
-    "--sphere",
-    file("sphere.off"),
-    "--remesh",
-    file("directions.off"),
-    "-o",
-    file("places.off"),
-  ];
-  execFileSync(program, [file("body.off"), "--quiet", ...options]);
+  const run = (...words) => execFileSync(program, [...words, "--quiet"]);
+  const [surface, directions, map] = [file("body.off"), file("directions.off"), file("sphere.off")];
+  run("map", surface, "--prefer", "sampling", "-o", map, "--page", file("page.html"));
+  run("remesh", surface, directions, "--initial", map, "--iterations", "0", "-o", file("places.off"));
 
-  execFileSync(program, [file("body.off"), "--onto", file("directions.off"), "--page", file("two.html"), "--quiet"]);
+  run("match", surface, directions, "--page", file("two.html"));
 
   writeLabels("labels.gii", body);
-  const classes = ["--labels", file("labels.gii"), "--convention", "cortex"];
-  execFileSync(program, [file("body.off"), "--page", file("classes.html"), "--quiet", ...classes]);
+  run("map", surface, "--page", file("classes.html"), "--labels", file("labels.gii"), "--convention", "cortex");
 
   writeOff("large.off", { points: body.points.map(enlarge), faces: body.faces });
-  execFileSync(program, [file("body.off"), "--page", file("beside.html"), "--beside", file("large.off"), "--quiet"]);
+  run("show", surface, "-o", file("beside.html"), "--beside", file("large.off"));
 
   const torus = makeTorus(24, 8);
   writeOff("torus.off", torus);
-  const { status, stderr } = spawnSync(program, [file("torus.off"), "--page", file("torus.html")]);
+  const { status, stderr } = spawnSync(program, ["show", file("torus.off"), "-o", file("torus.html")]);
   assert.equal(status, 1);
   assert.match(String(stderr), /A path of 8 edges around a handle/);
 

@@ -22,8 +22,8 @@ mkdir -p "$build/demo"
 page=()
 [ ! -e "$build/page/page.stamp" ] || page=(--page "$result.html") # npm may have been out of reach
 echo "== map $name to the sphere"
-"$build/examples/Spherical_parameterization/spherical_parameterization" \
-  "$mesh" -o "${result}_map.off" --colored "$result" "${page[@]}"
+"$build/program/spherical_parameterization" \
+  map "$mesh" -o "${result}_map.off" --colored "$result" "${page[@]}"
 
 echo
 [ ${#page[@]} -eq 0 ] || echo "Both side by side, for a browser:        $result.html"

@@ -10,17 +10,17 @@
 
 [[ "$*" == @(|--tests|--long-tests) ]] || fail "Usage: scripts/setup.sh [--tests|--long-tests]"
 
-packages=(g++ make cmake libcgal-dev libcgal-demo libboost-program-options-dev libtbb-dev libeigen3-dev
+packages=(g++ make cmake libcgal-dev libcgal-demo libcli11-dev libtbb-dev libeigen3-dev
   libpng-dev libopenexr-dev libexpat1-dev zlib1g-dev npm)
-components=(CGAL Boost TBB Eigen3)
-wanted="a C++17 compiler, CMake 3.18, CGAL 5.5, Boost.Program_options, TBB, Eigen, libpng, OpenEXR 3, expat, zlib, Node.js 18 and npm"
+components=(CGAL TBB Eigen3)
+wanted="a C++17 compiler, CMake 3.18, CGAL 5.5, CLI11, TBB, Eigen, libpng, OpenEXR 3, expat, zlib, Node.js 18 and npm"
 if [ $# -gt 0 ]; then
   packages+=(git libgtest-dev libbenchmark-dev clang libclang-rt-dev llvm clang-format-14)
   packages+=(python3-numpy python3-matplotlib python3-nibabel)
   packages+=(pybind11-dev python3-dev python3-pytest python3-pip python3-venv python3-setuptools python3-wheel)
   packages+=(doxygen texlive-binaries libjs-mathjax fonts-mathjax linkchecker chromium-headless-shell)
   components+=(GTest benchmark)
-  wanted="a C++17 compiler, CMake 3.18, CGAL 5.5, Boost.Program_options, TBB, Eigen, libpng, OpenEXR 3, expat, zlib, Node.js 18, npm, GoogleTest, Google Benchmark, Clang"
+  wanted="a C++17 compiler, CMake 3.18, CGAL 5.5, CLI11, TBB, Eigen, libpng, OpenEXR 3, expat, zlib, Node.js 18, npm, GoogleTest, Google Benchmark, Clang"
   wanted+=" with its sanitizers, clang-format 14, Python with its headers, numpy, matplotlib, nibabel, pybind11, pytest and pip, doxygen 1.9.4, BibTeX, LinkChecker and Chromium"
 fi
 if [ "${1-}" = --long-tests ]; then
@@ -82,7 +82,6 @@ find_everything() {
     echo "cmake_minimum_required(VERSION 3.18...3.31)"
     echo "project(setup LANGUAGES CXX)"
     for component in "${components[@]}"; do
-      [ "$component" = Boost ] && component="Boost COMPONENTS program_options"
       echo "find_package($component REQUIRED)"
     done
     echo "if(CGAL_VERSION VERSION_LESS 5.5)"

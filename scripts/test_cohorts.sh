@@ -10,7 +10,7 @@
 
 [ $# -eq 0 ] || fail "Usage: scripts/test_cohorts.sh"
 page=$root/doc/Spherical_parameterization/Cohorts.txt
-export PATH=$build/examples/Spherical_parameterization:$PATH:/usr/sbin
+export PATH=$build/program:$PATH:/usr/sbin
 for program in spherical_parameterization parallel munged slurmctld slurmd sbatch jq; do
   command -v $program >/dev/null || fail "There is no $program. Run scripts/setup.sh --long-tests and scripts/test.sh first."
 done
@@ -74,7 +74,7 @@ expect_same_spheres() {
 
 run_alone() (
   make_meshes alone
-  run_printed 1 "spherical_parameterization meshes --output-folder"
+  run_printed 1 "spherical_parameterization batch meshes --output-folder"
   expect [ "$(find spheres -name '*.off' | wc -l)" = 5 ]
 )
 

@@ -18,7 +18,7 @@ namespace Module {
 
 namespace {
 
-[[noreturn]] void refuse(const std::string& name, Program::Input_defect defect)
+[[noreturn]] void refuse(const std::string& name, SP::internal::Soup_defect defect)
 {
   defect.message = name + defect.message;
   throw Error{std::move(defect)};
@@ -72,7 +72,7 @@ Mesh make_mesh(const std::string& name, const Points& points, const Indices& fac
       return mesh;
     }
   }
-  if(auto defect = Program::find_defect_of_faces(n_vertices, triangles))
+  if(auto defect = SP::internal::find_defect_of_soup(n_vertices, triangles))
     refuse(name, std::move(*defect));
   for(std::size_t v = 0; v < n_vertices; ++v)
     mesh.add_vertex();
@@ -86,7 +86,7 @@ Mesh make_mesh(const std::string& name, const Points& points, const Indices& fac
 
 void check_surface(const std::string& name, const Mesh& mesh)
 {
-  if(auto defect = Program::find_defect_of_mesh(mesh))
+  if(auto defect = SP::internal::find_defect_of_mesh(mesh))
     refuse(name, std::move(*defect));
 }
 

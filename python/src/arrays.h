@@ -1,9 +1,8 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_PYTHON_ARRAYS_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_PYTHON_ARRAYS_H
 
-#include "../../examples/Spherical_parameterization/include/Input_defect.h"
-
 #include <CGAL/Simple_cartesian.h>
+#include <CGAL/Spherical_parameterization/internal/files/Soup_defect.h>
 #include <CGAL/Surface_mesh.h>
 
 #include <boost/property_map/property_map.hpp>
@@ -36,7 +35,7 @@ using Face_index = Mesh::Face_index;
 /// What becomes a `spherical_parameterization.Error`.
 struct Error
 {
-  Program::Input_defect defect;
+  SP::internal::Soup_defect defect;
 };
 
 [[noreturn]] inline void fail(SP::Error_code code, const std::string& message)

@@ -1,6 +1,6 @@
 #include "functions.h"
 
-#include "../../examples/Spherical_parameterization/include/read_soup.h"
+#include "../../program/read_file.h"
 
 #include <CGAL/Spherical_parameterization/Harmonics/spherical_harmonics_files.h>
 
@@ -11,12 +11,12 @@ namespace Module {
 
 std::pair<Points, Indices> read_mesh(const std::string& path)
 {
-  Program::Polygon_soup soup;
+  Program::File_content soup;
   {
     const py::gil_scoped_release unlock;
     try
     {
-      soup = Program::read_soup(path);
+      soup = Program::read_file_content(path);
     }
     catch(const Program::Program_error& error)
     {

@@ -8,7 +8,7 @@ namespace {
 
 using namespace Module;
 
-void raise(const Program::Input_defect& defect)
+void raise(const SP::internal::Soup_defect& defect)
 {
   const py::object type = py::module_::import("spherical_parameterization._errors").attr("Error");
   const py::object value = type(defect.message, defect.error, defect.vertex, defect.other_vertex, defect.face);

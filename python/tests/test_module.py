@@ -288,11 +288,11 @@ def test_samples_and_maps_surfaces_with_the_bits_of_the_program(tmp_path, capfd)
     first, second = map_of(10), map_of(12, shift=0.3)
     write_off(tmp_path / "1.off", *first[:2])
     write_off(tmp_path / "2.off", *second[:2])
-    run_program(tmp_path, "1.off", "--remesh", "cube=5", "-o", "remesh.off")
+    run_program(tmp_path, "remesh", "1.off", "cube=5", "-o", "remesh.off")
     sphere = sp.parameterize(*first[:2], prefer="sampling")[0]
     assert same(sp.remesh(*first[:2], sphere, ("cube", 5)).vertices, read_points(tmp_path / "remesh.off"))
 
-    run_program(tmp_path, "1.off", "--onto", "2.off", "-o", "image.off", "--sphere", "directions.off")
+    run_program(tmp_path, "match", "1.off", "2.off", "-o", "image.off", "--sphere", "directions.off")
     warning = capfd.readouterr().err  # of the program; the module prints nothing
     directions, report = sp.map_surface(first, second)
     assert same(directions, read_points(tmp_path / "directions.off"))

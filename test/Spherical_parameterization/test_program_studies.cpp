@@ -3,30 +3,10 @@
 
 #include "Program_fixture.h"
 
-#include <CGAL/Spherical_parameterization/Error_code.h>
-#include <CGAL/Spherical_parameterization/Cortex/FreeSurfer.h>
-#ifdef TEST_GIFTI
-#include <CGAL/Spherical_parameterization/Cortex/GIFTI.h>
-#endif
-
-#include <gtest/gtest.h>
-
-#include <filesystem>
-#include <fstream>
-#include <set>
-#include <string>
-#include <utility>
-#include <vector>
-
-// In CGAL's tree the examples are not built along with the tests.
+// In CGAL's tree the program is not built along with the tests.
 #ifdef SPHERICAL_PARAMETERIZATION_PROGRAM
 
 namespace {
-
-namespace fs = std::filesystem;
-namespace SP = CGAL::Spherical_parameterization;
-
-using Names = std::set<std::string>;
 
 class Studies : public Program_fixture
 {
@@ -35,22 +15,10 @@ protected:
   {
     Program_fixture::SetUp();
     write("corner.off", corner_off);
-    surface.points = {{{0., 0., 0.}}, {{1., 0., 0.}}, {{0., 1., 0.}}, {{0., 0., 1.}}};
-    surface.triangles = {{{0, 2, 1}}, {{0, 1, 3}}, {{1, 2, 3}}, {{2, 0, 3}}};
     for(const char* subject : {"bert", "ernie"})
       for(const char* name : {"lh.white", "rh.white", "lh.pial", "rh.pial"})
-        add_surface(std::string("SUBJECTS/") + subject + "/surf/" + name);
-    SP::IO::Vertex_values curvature;
-    curvature.values = {1., 2., 3., 4.};
-    std::ofstream out(path("SUBJECTS/bert/surf/lh.white.H"), std::ios::binary);
-    ASSERT_EQ(SP::IO::write_FreeSurfer_curv(out, curvature, 4), SP::OK);
-  }
-
-  void add_surface(const std::string& name) const
-  {
-    fs::create_directories(path(name).parent_path());
-    std::ofstream out(path(name), std::ios::binary);
-    ASSERT_EQ(SP::IO::write_FreeSurfer_surface(out, surface), SP::OK);
+        write_surface(std::string("SUBJECTS/") + subject + "/surf/" + name, surface);
+    write_curv("SUBJECTS/bert/surf/lh.white.H", {1., 2., 3., 4.});
   }
 
   // the paths of all files in a folder and in those below it
@@ -67,11 +35,9 @@ protected:
   std::string expect_mapped(const std::string& arguments, int n, int n_left_out = 0, int status = 0) const
   {
     SCOPED_TRACE(arguments);
-    const Outcome outcome = run(arguments);
+    const Outcome outcome = run("batch " + arguments);
     EXPECT_EQ(outcome.status, status) << outcome.err;
-    EXPECT_NE(outcome.out.find("Mapped " + std::to_string(n) + ", left out " + std::to_string(n_left_out) + ","),
-              std::string::npos)
-        << outcome.out << outcome.err;
+    expect_part(outcome.out, "Mapped " + std::to_string(n) + ", left out " + std::to_string(n_left_out) + ",");
     return outcome.err;
   }
 
@@ -83,7 +49,7 @@ protected:
     return result;
   }
 
-  SP::IO::Surface_file surface;
+  SP::IO::Surface_file surface = corner_surface();
 };
 
 TEST_F(Studies, results_lie_as_their_surfaces_do)
@@ -124,29 +90,29 @@ TEST_F(Studies, results_lie_as_their_surfaces_do)
 
 TEST_F(Studies, nothing_of_others_is_replaced)
 {
-  add_surface("SUBJECTS/ernie/surf/lh.sphere"); // of the same size
+  write_surface("SUBJECTS/ernie/surf/lh.sphere", surface); // of the same size
   fs::create_directories(path("out/bert/surf"));
   write("out/bert/surf/rh.sphere.json", "{}\n");
   const Names before = files_in("SUBJECTS");
   const std::string beside = "SUBJECTS --surfaces '?h.white' --output-folder SUBJECTS",
                     mirrored = "SUBJECTS --surfaces '?h.white' --output-folder out";
-  expect_message(beside,
+  expect_message("batch " + beside,
                  "SUBJECTS/ernie/surf/lh.sphere: is there already, and no report beside it tells that this "
                  "program has written it.\nChoose another --output-folder, or replace such files by --overwrite");
-  expect_message(mirrored, "out/bert/surf/rh.sphere.json: is there already");
+  expect_message("batch " + mirrored, "out/bert/surf/rh.sphere.json: is there already");
   EXPECT_EQ(files_in("SUBJECTS"), before);
   EXPECT_EQ(files_in("out"), Names{"bert/surf/rh.sphere.json"});
   expect_mapped(beside + " --overwrite", 4);
   expect_mapped(beside, 4);
   const std::string own = content(path("SUBJECTS/ernie/surf/lh.sphere"));
-  add_surface("SUBJECTS/ernie/surf/lh.sphere");
+  write_surface("SUBJECTS/ernie/surf/lh.sphere", surface);
   ASSERT_EQ(content(path("SUBJECTS/ernie/surf/lh.sphere")).size(), own.size());
-  expect_message(beside + " --resume", "SUBJECTS/ernie/surf/lh.sphere: is there already");
+  expect_message("batch " + beside + " --resume", "SUBJECTS/ernie/surf/lh.sphere: is there already");
 }
 
 TEST_F(Studies, links_are_followed_but_not_written_through)
 {
-  add_surface("elsewhere/fsaverage/surf/lh.white");
+  write_surface("elsewhere/fsaverage/surf/lh.white", surface);
   fs::create_symlink("../elsewhere/fsaverage", path("SUBJECTS/fsaverage"));
   fs::create_symlink("bert", path("SUBJECTS/again")); // which has a name of its own
   fs::create_symlink("../..", path("SUBJECTS/bert/up"));
@@ -155,20 +121,21 @@ TEST_F(Studies, links_are_followed_but_not_written_through)
   EXPECT_EQ(files_in("out"), with_reports({"bert/surf/lh.sphere", "ernie/surf/lh.sphere", "fsaverage/surf/lh.sphere"}));
 
   const std::string err = expect_mapped("SUBJECTS --surfaces lh.white --output-folder SUBJECTS", 2);
-  EXPECT_NE(err.find("SUBJECTS/fsaverage: left out, as it is a link"), std::string::npos) << err;
+  expect_part(err, "SUBJECTS/fsaverage: left out, as it is a link");
   EXPECT_EQ(names_of_files("elsewhere/fsaverage/surf"), Names{"lh.white"});
-  expect_message("SUBJECTS --surfaces fsaverage/*/lh.white --output-folder SUBJECTS",
+  expect_message("batch SUBJECTS --surfaces fsaverage/*/lh.white --output-folder SUBJECTS",
                  "links to other folders are left out");
 
   fs::create_directories(path("out2"));
   fs::create_symlink("../elsewhere", path("out2/ernie"));
-  expect_message("SUBJECTS --surfaces lh.white --output-folder out2", "out2/ernie/surf: there is a link on the way");
+  expect_message("batch SUBJECTS --surfaces lh.white --output-folder out2",
+                 "out2/ernie/surf: there is a link on the way");
   EXPECT_EQ(names_of_files("elsewhere"), Names{"fsaverage"});
 }
 
 TEST_F(Studies, what_is_not_in_order_is_told)
 {
-  const std::vector<std::pair<std::string, std::string>> table = {
+  const Messages table = {
       {"SUBJECTS --surfaces lh.whit --output-folder out", "SUBJECTS: no surface below this folder is called lh.whit"},
       {"SUBJECTS --surfaces lh.white.H --output-folder out", "no surface below this folder is called lh.white.H"},
       {"SUBJECTS --surfaces lh.white lh.pial --output-folder out",
@@ -182,10 +149,9 @@ TEST_F(Studies, what_is_not_in_order_is_told)
        "SUBJECTS/../SUBJECTS/bert/surf/lh.white: is given twice"},
       {"missing --surfaces lh.white --output-folder out", "missing: there is no such file"},
       {"SUBJECTS --output-folder out", "--surfaces names those of folders below it"},
-      {"SUBJECTS --surfaces lh.white", "SUBJECTS is a folder; to map the meshes in it, say with --output-folder"},
-      {"corner.off --surfaces lh.white", "--surfaces goes with --output-folder"},
-      {"SUBJECTS --overwrite --output-folder out", "--overwrite goes with --surfaces"},
-      {"--surfaces lh.white SUBJECTS --output-folder out", "there is no INPUT; it comes before --surfaces"},
+      {"corner.off --surfaces lh.white", "--output-folder"},
+      {"SUBJECTS --overwrite --output-folder out", "--surfaces"},
+      {"--surfaces lh.white SUBJECTS --output-folder out", "INPUT"},
       {"SUBJECTS --surfaces ../lh.white --output-folder out", "--surfaces takes names of files"},
       {"SUBJECTS --surfaces lh.white/ --output-folder out", "--surfaces takes names of files"},
       {"SUBJECTS --surfaces . --output-folder out", "--surfaces takes names of files"},
@@ -193,7 +159,7 @@ TEST_F(Studies, what_is_not_in_order_is_told)
   };
   for(const auto& [arguments, message] : table)
   {
-    expect_message(arguments, message);
+    expect_message("batch " + arguments, message);
     EXPECT_FALSE(fs::exists(path("out"))) << arguments;
   }
   write("SUBJECTS/ernie/surf/rh.white", ""); // as a program leaves it that was stopped
@@ -203,8 +169,8 @@ TEST_F(Studies, what_is_not_in_order_is_told)
 
 TEST_F(Studies, other_formats_and_names)
 {
-  add_surface("study/lh.smoothwm.nofix");
-  add_surface("study/a/lh.own");
+  write_surface("study/lh.smoothwm.nofix", surface);
+  write_surface("study/a/lh.own", surface);
   write("study/lh.smoothwm.json", "{}\n"); // which is no surface
   fs::create_directories(path("study/b"));
   write("study/b/white_orig.off", corner_off);
@@ -222,8 +188,7 @@ TEST_F(Studies, derivatives_of_BIDS)
   const auto add = [&](const std::string& folder, const std::string& name, const std::string& structure) {
     fs::create_directories(path(folder));
     surface.origin.metadata_of_points = {{"AnatomicalStructurePrimary", structure}};
-    std::ofstream out(path(folder + "/" + name), std::ios::binary);
-    ASSERT_EQ(SP::IO::write_GIFTI(out, surface), SP::OK);
+    write_by(folder + "/" + name, [&](std::ostream& out) { return SP::IO::write_GIFTI(out, surface); });
   };
   add("bids/sub-1/anat", "sub-1_hemi-L_white.surf.gii", "CortexLeft");
   add("bids/sub-1/anat", "sub-1_hemi-R_white.surf.gii", "CortexRight");

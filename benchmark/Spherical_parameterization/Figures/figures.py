@@ -130,9 +130,8 @@ class Session:
         with tempfile.TemporaryDirectory() as folder:
             measured, remesh, image = (Path(folder) / name for name in ("values.ply", "remesh.ply", "image.png"))
             _write_values(measured, file.mesh, values)
-            options = ["--remesh", f"octahedron={DIVISION}", "-o", remesh, "--transfer", measured]
-            options += ["--geometry-image", image, "--quiet"]
-            outcome = run_command([self._program.path, file.path, *options])
+            options = ["-o", remesh, "--transfer", measured, "--geometry-image", image, "--quiet"]
+            outcome = run_command([self._program.path, "remesh", file.path, f"octahedron={DIVISION}", *options])
             if outcome.status != 0:
                 raise SystemExit(outcome.message)
             images = [Image.open(path).convert("RGB") for path in (image, image.with_stem("image_normals"))]
@@ -144,8 +143,9 @@ class Session:
         files = [self.file_of(first), self.file_of(second)]
         with tempfile.TemporaryDirectory() as folder:
             result, directions = Path(folder) / "result.off", Path(folder) / "directions.off"
-            options = ["--onto", files[1].path, "-o", result, "--sphere", directions, "--quiet"]
-            outcome = run_command([self._program.path, files[0].path, *options])
+            names = [file.path for file in files]
+            options = ["-o", result, "--sphere", directions, "--quiet"]
+            outcome = run_command([self._program.path, "match", *names, *options])
             if outcome.status != 0:
                 raise SystemExit(outcome.message)
             target = read_mesh(directions.with_stem("directions_target"))

@@ -28,7 +28,7 @@ with tempfile.TemporaryDirectory() as folder:
 
     def images(*options):
         """returns where the vertices of the first surface are on the sphere of the second one"""
-        outcome = run_command([program, first, "--onto", second, "--sphere", directions, "--quiet", *options])
+        outcome = run_command([program, "match", first, second, "--sphere", directions, "--quiet", *options])
         if outcome.status != 0:
             raise SystemExit(outcome.message)
         return read_mesh(directions).vertices

@@ -428,10 +428,10 @@ def cohort(session: Session) -> None:
             for files in commands:
                 names = [file.path for file in files]
                 outcome = run_command(
-                    [program.path, *names, "--output-folder", folder, "--quiet", "--threads", session.threads]
+                    [program.path, "batch", *names, "--output-folder", folder, "--quiet", "--threads", session.threads]
                 )
                 if outcome.status != 0:
-                    session.objections.append(f"`--output-folder`: {outcome.message}")
+                    session.objections.append(f"`batch`: {outcome.message}")
             return time.monotonic() - start
 
     rounds = []

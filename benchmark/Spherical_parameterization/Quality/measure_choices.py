@@ -202,8 +202,8 @@ class Figures:
 
     def _psnr(self, run: Run, n: int) -> float:
         """How well a remesh through the map of a run agrees with the surface."""
-        arguments = ["--initial", run.sphere, "--iterations", 0, "--remesh", f"octahedron={n}", "--json", "-"]
-        outcome = run_command([self._program.path, run.mesh.path, *arguments])
+        arguments = [f"octahedron={n}", "--initial", run.sphere, "--iterations", 0, "--json", "-"]
+        outcome = run_command([self._program.path, "remesh", run.mesh.path, *arguments])
         if outcome.status != 0:
             sys.exit(outcome.message)
         return json.loads(outcome.output)["remesh"]["psnr"]

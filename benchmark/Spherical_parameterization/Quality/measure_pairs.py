@@ -113,7 +113,7 @@ class Pairs:
         """maps one surface onto another one, and returns the report, the target, and where the vertices are on it"""
         paths = [self.mesh(first), self.mesh(second)]
         result = self.work / "result.off"
-        arguments: list[Any] = [paths[0], "--onto", paths[1], "-o", result]
+        arguments: list[Any] = ["match", *paths, "-o", result]
         if kind == "landmarks":
             arguments += ["--landmarks", self.landmarks(first), self.landmarks(second)]
         return self.execute(arguments), read_mesh(paths[1]), read_mesh(result).vertices
@@ -145,8 +145,8 @@ class Pairs:
             if self.meshes is None:
                 return None
             path, remesh, result = self.meshes / f"{pair.first}.off", self.work / "remesh.off", self.work / "result.off"
-            psnr = float(self.execute([path, "--remesh", pair.second, "-o", remesh])["remesh"]["psnr"])
-            facts = self.execute([path, "--onto", remesh, "-o", result])
+            psnr = float(self.execute(["remesh", path, pair.second, "-o", remesh])["remesh"]["psnr"])
+            facts = self.execute(["match", path, remesh, "-o", result])
             target, images, true = read_mesh(remesh), read_mesh(result).vertices, read_mesh(path).vertices
         elif self.folder is None:
             return None

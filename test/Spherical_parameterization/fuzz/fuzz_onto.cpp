@@ -8,9 +8,9 @@
 
 #include "test_meshes.h"
 
-#include "read_soup.h"
 #include "surface_hints.h"
 
+#include <CGAL/Spherical_parameterization/internal/files/read_mesh_file.h>
 #include <CGAL/Spherical_parameterization/is_bijective.h>
 #include <CGAL/Spherical_parameterization/Surface_maps/map_surface.h>
 #include <CGAL/tags.h>
@@ -82,7 +82,7 @@ void map_by_landmarks(const Surfaces& surfaces, const std::string& content)
 void map_by_features(const Surfaces& surfaces, const std::string& content)
 {
   const std::size_t n = num_vertices(surfaces.first);
-  const Program::File_features features = Program::features_of(Program::parse_soup(".ply", content, true), n);
+  const Program::File_features features = Program::features_of({SP::internal::read_mesh_file(".ply", content, true)}, n);
   std::vector<Mapper::Feature> pairs;
   for(const auto& [name, values] : features.values)
     pairs.emplace_back([values = &values](Vertex_index v) { return (*values)[v]; },

@@ -6,13 +6,12 @@
 #include "require.h"
 #include "require_message.h"
 
+#include "File_content.h"
 #include "Input_mesh.h"
-#include "Polygon_soup.h"
 #include "add_values.h"
-#include "mesh_files.h"
-#include "read_soup.h"
 
 #include <CGAL/Named_function_parameters.h>
+#include <CGAL/Spherical_parameterization/internal/files/read_mesh_file.h>
 #include <CGAL/spherical_parameterization.h>
 #include <CGAL/tags.h>
 
@@ -44,8 +43,13 @@ void check_mesh(Program::Input_mesh& input)
   require(!defect.empty() || SP::is_bijective(mesh, sphere) == (error == SP::OK), "the map is not one-to-one");
 }
 
+Program::File_content read(const std::string& format, const std::string& content, bool keeps_values = false)
+{
+  return {SP::internal::read_mesh_file(format, content, keeps_values)};
+}
+
 // the properties of its vertices and faces, which are carried over
-void check_values(Program::Polygon_soup soup)
+void check_values(Program::File_content soup)
 {
   const std::vector<Program::Values> of_vertices = std::move(soup.values_of_vertices),
                                      of_faces = std::move(soup.values_of_faces);
@@ -54,8 +58,8 @@ void check_values(Program::Polygon_soup soup)
   for(const Program::Values& values : of_faces)
     require(values.numbers.size() == soup.polygons.size(), "a property has not as many numbers as there are faces");
   Program::Input_mesh input("file", std::move(soup));
-  Program::add_values<Program::Vertex_index>(input.mesh(), of_vertices);
-  Program::add_values<Program::Mesh::Face_index>(input.mesh(), of_faces);
+  Program::add_values_of_vertices(input.mesh(), of_vertices);
+  Program::add_values_of_faces(input.mesh(), of_faces);
 }
 
 } // namespace
@@ -66,10 +70,10 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const std::string format = Program::input_formats[bytes.below(Program::input_formats.size())];
   const std::string content = bytes.rest();
   require_message_or_nothing([&] {
-    Program::Input_mesh input("file" + format, Program::parse_soup(format, content));
+    Program::Input_mesh input("file" + format, read(format, content));
     check_mesh(input);
   });
   if(format == ".ply")
-    require_message_or_nothing([&] { check_values(Program::parse_soup(format, content, true)); });
+    require_message_or_nothing([&] { check_values(read(format, content, true)); });
   return 0;
 }

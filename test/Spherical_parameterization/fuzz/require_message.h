@@ -12,7 +12,7 @@
 
 #include "require.h"
 
-#include "Program_error.h"
+#include <CGAL/Spherical_parameterization/internal/files/File_bytes.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -34,7 +34,7 @@ void require_message_or_nothing(const F& f)
   {
     f();
   }
-  catch(const Program::Program_error& error)
+  catch(const CGAL::Spherical_parameterization::internal::File_error& error)
   {
     require(is_message(error.what()), error.what());
   }

@@ -90,7 +90,7 @@ with tempfile.TemporaryDirectory() as folder:
     own, (atlas, atlas_faces) = make_subject(), make_atlas()
     make_study()
     commands = "".join(codes("sh"))
-    if not (program.parent.parent.parent / "page" / "page.stamp").exists():
+    if not (program.parent.parent / "page" / "page.stamp").exists():
         commands = re.sub(r" --page \S+", "", commands)
     path = {**os.environ, "PATH": f"{program.parent}:{os.environ['PATH']}"}
     subprocess.run(["sh", "-e", "-c", commands], env=path, check=True, stdout=subprocess.DEVNULL)

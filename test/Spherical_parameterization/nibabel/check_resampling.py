@@ -104,14 +104,14 @@ def compare(pair, sizes, bound):
     n, of = sizes, f"{pair[0]} to {pair[1]}"
     for method, word in (("barycentric", "BARYCENTRIC"), ("adaptive", "ADAP_BARY_AREA")):
         is_adaptive = method == "adaptive"
-        ours = ["--resample", *spheres, *(["--areas", *areas] if is_adaptive else [])]
+        ours = [*spheres, *(["--areas", *areas] if is_adaptive else [])]
         theirs = [*spheres, word]
         extra = ["-area-surfs", *areas] if is_adaptive else []
         values, labels = f"{pair[0]}.shape.gii", f"{pair[0]}.label.gii"
         for mask in (False, True):
             masked = ["--mask", f"{pair[0]}.mask.gii", "--valid", "valid.shape.gii"] if mask else []
             roi = ["-current-roi", f"{pair[0]}.mask.gii", "-valid-roi-out", "wb_valid.shape.gii"] if mask else []
-            run(program, values, *ours, *masked, "-o", "o.shape.gii")
+            run(program, "resample", values, *ours, *masked, "-o", "o.shape.gii")
             run("wb_command", "-metric-resample", values, *theirs, "wb.shape.gii", *extra, *roi)
             for k, (a, b) in enumerate(zip(read("o.shape.gii"), read("wb.shape.gii"))):
                 assert a.data.shape == b.data.shape == (n[1],) and a.meta["Name"] == f"column {k}"
@@ -120,16 +120,16 @@ def compare(pair, sizes, bound):
             if mask:
                 a, b = read("valid.shape.gii")[0].data, read("wb_valid.shape.gii")[0].data
                 expect(f"{of}, {method}, valid", np.array_equal(a, b), f"{(a == 0).sum()} of {n[1]} get nothing")
-            run(program, labels, *ours, *masked, "-o", "o.label.gii")
+            run(program, "resample", labels, *ours, *masked, "-o", "o.label.gii")
             run("wb_command", "-label-resample", labels, *theirs, "wb.label.gii", *extra, *roi)
             n_other = (read("o.label.gii")[0].data != read("wb.label.gii")[0].data).sum()
             expect(f"{of}, {method}{', masked' if mask else ''}, labels", n_other <= 2, f"{n_other} of {n[1]}")
         largest = ["--method", "largest" if is_adaptive else "nearest"]
-        run(program, values, *ours, *largest, "-o", "o.shape.gii")
+        run(program, "resample", values, *ours, *largest, "-o", "o.shape.gii")
         run("wb_command", "-metric-resample", values, *theirs, "wb.shape.gii", *extra, "-largest")
         n_other = (read("o.shape.gii")[0].data != read("wb.shape.gii")[0].data).sum()
         expect(f"{of}, {largest[1]}", n_other <= 2, f"{n_other} of {n[1]}")
-        run(program, areas[0], *ours, "-o", "o.surf.gii")
+        run(program, "resample", areas[0], *ours, "-o", "o.surf.gii")
         run("wb_command", "-surface-resample", areas[0], *theirs, "wb.surf.gii", *extra)
         (a, a_faces), (b, b_faces) = ([array.data for array in read(name)] for name in ("o.surf.gii", "wb.surf.gii"))
         difference = np.abs(a - b).max() / np.ptp(b)
@@ -156,7 +156,7 @@ def main():
     points, faces = icosphere(6)
     write_surface("registered.surf.gii", 100 * deformed(points, 0.08), faces)
     words = ["coarse.surf.gii", "fine.surf.gii", "registered.surf.gii"]
-    run(program, words[0], "--through", *words[1:], "-o", "o.surf.gii")
+    run(program, "resample", *words, "--through", "-o", "o.surf.gii")
     run("wb_command", "-surface-sphere-project-unproject", *words, "wb.surf.gii")
     a, b = (read(name)[0].data for name in ("o.surf.gii", "wb.surf.gii"))
     expect("through a registration", np.abs(a - b).max() < 1e-3, np.abs(a - b).max() / 100)

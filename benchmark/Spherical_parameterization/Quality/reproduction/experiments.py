@@ -16,7 +16,7 @@ from .models import MODELS, SAME_COUNT, TABLE_1
 from .paper_values import COUNTS
 from .paper_values import TABLE_1 as PAPER_ROWS
 
-PAPER_ENERGY = ["--energy", "isometric", "--s-first", "0.1", "--s-last", "10"]
+PAPER_ENERGY = ["--energy", "isometric", "--schedule", "0.1,10"]
 BIJECTIVE = {"bld": [], **{method: ["--method", method] for method in ("hierarchical", "stereographic", "harmonic")}}
 WITHOUT_PROMISE = {method: ["--method", method] for method in ("conformal", "arap")}
 EQUAL = 0.005  # what differs by less, relatively, counts as equal
@@ -135,12 +135,12 @@ def figure_1(session: Session) -> None:
     dial_values = (0.0, 12.0, 50.0) if session.is_short else (0.0, 3.0, 6.0, 12.0, 25.0, 50.0)
 
     def schedule(s: float, without: list[str]) -> list[str]:
-        return ["--s-first", f"{min(s, 0.1):g}", "--s-last", f"{s:g}"] if s > 0.0 else without
+        return ["--schedule", f"{min(s, 0.1):g},{s:g}"] if s > 0.0 else without
 
     paper, newton = "paper mode, last s", "the paper's energy, the package's start, steps and barrier, last s"
     dial = "default of the package, sharpness"
     series = {
-        paper: [(s, ["--paper", *schedule(s, ["--average-sweeps", sweeps]), "--iterations", sweeps]) for s in values],
+        paper: [(s, ["--paper", *schedule(s, ["--schedule", f"0.1,10,{sweeps}"]), "--iterations", sweeps]) for s in values],
         newton: [(s, ["--energy", "isometric", *schedule(s, ["--sharpness", "0"]), *CONVERGED]) for s in values],
         dial: [(b, ["--sharpness", f"{b:g}", *CONVERGED]) for b in dial_values],
     }
@@ -309,10 +309,10 @@ def _compare_tessellations(
 def figure_6(session: Session) -> None:
     n = ["--iterations", str(session.paper_sweeps)]
     schedules = {
-        "(a) eq. 6, 100 sweeps": ["--paper", "--average-sweeps", "100", "--iterations", "100"],
-        "(b) eq. 7, s = 5": ["--paper", "--s-first", "5", "--s-last", "5", "--average-sweeps", "0", *n],
-        "(c) eq. 7, s = 0.1": ["--paper", "--s-first", "0.1", "--s-last", "0.1", "--average-sweeps", "0", *n],
-        "(d) eq. 7, s from 0.1 to 10": ["--paper", "--average-sweeps", "0", *n],
+        "(a) eq. 6, 100 sweeps": ["--paper", "--schedule", "0.1,10,100", "--iterations", "100"],
+        "(b) eq. 7, s = 5": ["--paper", "--schedule", "5,5,0", *n],
+        "(c) eq. 7, s = 0.1": ["--paper", "--schedule", "0.1,0.1,0", *n],
+        "(d) eq. 7, s from 0.1 to 10": ["--paper", "--schedule", "0.1,10,0", *n],
         "(e) eq. 6, 100 sweeps, then s from 0.1 to 10": session.paper(),
         PACKAGE: DEFAULT,
     }
@@ -343,7 +343,7 @@ def figure_7(session: Session) -> None:
         " from the harmonic map. The second curve takes the same start and the same energy with Newton steps and the"
         " determinant in the energy's place of the area, which makes its energy a little larger at the same map.",
     )
-    newton = ["--initial", "harmonic", *PAPER_ENERGY, "--average-sweeps", "100", "--iterations", "100"]
+    newton = ["--initial", "harmonic", *PAPER_ENERGY[:-1], "0.1,10,100", "--iterations", "100"]
     modes = {"gradient steps, as published": ["--paper", "--iterations", "100"], "Newton steps of the package": newton}
     shown_at = (1, 2, 5, 10, 20, 50, 100)
     diagrams, records = [], []

@@ -1,0 +1,341 @@
+// Copyright (c) 2026  The Spherical_parameterization authors.
+// All rights reserved.
+//
+// This file is part of the Spherical_parameterization package for CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Spherical_parameterization authors
+
+#ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_FILES_PLY_READER_H
+#define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_FILES_PLY_READER_H
+
+#include <CGAL/license/Spherical_parameterization.h>
+
+#include <CGAL/Spherical_parameterization/internal/files/File_bytes.h>
+#include <CGAL/Spherical_parameterization/internal/files/Polygon_soup.h>
+#include <CGAL/Spherical_parameterization/internal/files/Text_scanner.h>
+#include <CGAL/Spherical_parameterization/internal/files/printable_text.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <set>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <utility>
+#include <variant>
+#include <vector>
+
+namespace CGAL::Spherical_parameterization::internal {
+
+// Reads the format PLY, text or binary.
+class Ply_reader
+{
+public:
+  // \param keeps_values whether what vertices and faces have beside coordinates and corners is not skipped
+  Ply_reader(Text_scanner& in, bool keeps_values)
+    : m_in(in)
+    , m_keeps_values(keeps_values)
+  {}
+
+  Polygon_soup operator()()
+  {
+    read_header();
+    for(const Element& element : m_elements)
+      if(element.is_vertex())
+        m_number_of_vertices = element.count;
+    for(Element& element : m_elements)
+      read_element(element);
+    return std::move(m_soup);
+  }
+
+private:
+  // To carry properties over takes time that is quadratic in their number.
+  static constexpr std::size_t max_properties = 4096;
+
+  struct Type
+  {
+    const char* name;
+    const char* name_with_size;
+    File_number number; // any
+
+    std::size_t size() const
+    {
+      return std::visit([](auto x) { return sizeof(x); }, number);
+    }
+
+    bool is_integer() const
+    {
+      return std::visit([](auto x) { return std::is_integral_v<decltype(x)>; }, number);
+    }
+
+    // returns whether a number of this type can be `x`, or be rounded to from it
+    bool has(double x) const
+    {
+      return std::visit(
+          [x](auto any) {
+            using Limits = std::numeric_limits<decltype(any)>;
+            if constexpr(Limits::is_integer)
+              return x >= double((Limits::min)()) && x <= double((Limits::max)());
+            else
+              return !std::isfinite(x) || std::abs(x) <= double((Limits::max)());
+          },
+          number);
+    }
+  };
+
+  static const Type& type_of(std::string_view name, const Text_scanner& in)
+  {
+    static constexpr std::array<Type, 8> types = {{{"char", "int8", std::int8_t()},
+                                                   {"uchar", "uint8", std::uint8_t()},
+                                                   {"short", "int16", std::int16_t()},
+                                                   {"ushort", "uint16", std::uint16_t()},
+                                                   {"int", "int32", std::int32_t()},
+                                                   {"uint", "uint32", std::uint32_t()},
+                                                   {"float", "float32", float()},
+                                                   {"double", "float64", double()}}};
+    for(const Type& type : types)
+      if(name == type.name || name == type.name_with_size)
+        return type;
+    in.fail("the type of a property is unknown: ", Text_scanner::quoted(name));
+  }
+
+  struct Property
+  {
+    std::string name;
+    char role; // to the mesh: one of the coordinates x, y, z, the corners c, or none, a blank
+    const Type* type;
+    const Type* size_type; // of a list, null if it is none
+    bool is_kept;          // with these numbers
+    std::vector<double> numbers = {};
+  };
+
+  struct Element
+  {
+    std::string name, label; // as it is, and as it is printed
+    std::size_t count;
+    std::vector<Property> properties = {};
+    std::set<std::string> names = {}; // of the properties
+
+    bool is_vertex() const { return name == "vertex" || name == "vertices"; }
+    bool is_face() const { return name == "face" || name == "faces"; }
+    bool is_of_mesh() const { return is_vertex() || is_face(); }
+
+    char role_of(const std::string& property, bool is_list) const
+    {
+      if(is_list)
+        return is_face() && (property == "vertex_indices" || property == "vertex_index") ? 'c' : ' ';
+      return is_vertex() && (property == "x" || property == "y" || property == "z") ? property[0] : ' ';
+    }
+
+    // returns the place of the property with this role, or the number of properties
+    std::size_t find(char role) const
+    {
+      std::size_t k = 0;
+      while(k < properties.size() && properties[k].role != role)
+        ++k;
+      return k;
+    }
+    bool has(char role) const { return find(role) < properties.size(); }
+  };
+
+  void read_header()
+  {
+    if(!m_in.next_line())
+      throw File_error("the file is empty");
+    std::string_view statement = m_in.read_word();
+    if(statement != "ply")
+      m_in.fail("a PLY file begins with ply, not with ", Text_scanner::quoted(statement));
+    std::string format;
+    while(statement != "end_header")
+    {
+      if(!m_in.next_line())
+        throw File_error("the file ends within its header: it is truncated");
+      statement = m_in.read_word();
+      if(statement == "format")
+      {
+        format = m_in.read_word();
+        if(format != "ascii" && format != "binary_little_endian" && format != "binary_big_endian")
+          m_in.fail("the format is ascii, binary_little_endian or binary_big_endian, not ",
+                    Text_scanner::quoted(format));
+      }
+      else if(statement == "element")
+        read_statement_of_element();
+      else if(statement == "property")
+        read_property();
+      else if(statement != "end_header" && statement != "comment" && statement != "obj_info")
+        m_in.fail("no line in the header of a PLY file begins with ", Text_scanner::quoted(statement));
+    }
+    if(format.empty())
+      m_in.fail("the header has no line that begins with format");
+    m_is_text = format == "ascii";
+    m_is_big_endian = format == "binary_big_endian";
+  }
+
+  void read_statement_of_element()
+  {
+    const std::string name(m_in.read_word()), label = Text_scanner::quoted(name);
+    const Element element = {name, label, m_in.read_count(label + " elements")};
+    const auto is_of_same_kind = [&](const Element& other) {
+      return other.is_vertex() == element.is_vertex() && other.is_face() == element.is_face();
+    };
+    if(!element.is_of_mesh())
+      leave_out("the elements '" + printable(name) + "'");
+    else if(std::any_of(m_elements.begin(), m_elements.end(), is_of_same_kind))
+      m_in.fail("the ", element.is_vertex() ? "vertices" : "faces", " once more");
+    m_elements.push_back(element);
+  }
+
+  void read_property()
+  {
+    if(m_elements.empty())
+      m_in.fail("a property without element");
+    Element& element = m_elements.back();
+    const bool is_list = m_in.word() == "list";
+    const Type* size_type = nullptr;
+    if(is_list)
+    {
+      m_in.read_word();
+      size_type = &type_of(m_in.read_word(), m_in);
+      if(!size_type->is_integer())
+        m_in.fail("the size of a list has to be a whole number");
+    }
+    const Type& type = type_of(m_in.read_word(), m_in);
+    const std::string name(m_in.read_word());
+    if(name.empty())
+      m_in.fail("a property without name");
+    const char role = element.role_of(name, is_list);
+    const bool has_values = m_keeps_values && element.is_of_mesh() && role == ' ';
+    if(role == 'c' && !type.is_integer())
+      m_in.fail("the corners of a face have to be whole numbers");
+    const bool is_new = element.names.insert(name).second;
+    if(has_values && element.names.size() > max_properties)
+      m_in.fail("there are more than ", max_properties, " properties of ", element.label);
+    if((role != ' ' && element.has(role)) || (has_values && !is_new))
+      m_in.fail("the same property once more");
+    if(has_values && is_list)
+      leave_out("the list '" + printable(name) + "' of '" + printable(element.name) + "'");
+    element.properties.push_back({name, role, &type, size_type, has_values && !is_list});
+  }
+
+  void leave_out(const std::string& what)
+  {
+    if(m_keeps_values)
+      m_soup.left_out.push_back(what);
+  }
+
+  void read_element(Element& element)
+  {
+    const std::size_t n = element.properties.size();
+    if(element.is_vertex() && !(element.has('x') && element.has('y') && element.has('z')))
+      throw File_error("the vertices have no properties x, y and z that are numbers");
+    if(element.is_face() && !element.has('c'))
+      throw File_error("the faces have no property vertex_indices that is a list");
+    if(n == 0)
+      return; // which takes no bytes, however many there are
+    std::size_t min_size = 0;
+    for(const Property& p : element.properties) // in a text, a digit and a blank for each number
+      min_size += m_is_text ? 2 : (p.size_type ? p.size_type : p.type)->size();
+    m_in.check_count(element.count, element.label + " elements", min_size);
+    if(element.is_vertex())
+      m_soup.points.reserve(element.count);
+    if(element.is_face())
+      m_soup.polygons.reserve(element.count);
+    for(Property& p : element.properties)
+      if(p.is_kept)
+        p.numbers.reserve(element.count);
+
+    const std::size_t x = element.find('x'), y = element.find('y'), z = element.find('z');
+    std::vector<double> row(n); // the numbers of a vertex, a face or another element
+    bool has_more = false;      // than the header declares
+    for(m_item = 0; m_item < element.count; ++m_item)
+    {
+      if(m_is_text && !m_in.next_line())
+        fail_at_end(element);
+      if(element.is_face())
+        m_soup.polygons.emplace_back();
+      for(std::size_t k = 0; k < n; ++k)
+      {
+        Property& p = element.properties[k];
+        row[k] = read_number(element, p.size_type ? *p.size_type : *p.type);
+        if(p.size_type)
+          read_list(element, *p.type, row[k], p.role == 'c');
+        if(!p.is_kept)
+          continue;
+        if(!p.type->has(row[k]))
+          m_in.fail("a number of ", name_of_item(element), " is not in the range of its type: ", row[k]);
+        p.numbers.push_back(row[k]);
+      }
+      if(m_is_text && element.is_of_mesh() && !has_more && !m_in.is_at_end_of_line())
+      {
+        has_more = true;
+        leave_out("what the header does not declare of '" + printable(element.name) + "', as in line " +
+                  std::to_string(m_in.line_number()));
+      }
+      if(element.is_vertex())
+        m_soup.points.emplace_back(row[x], row[y], row[z]);
+    }
+    for(Property& p : element.properties)
+      if(p.is_kept)
+        (element.is_vertex() ? m_soup.values_of_vertices : m_soup.values_of_faces)
+            .push_back({p.name, p.type->number, std::move(p.numbers)});
+  }
+
+  void read_list(const Element& element, const Type& type, double size, bool is_polygon)
+  {
+    if(!(size >= 0.))
+      m_in.fail(name_of_item(element), " has a list of negative length");
+    for(double i = 0.; i < size; ++i) // ends with the file at the latest
+    {
+      const double x = read_number(element, type);
+      if(!is_polygon)
+        continue;
+      if(!(x >= 0. && x < static_cast<double>(m_number_of_vertices)))
+        m_in.fail(name_of_item(element), " has a corner that does not exist: there are ", m_number_of_vertices,
+                  " vertices, counted from 0");
+      m_soup.polygons.back().push_back(static_cast<std::size_t>(x));
+    }
+  }
+
+  double read_number(const Element& element, const Type& type)
+  {
+    if(m_is_text && type.is_integer())
+      return static_cast<double>(m_in.read_integer("a number of ", element.label, " ", m_item));
+    if(m_is_text)
+      return m_in.read_number("a number of ", element.label, " ", m_item);
+    return std::visit(
+        [&](auto number) {
+          if(!m_in.read_bytes(number, m_is_big_endian))
+            fail_at_end(element);
+          return static_cast<double>(number);
+        },
+        type.number);
+  }
+
+  [[noreturn]] void fail_at_end(const Element& element) const
+  {
+    throw File_error("the file ends in " + name_of_item(element) + " of " + std::to_string(element.count) +
+                     ": it is truncated, or the number is wrong");
+  }
+
+  std::string name_of_item(const Element& element) const { return element.label + " " + std::to_string(m_item); }
+
+  Text_scanner& m_in;
+  bool m_keeps_values;
+  bool m_is_text = true, m_is_big_endian = false;
+  std::vector<Element> m_elements;
+  std::size_t m_number_of_vertices = 0;
+  std::size_t m_item = 0; // the number of the element that is read
+  Polygon_soup m_soup;
+};
+
+} // namespace CGAL::Spherical_parameterization::internal
+
+#endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_FILES_PLY_READER_H

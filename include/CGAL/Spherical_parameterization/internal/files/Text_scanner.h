@@ -1,0 +1,214 @@
+// Copyright (c) 2026  The Spherical_parameterization authors.
+// All rights reserved.
+//
+// This file is part of the Spherical_parameterization package for CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Spherical_parameterization authors
+
+#ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_FILES_TEXT_SCANNER_H
+#define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_FILES_TEXT_SCANNER_H
+
+#include <CGAL/license/Spherical_parameterization.h>
+
+#include <CGAL/Spherical_parameterization/internal/files/File_bytes.h>
+#include <CGAL/Spherical_parameterization/internal/files/Polygon_soup.h>
+
+#include <boost/endian/conversion.hpp>
+
+#include <algorithm>
+#include <cerrno>
+#include <cmath>
+#include <cstddef>
+#include <cstdlib>
+#include <cstring>
+#include <sstream>
+#include <string>
+#include <string_view>
+#include <utility>
+
+namespace CGAL::Spherical_parameterization::internal {
+
+// Reads the content of a file, as lines of words or as bytes, and says where it is damaged: what all readers share. Their
+// memory is bounded by the size of the file, whatever its numbers say.
+//
+// In a text, `#` begins a comment. What is read is named by the parts of its name, which are put together for a message
+// only.
+class Text_scanner
+{
+public:
+  explicit Text_scanner(std::string content)
+    : m_content(std::move(content))
+  {
+    if(m_content.compare(0, 3, "\xEF\xBB\xBF") == 0) // the mark that some editors put before UTF-8
+      m_next = 3;
+  }
+
+  // moves to the beginning of the next line that has a word, and returns whether there is one.
+  bool next_line()
+  {
+    while(m_next < m_content.size())
+    {
+      const std::string_view line = rest().substr(0, (std::min)(rest().find('\n'), rest().size()));
+      m_cursor = &m_content[m_next];
+      m_next = (std::min)(m_next + line.size() + 1, m_content.size());
+      ++m_line_number;
+      m_byte = 0;
+      if(line.find('\0') != line.npos)
+        fail("there is a byte that is no text");
+      m_cursor[(std::min)(line.find('#'), line.size())] = '\0';
+      if(!is_at_end_of_line())
+        return true;
+    }
+    return false;
+  }
+
+  std::size_t line_number() const { return m_line_number; }
+
+  bool is_at_end_of_line()
+  {
+    while(is_blank(*m_cursor))
+      ++m_cursor;
+    return *m_cursor == '\0';
+  }
+
+  // returns the next word of the line, which is empty at its end, and stays before it.
+  std::string_view word()
+  {
+    is_at_end_of_line();
+    const char* end = m_cursor;
+    while(!is_end_of_word(*end))
+      ++end;
+    return std::string_view(m_cursor, static_cast<std::size_t>(end - m_cursor));
+  }
+
+  // returns the next word of the line, which is empty at its end.
+  std::string_view read_word()
+  {
+    const std::string_view result = word();
+    skip(result.size());
+    return result;
+  }
+
+  // moves `count` characters forward, within the line.
+  void skip(std::size_t count) { m_cursor += count; }
+
+  template <class... Name>
+  double read_number(const Name&... name)
+  {
+    if(is_at_end_of_line())
+      fail(name..., " is missing");
+    char* end = m_cursor;
+    errno = 0;
+    const double x = std::strtod(m_cursor, &end);
+    if(end == m_cursor || !is_end_of_word(*end))
+      fail(name..., " is not a number: ", quoted(m_cursor));
+    if(errno == ERANGE && std::abs(x) > 1.) // or it is smaller than any number, and 0
+      fail(name..., " is too large, beyond 1.8e308: ", quoted(m_cursor));
+    m_cursor = end;
+    return x;
+  }
+
+  template <class... Name>
+  Simple_cartesian<double>::Point_3 read_point(const Name&... name)
+  {
+    const double x = read_number("coordinate x of ", name...);
+    const double y = read_number("coordinate y of ", name...);
+    return Simple_cartesian<double>::Point_3(x, y, read_number("coordinate z of ", name...));
+  }
+
+  template <class... Name>
+  long long read_integer(const Name&... name)
+  {
+    return read_integer_before('\0', name...);
+  }
+
+  // returns the whole number at the beginning of the next word, and skips the rest of the word from `separator` on.
+  template <class... Name>
+  long long read_integer_before(char separator, const Name&... name)
+  {
+    if(is_at_end_of_line())
+      fail(name..., " is missing");
+    char* end = m_cursor;
+    errno = 0;
+    const long long i = std::strtoll(m_cursor, &end, 10);
+    if(end == m_cursor || !(is_end_of_word(*end) || *end == separator) || errno == ERANGE)
+      fail(name..., " should be a whole number, not ", quoted(m_cursor));
+    read_word();
+    return i;
+  }
+
+  std::size_t read_count(const std::string& things)
+  {
+    const long long count = read_integer("the number of ", things);
+    if(count < 0)
+      fail("the number of ", things, " is negative");
+    return static_cast<std::size_t>(count);
+  }
+
+  // checks that the rest of the file suffices for so many things of `min_size` bytes each.
+  void check_count(std::size_t count, const std::string& things, std::size_t min_size) const
+  {
+    if(count > (rest().size() + 1) / min_size) // the last line may lack its end
+      throw File_error("the file is too short for " + std::to_string(count) + " " + things +
+                       ": it is truncated, or the number is wrong");
+  }
+
+  // reads a number from the bytes that follow the line, and returns whether there are enough of them.
+  template <class Number>
+  bool read_bytes(Number& number, bool is_big_endian = false)
+  {
+    if(rest().size() < sizeof(Number))
+      return false;
+    char bytes[sizeof(Number)];
+    std::memcpy(bytes, rest().data(), sizeof(Number));
+    if(is_big_endian != (boost::endian::order::native == boost::endian::order::big))
+      std::reverse(bytes, bytes + sizeof(Number));
+    std::memcpy(&number, bytes, sizeof(Number));
+    m_byte = m_next;
+    m_next += sizeof(Number);
+    return true;
+  }
+
+  void skip_bytes(std::size_t count) { m_next += count; }
+
+  // returns what follows the line.
+  std::string_view rest() const { return std::string_view(m_content).substr(m_next); }
+
+  // throws a `File_error` with the number of the line, or of the byte where the last number begins, counted from 0.
+  template <class... What>
+  [[noreturn]] void fail(const What&... what) const
+  {
+    std::ostringstream text;
+    text << (m_byte == 0 ? "line " : "byte ") << (m_byte == 0 ? m_line_number : m_byte) << ": ";
+    (text << ... << what);
+    throw File_error(text.str());
+  }
+
+  // returns the first word of `text` for a message, as far as it can be printed.
+  static std::string quoted(std::string_view text)
+  {
+    constexpr std::size_t max_size = 20;
+    std::size_t size = 0;
+    while(size < (std::min)(text.size(), max_size) && text[size] > ' ' && text[size] < 127)
+      ++size;
+    return size == 0 ? "a byte that is no text" : "'" + std::string(text.substr(0, size)) + "'";
+  }
+
+private:
+  static bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r'; }
+  static bool is_end_of_word(char c) { return c == '\0' || is_blank(c); }
+
+  std::string m_content;
+  std::size_t m_next = 0; // where the next line begins
+  std::size_t m_line_number = 0;
+  std::size_t m_byte = 0;   // where the last number begins that was read as bytes, 0 if the last was a line
+  char* m_cursor = nullptr; // in the line, which ends with 0
+};
+
+} // namespace CGAL::Spherical_parameterization::internal
+
+#endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_FILES_TEXT_SCANNER_H

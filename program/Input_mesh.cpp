@@ -1,0 +1,258 @@
+#include "Input_mesh.h"
+
+#include "read_file.h"
+#include "write_mesh.h"
+
+#include <CGAL/Spherical_parameterization/Repair/fill_holes.h>
+#include <CGAL/Spherical_parameterization/Repair/find_handles.h>
+#include <CGAL/Spherical_parameterization/internal/files/Soup_defect.h>
+
+#include <CGAL/Surface_mesh/IO/PLY.h>
+#include <CGAL/boost/graph/Euler_operations.h>
+#include <CGAL/boost/graph/iterator.h>
+
+#include <boost/container/small_vector.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <sstream>
+#include <utility>
+
+namespace Program {
+
+namespace {
+
+// Builds a mesh. The faces come all at once: one by one, those at a vertex take time that is quadratic in their number.
+void add_to(Mesh& mesh, const std::vector<Point_3>& points, const std::vector<Polygon>& triangles)
+{
+  using Index = Mesh::size_type;
+  mesh.reserve(static_cast<Index>(points.size()), static_cast<Index>(triangles.size() / 2 * 3),
+               static_cast<Index>(triangles.size()));
+  for(const Point_3& p : points)
+    mesh.add_vertex(p);
+  std::vector<boost::container::small_vector<Vertex_index, 3>> faces(triangles.size());
+  for(std::size_t f = 0; f < faces.size(); ++f)
+    for(const std::size_t v : triangles[f])
+      faces[f].emplace_back(static_cast<Index>(v));
+  CGAL::Euler::add_faces(faces, mesh);
+}
+
+} // namespace
+
+SP::Distortion_summary measured_distortion(const Mesh& mesh, const Sphere_map& map, Distortion_map distortions)
+{
+  SP::Distortion_summary summary;
+  const SP::Error_code error = SP::measure_distortion(mesh, map, summary, distortions);
+  if(error != SP::OK)
+    throw Program_error(SP::get_error_message(error));
+  return summary;
+}
+
+Input_mesh::Input_mesh(const std::string& path, File_content soup)
+  : m_name(printable(path))
+  , m_is_of_cortical_format(!is_among(file_format(path), input_formats))
+  , m_origin(std::move(soup.origin))
+  , m_hemispheres(std::move(soup.hemispheres))
+  , m_polygons(std::move(soup.polygons))
+{
+  if(m_polygons.empty())
+    throw Program_error(m_name + ": the mesh has no faces.\nPerhaps the file is truncated, or a point cloud, which has "
+                                 "to be turned into a surface first.");
+  if(const auto defect = SP::internal::find_defect_of_soup(soup.points.size(), m_polygons))
+    throw Program_error(m_name + ": " + defect->message);
+  add_to(m_mesh, soup.points, m_polygons);
+}
+
+std::string Input_mesh::find_defect() const
+{
+  const auto defect = SP::internal::find_defect_of_mesh(m_mesh);
+  if(!defect)
+    return "";
+  const char* const cure = defect->error == SP::ERROR_NON_CLOSED_MESH ? "\n--fill-holes all fills them."
+                           : defect->error == SP::ERROR_SEVERAL_COMPONENTS
+                               ? "\n--components largest maps the largest one, --components each all of them."
+                               : "";
+  return m_name + ": " + defect->message + cure +
+         (defect->error == SP::ERROR_NO_TOPOLOGICAL_SPHERE ? describe_handles() : "");
+}
+
+std::vector<Input_mesh::Handle> Input_mesh::find_handles(std::size_t max_handles) const
+{
+  std::vector<SP::Handle<Mesh>> handles;
+  std::vector<Handle> result;
+  if(SP::find_handles(m_mesh, handles, CGAL::parameters::maximum_number(max_handles)) == SP::OK)
+    for(const SP::Handle<Mesh>& handle : handles)
+      result.push_back({{handle.path.begin(), handle.path.end()}, handle.length});
+  return result;
+}
+
+std::string Input_mesh::describe(const Handle& handle)
+{
+  std::ostringstream text;
+  text << handle.path.size() << " edges around a handle, of length " << handle.length << ", at vertex "
+       << handle.path.front().idx();
+  return text.str();
+}
+
+void Input_mesh::write_handles(std::ostream& out, const std::vector<Handle>& handles) const
+{
+  std::size_t n = 0;
+  for(const Handle& handle : handles)
+    n += handle.path.size();
+  out << "ply\nformat ascii 1.0\nelement vertex " << n
+      << "\nproperty double x\nproperty double y\nproperty double z\nproperty int vertex\nelement edge " << n
+      << "\nproperty int vertex1\nproperty int vertex2\nproperty int handle\nend_header\n";
+  out.precision(17);
+  for(const Handle& handle : handles)
+    for(const Vertex_index v : handle.path)
+      out << m_mesh.point(v) << ' ' << v.idx() << '\n';
+  std::size_t first = 0;
+  for(std::size_t k = 0; k < handles.size(); ++k)
+  {
+    const std::size_t size = handles[k].path.size();
+    for(std::size_t i = 0; i < size; ++i)
+      out << first + i << ' ' << first + (i + 1) % size << ' ' << k << '\n';
+    first += size;
+  }
+}
+
+std::vector<Input_mesh::Hole> Input_mesh::fill_holes(std::size_t max_edges)
+{
+  m_unfilled = m_mesh;
+  std::vector<SP::Filled_hole<Mesh>> holes;
+  const SP::Error_code error = SP::fill_holes(m_mesh, holes, CGAL::parameters::maximum_number(max_edges));
+  if(error == SP::ERROR_NO_SIMPLICIAL_COMPLEX)
+    throw Program_error(
+        m_name + ": the border touches itself in vertex " + std::to_string(holes.back().vertex) +
+        ", so that it is not clear what its holes are.\nSplit the vertex, for example with "
+        "CGAL::Polygon_mesh_processing::duplicate_non_manifold_vertices(). (Vertices are counted from 0.)");
+  if(error == SP::ERROR_NON_FINITE_COORDINATE)
+  {
+    const auto is_wrong = [&](Vertex_index v) { return !m_mesh.is_isolated(v) && !is_finite(m_mesh.point(v)); };
+    const Vertex_index v = *std::find_if(m_mesh.vertices().begin(), m_mesh.vertices().end(), is_wrong);
+    throw Program_error(m_name + ": vertex " + std::to_string(v) +
+                        " has a coordinate that is infinite or not a number. (Vertices are counted from 0.)");
+  }
+  std::vector<Hole> result;
+  for(const SP::Filled_hole<Mesh>& hole : holes)
+    result.push_back({hole.vertex, hole.number_of_edges, hole.faces.size(), hole.perimeter, hole.share});
+  return result;
+}
+
+void Input_mesh::take_triangles_of_mesh()
+{
+  m_polygons.resize(m_mesh.number_of_faces());
+  for(const Mesh::Face_index f : m_mesh.faces())
+  {
+    Polygon corners;
+    for(const Vertex_index v : CGAL::vertices_around_face(m_mesh.halfedge(f), m_mesh))
+      corners.push_back(v);
+    if(!is_same(corners, m_polygons[f]))
+      m_polygons[f] = corners;
+  }
+}
+
+std::vector<Point_3> Input_mesh::points_of(const Sphere_map& map)
+{
+  const auto n = static_cast<std::ptrdiff_t>(mesh_of_file().number_of_vertices());
+  return std::vector<Point_3>(map.begin(), map.begin() + n);
+}
+
+void Input_mesh::write_filled(std::ostream& out, const std::string& format) const
+{
+  std::vector<Polygon> triangles = m_polygons;
+  for(const Mesh::Face_index f : m_mesh.faces())
+    if(is_filler(f))
+    {
+      triangles.emplace_back();
+      for(const Vertex_index v : CGAL::vertices_around_face(m_mesh.halfedge(f), m_mesh))
+        triangles.back().push_back(v);
+    }
+  if(format != ".ply")
+  {
+    write_mesh(out, format, {m_mesh.points().begin(), m_mesh.points().end()}, triangles, inherited(m_origin, false));
+    return;
+  }
+  Mesh filled;
+  add_to(filled, {m_mesh.points().begin(), m_mesh.points().end()}, triangles);
+  const auto label = filled.add_property_map<Mesh::Face_index, std::uint8_t>("f:filler", 1).first;
+  for(const Mesh::Face_index f : filled.faces())
+    label[f] = is_filler(f) ? 1 : 0;
+  CGAL::IO::set_binary_mode(out);
+  CGAL::IO::write_PLY(out, filled, CGAL::parameters::stream_precision(17));
+}
+
+Sphere_map Input_mesh::read_images(const std::string& path)
+{
+  const std::string defect = find_defect();
+  if(!defect.empty())
+    throw Program_error(defect);
+  const File_content soup = read_file_content(path);
+  check_faces_of(path, "is no map of this mesh", soup.points.size(), soup.polygons);
+  const Sphere_map map = m_mesh.add_property_map<Vertex_index, Point_3>("v:initial").first;
+  for(const Vertex_index v : m_mesh.vertices())
+  {
+    map[v] = soup.points[v];
+    if(!m_mesh.is_isolated(v) && !is_finite(map[v]))
+      throw error_in(path, "is no map: vertex " + std::to_string(v) +
+                               " has a coordinate that is infinite or not a number. (Vertices are counted from 0.)");
+  }
+  return map;
+}
+
+Sphere_map Input_mesh::read_map(const std::string& path)
+{
+  const Sphere_map map = read_images(path);
+  const Distortion_map distortions = m_mesh.add_property_map<Mesh::Face_index, SP::Face_distortion>("f:initial").first;
+  const std::size_t n_inverted = measured_distortion(m_mesh, map, distortions).number_of_inverted_faces;
+  for(const Mesh::Face_index f : m_mesh.faces())
+    if(distortions[f].is_inverted)
+      throw error_in(path,
+                     "is no one-to-one map: face " + std::to_string(std::size_t(f)) +
+                         " is not positively oriented as seen from the origin (" + std::to_string(n_inverted) +
+                         " such faces in total).\nTake another start, such as --initial harmonic. (Faces are counted "
+                         "from 0.)");
+  return map;
+}
+
+void Input_mesh::check_faces_of(const std::string& path, const std::string& is, std::size_t n_vertices,
+                                const std::vector<Polygon>& polygons) const
+{
+  const auto compare = [&](const std::string& what, std::size_t count, std::size_t expected) {
+    if(count != expected)
+      throw error_in(path, is + ": it has " + std::to_string(count) + " " + what + ", the mesh has " +
+                               std::to_string(expected));
+  };
+  compare("vertices", n_vertices, (m_unfilled ? *m_unfilled : m_mesh).number_of_vertices());
+  compare("faces", polygons.size(), m_polygons.size());
+  for(std::size_t f = 0; f < m_polygons.size(); ++f)
+    if(!is_same(polygons[f], m_polygons[f]))
+      throw error_in(path, is + ": face " + std::to_string(f) +
+                               " has other corners, or another orientation. (Faces are counted from 0.)");
+}
+
+std::string Input_mesh::describe_handles() const
+{
+  constexpr std::size_t max_named = 5; // each takes time
+  std::ostringstream text;
+  for(const Handle& handle : find_handles(max_named))
+    text << "\nA path of " << describe(handle) << '.';
+  text << "\nrepair SURFACE --handles FILE writes such a path for each, show shows where they are. (Vertices are "
+          "counted "
+          "from 0.)";
+  return text.str();
+}
+
+bool Input_mesh::is_finite(const Point_3& p)
+{
+  return std::isfinite(p.x()) && std::isfinite(p.y()) && std::isfinite(p.z());
+}
+
+bool Input_mesh::is_same(Polygon polygon, const Polygon& triangle)
+{
+  for(std::size_t k = 0; k < 3 && polygon != triangle; ++k)
+    std::rotate(polygon.begin(), polygon.begin() + (polygon.empty() ? 0 : 1), polygon.end());
+  return polygon == triangle;
+}
+} // namespace Program

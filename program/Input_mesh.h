@@ -1,0 +1,135 @@
+#ifndef PROGRAM_INPUT_MESH_H
+#define PROGRAM_INPUT_MESH_H
+
+#include "File_content.h"
+
+#include <CGAL/Spherical_parameterization/measure_distortion.h>
+
+#include <CGAL/Surface_mesh.h>
+
+#include <cstddef>
+#include <optional>
+#include <ostream>
+#include <string>
+#include <vector>
+
+namespace Program {
+
+using Mesh = CGAL::Surface_mesh<Point_3>;
+using Vertex_index = Mesh::Vertex_index;
+using Sphere_map = Mesh::Property_map<Vertex_index, Point_3>;
+using Distortion_map = Mesh::Property_map<Mesh::Face_index, SP::Face_distortion>;
+
+/// measures a map to the sphere, each face and all together.
+///
+/// \throws Program_error if that cannot be measured
+SP::Distortion_summary measured_distortion(const Mesh& mesh, const Sphere_map& map, Distortion_map distortions);
+
+/// The mesh of a file, if a halfedge data structure can hold it. It keeps the faces as they were in the file, whose first
+/// corners `Surface_mesh` forgets.
+class Input_mesh
+{
+public:
+  /// A hole of the surface, which has been filled with faces, unless it has too many edges.
+  struct Hole
+  {
+    std::size_t vertex, number_of_edges, number_of_faces;
+    double perimeter, share; ///< of all of the area
+  };
+
+  /// A closed path around a handle.
+  struct Handle
+  {
+    std::vector<Vertex_index> path;
+    double length;
+  };
+
+  /// turns the content of the file `path` into a mesh. The indices of vertices and faces are those of the file.
+  ///
+  /// \throws Program_error with what is wrong, where, and what helps
+  Input_mesh(const std::string& path, File_content soup);
+
+  /// returns why the mesh has no map, where, and what helps; empty if the mesh is in order. A parameterizer asks the same
+  /// before it begins.
+  std::string find_defect() const;
+
+  /// returns a closed path around each handle, at most so many; see `SP::find_handles()`. There are none if anything else is wrong.
+  std::vector<Handle> find_handles(std::size_t max_handles) const;
+
+  /// returns the length of a path around a handle, and where it is.
+  static std::string describe(const Handle& handle);
+
+  /// writes paths around handles as a PLY file of lines: their vertices with the number that each has in the mesh, and edges
+  /// with the number of the handle.
+  void write_handles(std::ostream& out, const std::vector<Handle>& handles) const;
+
+  /// fills the holes with at most so many edges; see `SP::fill_holes()`. New vertices and faces come behind those of the file.
+  ///
+  /// \throws Program_error if a border touches itself or another one, or a coordinate is not finite
+  std::vector<Hole> fill_holes(std::size_t max_edges);
+
+  /// returns the name of the file for a message.
+  const std::string& name() const { return m_name; }
+
+  /// returns whether the format of the file is one of those for cortical surfaces.
+  bool is_of_cortical_format() const { return m_is_of_cortical_format; }
+
+  Mesh& mesh() { return m_mesh; }
+
+  /// returns the mesh without what holes have been filled with. Its vertices and faces have the same indices.
+  Mesh& mesh_of_file() { return m_unfilled ? *m_unfilled : m_mesh; }
+
+  bool is_filler(Mesh::Face_index f) const { return f.idx() >= m_polygons.size(); }
+
+  /// returns what a file of a cortical surface tells of where that is from.
+  const SP::IO::Surface_origin& origin() const { return m_origin; }
+
+  /// returns which half of the brain the files are of.
+  const Hemispheres& hemispheres() const { return m_hemispheres; }
+
+  /// returns the triangles of the file.
+  const std::vector<Polygon>& triangles() const { return m_polygons; }
+
+  /// takes the triangles from the mesh, after edges of it have been split. Those that are still there stay as they were.
+  void take_triangles_of_mesh();
+
+  /// returns what vertices have in a property map, but those that holes have been filled with.
+  std::vector<Point_3> points_of(const Sphere_map& map);
+
+  /// writes the closed surface. In a PLY file, the property `filler` of its faces is 1 for those that holes have been filled with.
+  void write_filled(std::ostream& out, const std::string& format) const;
+
+  /// reads images of the vertices from a file with the faces of this mesh, wherever they are.
+  Sphere_map read_images(const std::string& path);
+
+  /// reads a map of this mesh from a file.
+  ///
+  /// \throws Program_error if this mesh has no map, or the file cannot be read, is of another mesh, or turns faces over
+  Sphere_map read_map(const std::string& path);
+
+  /// checks that the file `path` has as many vertices as this mesh, and the same faces.
+  ///
+  /// \throws Program_error with what the file `is`, and why
+  void check_faces_of(const std::string& path, const std::string& is, std::size_t n_vertices,
+                      const std::vector<Polygon>& polygons) const;
+
+private:
+  std::string describe_handles() const;
+
+  static bool is_finite(const Point_3& p);
+
+  // returns whether both polygons are the same triangle, from any of its corners on
+  static bool is_same(Polygon polygon, const Polygon& triangle);
+
+  std::string m_name;
+  bool m_is_of_cortical_format;
+  SP::IO::Surface_origin m_origin;
+  Hemispheres m_hemispheres;
+  Mesh m_mesh;
+  std::optional<Mesh> m_unfilled; // if holes have been filled
+  std::vector<Polygon> m_polygons;
+};
+
+} // namespace Program
+
+#endif // PROGRAM_INPUT_MESH_H

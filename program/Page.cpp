@@ -1,0 +1,382 @@
+#include "Page.h"
+
+#include "read_file.h"
+
+#include <CGAL/Bbox_3.h>
+#include <CGAL/Spherical_parameterization/Cortex/compute_sulcal_measures.h>
+#include <CGAL/Spherical_parameterization/Surface_maps/align_spheres.h>
+#include <CGAL/Spherical_parameterization/Surface_maps/overlay.h>
+#include <CGAL/property_map.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <limits>
+#include <map>
+#include <numeric>
+#include <utility>
+
+namespace Program {
+
+namespace {
+
+double length_of(const Point_3& p)
+{
+  return std::hypot(p.x(), p.y(), p.z());
+}
+
+Point_3 direction_of(const Point_3& p)
+{
+  const double length = length_of(p);
+  return length > 0. ? Point_3(p.x() / length, p.y() / length, p.z() / length) : p;
+}
+
+std::string name_of(const std::string& path)
+{
+  return printable(std::filesystem::path(path).filename().string());
+}
+
+float to_float(double value)
+{
+  return value <= (std::numeric_limits<float>::max)() ? static_cast<float>(value)
+                                                      : std::numeric_limits<float>::infinity();
+}
+
+// calls `visit(v)` for each corner of a face: other vertices may be anywhere
+template <class Visit>
+void for_each_corner(const Page& page, const Visit& visit)
+{
+  for(const auto& triangle : page.triangles)
+    for(const std::uint32_t v : triangle)
+      visit(v);
+}
+
+// Makes a surface the left side, with all its faces.
+void show_surface(Page& page, const Input_mesh& input, const Mesh& mesh)
+{
+  for(const Polygon& triangle : input.triangles())
+    page.triangles.push_back({std::uint32_t(triangle[0]), std::uint32_t(triangle[1]), std::uint32_t(triangle[2])});
+  page.left.title = name_of(input.name());
+  page.left.points.assign(mesh.points().begin(), mesh.points().end());
+}
+
+// Puts one side or both, as they lie to each other, into the unit ball.
+void place(const Page& page, const std::vector<Page::Side*>& sides)
+{
+  CGAL::Bbox_3 box;
+  for(const Page::Side* side : sides)
+    for_each_corner(page, [&](std::size_t v) { box += side->points[v].bbox(); });
+  std::array<double, 3> centre{};
+  double extent = 0., radius = 0.;
+  for(std::size_t k = 0; k < 3; ++k)
+  {
+    const int i = static_cast<int>(k);
+    const double low = (box.min)(i), high = (box.max)(i);
+    centre[k] = 0.5 * low + 0.5 * high; // their sum may be infinite
+    extent = (std::max)(extent, 0.5 * high - 0.5 * low);
+  }
+  if(extent == 0.)
+    extent = 1.;
+  for(Page::Side* side : sides)
+  {
+    for(Point_3& p : side->points)
+      p = Point_3((p.x() - centre[0]) / extent, (p.y() - centre[1]) / extent, (p.z() - centre[2]) / extent);
+    for_each_corner(page, [&](std::size_t v) { radius = (std::max)(radius, length_of(side->points[v])); });
+  }
+  if(radius == 0.)
+    radius = 1.;
+  for(Page::Side* side : sides)
+  {
+    for(Point_3& p : side->points)
+      p = Point_3(p.x() / radius, p.y() / radius, p.z() / radius);
+    side->centre = centre;
+    side->scale = extent * radius;
+  }
+}
+
+// Finds out how a side lies like the left one: how a method leaves a sphere is arbitrary.
+void turn_like_left(const Page& page, Page::Side& side)
+{
+  std::vector<std::pair<std::size_t, std::size_t>> pairs;
+  std::vector<bool> is_paired(side.points.size(), false);
+  for_each_corner(page, [&](std::size_t v) {
+    if(!is_paired[v] && length_of(side.points[v]) > 0. && length_of(page.left.points[v]) > 0.)
+      pairs.emplace_back(v, v);
+    is_paired[v] = true;
+  });
+  SP::Sphere_alignment_3::Rotation_3 rotation(CGAL::IDENTITY);
+  if(SP::fit_rotation(CGAL::make_property_map(side.points), CGAL::make_property_map(page.left.points), pairs,
+                      rotation) != SP::OK)
+    return; // any rotation is as good
+  for(int i = 0; i < 3; ++i)
+    for(int j = 0; j < 3; ++j)
+      side.rotation[static_cast<std::size_t>(3 * i + j)] = rotation.m(i, j);
+}
+
+// The number of faces between each face and the nearest of the paths.
+std::vector<std::size_t> steps_from(const Mesh& mesh, const std::vector<Input_mesh::Handle>& handles)
+{
+  std::vector<std::size_t> steps(mesh.number_of_faces(), mesh.number_of_faces());
+  std::vector<Mesh::Face_index> queue;
+  const auto reach = [&](Mesh::Face_index f, std::size_t n) {
+    if(n >= steps[f])
+      return;
+    steps[f] = n;
+    queue.push_back(f);
+  };
+  for(const Input_mesh::Handle& handle : handles)
+    for(const Vertex_index v : handle.path)
+      for(const Mesh::Face_index f : faces_around_target(mesh.halfedge(v), mesh))
+        reach(f, 0);
+  for(std::size_t i = 0; i < queue.size(); ++i)
+    for(const Mesh::Face_index f : faces_around_face(mesh.halfedge(queue[i]), mesh))
+      reach(f, steps[queue[i]] + 1);
+  return steps;
+}
+
+// Measures each face, with both surfaces scaled to the same area.
+std::vector<SP::Face_distortion> distortions_between(const Page& page, SP::Distortion_summary* summary = nullptr)
+{
+  const auto area = [&](const Page::Side& side) {
+    double sum = 0.;
+    for(const auto& t : page.triangles)
+      sum += std::sqrt(CGAL::squared_area(side.points[t[0]], side.points[t[1]], side.points[t[2]]));
+    return sum;
+  };
+  const double factor = std::sqrt(area(page.left) / area(page.right));
+  File_content soup;
+  soup.points = page.left.points;
+  for(const auto& triangle : page.triangles)
+    soup.polygons.emplace_back(triangle.begin(), triangle.end());
+  Input_mesh refinement(page.left.title, std::move(soup));
+  const Sphere_map map = refinement.mesh().add_property_map<Vertex_index, Point_3>("v:other").first;
+  for(const Vertex_index v : refinement.mesh().vertices())
+  {
+    const Point_3& p = page.right.points[v];
+    map[v] = Point_3(factor * p.x(), factor * p.y(), factor * p.z());
+  }
+  const Distortion_map distortions =
+      refinement.mesh().add_property_map<Mesh::Face_index, SP::Face_distortion>("f:between").first;
+  const SP::Distortion_summary measured = measured_distortion(refinement.mesh(), map, distortions);
+  if(summary != nullptr)
+    *summary = measured;
+  return {distortions.begin(), distortions.end()};
+}
+
+void tell(Page& page, const Run_report& report)
+{
+  page.is_one_to_one = report.result.is_one_to_one;
+  page.verdict = report.verdict();
+  page.summary = report.summary();
+  page.shown = report.shows_angles() ? 2 : 0;
+}
+
+// How far the middle of each face moves between two sides of one frame.
+void add_displacements(Page& page)
+{
+  Page::Measure measure{
+      "displacement", "how far a place moves from one surface to the other, in the unit of the files", 0., {}, {}};
+  std::vector<double> lengths; // in the unit of the page, in which squares are numbers
+  for(const auto& triangle : page.triangles)
+  {
+    CGAL::Vector_3<Kernel> moved(0., 0., 0.);
+    for(const std::uint32_t v : triangle)
+      moved = moved + (page.right.points[v] - page.left.points[v]) / 3.;
+    lengths.push_back(length_of(CGAL::ORIGIN + moved));
+    measure.values.push_back(to_float(page.left.scale * lengths.back()));
+  }
+  const double n = static_cast<double>(lengths.size());
+  const double average = std::accumulate(lengths.begin(), lengths.end(), 0.) / n;
+  double variance = 0.;
+  for(const double length : lengths)
+    variance += (length - average) * (length - average) / n;
+  measure.statistics = Json_object()
+                           .add("maximum", page.left.scale * *std::max_element(lengths.begin(), lengths.end()))
+                           .add("average", page.left.scale * average)
+                           .add("deviation", page.left.scale * std::sqrt(variance));
+  page.measures.push_back(std::move(measure));
+}
+
+// `statistics_of` tells those of a measure, by its members of both summaries.
+template <class Statistics>
+void add_distortions(Page& page, const std::vector<SP::Face_distortion>& distortions, const Statistics& statistics_of)
+{
+  const auto add = [&](const char* name, const char* meaning, double minimum, double SP::Face_distortion::*of_face,
+                       const Json_object& statistics) {
+    Page::Measure measure{name, meaning, minimum, statistics, {}};
+    for(const SP::Face_distortion& distortion : distortions)
+      measure.values.push_back(to_float(distortion.*of_face));
+    page.measures.push_back(std::move(measure));
+  };
+  add("D_iso", "the largest factor by which a length is wrong", 1., &SP::Face_distortion::isometric,
+      statistics_of(&SP::Distortion_summary::isometric, &SP::Distortion_between::isometric));
+  add("D_area", "how areas change; 2 is best", 2., &SP::Face_distortion::area,
+      statistics_of(&SP::Distortion_summary::area, &SP::Distortion_between::area));
+  add("D_angle", "how angles change; 2 is best", 2., &SP::Face_distortion::angle,
+      statistics_of(&SP::Distortion_summary::angle, &SP::Distortion_between::angle));
+}
+
+// Of two surfaces, what is shown are parts of the faces of the first one.
+void add_classes(Page& page, Page::Classes classes)
+{
+  if(page.has_numbers)
+  {
+    std::vector<std::uint16_t> of_parts;
+    for(const std::uint32_t f : page.left.faces)
+      of_parts.push_back(classes.values[f]);
+    classes.values.swap(of_parts);
+  }
+  page.classes.push_back(std::move(classes));
+}
+
+// Gives each face the label that most of its corners have, if they have one.
+void add_labels(const File_content& soup, const Mesh& mesh, const std::vector<Polygon>& triangles,
+                std::vector<Page::Class>& classes, std::vector<std::uint16_t>& of_faces)
+{
+  if(soup.labels.empty() || soup.values_of_vertices.empty() || soup.values_of_vertices.front().has_fractions())
+    throw Program_error(
+        "has no labels with names and colours, as the annotations of FreeSurfer and .label.gii files have");
+  const std::vector<double>& keys = soup.values_of_vertices.front().numbers;
+  if(keys.size() != mesh.number_of_vertices())
+    throw Program_error("has labels of " + std::to_string(keys.size()) + " vertices, but the surface has " +
+                        std::to_string(mesh.number_of_vertices()));
+  std::map<double, std::uint16_t> class_of;
+  for(const SP::IO::Label& label : soup.labels)
+    if(!is_among(label.name, {"", "???", "unknown", "Unknown"}) &&
+       classes.size() < (std::numeric_limits<std::uint16_t>::max)())
+    {
+      class_of[label.key] = static_cast<std::uint16_t>(classes.size());
+      classes.push_back({printable(label.name), {255. * label.color[0], 255. * label.color[1], 255. * label.color[2]}});
+    }
+  for(std::size_t f = 0; f < triangles.size(); ++f)
+  {
+    const double a = keys[triangles[f][0]], b = keys[triangles[f][1]], c = keys[triangles[f][2]];
+    const auto found = class_of.find(b == c ? b : a);
+    if(found != class_of.end())
+      of_faces[f] = found->second;
+  }
+}
+
+} // namespace
+
+Page page_of_sphere(Input_mesh& input, const Sphere_map& sphere, const Distortion_map& distortions,
+                    const Run_report& report)
+{
+  Page page;
+  const Mesh& mesh = input.mesh_of_file();
+  show_surface(page, input, mesh);
+  place(page, {&page.left});
+  page.has_sphere = true;
+  page.right.title = "its sphere";
+  tell(page, report);
+  add_distortions(page, {distortions.begin(), distortions.end()},
+                  [&](auto of_sphere, auto of_both) { return report.statistics(of_sphere, of_both); });
+  for(const Mesh::Face_index f : mesh.faces())
+    if(distortions[f].is_inverted)
+      page.folded.push_back(f);
+  for(const Vertex_index v : mesh.vertices())
+    page.right.points.push_back(direction_of(sphere[v]));
+  page.right.scale = report.result.report.radius;
+  turn_like_left(page, page.right);
+  return page;
+}
+
+Page page_of_match(const Overlay& overlay, const Run_report& report)
+{
+  Page page;
+  page.triangles = overlay.triangles;
+  page.has_numbers = true;
+  page.left.title = name_of(report.input());
+  page.right.title = name_of(report.match->other);
+  for(const auto& [p, q] : overlay.points)
+  {
+    page.left.points.emplace_back(p.x(), p.y(), p.z());
+    page.right.points.emplace_back(q.x(), q.y(), q.z());
+  }
+  const std::vector<std::size_t>& parents = report.match->parents; // of the faces of a surface that has been split
+  for(const auto& [f, g] : overlay.faces)
+  {
+    page.left.faces.push_back(parents.empty() ? std::uint32_t(f) : static_cast<std::uint32_t>(parents[f]));
+    page.right.faces.push_back(std::uint32_t(g));
+  }
+  place(page, {&page.left});
+  place(page, {&page.right});
+  tell(page, report);
+  add_distortions(page, distortions_between(page),
+                  [&](auto of_sphere, auto of_both) { return report.statistics(of_sphere, of_both); });
+  turn_like_left(page, page.right);
+  return page;
+}
+
+Page page_of_same_faces(Input_mesh& input, Input_mesh& other)
+{
+  Page page;
+  const Mesh &mesh = input.mesh_of_file(), &second = other.mesh();
+  input.check_faces_of(other.name(), "is no surface to show beside", second.number_of_vertices(), other.triangles());
+  show_surface(page, input, mesh);
+  page.right.title = name_of(other.name());
+  page.right.points.assign(second.points().begin(), second.points().end());
+  place(page, {&page.left, &page.right});
+  page.has_one_frame = true;
+  page.verdict = "The same faces: each vertex is mapped to that of the same number.";
+  page.summary.add("Mesh", std::to_string(mesh.number_of_vertices()) + " vertices, " +
+                               std::to_string(mesh.number_of_faces()) + " faces");
+  add_displacements(page);
+  SP::Distortion_summary summary;
+  const std::vector<SP::Face_distortion> distortions = distortions_between(page, &summary);
+  add_distortions(page, distortions, [&](auto of_summary, auto) { return json_of(summary.*of_summary); });
+  return page;
+}
+
+Page page_of_handles(Input_mesh& input, const std::vector<Input_mesh::Handle>& handles)
+{
+  Page page;
+  page.is_one_to_one = false;
+  page.morphs = false;
+  const Mesh& mesh = input.mesh();
+  show_surface(page, input, mesh);
+  place(page, {&page.left});
+  page.right = page.left;
+  page.right.title = "from behind";
+  page.right.rotation = {-1., 0., 0., 0., 1., 0., 0., 0., -1.};
+  page.verdict = handles.size() == 1 ? "A handle keeps the surface from being mapped."
+                                     : std::to_string(handles.size()) + " handles keep the surface from being mapped.";
+  page.summary.add("Mesh", std::to_string(mesh.number_of_vertices()) + " vertices, " +
+                               std::to_string(mesh.number_of_faces()) + " faces");
+  for(std::size_t k = 0; k < handles.size(); ++k)
+    page.summary.add("Handle " + std::to_string(k + 1), Input_mesh::describe(handles[k]));
+  Page::Measure measure{"near handles",
+                        "1 at a short path around a handle; grows by 1 for each face between",
+                        1.,
+                        Json_object().add("handles", handles.size()),
+                        {}};
+  for(const std::size_t steps : steps_from(mesh, handles))
+    measure.values.push_back(1.f + static_cast<float>(steps));
+  page.measures.push_back(std::move(measure));
+  return page;
+}
+
+void add_anatomy(Page& page, Input_mesh& input, const std::string& labels)
+{
+  const Mesh& mesh = input.mesh_of_file();
+  SP::Sulcal_measures folding;
+  if(const SP::Error_code error = SP::compute_sulcal_measures(input.mesh(), folding); error != SP::OK)
+    throw Program_error(input.name() + ": " + SP::get_error_message(error));
+  std::vector<std::uint16_t> folds, areas;
+  for(const Polygon& t : input.triangles())
+    folds.push_back(folding.curvature[t[0]] + folding.curvature[t[1]] + folding.curvature[t[2]] > 0. ? 1 : 0);
+  const std::vector<Page::Class> grey = {{"ridge", {190, 190, 190}}, {"furrow", {105, 105, 105}}};
+  if(!labels.empty())
+  {
+    areas = folds;
+    std::vector<Page::Class> classes = grey;
+    for(Page::Class& one : classes)
+      one.name = "no label";
+    read_named(labels, [&] { add_labels(read_file_of_values(labels), mesh, input.triangles(), classes, areas); });
+    add_classes(page, {"labels", name_of(labels), std::move(classes), std::move(areas)});
+    page.shown = page.measures.size() + page.classes.size() - 1;
+  }
+  add_classes(page, {"folds", "ridges and furrows, by the sign of the mean curvature", grey, std::move(folds)});
+}
+
+} // namespace Program

@@ -1,0 +1,256 @@
+#include "Run_report.h"
+
+#include <algorithm>
+#include <iomanip>
+#include <sstream>
+#include <utility>
+
+namespace Program {
+
+namespace {
+
+void print_line(std::ostream& out, const std::string& name, const SP::Distortion_statistics& statistics)
+{
+  constexpr double too_long = 1e6;
+  constexpr int width = 12, digits = 4;
+  out << name;
+  for(const double x : {statistics.maximum, statistics.average, statistics.deviation})
+    out << std::setw(width) << fixed_text(x, digits, x < too_long);
+  out << '\n';
+}
+
+} // namespace
+
+std::vector<std::pair<std::string, double>> Run_report::phases() const
+{
+  const SP::Parameterization_report& run = result.report;
+  return {{"input", seconds_for_input},
+          {"copy", run.seconds_for_reading},
+          {"hierarchy", run.seconds_for_hierarchy},
+          {"initial_map", run.seconds_for_embedding},
+          {"sweeps", run.seconds_for_optimization},
+          {"certificate", run.seconds_for_certificate},
+          {"measuring", seconds_for_measuring},
+          {"sampling", seconds_for_sampling},
+          {"matching", seconds_for_matching},
+          {"output", seconds_for_output}};
+}
+
+double Run_report::seconds() const
+{
+  return seconds_for_input + result.report.seconds() + seconds_for_measuring + seconds_for_sampling +
+         seconds_for_matching + seconds_for_output;
+}
+
+bool Run_report::is_interrupted() const
+{
+  return result.report.stop_reason == SP::STOPPED || (match && match->report.stop_reason == SP::STOPPED);
+}
+
+std::string Run_report::verdict() const
+{
+  return !result.is_one_to_one ? "Not one-to-one: " + fault()
+         : match && match->report.is_uncertain
+             ? "Certified: the map is one-to-one. It is not clear that the surfaces lie well on each other."
+             : "Certified: the map is one-to-one.";
+}
+
+void Run_report::print_surface(std::ostream& out) const
+{
+  const SP::Parameterization_report& run = result.report;
+  out << "Mesh      " << printable(m_input) << ": " << run.number_of_vertices << " vertices, " << run.number_of_faces
+      << " faces";
+  if(run.number_of_isolated_vertices > 0)
+    out << ", and " << run.number_of_isolated_vertices << " vertices without a face";
+  if(run.number_of_flat_faces > 0)
+    out << "; " << run.number_of_flat_faces << (run.number_of_flat_faces == 1 ? " face is" : " faces are")
+        << " nearly flat";
+  out << '\n';
+  if(!components.empty())
+    out << "Part      " << component + 1 << " of " << components.size() << ", with " << components[component]
+        << " faces" << sizes_of_others() << '\n';
+  if(!holes.empty())
+    out << "Holes     " << describe_holes() << '\n';
+}
+
+void Run_report::print(std::ostream& out) const
+{
+  const SP::Parameterization_report& run = result.report;
+  print_surface(out);
+  out << "Method    " << m_options.description << '\n';
+  if(m_options.method == "hierarchical")
+    out << "Sweeps    " << run.number_of_level_iterations << " over " << run.number_of_levels << " levels\n";
+  else if(!is_among(m_options.method, {"stereographic", "schnyder", "none"}))
+    out << (m_options.method == "bld" ? "Sweeps    " : "Steps     ") << run.number_of_iterations() << " ("
+        << stop_reason() << ")\n";
+  out << "Radius    " << fixed_text(run.radius, 10, false);
+  if(written_radius)
+    out << "; the sphere is written with the radius " << fixed_text(*written_radius, 10, false);
+  const char* separator = " = ";
+  out << "\nSeconds   " << fixed_text(seconds(), 2);
+  for(auto [name, time] : phases())
+    if((name != "sampling" || remesh) && (name != "matching" || match))
+    {
+      std::replace(name.begin(), name.end(), '_', ' ');
+      out << std::exchange(separator, " + ") << fixed_text(time, 2) << ' ' << name;
+    }
+  out << "\n\n            maximum     average   deviation\n";
+  print_line(out, "D_iso  ", distortion.isometric);
+  print_line(out, "D_area ", distortion.area);
+  print_line(out, "D_angle", distortion.angle);
+  if(balanced)
+  {
+    out << "with the radius " << fixed_text(balanced->radius, 10, false) << " of balanced areas (eq. 11):\n";
+    print_line(out, "D_iso  ", balanced->isometric);
+    print_line(out, "D_area ", balanced->area);
+  }
+  if(result.areas)
+    print_areas(out);
+  out << distortion.number_of_inverted_faces << " inverted faces, " << distortion.number_of_degenerate_faces
+      << " degenerate faces" << (distortion.number_of_degenerate_faces > 0 ? ", which are left out" : "") << "\n\n"
+      << verdict() << '\n';
+  if(remesh)
+    print_remesh(out);
+  if(match)
+    print_match(out);
+  for(const std::string& file : files)
+    out << "Written:   " << printable(file) << '\n';
+  if(color_range)
+    out << "Colours:   " << color_name() << " from " << fixed_text((*color_range)[0], 3) << " (violet) to "
+        << fixed_text((*color_range)[1], 3) << " (yellow)\n";
+  out << std::flush;
+}
+
+std::string Run_report::short_text() const
+{
+  constexpr int digits = 4;
+  const SP::Distortion_statistics& isometric = (balanced ? *balanced : distortion).isometric;
+  return std::to_string(result.report.number_of_vertices) + " vertices, D_iso " +
+         fixed_text(isometric.maximum, digits, false) + " / " + fixed_text(isometric.average, digits, false) + ", " +
+         fixed_text(seconds(), 2) + " s" + (result.is_one_to_one ? "" : ", folds: " + fault());
+}
+
+std::string Run_report::warnings() const
+{
+  const std::string others = match ? match->warnings : remesh ? remesh->warnings : "";
+  return (share_of_filler() > 0.5 ? printable(m_input) + ": more than half of the area that is mapped is filler: the "
+                                                         "surface has little to say of its sphere\n"
+                                  : "") +
+         (others.find(mixed_hemispheres) == others.npos ? mixed_hemispheres : "") + others;
+}
+
+std::string Run_report::explain_fault() const
+{
+  return printable(m_input) + ": the map is not one-to-one: " + fault() +
+         (m_options.sphere_file.empty()
+              ? "\n--method " + m_options.method + " does not exclude that; --method bld does."
+              : "");
+}
+
+double Run_report::share_of_filler() const
+{
+  double share = 0.;
+  for(const Input_mesh::Hole& hole : holes)
+    share += hole.share;
+  return share;
+}
+
+std::string Run_report::sizes_of_others() const
+{
+  constexpr std::size_t max_named = 5;
+  std::vector<std::string> sizes;
+  for(std::size_t k = 0; k < components.size() && sizes.size() < max_named; ++k)
+    if(k != component)
+      sizes.push_back(std::to_string(components[k]));
+  if(sizes.empty())
+    return "";
+  return std::string("; the others have ") + list_of(sizes, " and ") +
+         (components.size() > max_named + 1 ? ", and " + std::to_string(components.size() - 1 - max_named) + " less"
+                                            : "");
+}
+
+std::string Run_report::describe_holes() const
+{
+  constexpr std::size_t max_named = 5;
+  constexpr int digits = 2;
+  std::vector<Input_mesh::Hole> sorted = holes;
+  std::stable_sort(sorted.begin(), sorted.end(),
+                   [](const auto& a, const auto& b) { return a.number_of_edges > b.number_of_edges; });
+  std::size_t n_filled = 0;
+  for(const Input_mesh::Hole& hole : sorted)
+    n_filled += hole.number_of_faces > 0;
+  std::string text =
+      std::to_string(n_filled) + " filled, " + fixed_text(100. * share_of_filler(), digits) + " % of the area";
+  for(std::size_t k = 0; k < sorted.size() && k < max_named; ++k)
+    text += (k == 0 ? ": " : "; ") + std::to_string(sorted[k].number_of_edges) + " edges at vertex " +
+            std::to_string(sorted[k].vertex) + ", perimeter " + fixed_text(sorted[k].perimeter, 6, false) +
+            (sorted[k].number_of_faces == 0 ? ", left open" : ", " + fixed_text(100. * sorted[k].share, digits) + " %");
+  return text +
+         (sorted.size() > max_named ? "; and " + std::to_string(sorted.size() - max_named) + " with fewer edges" : "");
+}
+
+void Run_report::print_match(std::ostream& out) const
+{
+  constexpr int digits = 3;
+  const auto& [other, is_template, n, report, d, warnings, energy_before, n_new, parents] = *match;
+  out << (is_template ? "Template:  " : "Onto:      ") << printable(other) << ": " << n
+      << " vertices; symmetric Dirichlet energy ";
+  if(d)
+    out << fixed_text(d->energy.average_over_first, digits) << " / "
+        << fixed_text(d->energy.average_over_second, digits) << " over both surfaces, D_iso "
+        << fixed_text(d->isometric.average_over_first, digits) << " / "
+        << fixed_text(d->isometric.average_over_second, digits) << ", " << fixed_text(d->isometric.maximum, digits)
+        << " at most";
+  else
+    out << "about " << fixed_text(report.energy, digits)
+        << ", by samples: the common refinement has too many vertices to be made";
+  if(energy_before)
+    out << "\nSplit:     " << n_new << " edges, with " << 2 * n_new << " more faces; energy "
+        << fixed_text(*energy_before, digits) << " before, " << fixed_text(report.energy, digits) << " now";
+  out << "\nAligned:   by ";
+  const std::size_t n_landmarks = report.landmark_distances.size();
+  if(n_landmarks == 0 || report.agreement != 0.)
+  {
+    out << "features, which agree by " << fixed_text(report.agreement, digits) << ", with a margin of "
+        << fixed_text(report.margin, digits) << (report.is_uncertain ? ": look whether the map is right" : "");
+  }
+  else
+    out << "landmarks";
+  if(n_landmarks > 0)
+    out << "; " << n_landmarks - report.number_of_missed_landmarks << " of " << n_landmarks << " landmarks "
+        << (m_options.landmark_weight > 0. ? "are soft" : "are met");
+  out << "; " << SP::get_stop_message(report.stop_reason);
+  out << "\nCertified: the map between the surfaces is one-to-one.\n";
+}
+
+void Run_report::print_remesh(std::ostream& out) const
+{
+  constexpr int digits = 2;
+  const auto larger = [&](const std::array<double, 2>& distances) {
+    return fixed_text((std::max)(distances[0], distances[1]) / remesh->diagonal, digits, false);
+  };
+  out << "Remesh:    " << remesh->number_of_vertices << " vertices, " << remesh->number_of_faces
+      << " faces; it is off the surface by " << larger(remesh->root_mean_square)
+      << " of its diagonal in the root mean square, " << fixed_text(remesh->psnr, digits) << " dB, and by "
+      << larger(remesh->maximum) << " at most\n";
+}
+
+std::string Run_report::fault() const
+{
+  const std::size_t n = distortion.number_of_inverted_faces;
+  if(n == 0)
+    return "the faces cover the sphere more than once.";
+  return n == 1 ? "1 face is inverted." : std::to_string(n) + " faces are inverted.";
+}
+
+std::string Run_report::stop_reason() const
+{
+  return is_interrupted() ? stop_reason_interrupted : SP::get_stop_message(result.report.stop_reason);
+}
+
+const char* Run_report::color_name() const
+{
+  return m_options.is_conformal() ? "D_angle" : (balanced ? "balanced D_iso" : "D_iso");
+}
+
+} // namespace Program

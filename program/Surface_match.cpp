@@ -1,0 +1,243 @@
+#include "Surface_match.h"
+
+#include "Interrupt_guard.h"
+#include "Match_refinement.h"
+#include "Progress_visitor.h"
+#include "read_file.h"
+#include "run_method.h"
+#include "write_mesh.h"
+#include "write_sphere.h"
+
+#include <CGAL/Spherical_parameterization/Sphere_locator_3.h>
+#include <CGAL/Spherical_parameterization/Surface_maps/map_surface.h>
+#include <CGAL/Spherical_parameterization/Surface_maps/measure_distortion_between.h>
+#include <CGAL/Spherical_parameterization/Surface_maps/overlay.h>
+#include <CGAL/Spherical_parameterization/is_bijective.h>
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cmath>
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <sstream>
+#include <utility>
+
+namespace Program {
+
+using Mapper = SP::Surface_mapper_3<Mesh>;
+
+Mapped_mesh::Mapped_mesh(const Options& options, const std::string& name)
+  : input(name, read_file_content(name))
+  , sphere(add_sphere())
+{
+  if(options.is_onto_atlas)
+  {
+    take_own_sphere();
+    return;
+  }
+  if(!run_method(options, input, sphere).is_one_to_one)
+    throw error_in(name, "the map to the sphere is not one-to-one.\n--method bld excludes that.");
+  if(options.follows_convention(options.file_names.sphere)) // Directions on it turn along, as they are found on it.
+    turn_to_surface(input, sphere, true);
+}
+
+Mapped_mesh::Mapped_mesh(const Mapped_mesh& other)
+  : input(other.input)
+  , sphere(add_sphere())
+{
+  for(const Vertex_index v : input.mesh().vertices())
+    sphere[v] = other.sphere[v];
+}
+
+// The mesh is a sphere itself, of any radius; it gets the radius 1.
+void Mapped_mesh::take_own_sphere()
+{
+  constexpr double max_ratio =
+      1.01; // Workbench refuses 1.001, and what is no sphere, such as an inflated surface, has 2 and more.
+  if(const std::string defect = input.find_defect(); !defect.empty())
+    throw Program_error(defect);
+  double least = std::numeric_limits<double>::infinity(), largest = 0.;
+  for(const Vertex_index v : input.mesh().vertices())
+    if(const Point_3& p = input.mesh().point(v); !input.mesh().is_isolated(v))
+    {
+      const double distance = std::hypot(p.x(), p.y(), p.z());
+      least = (std::min)(least, distance);
+      largest = (std::max)(largest, distance);
+      input.mesh().point(v) = sphere[v] = Point_3(p.x() / distance, p.y() / distance, p.z() / distance);
+    }
+  if(largest > max_ratio * least)
+  {
+    std::ostringstream text;
+    text << "is no sphere around the origin: its vertices are from " << least << " to " << largest << " away from that";
+    throw error_in(input.name(), text.str());
+  }
+  radius = 0.5 * (least + largest);
+  if(!SP::is_bijective(input.mesh(), sphere))
+    throw error_in(input.name(), no_sphere);
+}
+
+// A vertex without a face stays at the origin.
+Sphere_map Mapped_mesh::add_sphere()
+{
+  return input.mesh().add_property_map<Vertex_index, Point_3>("v:target", Point_3(0, 0, 0)).first;
+}
+
+Surface_match::Surface_match(const Options& options, Input_mesh& first, const Sphere_map& sphere1, Input_mesh& second,
+                             const Sphere_map& sphere2, bool needs_overlay)
+  : m_copy(options.splits ? std::optional<Input_mesh>(first) : std::nullopt)
+  , m_input(m_copy ? *m_copy : first)
+  , m_first(m_input.mesh())
+  , m_second(second.mesh())
+  , m_target_origin(second.origin())
+  , m_sphere2(sphere2)
+  , m_n_written(first.mesh_of_file().number_of_vertices())
+  , m_triangles(m_input.triangles())
+  , m_directions(Match_refinement::directions_of(m_first))
+  , m_hints(read_hints(options, m_input, second))
+  , m_is_soft(options.landmark_weight > 0.)
+  , m_overlay(std::make_unique<Overlay>())
+{
+  Mapper mapper = Mapper().landmarks(m_hints.landmarks);
+  if(m_is_soft)
+    mapper = mapper.landmark_weight(options.landmark_weight);
+  if(m_hints.is_cortical)
+    mapper = mapper.compare_values().feature_weight(2.);
+  else if(!m_hints.features.empty())
+    mapper = mapper.compare_values(options.compares_values);
+  std::vector<Mapper::Feature> features;
+  std::vector<double> weights;
+  for(const auto& [values, weight] : m_hints.features) // What holes have been filled with is masked.
+  {
+    features.emplace_back([this, of = std::cref(values[0])](Vertex_index v) { return m_refinement.value_at(of, v); },
+                          [of = std::cref(values[1])](Vertex_index v) { return of.get()[v]; });
+    weights.push_back(weight);
+  }
+  mapper = mapper.features(std::move(features)).feature_weights(std::move(weights));
+  const auto counts = [this](std::size_t k) -> std::function<bool(Vertex_index)> {
+    if(m_hints.masks[k].empty())
+      return {};
+    return [this, k](Vertex_index v) { return m_refinement.counts_at(m_hints.masks[k], v); };
+  };
+  mapper = mapper.masks({counts(0), counts(1)});
+  Progress_visitor progress(!options.is_quiet && !options.is_batch());
+  const auto start = std::chrono::steady_clock::now();
+  const auto seconds_left = [&] { // of the limit, which is that of all rounds; 0 if there is none
+    const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - start;
+    return options.max_seconds > 0. ? (std::max)(options.max_seconds - passed.count(), 1e-9) : 0.;
+  };
+  const bool spheres = options.regularizes_spheres;
+  const auto map = [&](const Mesh& mesh, const Sphere_map& sphere, const Sphere_map& directions, Mapper& by) {
+    const SP::Error_code error =
+        SP::map_surface(mesh, sphere, m_second, m_sphere2, by, directions,
+                        CGAL::parameters::visitor(std::ref(progress))
+                            .maximum_running_time(seconds_left())
+                            .vertex_point_map(spheres ? sphere : Sphere_map(mesh.points())),
+                        CGAL::parameters::vertex_point_map(spheres ? m_sphere2 : Sphere_map(m_second.points())));
+    if(error != SP::OK)
+      throw Program_error(first.name() + ": " + SP::get_error_message(error));
+  };
+  map(m_first, sphere1, m_directions, mapper);
+  report = mapper.report();
+  if(options.splits)
+  {
+    m_refinement.run(
+        m_first, m_directions, m_second, m_sphere2, mapper, m_hints.landmarks, report,
+        [&](const Mesh& mesh, const Sphere_map& directions, Mapper& by) { map(mesh, directions, directions, by); });
+    m_input.take_triangles_of_mesh();
+    m_n_written = m_first.number_of_vertices();
+  }
+  if(!spheres && !needs_overlay && (report.distortion || report.is_energy_sampled))
+    distortion = report.distortion;
+  else // The report of a run that was stopped has none, and that between spheres is not the one between surfaces.
+  {
+    SP::Error_code error = SP::overlay(m_first, m_directions, m_second, m_sphere2, *m_overlay);
+    if(error == SP::OK)
+      error = SP::measure_distortion_between(*m_overlay, distortion.emplace());
+    if(error != SP::OK && error != SP::ERROR_TOO_LARGE_OVERLAY)
+      throw Program_error(first.name() + ": " + SP::get_error_message(error));
+  }
+}
+
+Surface_match::~Surface_match() = default;
+
+std::string Surface_match::warnings() const
+{
+  std::string text = m_hints.warnings;
+  if(report.is_uncertain)
+    text +=
+        "it is not clear that the surfaces lie well on each other: look at the map, for example with --page, or give "
+        "--landmarks\n";
+  if(m_is_soft)
+    return text;
+  for(std::size_t k = 0; k < report.landmark_distances.size(); ++k)
+    if(report.landmark_distances[k] > 0.)
+    {
+      std::ostringstream line;
+      line << "landmark " << k << " (" << m_hints.landmark_names[k] << ") is missed by " << report.landmark_distances[k]
+           << '\n';
+      text += line.str();
+    }
+  return text;
+}
+
+void Surface_match::write_positions(std::ostream& out, const std::string& format) const
+{
+  const SP::Sphere_locator_3 locator(m_second, m_sphere2, true);
+  std::vector<Point_3> points(m_n_written, Point_3(0, 0, 0));
+  typename decltype(locator)::Hint hint;
+  for(const Vertex_index v : m_first.vertices())
+    if(!m_first.is_isolated(v) && v.idx() < m_n_written)
+    {
+      const auto [face, weights] = locator.locate(m_directions[v], hint);
+      const Mesh::Halfedge_index h = m_second.halfedge(face);
+      const std::array<Point_3, 3> corners = {m_second.point(m_second.source(h)), m_second.point(m_second.target(h)),
+                                              m_second.point(m_second.target(m_second.next(h)))};
+      points[v] = CGAL::barycenter(corners[0], weights[0], corners[1], weights[1], corners[2], weights[2]);
+    }
+  write_mesh(out, format, points, m_triangles, inherited(m_target_origin, false));
+}
+
+void Surface_match::write_directions(std::ostream& out, const std::string& path, const std::string& format,
+                                     std::optional<double> radius) const
+{
+  write_sphere(out, path, format, m_input, m_directions, radius);
+}
+
+void Surface_match::write_overlay(std::ostream& out) const
+{
+  out << "ply\nformat binary_little_endian 1.0\nelement vertex " << m_overlay->points.size() << '\n';
+  for(const char* name : {"x", "y", "z", "x_on_target", "y_on_target", "z_on_target"})
+    out << "property double " << name << '\n';
+  out << "element face " << m_overlay->triangles.size()
+      << "\nproperty list uchar int vertex_indices\nproperty int face\nproperty int face_of_target\nend_header\n";
+  SP::internal::Byte_writer bytes(false);
+  for(const auto& points : m_overlay->points)
+    for(const auto& p : points)
+      for(int k = 0; k < 3; ++k)
+        bytes.write(double(p[k]));
+  for(std::size_t k = 0; k < m_overlay->triangles.size(); ++k)
+  {
+    bytes.write(char(3));
+    for(const std::uint32_t v : m_overlay->triangles[k])
+      bytes.write(v);
+    const Mesh::Face_index f = m_overlay->faces[k].first;
+    bytes.write(static_cast<std::uint32_t>(m_refinement.parents().empty() ? f : m_refinement.parents()[f]));
+    bytes.write(static_cast<std::uint32_t>(m_overlay->faces[k].second));
+  }
+  out << bytes.content;
+}
+
+void Surface_match::write_morph(std::ostream& out, const std::string& format, double t) const
+{
+  std::vector<Point_3> points;
+  for(const auto& [p, q] : m_overlay->points)
+    points.emplace_back((1. - t) * p.x() + t * q.x(), (1. - t) * p.y() + t * q.y(), (1. - t) * p.z() + t * q.z());
+  std::vector<Polygon> triangles;
+  for(const auto& corners : m_overlay->triangles)
+    triangles.emplace_back(corners.begin(), corners.end());
+  write_mesh(out, format, points, triangles, inherited(m_input.origin(), false));
+}
+
+} // namespace Program

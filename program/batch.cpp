@@ -1,0 +1,191 @@
+#include "Earlier_report.h"
+#include "Interrupt_guard.h"
+#include "Mesh_run.h"
+#include "commands.h"
+#include "find_batch.h"
+#include "for_each_mesh.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <cstdlib>
+#include <exception>
+#include <filesystem>
+#include <iomanip>
+#include <iostream>
+#include <mutex>
+#include <system_error>
+
+namespace Program {
+
+namespace {
+
+// Many meshes, each of which is mapped as if it were the only one. A line tells of each as it ends, and a summary of all.
+class Batch
+{
+public:
+  // checks all that can be checked before any work.
+  explicit Batch(const Options& options)
+    : m_options(options)
+    , m_meshes(find_batch(options))
+  {}
+
+  // maps all meshes that are not done; what fails with one of them does not stop the others. Returns the exit status.
+  int run()
+  {
+    look_at_earlier_results();
+    std::vector<std::uintmax_t> sizes;
+    for(const File_names& names : m_meshes)
+    {
+      std::error_code error; // reading fails as well, and says why
+      const std::uintmax_t size = std::filesystem::file_size(names.input, error);
+      sizes.push_back(error ? 0 : size);
+    }
+    if(!m_options.template_file.empty() && !m_meshes.empty())
+      m_template.emplace(m_options, m_options.template_file);
+    {
+      const Interrupt_guard guard;
+      for_each_mesh(sizes, [&](std::size_t i) { run(m_meshes[i]); });
+    }
+    print_summary();
+    if(m_mapped < m_meshes.size())
+      return EXIT_FAILURE;
+    return m_folded > 0 ? exit_status_folded : EXIT_SUCCESS;
+  }
+
+private:
+  // Leaves out what is done, if that is wanted. Among the files of a study, whose names are those that other programs give, none is
+  // replaced that this one has not written.
+  void look_at_earlier_results()
+  {
+    const bool is_careful = !m_options.surfaces.empty() && !m_options.overwrites;
+    if(!m_options.is_resumed && !is_careful)
+      return;
+    Words foreign;
+    const auto is_done = [&](const File_names& names) {
+      const Earlier_report report(names);
+      if(const std::string file = is_careful ? report.foreign_file() : ""; !file.empty())
+        foreign.push_back(file);
+      if(!m_options.is_resumed || !report.tells_the_same_run(m_options))
+        return false;
+      ++m_left_out;
+      if(!report.is_one_to_one())
+      {
+        ++m_folded;
+        print_error(printable(names.input) + ": the map of an earlier run is not one-to-one");
+      }
+      return true;
+    };
+    m_meshes.erase(std::remove_if(m_meshes.begin(), m_meshes.end(), is_done), m_meshes.end());
+    if(!foreign.empty())
+      throw error_in(foreign.front(),
+                     "is there already, and no report beside it tells that this program has written it" +
+                         (foreign.size() > 1 ? "; so are " + std::to_string(foreign.size() - 1) + " other files" : "") +
+                         ".\nChoose another --output-folder, or replace such files by --overwrite.");
+  }
+
+  // A mesh that is interrupted leaves nothing: whatever is in the output folder has all the sweeps that the options ask
+  // for. What an earlier run has left goes first, so that nothing there is of another mesh or of other options.
+  void run(const File_names& names)
+  {
+    if(Interrupt_guard::is_interrupted())
+      return;
+    try
+    {
+      const std::filesystem::path folder = std::filesystem::path(names.json).parent_path();
+      std::error_code error;
+      if(!std::filesystem::create_directories(folder, error) && error)
+        throw error_in(folder.string(), "cannot be made: " + error.message());
+      Mesh_run run(m_options, names);
+      run.remove_earlier_files();
+      run.read();
+      run.map();
+      if(!run.report().is_interrupted())
+        run.match(m_template ? &*m_template : nullptr);
+      if(run.report().is_interrupted())
+        return;
+      run.write();
+      tell_map(run.report());
+    }
+    catch(const std::exception& error)
+    {
+      tell_failure(printable(names.input), message_of(error));
+    }
+  }
+
+  // Several threads tell of their meshes; the lock keeps lines whole.
+  void tell_map(const Run_report& report)
+  {
+    const std::lock_guard<std::mutex> lock(m_mutex);
+    ++m_mapped;
+    print_line(printable(report.input()), report.short_text());
+    std::istringstream warnings(report.warnings());
+    for(std::string line; std::getline(warnings, line);)
+      print_error(with_name(printable(report.input()), line));
+    if(report.result.is_one_to_one)
+      return;
+    ++m_folded;
+    print_error(report.explain_fault());
+  }
+
+  static std::string with_name(const std::string& input, const std::string& text)
+  {
+    return text.compare(0, input.size() + 1, input + ':') == 0 ? text : input + ": " + text;
+  }
+
+  void tell_failure(const std::string& input, const std::string& message)
+  {
+    const std::string text = with_name(input, message);
+    const std::size_t begin = (std::min)(input.size() + 2, text.size());
+    const std::lock_guard<std::mutex> lock(m_mutex);
+    ++m_failed;
+    print_line(input, "failed: " + text.substr(begin, text.find('\n', begin) - begin));
+    print_error(text);
+  }
+
+  void print_line(const std::string& input, const std::string& text)
+  {
+    if(!m_options.is_quiet)
+      std::cout << '[' << m_mapped + m_failed << '/' << m_meshes.size() << "] " << input << ": " << text << std::endl;
+  }
+
+  static void print_error(const std::string& message)
+  {
+    std::cerr << "spherical_parameterization: " + message + "\n" << std::flush;
+  }
+
+  void print_summary() const
+  {
+    const std::size_t n_missed = m_meshes.size() - m_mapped - m_failed;
+    if(n_missed > 0)
+      print_error("interrupted: " + std::to_string(n_missed) + " of " + std::to_string(m_meshes.size()) +
+                  " meshes have not been mapped; --resume goes on with them");
+    if(m_options.is_quiet)
+      return;
+    constexpr double minute = 60.;
+    const double seconds = seconds_now() - m_start;
+    std::cout << "Mapped " << m_mapped << ", left out " << m_left_out << ", folded " << m_folded << ", failed "
+              << m_failed;
+    if(n_missed > 0)
+      std::cout << ", interrupted " << n_missed;
+    std::cout << std::fixed << std::setprecision(1) << "; " << seconds << " seconds";
+    if(m_mapped > 0 && seconds > 0.)
+      std::cout << ", " << minute * static_cast<double>(m_mapped) / seconds << " meshes per minute";
+    std::cout << std::endl;
+  }
+
+  const Options& m_options;
+  std::vector<File_names> m_meshes;
+  std::optional<Mapped_mesh> m_template;
+  double m_start = seconds_now();
+  std::mutex m_mutex;
+  std::size_t m_left_out = 0, m_mapped = 0, m_folded = 0, m_failed = 0;
+};
+
+} // namespace
+
+int run_batch(const Options& options)
+{
+  return Batch(options).run();
+}
+
+} // namespace Program

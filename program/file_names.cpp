@@ -1,0 +1,139 @@
+#include "file_names.h"
+
+#include <algorithm>
+#include <cctype>
+
+namespace Program {
+
+bool is_gifti(const std::string& format)
+{
+  return format == ".gii" || format == ".gii.gz";
+}
+
+bool is_cortical(const std::string& format)
+{
+  return is_gifti(format) || format == freesurfer_format;
+}
+
+std::string file_format(const std::string& path)
+{
+  const std::filesystem::path name(path);
+  std::string extension = name.extension().string();
+  for(char& c : extension)
+    c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return extension == ".gz" && file_format(name.stem().string()) == ".gii" ? ".gii.gz" : extension;
+}
+
+bool has_hemisphere(const std::string& name)
+{
+  return name.compare(0, 3, "lh.") == 0 || name.compare(0, 3, "rh.") == 0;
+}
+
+std::string output_format(const std::string& path)
+{
+  const std::string format = file_format(path);
+  if(is_among(format, output_formats))
+    return format;
+  return has_hemisphere(std::filesystem::path(path).filename().string()) ? freesurfer_format : "";
+}
+
+std::string ending_of(const std::string& path)
+{
+  const std::string format = file_format(path);
+  if(output_format(path) == freesurfer_format && !is_among(format, {".json", ".html", ".png", ".exr", ".stl"}))
+    return "";
+  const std::string beginning = path.substr(0, path.size() - format.size()),
+                    before = std::filesystem::path(beginning).extension().string();
+  const bool is_double = is_gifti(format) && is_among(before, {".surf", ".shape", ".func", ".label"});
+  return (is_double ? before : "") + path.substr(beginning.size());
+}
+
+std::string with_suffix(const std::string& path, const std::string& suffix)
+{
+  const std::string ending = ending_of(path);
+  return path.substr(0, path.size() - ending.size()) + suffix + ending;
+}
+
+std::string File_names::image_of_normals() const
+{
+  const std::filesystem::path path(image);
+  return image.empty() ? "" : (path.parent_path() / path.stem()).string() + "_normals" + path.extension().string();
+}
+
+Words File_names::outputs() const
+{
+  return {
+      sphere, handles,       filled,  remesh, values, image, image_of_normals(), colored_surface(), colored_sphere(),
+      onto,   target_sphere, overlay, morph,  page,   json};
+}
+
+File_names File_names::of_part(std::size_t part) const
+{
+  const std::string number = "_" + std::to_string(part + 1);
+  File_names result = *this;
+  for(std::string* name :
+      {&result.sphere, &result.handles, &result.filled, &result.remesh, &result.values, &result.image, &result.page,
+       &result.json, &result.onto, &result.target_sphere, &result.overlay, &result.morph})
+    if(!name->empty())
+      *name = with_suffix(*name, number);
+  if(!result.colored.empty())
+    result.colored += number;
+  return result;
+}
+
+std::filesystem::path place_of(std::filesystem::path path, std::error_code& error)
+{
+  namespace fs = std::filesystem;
+  constexpr int max_links = 40; // as the system does
+  for(int k = 0; k < max_links && fs::is_symlink(fs::symlink_status(path, error)); ++k)
+    path = path.parent_path() / fs::read_symlink(path, error);
+  error.clear();
+  path = fs::absolute(path, error);
+  return error ? path : fs::weakly_canonical(path, error);
+}
+
+File_stamp::File_stamp(const std::string& name)
+{
+  std::error_code size_error, time_error;
+  const std::uintmax_t size = std::filesystem::file_size(name, size_error);
+  const std::filesystem::file_time_type time = std::filesystem::last_write_time(name, time_error);
+  if(size_error || time_error)
+    return;
+  bytes = size;
+  changed = std::to_string(time.time_since_epoch().count());
+}
+Hemispheres hemispheres_of(const std::string& path, const SP::IO::Surface_origin& origin)
+{
+  std::string by_metadata, by_name;
+  for(const auto* metadata : {&origin.metadata, &origin.metadata_of_points})
+    for(const auto& [name, value] : *metadata)
+      if(name == "AnatomicalStructurePrimary")
+        for(const char* side : {"Left", "Right"})
+          if(value.find(side) != value.npos)
+            by_metadata = side[0] == 'L' ? "left" : "right";
+  const std::string name = '.' + std::filesystem::path(path).filename().string();
+  for(const auto& [left, right] :
+      {std::pair(".lh.", ".rh."), std::pair("_hemi-L_", "_hemi-R_"), std::pair(".L.", ".R.")})
+    if(by_name.empty())
+      by_name = name.find(left) != name.npos ? "left" : name.find(right) != name.npos ? "right" : "";
+  if(!by_metadata.empty() && !by_name.empty() && by_metadata != by_name)
+    return {{path + " by its metadata", by_metadata}, {path + " by its name", by_name}};
+  return {{path, by_metadata.empty() ? by_name : by_metadata}};
+}
+
+std::string mixed_hemispheres(const Hemispheres& files)
+{
+  const std::pair<std::string, std::string>* first = nullptr;
+  for(const auto& file : files)
+    if(!file.second.empty())
+    {
+      if(first == nullptr)
+        first = &file;
+      else if(first->second != file.second)
+        return printable(first->first) + " is of the " + first->second + " hemisphere, but " + printable(file.first) +
+               " of the " + file.second + " one\n";
+    }
+  return "";
+}
+
+} // namespace Program

@@ -1,0 +1,60 @@
+#ifndef PROGRAM_FOR_EACH_MESH_H
+#define PROGRAM_FOR_EACH_MESH_H
+
+#include "Thread_limit.h"
+
+#ifdef CGAL_LINKED_WITH_TBB
+#include <tbb/parallel_for.h>
+#include <tbb/partitioner.h>
+#include <tbb/task_arena.h>
+
+#include <atomic>
+#endif
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <numeric>
+#include <vector>
+
+namespace Program {
+
+/// The size of a file from which on a mesh is large: 150 to 400 thousand vertices, depending on the format. Smaller
+/// ones take less than half a gigabyte each, which every computer has for each of its cores.
+constexpr std::uintmax_t large = std::uintmax_t(16) << 20;
+
+/// Calls `run(i)` once for each index of `sizes`, the sizes of the files. It must not throw.
+///
+/// A mesh on each core makes the most of them, whatever its size: none waits for another, and what a single mesh cannot
+/// spread, such as reading, is done side by side as well. But it takes the memory for so many meshes at once, so large
+/// meshes are run one after the other, on all cores. They come first, as the smallest ones that come last fill up all
+/// cores to the end.
+template <class Run>
+void for_each_mesh(const std::vector<std::uintmax_t>& sizes, const Run& run)
+{
+  std::vector<std::size_t> order(sizes.size());
+  std::iota(order.begin(), order.end(), std::size_t(0));
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t i, std::size_t j) { return sizes[i] > sizes[j]; });
+  const auto first_small = std::find_if(order.begin(), order.end(), [&](std::size_t i) { return sizes[i] < large; });
+  std::for_each(order.begin(), first_small, run);
+  order.erase(order.begin(), first_small);
+#ifdef CGAL_LINKED_WITH_TBB
+  const std::size_t n = order.size(), n_runners = (std::min)(n, Thread_limit::number_of_threads());
+  std::atomic<std::size_t> next(0);
+  const auto run_all = [&](std::size_t) {
+    tbb::task_arena one_thread(1);
+    for(std::size_t i = next++; i < n; i = next++)
+      if(n - i > n_runners)
+        one_thread.execute([&] { run(order[i]); });
+      else // there is none left for the next thread that is done, which helps with this one
+        run(order[i]);
+  };
+  tbb::parallel_for(std::size_t(0), n_runners, run_all, tbb::simple_partitioner());
+#else
+  std::for_each(order.begin(), order.end(), run);
+#endif
+}
+
+} // namespace Program
+
+#endif // PROGRAM_FOR_EACH_MESH_H

@@ -1,0 +1,74 @@
+// The package as a program: maps surfaces to spheres, and what can be done with such maps. Each command is explained by its --help.
+
+#include "Option_reader.h"
+#include "Thread_limit.h"
+#include "commands.h"
+
+#include <algorithm>
+#include <csignal>
+#include <cstdlib>
+#include <exception>
+#include <iostream>
+
+#include <fcntl.h>
+#include <unistd.h>
+
+using namespace Program;
+
+namespace {
+
+void limit_threads([[maybe_unused]] const Options& options)
+{
+#ifdef CGAL_LINKED_WITH_TBB
+  // As many threads as are asked for would have memory of their own each.
+  const std::size_t n_wanted = options.max_threads, n_cores = Thread_limit::number_of_threads();
+  // It is never deleted: TBB makes a thread as a limit ends.
+  [[maybe_unused]] static const Thread_limit* const threads = new Thread_limit((std::min)(n_wanted, n_cores));
+  if(const std::size_t n = Thread_limit::number_of_threads(); n_wanted > n && !options.is_quiet)
+    std::cerr << "spherical_parameterization: --threads " << n_wanted << ": no more than " << n << " can be had here\n";
+#endif
+}
+
+// Returns the exit status.
+int run_program(const Command_line& line)
+{
+  if(!line.printed.empty())
+  {
+    std::cout << line.printed;
+    return EXIT_SUCCESS;
+  }
+  const Options options = Option_reader(line).o;
+  limit_threads(options);
+  return options.command == "resample" ? run_resample(options)
+         : options.command == "batch"  ? run_batch(options)
+         : options.command == "check"  ? run_check(options)
+                                       : run_map(options);
+}
+
+// What is written to a standard stream that is closed would go to the file that is opened next. Now it fails.
+void occupy_closed_streams()
+{
+  for(const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
+    if(fcntl(stream, F_GETFD) == -1)
+      open("/dev/null", O_RDONLY);
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+  occupy_closed_streams();
+  std::signal(SIGXFSZ, SIG_IGN); // a file that grows larger than permitted cannot be written: an error as others
+  try
+  {
+    const int status = run_program(parse_command_line(argc, argv));
+    if(!std::cout.flush())
+      throw Program_error("the standard output cannot be written");
+    return status;
+  }
+  catch(const std::exception& error)
+  {
+    std::cerr << "spherical_parameterization: " << message_of(error) << '\n';
+    return EXIT_FAILURE;
+  }
+}

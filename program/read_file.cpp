@@ -1,0 +1,257 @@
+#include "read_file.h"
+
+#include <CGAL/Spherical_parameterization/Cortex/FreeSurfer.h>
+#include <CGAL/Spherical_parameterization/Error_code.h>
+#include <CGAL/Spherical_parameterization/internal/files/read_mesh_file.h>
+#ifdef PROGRAM_READS_GIFTI
+#include <CGAL/Spherical_parameterization/Cortex/GIFTI.h>
+#endif
+#ifdef PROGRAM_READS_MGH
+#include <CGAL/Spherical_parameterization/Cortex/MGH.h>
+#endif
+
+#include <algorithm>
+#include <cerrno>
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <ios>
+#include <iterator>
+#include <set>
+#include <string_view>
+#include <system_error>
+#include <utility>
+
+namespace Program {
+
+namespace {
+
+// Opens a file, unless it is no ordinary one.
+std::ifstream open_file(const std::string& path)
+{
+  namespace fs = std::filesystem;
+  std::error_code error;
+  const fs::file_status status = fs::status(path, error);
+  if(fs::is_directory(status))
+    throw Program_error("this is a directory, not a file");
+  if(fs::exists(status) && !fs::is_regular_file(status))
+    throw Program_error("this is a pipe or a device, not a file"); // it might never end
+  errno = 0;
+  std::ifstream in(path, std::ios::binary);
+  if(!in)
+    throw Program_error(std::generic_category().message(errno));
+  return in;
+}
+
+// Tells the kind of a file by its first bytes, some thousands, and the number of all of them.
+Surface_file_kind kind_of(const std::string& path, std::string_view beginning, std::uintmax_t size)
+{
+  using Kind = Surface_file_kind;
+  const auto number = [&](std::size_t begin, std::size_t length) {
+    std::uint32_t result = 0;
+    for(std::size_t k = begin; k < begin + length; ++k)
+      result = result << 8 | static_cast<unsigned char>(beginning[k]);
+    return result;
+  };
+  const std::string format = file_format(path);
+  if(is_gifti(format) ||
+     (beginning.substr(0, 16).find('<') != beginning.npos && beginning.find("<GIFTI") != beginning.npos))
+    return Kind::gifti;
+  if(format == ".mgz" || format == ".mgh")
+    return Kind::mgh;
+  if(beginning.substr(0, 7) == "#!ascii")
+    return Kind::freesurfer_label;
+  constexpr std::size_t size_of_two_vertices = 20, size_of_old_header = 6; // of annotations, and of curv files
+  if(beginning.size() < size_of_old_header)
+    return Kind::none;
+  const std::uint32_t magic = number(0, 3);
+  if(magic == 0xFFFFFE || magic == 0xFFFFFD)
+    return Kind::freesurfer_surface;
+  if(magic == 0xFFFFFF || size == size_of_old_header + 2 * std::uintmax_t(magic))
+    return Kind::freesurfer_curv;
+  const bool has_vertices = beginning.size() >= size_of_two_vertices && number(4, 4) == 0 && number(12, 4) == 1;
+  if(format == ".annot" || (has_vertices && size >= 8 * std::uintmax_t(number(0, 4))))
+    return Kind::freesurfer_annotation;
+  return Kind::none;
+}
+
+// Turns a file of this kind into what a mesh file holds. A file of values has no points.
+File_content content_of_surface_file(Surface_file_kind kind, const std::string& path, bool keeps_values)
+{
+  std::string message;
+  SP::IO::Surface_file file = read_surface_file(kind, path, message);
+  File_content soup = content_of(file);
+  soup.origin = std::move(file.origin);
+  if(!keeps_values)
+    return soup;
+  soup.vertices = std::move(file.vertices);
+  if(!message.empty())
+    soup.left_out.push_back(message.substr(0, message.find(':')));
+  soup.labels = std::move(file.labels);
+  std::set<std::string> names;
+  const std::string usual_name = name_of_values(path);
+  for(std::size_t k = 0; k < file.columns.size(); ++k)
+  {
+    SP::IO::Vertex_values& column = file.columns[k];
+    using Type = SP::IO::Vertex_values::Type;
+    std::string name = !column.name.empty()       ? column.name
+                       : file.columns.size() == 1 ? usual_name
+                                                  : usual_name + '_' + std::to_string(k + 1);
+    const auto is_no_letter = [](char c) { return c <= ' ' || c > '~'; }; // for a PLY file
+    std::replace_if(name.begin(), name.end(), is_no_letter, '_');
+    while(!names.insert(name).second)
+      name += '_' + std::to_string(k + 1);
+    soup.values_of_vertices.push_back({name,
+                                       column.type == Type::uint8   ? SP::internal::File_number(std::uint8_t())
+                                       : column.type == Type::int32 ? SP::internal::File_number(std::int32_t())
+                                                                    : SP::internal::File_number(float()),
+                                       std::move(column.values)});
+  }
+  return soup;
+}
+
+} // namespace
+
+void check_file(const std::string& path)
+{
+  read_named(path, [&] { open_file(path); });
+}
+
+std::string read_file(const std::string& path)
+{
+  std::ifstream in = open_file(path);
+  std::error_code error;
+  const std::uintmax_t size = std::filesystem::file_size(path, error);
+  if(error)
+    throw Program_error(error.message());
+  std::string content;
+  constexpr std::uintmax_t size_of_beginning = 4096;
+  for(const std::uintmax_t end : {(std::min)(size, size_of_beginning), size})
+  {
+    const std::size_t begin = content.size();
+    content.resize(static_cast<std::size_t>(end));
+    if(!in.read(&content[begin], static_cast<std::streamsize>(end - begin)))
+      throw Program_error("the file cannot be read to its end");
+    if(size > 0 && content.find_first_not_of('\0') == std::string::npos) // before gigabytes of them
+      throw Program_error("the file begins with nothing but zeros: it has never been written completely");
+  }
+  return content;
+}
+
+Surface_file_kind kind_of_file(const std::string& path)
+{
+  std::ifstream in = open_file(path);
+  std::string beginning(4096, '\0');
+  in.read(&beginning[0], static_cast<std::streamsize>(beginning.size()));
+  beginning.resize(static_cast<std::size_t>(in.gcount()));
+  std::error_code error;
+  return kind_of(path, beginning, std::filesystem::file_size(path, error));
+}
+
+std::string name_of_values(const std::string& path)
+{
+  std::string name = std::filesystem::path(path).filename().string();
+  if(has_hemisphere(name))
+    name.erase(0, 3);
+  for(const char* ending : {".gz", ".gii", ".mgz", ".mgh", ".annot", ".shape", ".func", ".label"})
+    if(const std::size_t n = std::string(ending).size();
+       name.size() > n && name.compare(name.size() - n, n, ending) == 0)
+      name.erase(name.size() - n);
+  return name;
+}
+
+SP::IO::Surface_file read_surface_file(Surface_file_kind kind, const std::string& path, std::string& message)
+{
+  std::ifstream in = open_file(path);
+  using Kind = Surface_file_kind;
+  SP::IO::Surface_file file;
+  SP::Error_code error = SP::OK;
+  if(kind == Kind::freesurfer_surface)
+    error = SP::IO::read_FreeSurfer_surface(in, file, message);
+  else if(kind == Kind::freesurfer_curv)
+    error = SP::IO::read_FreeSurfer_curv(in, file, message);
+  else if(kind == Kind::freesurfer_annotation)
+    error = SP::IO::read_FreeSurfer_annotation(in, file, message);
+  else if(kind == Kind::freesurfer_label)
+    error = SP::IO::read_FreeSurfer_label(in, file, message);
+#ifdef PROGRAM_READS_MGH
+  else if(kind == Kind::mgh)
+    error = SP::IO::read_MGH(in, file, message);
+#endif
+#ifdef PROGRAM_READS_GIFTI
+  else if(kind == Kind::gifti)
+    error = SP::IO::read_GIFTI(in, file, message);
+#endif
+  else
+    throw Program_error(kind == Kind::mgh ? "this program was built without zlib, which reads MGH files"
+                                          : "this program was built without expat and zlib, which read GIFTI files");
+  if(error != SP::OK)
+    throw Program_error(message);
+  return file;
+}
+
+File_content read_file_content(const std::string& path, bool keeps_values)
+{
+  const std::string format = file_format(path);
+  File_content soup = read_named(path, [&] {
+    if(is_among(format, input_formats))
+      return File_content{SP::internal::read_mesh_file(format, read_file(path), keeps_values)};
+    const Surface_file_kind kind = kind_of_file(path);
+    std::error_code ignored;
+    if(std::filesystem::file_size(path, ignored) == 0)
+      throw Program_error("the file is empty");
+    if(kind == Surface_file_kind::none)
+      throw Program_error(keeps_values ? "this is no file with values of vertices: those are .ply, .gii, .mgh and .mgz "
+                                         "files, and files of FreeSurfer such as lh.sulc"
+                                       : "the name of a mesh file has to end with one of " + input_names);
+    File_content result = content_of_surface_file(kind, path, keeps_values);
+    if(result.points.empty() && !keeps_values)
+      throw Program_error("the file has no surface, but values of the vertices of one");
+    // FreeSurfer says by the name which half of the brain a surface is.
+    const std::string name = std::filesystem::path(path).filename().string();
+    if(kind == Surface_file_kind::freesurfer_surface && has_hemisphere(name))
+      result.origin.metadata_of_points = {
+          {"AnatomicalStructurePrimary", name[0] == 'l' ? "CortexLeft" : "CortexRight"}};
+    return result;
+  });
+  soup.hemispheres = hemispheres_of(path, soup.origin);
+  return soup;
+}
+
+File_content read_values(const std::string& paths, const std::function<File_content(const std::string&)>& read)
+{
+  File_content result;
+  std::set<std::string> names;
+  const Words files = split_list(paths);
+  for(const std::string& path : files)
+  {
+    File_content soup = read(path);
+    if(!soup.vertices.empty())
+      throw error_in(path, "has values of " + std::to_string(soup.vertices.size()) +
+                               " vertices of a surface, not of all.\nWrite a file with a value for each vertex.");
+    if(result.number_of_vertices() > 0 && soup.number_of_vertices() != result.number_of_vertices())
+      throw error_in(path, "has values of " + std::to_string(soup.number_of_vertices()) + " vertices, but " +
+                               printable(files.front()) + " of " + std::to_string(result.number_of_vertices()));
+    for(const Values& values : soup.values_of_vertices)
+      if(!names.insert(values.name).second)
+        throw error_in(path, "has values of the name " + printable(values.name) + ", as a file before it");
+    if(path == files.front())
+      result = std::move(soup);
+    else
+    {
+      std::move(soup.values_of_vertices.begin(), soup.values_of_vertices.end(),
+                std::back_inserter(result.values_of_vertices));
+      std::move(soup.hemispheres.begin(), soup.hemispheres.end(), std::back_inserter(result.hemispheres));
+      if(result.labels.empty())
+        result.labels = std::move(soup.labels);
+      else if(!soup.labels.empty())
+        result.left_out.push_back("the names and colours of the labels of " + printable(path) +
+                                  ", as a file before it has some");
+      std::move(soup.left_out.begin(), soup.left_out.end(), std::back_inserter(result.left_out));
+    }
+  }
+  return result;
+}
+
+} // namespace Program

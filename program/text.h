@@ -1,0 +1,60 @@
+#ifndef PROGRAM_TEXT_H
+#define PROGRAM_TEXT_H
+
+#include <CGAL/Spherical_parameterization/internal/files/File_bytes.h>
+#include <CGAL/Spherical_parameterization/internal/files/printable_text.h>
+
+#include <exception>
+#include <string>
+#include <vector>
+
+namespace Program {
+
+namespace SP = CGAL::Spherical_parameterization;
+
+using SP::internal::printable;
+using SP::internal::valid_utf8;
+
+using Words = std::vector<std::string>;
+
+/// What the user has to be told before the program ends with exit status 1.
+using Program_error = SP::internal::File_error;
+
+/// returns the error that tells what is wrong with a file.
+template <class... What>
+Program_error error_in(const std::string& file_name, const What&... what)
+{
+  return Program_error(printable(file_name), ": ", what...);
+}
+
+/// calls `read()`, and names the file `path` in its errors.
+template <class Read>
+auto read_named(const std::string& path, const Read& read)
+{
+  try
+  {
+    return read();
+  }
+  catch(const Program_error& error)
+  {
+    throw error_in(path, error.what());
+  }
+}
+
+/// returns what the user is told of an error.
+std::string message_of(const std::exception& error);
+
+bool is_among(const std::string& word, const Words& words);
+
+/// returns "a, b, c", with another word before the last one if wanted.
+std::string list_of(const Words& words, const std::string& last_separator = ", ");
+
+/// returns the names of several files that have commas between them; one file if there is one that is called so.
+Words split_list(const std::string& names);
+
+/// returns a number with so many digits behind the point, or so many at all.
+std::string fixed_text(double x, int digits, bool is_fixed = true);
+
+} // namespace Program
+
+#endif // PROGRAM_TEXT_H

@@ -1,0 +1,230 @@
+// The command line itself: which word is a command, what --help prints, what becomes of options of earlier versions, completion;
+// and the command `check`.
+
+#include "Program_fixture.h"
+
+// In CGAL's tree the program is not built along with the tests.
+#ifdef SPHERICAL_PARAMETERIZATION_PROGRAM
+
+namespace {
+
+const std::vector<std::string> commands = {"map",   "match",  "register", "resample", "remesh",
+                                           "check", "repair", "batch",    "show"};
+
+class Commands : public Program_fixture
+{
+protected:
+  void SetUp() override
+  {
+    Program_fixture::SetUp();
+    write("corner.off", corner_off);
+    write_off("torus.off", test_meshes::torus(8, 5));
+  }
+};
+
+// A help fits a screen, and begins with an example.
+TEST_F(Commands, are_explained_on_one_screen)
+{
+  for(const std::string& command : commands)
+  {
+    const std::string help = expect_success(command + " --help");
+    EXPECT_EQ(expect_success(command + " -h"), help);
+    SCOPED_TRACE(command);
+    EXPECT_LE(std::count(help.begin(), help.end(), '\n'), 40);
+    std::istringstream lines(help);
+    for(std::string line; std::getline(lines, line);)
+      EXPECT_LE(line.size(), 100u) << line;
+    expect_part(help.substr(0, help.find("\n\n")), "spherical_parameterization " + command + ' ');
+    const auto is_at_home = [&](const char* option, const std::vector<std::string>& homes) {
+      const bool is_there = help.find(std::string("--") + option + ' ') != std::string::npos ||
+                            help.find(std::string("--") + option + '\n') != std::string::npos;
+      EXPECT_EQ(is_there, std::count(homes.begin(), homes.end(), command) > 0) << option;
+    };
+    is_at_home("landmarks", {"match", "register"});
+    is_at_home("features", {"match", "register"});
+    is_at_home("transfer", {"remesh"});
+    is_at_home("areas", {"resample"});
+    is_at_home("output-folder", {"resample", "batch"});
+    is_at_home("resume", {"batch"});
+    is_at_home("handles", {"repair"});
+    is_at_home("beside", {"show"});
+  }
+  const std::string help = expect_success("--help");
+  EXPECT_EQ(expect_success("-h"), help);
+  EXPECT_LE(std::count(help.begin(), help.end(), '\n'), 40) << help;
+  for(const std::string& command : commands)
+    expect_part(help, ' ' + command + ' ');
+  expect_part(help.substr(0, help.find("\n\n")), "spherical_parameterization ");
+  EXPECT_EQ(expect_success("--version").substr(0, 27), "spherical_parameterization ");
+}
+
+TEST_F(Commands, are_first_words)
+{
+  expect_success("map corner.off -o expected.off");
+  expect_success("corner.off -o short.off");
+  expect_success("-o last.off corner.off");
+  expect_success("corner.off -o map --format freesurfer"); // a surface, as its first bytes tell
+  expect_success("./map -o file.off");
+  expect_success("map map -o of_map.off");
+  for(const char* name : {"short.off", "last.off"})
+    EXPECT_EQ(content(path(name)), content(path("expected.off"))) << name;
+  EXPECT_EQ(content(path("file.off")), content(path("of_map.off")));
+  expect_success("corner.off --output-folder out"); // means batch
+  EXPECT_EQ(names_of_files("out"), (Names{"corner.off", "corner.json"}));
+  for(const std::string& command : commands)
+    expect_message(command, "spherical_parameterization " + command + " --help");
+  expect_messages("", {{"", "INPUT"},
+                       {"corner.off torus.off", "more than one INPUT"},
+                       {"match corner.off", "TARGET"},
+                       {"match corner.off torus.off corner.off", "TARGET"},
+                       {"register corner.off corner.off", "--features"},
+                       {"batch corner.off", "--output-folder"},
+                       {"show corner.off", "-o"},
+                       {"corner.off -o", "-o"},
+                       {"corner.off -o a.off -o b.off", "-o"},
+                       {"--no corner.off", "--no"}});
+}
+
+TEST_F(Commands, say_where_options_went)
+{
+  const auto form = [](const std::string& text) { return "now: spherical_parameterization " + text; };
+  expect_messages("corner.off ",
+                  {{"--onto corner.off", form("match SURFACE TARGET")},
+                   {"--onto-atlas corner.off --features a b", form("register SURFACE ATLAS --features A B")},
+                   {"--remesh cube=2", form("remesh SURFACE DOMAIN=N")},
+                   {"--resample a b", form("resample VALUES SPHERE_A SPHERE_B -o RESULT")},
+                   {"--through a b", form("resample SPHERE SPHERE_A SPHERE_B --through -o RESULT")},
+                   {"--filled a.ply", form("repair SURFACE")},
+                   {"--s-first 1", form("map SURFACE --schedule FIRST,LAST")},
+                   {"--s-last=1", form("map SURFACE --schedule FIRST,LAST")},
+                   {"--average-sweeps 1", form("map SURFACE --schedule FIRST,LAST,SWEEPS")}});
+  // Other options are those of other commands.
+  for(const auto& [command, options] : Messages{
+          {"match", "landmarks soft-landmarks features feature-weights compare masks regularize split overlay morph"},
+          {"remesh", "geometry-image image-size transfer values-sphere"},
+          {"resample", "areas mask valid"},
+          {"batch", "template surfaces overwrite resume"},
+          {"repair", "handles"},
+          {"show", "beside"}})
+    for(const std::string& option : words_of(options))
+      expect_message("map corner.off --" + option + " a b", "--" + option + " is no option of map, but of " + command);
+  expect_messages("", {{"match corner.off corner.off --remesh cube=2", form("remesh SURFACE DOMAIN=N")},
+                       {"batch corner.off --output-folder out -o a.off", "-o"},
+                       {"batch corner.off --output-folder out --json a.json", "--json is no option of batch"},
+                       {"remesh corner.off cube=2 --unknown", "spherical_parameterization remesh --help"},
+                       {"corner.off --unknown", "--unknown"}});
+}
+
+TEST_F(Commands, are_completed_by_bash)
+{
+  write("completion", expect_success("--completion bash"));
+  const auto completions = [&](const std::string& words) { // of the last one
+    const Outcome outcome =
+        run_script("bash -c 'source ./completion; COMP_WORDS=(spherical_parameterization " + words +
+                   "); COMP_CWORD=$((${#COMP_WORDS[@]} - 1)); "
+                   "f=$(complete -p spherical_parameterization | sed \"s/.*-F \\([^ ]*\\).*/\\1/\"); "
+                   "$f spherical_parameterization; printf \"%s\\n\" \"${COMPREPLY[@]}\"'");
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    std::istringstream lines(outcome.out);
+    Names names;
+    for(std::string line; std::getline(lines, line);)
+      names.insert(line.substr(0, line.find_last_not_of(' ') + 1));
+    return names;
+  };
+  EXPECT_EQ(completions("rem"), Names{"remesh"});
+  EXPECT_EQ(completions("re"), (Names{"register", "remesh", "repair", "resample"}));
+  EXPECT_EQ(completions("match a.off b.off --soft"), Names{"--soft-landmarks"});
+  EXPECT_EQ(completions("resample --are"), Names{"--areas"});
+  EXPECT_EQ(completions("map --are"), Names{""});
+}
+
+TEST_F(Commands, check_surfaces_and_their_spheres)
+{
+  expect_success("corner.off -o sphere.off --json made.json");
+  expect_part(expect_success("check corner.off"), "can be mapped");
+  const std::string out = expect_success("check corner.off sphere.off --json checked.json");
+  expect_part(out, "Certified");
+  expect_part(out, "D_iso");
+  for(const char* key : {"vertices", "distortion.D_angle.maximum", "distortion.D_angle.average"})
+    EXPECT_NEAR(json("checked.json").get<double>(key), json("made.json").get<double>(key), 1e-9) << key;
+  write("checked.json", expect_success("check corner.off sphere.off --json - --quiet"));
+  EXPECT_TRUE(json("checked.json").get<bool>("one_to_one"));
+
+  write_off("ball.off", test_meshes::icosphere(1));
+  write_off("mirrored.off", test_meshes::scaled(test_meshes::icosphere(1), -1., 1., 1.));
+  expect_success("check ball.off ball.off");
+  const Outcome outcome = run("check ball.off mirrored.off");
+  EXPECT_NE(outcome.status, 0);
+  EXPECT_EQ(outcome.out.find("Certified"), std::string::npos) << outcome.out;
+  expect_part(outcome.err, "one-to-one");
+  expect_messages("check ", {{"torus.off", "the surface has the genus 1"},
+                             {"torus.off sphere.off", "the surface has the genus 1"},
+                             {"ball.off sphere.off", "vertices"},
+                             {"ball.off --method arap", "--method"}});
+}
+
+TEST_F(Commands, says_what_is_wrong_with_a_mesh)
+{
+  const std::string points = "0 0 0\n1 0 0\n0 1 0\n0 0 1\n", begin = "4 4 0\n" + points, rest = "3 1 2 3\n3 2 0 3\n";
+  const Messages table = {
+      {"0 0 0\n", "no faces"},
+      {"4 4 0\n0 0 0\n1 nan 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n" + rest, "vertex 1 has a coordinate"},
+      {"4 4 0\n0 0 0\n1 inf 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n" + rest, "vertex 1 has a coordinate"},
+      {begin + "3 0 2 1\n3 0 1 1\n" + rest, "face 1 has the vertex 1 twice"},
+      {begin + "3 0 2 1\n2 0 1\n" + rest, "face 1 is not a triangle but has 2 corners"},
+      {"4 3 0\n" + points + "4 0 2 1 3\n" + rest, "face 0 is not a triangle but has 4 corners"},
+      {"4 3 0\n" + points + "3 0 2 1\n3 0 1 3\n3 1 2 3\n", "the mesh has a border"},
+      {begin + "3 0 1 2\n3 0 1 3\n" + rest,
+       "the faces 0 and 1 are oriented against each other: both use the edge between the vertices 0 and 1 in the same"},
+      {"4 5 0\n" + points + "3 0 2 1\n3 0 1 3\n" + rest + "3 1 0 2\n", "the faces 0 and 4 have the same corners"},
+      {"3 2 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n3 0 2 1\n", "only 3 vertices have a face"},
+      {"7 8 0\n" + points + "-1 0 0\n0 -1 0\n0 0 -1\n3 0 2 1\n3 0 1 3\n" + rest +
+           "3 0 4 5\n3 0 6 4\n3 4 6 5\n3 5 6 0\n",
+       "the surface touches itself in vertex 0"},
+      {"12 4 0\n0 0 0\n0 1 0\n1 0 0\n0 0 0\n1 0 0\n0 0 1\n1 0 0\n0 1 0\n0 0 1\n0 1 0\n0 0 0\n0 0 1\n"
+       "3 0 1 2\n3 3 4 5\n3 6 7 8\n3 9 10 11\n",
+       "8 vertices repeat the position of another one"}};
+  write("start.off", "");
+  for(const auto& [text, message] : table)
+  {
+    write("bad.off", "OFF\n" + text);
+    expect_messages("", {{"bad.off -o result.off --json result.json --colored result", message},
+                         {"bad.off --initial start.off", message}, // before the map to start from
+                         {"check bad.off", message}});
+  }
+}
+
+TEST_F(Commands, counts_the_faces_of_an_edge_that_has_many)
+{
+  const std::size_t n = 50000;
+  std::string points = "0 0 0\n1 0 0\n", faces;
+  for(std::size_t i = 0; i < n; ++i)
+  {
+    points += "0 1 " + std::to_string(i) + "\n";
+    faces += "3 0 1 " + std::to_string(i + 2) + "\n";
+  }
+  const std::string text = "OFF\n" + std::to_string(n + 2) + " " + std::to_string(n + 1) + " 0\n" + points + faces;
+  write("book.off", text + "3 0 1 2\n");
+  expect_message("book.off -o result.off", "the faces 0 and 50000 have the same corners");
+  write("book.off", text + "3 0 2 3\n");
+  expect_message("book.off -o result.off", "the edge between the vertices 0 and 1 has 50000 faces");
+}
+
+TEST_F(Commands, refuses_every_invalid_mesh_of_the_corpus)
+{
+  const fs::path folder = fs::path(SPHERICAL_PARAMETERIZATION_SHARED_DATA_DIR) / "nasty";
+  if(!fs::exists(folder))
+    GTEST_SKIP() << "The corpus is not there.";
+  std::size_t number_of_meshes = 0;
+  for(const fs::directory_entry& entry : fs::directory_iterator(folder))
+    if(entry.path().filename().string().rfind("invalid_", 0) == 0)
+    {
+      expect_message("'" + entry.path().string() + "' -o result.off", entry.path().filename().string());
+      ++number_of_meshes;
+    }
+  EXPECT_GT(number_of_meshes, 20u);
+}
+
+} // namespace
+
+#endif

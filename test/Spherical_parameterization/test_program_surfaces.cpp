@@ -1,0 +1,252 @@
+// The commands of the command line program that take a surface and make more than its sphere: match, remesh, repair, show.
+
+#include "Program_fixture.h"
+#include "decoded_images.h"
+
+#include <CGAL/Spherical_parameterization/Sampling/internal/Geometry_image.h>
+
+#include <limits>
+
+// In CGAL's tree the program is not built along with the tests.
+#ifdef SPHERICAL_PARAMETERIZATION_PROGRAM
+
+namespace {
+
+using test_meshes::Coordinates;
+
+class Surface_program : public Program_fixture
+{
+protected:
+  void SetUp() override
+  {
+    Program_fixture::SetUp();
+    write_off("sphere.off", test_meshes::icosphere(2));
+    write_off("torus.off", test_meshes::torus(20, 6));
+  }
+
+  // what a page has in the element of a script
+  static std::string in_element(const std::string& page, const std::string& id)
+  {
+    const std::string begin = "id=\"" + id + "\">";
+    const std::size_t start = page.find(begin) + begin.size();
+    return page.substr(start, page.find("</script>", start) - start);
+  }
+};
+
+// Remeshes over a solid and over the sphere that the program has written itself.
+TEST_F(Surface_program, remeshes_through_the_sphere)
+{
+  const std::string out =
+      expect_success("remesh sphere.off octahedron=4 -o remesh.off --sphere map.off --json result.json");
+  expect_part(out, "Remesh:    66 vertices, 128 faces");
+  const Mesh_file sphere = read_mesh("sphere.off");
+  EXPECT_EQ(read_mesh("map.off").faces, sphere.faces);
+  for(const Coordinates& p : read_mesh("remesh.off").points)
+    EXPECT_NEAR(std::hypot(p[0], p[1], p[2]), 0.98, 0.02);
+  const boost::property_tree::ptree report = json();
+  expect_part(report.get<std::string>("method"), "stretch energy");
+  EXPECT_EQ(report.get<std::size_t>("remesh.vertices"), 66u);
+  EXPECT_GT(report.get<double>("remesh.psnr"), 35.);
+  EXPECT_LT(report.get<double>("remesh.distance_from_surface.maximum"), 0.2);
+  expect_success("remesh sphere.off octahedron=4 --initial map.off --iterations 0 -o again.off");
+  expect_near(read_mesh("again.off").points, read_mesh("remesh.off").points);
+
+  // Over the map itself, the remesh is the surface, with the values of its vertices and faces, or those of another surface.
+  write("values.ply", ply_with_values(2));
+  expect_success("remesh sphere.off map.off --initial map.off --iterations 0 --transfer values.ply -o same.ply");
+  Mesh_file values = read_mesh("values.ply"), same = read_mesh("same.ply");
+  EXPECT_EQ(same.faces.size(), sphere.faces.size());
+  expect_near(same.points, sphere.points);
+  write_off("other.off", test_meshes::icosphere(1));
+  expect_success("remesh other.off sphere.off --transfer values.ply --values-sphere sphere.off -o other.ply");
+  const std::vector<double> of_other = read_mesh("other.ply").columns["vertex height"];
+  EXPECT_EQ(same.columns["vertex label"], values.columns["vertex label"]);
+  for(std::size_t v = 0; v < same.points.size(); ++v)
+  {
+    EXPECT_NEAR(same.columns["vertex height"][v], values.columns["vertex height"][v], 1e-6);
+    EXPECT_NEAR(of_other.at(v), values.columns["vertex height"][v], 1e-6);
+    EXPECT_NEAR(same.columns["vertex nz"][v], same.points[v][2], 0.05);
+  }
+  expect_success("remesh sphere.off map.off"); // reports the distance alone
+
+  write_off("flat.off", test_meshes::scaled(test_meshes::icosphere(1), 1., 1., 0.));
+  expect_messages("remesh sphere.off ",
+                  {{"torus.off -o result.off", "genus"},
+                   {"flat.off -o result.off", "is no mesh of the sphere to sample by"},
+                   {"missing.off -o result.off", "or the name of a file"},
+                   {"cube=2 -o result.off --sphere result.off", "written twice"},
+                   {"octahedron=0", "N from 1 to 5000"},
+                   {"octahedron=1.5", "N from 1 to 5000"},
+                   {"octahedron=1e9", "N from 1 to 5000"},
+                   {"prism=3", "octahedron=N, cube=N or icosahedron=N"},
+                   {"cube=2 --transfer sphere.off", "--transfer needs .ply files"},
+                   {"cube=2 --transfer missing.ply -o a.ply", "No such file"},
+                   {"cube=2 --transfer values.ply -o a.off", "the name of a .ply or .gii file"},
+                   {"cube=2 --values-sphere sphere.off", "--transfer"},
+                   {"cube=2 --fill-holes all --transfer values.ply -o a.ply", "has no values"},
+                   {"--geometry-image image.gif", ".png or .exr"},
+                   {"cube=2 --image-size 65", "--geometry-image"},
+                   {"--geometry-image image.png --image-size 64", "an odd number from 3 to 10001"},
+                   {"--geometry-image image.png --image-size 1", "from 3"}});
+  expect_messages("remesh other.off cube=3 -o result.ply --transfer values.ply",
+                  {{"", "has no values for this mesh"}, {" --values-sphere other.off", "is no map of this mesh"}});
+}
+
+// The pixels, decoded by the libraries of the formats, are the points and normals of the remesh by the octahedron.
+TEST_F(Surface_program, writes_geometry_images)
+{
+  [[maybe_unused]] const auto expect_images = [&](const std::string& format, const auto& decode, double tolerance) {
+    expect_success("remesh sphere.off octahedron=4 -o even.ply --geometry-image image." + format + " --image-size 9");
+    Mesh_file remesh = read_mesh("even.ply");
+    const SP::internal::Geometry_image_layout layout = SP::internal::Geometry_image_layout::of_octahedron(4);
+    for(const auto& [name, x] : Messages{{"image.", "vertex "}, {"image_normals.", "vertex n"}})
+    {
+      const test::Decoded_image image = decode(content(path(name + format)));
+      ASSERT_EQ(image.width, 9u);
+      ASSERT_EQ(image.height, 9u);
+      ASSERT_EQ(image.channels.size(), 3u);
+      for(std::size_t k = 0; k < layout.vertices.size(); ++k)
+        for(std::size_t c = 0; c < 3; ++c)
+          ASSERT_NEAR(image.channels[c].at(k), remesh.columns[x + "xyz"[c]][layout.vertices[k]], tolerance) << k << c;
+    }
+  };
+#ifdef TEST_PNG
+  expect_images("png", test::decode_png, 2.01 / 65535. / 2.);
+#endif
+#ifdef TEST_EXR
+  expect_images("exr", test::decode_exr, 6e-8);
+  for(const double scale : {1e-50, 1e50})
+  {
+    write_off("scaled.off", test_meshes::scaled(test_meshes::icosphere(1), scale, scale, scale));
+    const Outcome outcome = run("remesh scaled.off --geometry-image none.exr");
+    EXPECT_EQ(outcome.status, 1);
+    expect_part(outcome.err, "none.exr: The values are too large, or all too small");
+    EXPECT_FALSE(fs::exists(path("none.exr")));
+    expect_success("remesh scaled.off --geometry-image image.png");
+  }
+#endif
+}
+
+// What is written and measured is that of the file, and the patches are reported.
+TEST_F(Surface_program, fills_holes)
+{
+  const test_meshes::Triangle_list list = test_meshes::bumpy_sphere(2);
+  test_meshes::Triangle_list opened = list;
+  opened.triangles.clear();
+  for(const test_meshes::Triangle& t : list.triangles)
+    if(std::count(t.begin(), t.end(), 20u) + std::count(t.begin(), t.end(), 100u) == 0)
+      opened.triangles.push_back(t);
+  write_off("opened.off", opened);
+  expect_message("opened.off -o map.off", "--fill-holes all");
+  expect_message("opened.off -o map.off --fill-holes 4", "the mesh has a border");
+  const std::string out = expect_success("opened.off --fill-holes all -o map.off --json result.json --colored colored");
+  expect_part(out, "Holes     2 filled");
+  EXPECT_EQ(json().get_child("holes").size(), 2u);
+  EXPECT_GT(json().get_child("holes").front().second.get<double>("share_of_area"), 0.);
+  for(const char* name : {"map.off", "colored_surface.ply", "colored_sphere.ply"})
+    EXPECT_EQ(read_mesh(name).faces, read_mesh("opened.off").faces) << name;
+
+  // The closed surface is a mesh as others, which begins with that of the file.
+  expect_success("repair opened.off -o filled.ply");
+  Mesh_file filled = read_mesh("filled.ply");
+  ASSERT_GT(filled.faces.size(), opened.triangles.size());
+  for(std::size_t f = 0; f < filled.faces.size(); ++f)
+    EXPECT_EQ(filled.columns["face filler"][f], f < opened.triangles.size() ? 0. : 1.);
+  expect_success("filled.ply -o again.off");
+  expect_success("remesh opened.off octahedron=4 --fill-holes all -o remesh.ply");
+  EXPECT_EQ(read_mesh("remesh.ply").columns.count("face filler"), 1u);
+  // Patches are masked: features are those of the file.
+  const auto write_heights = [&](const std::string& name, const test_meshes::Triangle_list& mesh) {
+    std::ostringstream ply;
+    ply << "ply\nformat ascii 1.0\nelement vertex " << mesh.points.size()
+        << "\nproperty float x\nproperty float y\nproperty float z\nproperty float height\nend_header\n";
+    for(const Coordinates& p : mesh.points)
+      ply << p[0] << ' ' << p[1] << ' ' << p[2] << ' ' << p[2] << '\n';
+    write(name, ply.str());
+  };
+  write_off("closed.off", list);
+  write_heights("closed.ply", list);
+  write_heights("opened.ply", opened);
+  EXPECT_EQ(run("match opened.off closed.off --fill-holes all -o onto.off --features opened.ply closed.ply").status, 0);
+
+  opened.points[3][1] = std::numeric_limits<double>::quiet_NaN();
+  write_off("broken.off", opened);
+  expect_message("repair broken.off -o result.ply", "vertex 3 has a coordinate that is");
+  test_meshes::Triangle_list sheet;
+  sheet.points = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0.5, 0.5, 0.1}};
+  sheet.triangles = {{0, 1, 4}, {1, 2, 4}, {2, 3, 4}};
+  write_off("sheet.off", sheet);
+  expect_part(run("sheet.off --fill-holes all -o map.off").err, "more than half");
+  sheet.triangles = {{0, 1, 4}, {2, 3, 4}};
+  write_off("sheet.off", sheet);
+  expect_message("repair sheet.off -o result.ply", "touches itself in vertex 4");
+  expect_part(expect_success("repair opened.off"), "The surface can be mapped");
+}
+
+TEST_F(Surface_program, maps_one_part_or_each_and_finds_handles)
+{
+  const test_meshes::Triangle_list two =
+      test_meshes::disjoint_union(test_meshes::octahedron(), test_meshes::bumpy_sphere(2));
+  write_off("three.off", test_meshes::disjoint_union(two, test_meshes::tetrahedron()));
+  expect_message("three.off -o map.off", "--components largest");
+  const std::string out = expect_success("three.off -o map.off --components largest --json result.json");
+  expect_part(out, "Part      1 of 3, with 320 faces; the others have 8 and 4");
+  EXPECT_EQ(json().get<std::size_t>("faces"), 320u);
+  EXPECT_EQ(json().get<std::size_t>("component"), 1u);
+  EXPECT_EQ(json().get_child("faces_of_components").size(), 3u);
+  expect_success("three.off -o map.off --components each --json each.json");
+  for(const auto& [name, n_faces] : {std::pair("map_1.off", 320u), {"map_2.off", 8u}, {"map_3.off", 4u}})
+    EXPECT_EQ(read_mesh(name).faces.size(), n_faces) << name;
+  EXPECT_TRUE(fs::exists(path("each_3.json")));
+
+  expect_message("torus.off -o map_of_torus.off", "A path of 6 edges around a handle, of length 6, at vertex");
+  expect_part(expect_success("repair torus.off --handles handles.ply"),
+              "cannot be mapped: the surface has the genus 1");
+  expect_part(content(path("handles.ply")), "element edge 6\n");
+  expect_success("repair sphere.off --handles handles.ply");
+  expect_part(content(path("handles.ply")), "element edge 0\n");
+}
+
+TEST_F(Surface_program, writes_a_page)
+{
+  if(run("show sphere.off -o page.html").err.find("was built without the page") != std::string::npos)
+    GTEST_SKIP() << "The program was built without the page.";
+  const std::string name = "a<!--b.off";
+  write_off(name, test_meshes::icosphere(2));
+  expect_success("'" + name + "' --page page.html --quiet");
+  const std::string page = content(path("page.html"));
+  EXPECT_EQ(page.substr(0, 15), "<!DOCTYPE html>");
+  EXPECT_EQ(page.find("<!--b"), std::string::npos); // a comment that would swallow the page
+  expect_part(page, "a\\u003c!--b.off");
+  EXPECT_EQ(in_element(page, "corners").size(), 320u * 3 * 2 / 3 * 4); // of 320 faces, with two bytes each
+  EXPECT_EQ(in_element(page, "folded"), "");
+  expect_success("show '" + name + "' -o shown.html");
+  EXPECT_EQ(in_element(content(path("shown.html")), "corners"), in_element(page, "corners"));
+
+  // two surfaces: the common refinement, and for each of its triangles both faces
+  write_off("long.off", test_meshes::scaled(test_meshes::icosphere(2), 1., 1.5, 2.5));
+  ASSERT_EQ(run("match long.off sphere.off --page page.html --overlay overlay.ply --quiet").status, 0);
+  const std::size_t n = read_mesh("overlay.ply").faces.size();
+  for(const std::string id : {"left_faces", "right_faces"})
+    EXPECT_EQ(in_element(content(path("page.html")), id).size(), (4 * n + 2) / 3 * 4) << id;
+  EXPECT_EQ(run("match sphere.off long.off --split --page page.html --convention cortex --quiet").status, 0);
+  const std::string classes = in_element(content(path("page.html")), "folds");
+  EXPECT_FALSE(classes.empty());
+  EXPECT_EQ(classes.find_first_not_of("ABEQ="), classes.npos); // 16 bits that are 0 or 1, in base 64
+}
+
+TEST_F(Surface_program, opens_all_that_it_reads_before_it_maps_anything)
+{
+  write("sphere.ply", "");
+  for(const char* words :
+      {"match torus.off missing.ply", "match torus.off sphere.off --landmarks sphere.off missing.ply",
+       "match torus.off sphere.off --features missing.ply sphere.ply",
+       "remesh torus.off cube=3 -o a.ply --transfer missing.ply",
+       "remesh torus.off cube=3 -o a.ply --transfer sphere.ply --values-sphere missing.ply",
+       "check torus.off missing.ply", "show torus.off missing.ply -o page.html"})
+    expect_message(words, "missing.ply: No such file");
+}
+
+} // namespace
+
+#endif
