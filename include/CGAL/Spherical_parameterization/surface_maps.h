@@ -23,6 +23,7 @@
 #include <CGAL/license/Spherical_parameterization.h>
 
 #include <CGAL/Spherical_parameterization/Surface_maps/Distortion_between.h>
+#include <CGAL/Spherical_parameterization/Surface_maps/Sphere_alignment_3.h>
 #include <CGAL/Spherical_parameterization/Surface_maps/Surface_map_report.h>
 #include <CGAL/Spherical_parameterization/Surface_maps/Surface_mapper_3.h>
 #include <CGAL/Spherical_parameterization/Surface_maps/align_spheres.h>
