@@ -18,7 +18,6 @@
 #include <CGAL/Spherical_parameterization/Parameterization_report.h>
 #include <CGAL/Spherical_parameterization/Sharpness.h>
 #include <CGAL/Spherical_parameterization/Symmetric_Dirichlet_energy_3.h>
-#include <CGAL/Spherical_parameterization/internal/descent/Vertex_step.h>
 #include <CGAL/Spherical_parameterization/internal/execution/policy_traits.h>
 #include <CGAL/Spherical_parameterization/internal/run/check_arguments.h>
 #include <CGAL/Spherical_parameterization/internal/run/run_descent.h>

@@ -21,7 +21,6 @@
 #include <CGAL/Spherical_parameterization/internal/areas/Area_descent.h>
 #include <CGAL/Spherical_parameterization/internal/areas/Area_shares.h>
 #include <CGAL/Spherical_parameterization/internal/areas/Cell_areas.h>
-#include <CGAL/Spherical_parameterization/internal/descent/Vertex_step.h>
 #include <CGAL/Spherical_parameterization/internal/execution/policy_traits.h>
 #include <CGAL/Spherical_parameterization/internal/numbers/Vector_3.h>
 #include <CGAL/Spherical_parameterization/internal/run/check_arguments.h>

@@ -20,7 +20,8 @@
 // CGAL_SPHERICAL_PARAMETERIZATION_USE_LIBRARY they are in a static library, which the CMake target
 // CGAL::Spherical_parameterization_library builds and links, and which defines the macro: a program of several files compiles
 // them once. A header X.h that declares such functions ends by including X_impl.h, where they are defined, unless they are in
-// the library; its sources, in src/, include the files X_impl.h instead.
+// the library; its sources, in src/, include the files X_impl.h instead. A program that uses the library and has an energy of its
+// own defines CGAL_SPHERICAL_PARAMETERIZATION_OWN_ENERGIES as well, as the descent by it is compiled where it is called.
 #ifdef CGAL_SPHERICAL_PARAMETERIZATION_USE_LIBRARY
 #define CGAL_SPHERICAL_PARAMETERIZATION_INLINE
 #else

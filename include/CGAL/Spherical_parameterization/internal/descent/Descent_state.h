@@ -14,32 +14,13 @@
 
 #include <CGAL/license/Spherical_parameterization.h>
 
+#include <CGAL/Spherical_parameterization/internal/descent/Descent_settings.h>
 #include <CGAL/Spherical_parameterization/internal/descent/Energy_summary.h>
 
 #include <cmath>
 #include <cstddef>
 
 namespace CGAL::Spherical_parameterization::internal {
-
-// When the loop ends, and whether it goes beyond what the paper describes.
-struct Descent_settings
-{
-  // Two sweeps, with the smooth step before one of them, that change the energy by at most this much, relative, and the radius
-  // likewise, have converged; without acceleration, one sweep.
-  double energy_tolerance = 1e-3, radius_tolerance = 2e-3;
-  // If so, there are smooth steps and extra sweeps over the worst faces, the radius makes half steps, and convergence asks
-  // for more than that the sum of eq. 6 or 7 has settled.
-  bool is_accelerated = true;
-};
-
-// Sweeps over a mesh below this size cost next to nothing: it gets as many times more of them.
-constexpr std::size_t size_of_small_meshes = 2000;
-
-// As many sweeps as bring most meshes to their end.
-inline std::size_t default_number_of_sweeps(std::size_t n_vertices)
-{
-  return 250 * (1 + size_of_small_meshes / (n_vertices + 1));
-}
 
 struct Descent_state
 {

@@ -79,16 +79,6 @@ private:
   double m_average_energy = 0., m_max_energy = 0.; // before the last sweep
 };
 
-// The radius policy of a run, see SphereRadiusPolicy_3, asked once per sweep. Radii are in the caller's unit of length.
-class Radius_chooser
-{
-public:
-  virtual ~Radius_chooser() = default;
-  virtual double initial_radius(double equal_area_radius) const = 0;
-  virtual double next_radius(const Face_range_3& faces, double radius) = 0;
-  virtual bool next_phase() = 0;
-};
-
 // What a run lowers. For a dial beta it is one function of the map, the radius and a level R, through the energies E of
 // the n faces:
 //

@@ -16,6 +16,7 @@
 
 #include <CGAL/Spherical_parameterization/Energy_derivatives_3.h>
 #include <CGAL/Spherical_parameterization/Face_range_3.h>
+#include <CGAL/Spherical_parameterization/internal/library.h>
 
 #include <CGAL/Default.h>
 #include <CGAL/Kernel_traits.h>
@@ -28,6 +29,13 @@
 
 #include <type_traits>
 #include <utility>
+
+namespace CGAL::Spherical_parameterization {
+class Symmetric_Dirichlet_energy_3;
+class Isometric_energy_3;
+class Conformal_energy_3;
+class Stretch_energy_3;
+} // namespace CGAL::Spherical_parameterization
 
 namespace CGAL::Spherical_parameterization::internal {
 
@@ -139,6 +147,11 @@ using Energy_results =
                 decltype(static_cast<Energy_derivatives_3<double>>(std::declval<const Energy&>().derivatives(0., 0.)))>;
 
 template <class Energy>
+constexpr bool is_energy_of_package =
+    std::is_same<Energy, Symmetric_Dirichlet_energy_3>::value || std::is_same<Energy, Isometric_energy_3>::value ||
+    std::is_same<Energy, Conformal_energy_3>::value || std::is_same<Energy, Stretch_energy_3>::value;
+
+template <class Energy>
 constexpr bool check_energy()
 {
   constexpr bool is_energy = is_detected<Energy_results, Energy>;
@@ -146,6 +159,11 @@ constexpr bool check_energy()
       is_energy,
       "The setting energy has to be a model of DistortionEnergy_3, such as Conformal_energy_3; one of your own has "
       "operator() and derivatives() for two numbers, both const.");
+#if !defined(CGAL_SPHERICAL_PARAMETERIZATION_HEADER_ONLY) && !defined(CGAL_SPHERICAL_PARAMETERIZATION_OWN_ENERGIES)
+  static_assert(!is_energy || is_energy_of_package<Energy>,
+                "The library has the descents by the energies of the package. For one of your own, define "
+                "CGAL_SPHERICAL_PARAMETERIZATION_OWN_ENERGIES, or use the headers without the library.");
+#endif
   return is_energy;
 }
 

@@ -18,8 +18,7 @@
 #include <CGAL/Spherical_parameterization/Isometric_energy_3.h>
 #include <CGAL/Spherical_parameterization/Stretch_energy_3.h>
 #include <CGAL/Spherical_parameterization/Symmetric_Dirichlet_energy_3.h>
-#include <CGAL/Spherical_parameterization/internal/descent/Vertex_step.h>
-#include <CGAL/Spherical_parameterization/internal/run/run_descent.h>
+#include <CGAL/Spherical_parameterization/internal/run/run_descent_impl.h>
 
 #include <cstddef>
 #include <vector>

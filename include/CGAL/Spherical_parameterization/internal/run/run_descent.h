@@ -15,15 +15,11 @@
 #include <CGAL/license/Spherical_parameterization.h>
 
 #include <CGAL/Spherical_parameterization/Face_range_3.h>
-#include <CGAL/Spherical_parameterization/Parameterization_report.h>
 #include <CGAL/Spherical_parameterization/Sharpness.h>
-#include <CGAL/Spherical_parameterization/internal/certificate/is_safely_positive.h>
-#include <CGAL/Spherical_parameterization/internal/descent/Descent_loop.h>
-#include <CGAL/Spherical_parameterization/internal/descent/Hierarchical_embedding.h>
+#include <CGAL/Spherical_parameterization/internal/descent/Descent_settings.h>
 #include <CGAL/Spherical_parameterization/internal/execution/policy_traits.h>
 #include <CGAL/Spherical_parameterization/internal/library.h>
 #include <CGAL/Spherical_parameterization/internal/surface/Run.h>
-#include <CGAL/Spherical_parameterization/internal/surface/mesh_measures.h>
 
 #include <CGAL/Default.h>
 
@@ -32,6 +28,10 @@
 #include <vector>
 
 namespace CGAL::Spherical_parameterization::internal {
+
+// The steps of a vertex, see Vertex_step.h
+class Newton_step;
+class Gradient_step;
 
 // A model of SphereRadiusPolicy_3 as the loop over sweeps sees it. Each run works on a copy, as a policy may keep a
 // state.
@@ -53,42 +53,18 @@ private:
   Energy m_energy;
 };
 
-// Makes a map of the connectivity alone, which never fails.
-void draw_surface(Run& run);
-
 // Makes the first map, by the hierarchy unless that fails, and tells the visitor of it. If `shares` are given, they are the areas
 // that the vertices are to have, in the place of their own.
 template <class Energy>
 void embed_surface(const Energy& energy, const Sharpness& sharpness, std::size_t sweeps_per_level,
-                   bool sweeps_finest_level, Run& run, const std::vector<double>& shares = {})
-{
-  run.control.on_initialization_begin(run.surface.number_of_vertices());
-  if(!embed_hierarchically(run.surface, energy, sharpness, sweeps_per_level, sweeps_finest_level, run.positions,
-                           run.control, run.execution, shares))
-  {
-    draw_surface(run);
-    run.control.report().used_last_resort = true;
-    run.control.report().stop_reason = OBSTRUCTED;
-  }
-  run.control.on_initialization_end();
-}
+                   bool sweeps_finest_level, Run& run, const std::vector<double>& shares = {});
 
 // Lowers the energy of a bijection by sweeps. Faces that rounding might turn over on the way, as the last resort may have some
 // above 1.7 million vertices, stay as they are. If `shares` are given, faces get the shapes that they have on the surface, but the
 // areas that these say.
 template <class Step, class Energy>
 void descend(const Energy& energy, Radius_chooser* radius, const Sharpness& sharpness, const Descent_settings& settings,
-             std::size_t max_sweeps, Run& run, const std::vector<double>& shares = {})
-{
-  Parameterization_report& report = run.control.report();
-  const bool can_be_swept = !report.used_last_resort || are_safely_positive(run.surface.rings(), run.positions);
-  Descent_loop<Energy, Step> loop(run.surface, energy, Step(), sharpness, radius, settings, run.control, run.execution,
-                                  shares.empty() ? shares
-                                                 : vertex_densities(run.surface.rings(), run.surface.points(), shares));
-  run.radius = loop.run(run.positions, can_be_swept ? max_sweeps : 0);
-  if(!can_be_swept && report.stop_reason == ITERATION_LIMIT)
-    report.stop_reason = OBSTRUCTED;
-}
+             std::size_t max_sweeps, Run& run, const std::vector<double>& shares = {});
 
 // The same with a radius policy, or none, and tells the visitor of the end.
 template <class Step, class Energy, class Radius>
@@ -107,9 +83,9 @@ void run_descent(const Energy& energy, const Radius& radius, const Sharpness& sh
 
 } // namespace CGAL::Spherical_parameterization::internal
 
-#ifdef CGAL_SPHERICAL_PARAMETERIZATION_HEADER_ONLY
+#if defined(CGAL_SPHERICAL_PARAMETERIZATION_HEADER_ONLY)
 #include <CGAL/Spherical_parameterization/internal/run/run_descent_impl.h>
-#else
+#elif defined(CGAL_SPHERICAL_PARAMETERIZATION_OWN_ENERGIES)
 #include <CGAL/Spherical_parameterization/internal/run/descents_of_library.h>
 #endif
 

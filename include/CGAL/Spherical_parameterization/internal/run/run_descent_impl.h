@@ -14,16 +14,49 @@
 
 #include <CGAL/license/Spherical_parameterization.h>
 
-#include <CGAL/Spherical_parameterization/internal/initializers/Schnyder_drawing.h>
+#include <CGAL/Spherical_parameterization/Parameterization_report.h>
+#include <CGAL/Spherical_parameterization/Sharpness.h>
+#include <CGAL/Spherical_parameterization/internal/certificate/is_safely_positive.h>
+#include <CGAL/Spherical_parameterization/internal/descent/Descent_loop.h>
+#include <CGAL/Spherical_parameterization/internal/descent/Hierarchical_embedding.h>
+#include <CGAL/Spherical_parameterization/internal/descent/Vertex_step.h>
 #include <CGAL/Spherical_parameterization/internal/run/run_descent.h>
+#include <CGAL/Spherical_parameterization/internal/run/run_parameterization.h>
 #include <CGAL/Spherical_parameterization/internal/surface/Run.h>
+#include <CGAL/Spherical_parameterization/internal/surface/mesh_measures.h>
+
+#include <cstddef>
+#include <vector>
 
 namespace CGAL::Spherical_parameterization::internal {
 
-CGAL_SPHERICAL_PARAMETERIZATION_INLINE void draw_surface(Run& run)
+template <class Energy>
+void embed_surface(const Energy& energy, const Sharpness& sharpness, std::size_t sweeps_per_level,
+                   bool sweeps_finest_level, Run& run, const std::vector<double>& shares)
 {
-  run.positions = Schnyder_drawing(run.surface.rings()).positions();
-  run.control.report().seconds_for_embedding += run.control.lap();
+  run.control.on_initialization_begin(run.surface.number_of_vertices());
+  if(!embed_hierarchically(run.surface, energy, sharpness, sweeps_per_level, sweeps_finest_level, run.positions,
+                           run.control, run.execution, shares))
+  {
+    draw_surface(run);
+    run.control.report().used_last_resort = true;
+    run.control.report().stop_reason = OBSTRUCTED;
+  }
+  run.control.on_initialization_end();
+}
+
+template <class Step, class Energy>
+void descend(const Energy& energy, Radius_chooser* radius, const Sharpness& sharpness, const Descent_settings& settings,
+             std::size_t max_sweeps, Run& run, const std::vector<double>& shares)
+{
+  Parameterization_report& report = run.control.report();
+  const bool can_be_swept = !report.used_last_resort || are_safely_positive(run.surface.rings(), run.positions);
+  Descent_loop<Energy, Step> loop(run.surface, energy, Step(), sharpness, radius, settings, run.control, run.execution,
+                                  shares.empty() ? shares
+                                                 : vertex_densities(run.surface.rings(), run.surface.points(), shares));
+  run.radius = loop.run(run.positions, can_be_swept ? max_sweeps : 0);
+  if(!can_be_swept && report.stop_reason == ITERATION_LIMIT)
+    report.stop_reason = OBSTRUCTED;
 }
 
 } // namespace CGAL::Spherical_parameterization::internal

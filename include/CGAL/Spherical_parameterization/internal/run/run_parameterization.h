@@ -42,6 +42,9 @@
 
 namespace CGAL::Spherical_parameterization::internal {
 
+// Makes a map of the connectivity alone, which never fails.
+void draw_surface(Run& run);
+
 // Takes images of the vertices, in the caller's order, projected to the unit sphere. Returns whether they make a bijection there.
 bool take_map(std::vector<Vector_3d> images, Run& run);
 

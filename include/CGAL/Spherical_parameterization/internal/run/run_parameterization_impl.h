@@ -15,6 +15,7 @@
 #include <CGAL/license/Spherical_parameterization.h>
 
 #include <CGAL/Spherical_parameterization/internal/certificate/Bijectivity_certificate.h>
+#include <CGAL/Spherical_parameterization/internal/initializers/Schnyder_drawing.h>
 #include <CGAL/Spherical_parameterization/internal/numbers/Vector_3.h>
 #include <CGAL/Spherical_parameterization/internal/run/run_parameterization.h>
 #include <CGAL/Spherical_parameterization/internal/surface/Run.h>
@@ -35,6 +36,12 @@ CGAL_SPHERICAL_PARAMETERIZATION_INLINE bool take_map(std::vector<Vector_3d> imag
   const bool is_bijective = are_bijective(run.surface.callers_triangles(), images, run.execution);
   run.positions = run.surface.in_own_order(images);
   return is_bijective;
+}
+
+CGAL_SPHERICAL_PARAMETERIZATION_INLINE void draw_surface(Run& run)
+{
+  run.positions = Schnyder_drawing(run.surface.rings()).positions();
+  run.control.report().seconds_for_embedding += run.control.lap();
 }
 
 } // namespace CGAL::Spherical_parameterization::internal

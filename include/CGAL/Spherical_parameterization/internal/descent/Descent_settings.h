@@ -1,0 +1,55 @@
+// Copyright (c) 2026  The Spherical_parameterization authors.
+// All rights reserved.
+//
+// This file is part of the Spherical_parameterization package for CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Spherical_parameterization authors
+
+#ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_DESCENT_DESCENT_SETTINGS_H
+#define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_DESCENT_DESCENT_SETTINGS_H
+
+#include <CGAL/license/Spherical_parameterization.h>
+
+#include <CGAL/Spherical_parameterization/Face_range_3.h>
+
+#include <cstddef>
+
+namespace CGAL::Spherical_parameterization::internal {
+
+// When the loop ends, and whether it goes beyond what the paper describes.
+struct Descent_settings
+{
+  // Two sweeps, with the smooth step before one of them, that change the energy by at most this much, relative, and the radius
+  // likewise, have converged; without acceleration, one sweep.
+  double energy_tolerance = 1e-3, radius_tolerance = 2e-3;
+  // If so, there are smooth steps and extra sweeps over the worst faces, the radius makes half steps, and convergence asks
+  // for more than that the sum of eq. 6 or 7 has settled.
+  bool is_accelerated = true;
+};
+
+// Sweeps over a mesh below this size cost next to nothing: it gets as many times more of them.
+constexpr std::size_t size_of_small_meshes = 2000;
+
+// As many sweeps as bring most meshes to their end.
+inline std::size_t default_number_of_sweeps(std::size_t n_vertices)
+{
+  return 250 * (1 + size_of_small_meshes / (n_vertices + 1));
+}
+
+// The radius policy of a run, see SphereRadiusPolicy_3, asked once per sweep. Radii are in the caller's unit of length.
+class Radius_chooser
+{
+public:
+  virtual ~Radius_chooser() = default;
+  virtual double initial_radius(double equal_area_radius) const = 0;
+  virtual double next_radius(const Face_range_3& faces, double radius) = 0;
+  virtual bool next_phase() = 0;
+};
+
+} // namespace CGAL::Spherical_parameterization::internal
+
+#endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_DESCENT_DESCENT_SETTINGS_H
