@@ -6,6 +6,7 @@
 #include "read_file.h"
 #include "write_sphere.h"
 
+#include <CGAL/Spherical_parameterization/Cortex/rotate_to_surface.h>
 #include <CGAL/Spherical_parameterization/is_bijective.h>
 
 #include <algorithm>
@@ -86,7 +87,7 @@ void Mesh_run::map()
   const bool is_its_sphere = m_options.onto.empty() || m_options.is_onto_atlas; // and not that of a target
   // What a registration finds depends on the start, so that has to be the same whatever is written.
   if(m_options.is_onto_atlas || (m_options.follows_convention(m_names.sphere) && is_its_sphere))
-    turn_to_surface(*m_input, m_sphere, m_report.result.is_one_to_one);
+    turn_to_surface(*m_input, m_sphere);
   m_report.written_radius = radius_of(m_names.sphere);
 }
 
@@ -167,7 +168,8 @@ void Mesh_run::match(const Mapped_mesh* model)
     m_other.emplace(m_options, m_options.onto);
     m_match.emplace(m_options, *m_input, m_sphere, m_other->input, m_other->sphere, needs_overlay);
     if(m_options.is_onto_atlas)
-      m_report.written_radius = m_options.follows_convention(m_names.onto) ? radius_of_convention : m_other->radius;
+      m_report.written_radius =
+          m_options.follows_convention(m_names.onto) ? SP::cortical_sphere_radius : m_other->radius;
   }
   if(!m_match->distortion && needs_overlay)
     throw error_in(m_names.input, std::string("no --overlay, --morph or --page can be made. ") +
@@ -178,16 +180,9 @@ void Mesh_run::match(const Mapped_mesh* model)
                                              m_match->report,
                                              m_match->distortion,
                                              m_match->warnings(),
-                                             std::nullopt,
-                                             0,
-                                             {}};
-  if(m_options.splits)
-  {
-    const Match_refinement& refinement = m_match->refinement();
-    m_report.match->energy_before = refinement.energy_before();
-    m_report.match->number_of_new_vertices = refinement.number_of_new_vertices();
-    m_report.match->parents.assign(refinement.parents().begin(), refinement.parents().end());
-  }
+                                             m_match->energy_before,
+                                             m_match->number_of_new_vertices,
+                                             m_match->parents};
   m_report.seconds_for_matching = seconds_now() - start;
 }
 
@@ -272,7 +267,7 @@ void Mesh_run::show_beside()
 std::optional<double> Mesh_run::radius_of(const std::string& name) const
 {
   return !name.empty() && m_options.follows_convention(name) && !m_options.keeps_radius
-             ? std::optional<double>(radius_of_convention)
+             ? std::optional<double>(SP::cortical_sphere_radius)
              : std::nullopt;
 }
 

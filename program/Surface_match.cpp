@@ -1,7 +1,6 @@
 #include "Surface_match.h"
 
 #include "Interrupt_guard.h"
-#include "Match_refinement.h"
 #include "Progress_visitor.h"
 #include "read_file.h"
 #include "run_method.h"
@@ -9,6 +8,7 @@
 #include "write_sphere.h"
 
 #include <CGAL/Spherical_parameterization/Sphere_locator_3.h>
+#include <CGAL/Spherical_parameterization/Surface_maps/Surface_refinement_3.h>
 #include <CGAL/Spherical_parameterization/Surface_maps/map_surface.h>
 #include <CGAL/Spherical_parameterization/Surface_maps/measure_distortion_between.h>
 #include <CGAL/Spherical_parameterization/Surface_maps/overlay.h>
@@ -27,6 +27,7 @@
 namespace Program {
 
 using Mapper = SP::Surface_mapper_3<Mesh>;
+using Refinement = SP::Surface_refinement_3<Mesh>;
 
 Mapped_mesh::Mapped_mesh(const Options& options, const std::string& name)
   : input(name, read_file_content(name))
@@ -40,7 +41,7 @@ Mapped_mesh::Mapped_mesh(const Options& options, const std::string& name)
   if(!run_method(options, input, sphere).is_one_to_one)
     throw error_in(name, "the map to the sphere is not one-to-one.\n--method bld excludes that.");
   if(options.follows_convention(options.file_names.sphere)) // Directions on it turn along, as they are found on it.
-    turn_to_surface(input, sphere, true);
+    turn_to_surface(input, sphere);
 }
 
 Mapped_mesh::Mapped_mesh(const Mapped_mesh& other)
@@ -94,7 +95,8 @@ Surface_match::Surface_match(const Options& options, Input_mesh& first, const Sp
   , m_sphere2(sphere2)
   , m_n_written(first.mesh_of_file().number_of_vertices())
   , m_triangles(m_input.triangles())
-  , m_directions(Match_refinement::directions_of(m_first))
+  , m_directions(Refinement::directions_of(m_first))
+  , m_refinement(std::make_unique<Refinement>())
   , m_hints(read_hints(options, m_input, second))
   , m_is_soft(options.landmark_weight > 0.)
   , m_overlay(std::make_unique<Overlay>())
@@ -110,7 +112,7 @@ Surface_match::Surface_match(const Options& options, Input_mesh& first, const Sp
   std::vector<double> weights;
   for(const auto& [values, weight] : m_hints.features) // What holes have been filled with is masked.
   {
-    features.emplace_back([this, of = std::cref(values[0])](Vertex_index v) { return m_refinement.value_at(of, v); },
+    features.emplace_back([this, of = std::cref(values[0])](Vertex_index v) { return m_refinement->value_at(of, v); },
                           [of = std::cref(values[1])](Vertex_index v) { return of.get()[v]; });
     weights.push_back(weight);
   }
@@ -118,7 +120,7 @@ Surface_match::Surface_match(const Options& options, Input_mesh& first, const Sp
   const auto counts = [this](std::size_t k) -> std::function<bool(Vertex_index)> {
     if(m_hints.masks[k].empty())
       return {};
-    return [this, k](Vertex_index v) { return m_refinement.counts_at(m_hints.masks[k], v); };
+    return [this, k](Vertex_index v) { return m_refinement->counts_at(m_hints.masks[k], v); };
   };
   mapper = mapper.masks({counts(0), counts(1)});
   Progress_visitor progress(!options.is_quiet && !options.is_batch());
@@ -129,30 +131,32 @@ Surface_match::Surface_match(const Options& options, Input_mesh& first, const Sp
   };
   const bool spheres = options.regularizes_spheres;
   const auto map = [&](const Mesh& mesh, const Sphere_map& sphere, const Sphere_map& directions, Mapper& by) {
-    const SP::Error_code error =
-        SP::map_surface(mesh, sphere, m_second, m_sphere2, by, directions,
-                        CGAL::parameters::visitor(std::ref(progress))
-                            .maximum_running_time(seconds_left())
-                            .vertex_point_map(spheres ? sphere : Sphere_map(mesh.points())),
-                        CGAL::parameters::vertex_point_map(spheres ? m_sphere2 : Sphere_map(m_second.points())));
-    if(error != SP::OK)
-      throw Program_error(first.name() + ": " + SP::get_error_message(error));
+    return SP::map_surface(mesh, sphere, m_second, m_sphere2, by, directions,
+                           CGAL::parameters::visitor(std::ref(progress))
+                               .maximum_running_time(seconds_left())
+                               .vertex_point_map(spheres ? sphere : Sphere_map(mesh.points())),
+                           CGAL::parameters::vertex_point_map(spheres ? m_sphere2 : Sphere_map(m_second.points())));
   };
-  map(m_first, sphere1, m_directions, mapper);
+  SP::Error_code error = map(m_first, sphere1, m_directions, mapper);
   report = mapper.report();
-  if(options.splits)
+  if(error == SP::OK && options.splits)
   {
-    m_refinement.run(
-        m_first, m_directions, m_second, m_sphere2, mapper, m_hints.landmarks, report,
-        [&](const Mesh& mesh, const Sphere_map& directions, Mapper& by) { map(mesh, directions, directions, by); });
+    error =
+        m_refinement->refine(m_first, m_directions, m_second, m_sphere2, mapper, m_hints.landmarks, report,
+                             [&](const Mesh& mesh, const Sphere_map& on, Mapper& by) { return map(mesh, on, on, by); });
     m_input.take_triangles_of_mesh();
     m_n_written = m_first.number_of_vertices();
+    energy_before = m_refinement->energy_before();
+    number_of_new_vertices = m_refinement->number_of_new_vertices();
+    parents.assign(m_refinement->parents().begin(), m_refinement->parents().end());
   }
+  if(error != SP::OK)
+    throw Program_error(first.name(), ": ", SP::get_error_message(error));
   if(!spheres && !needs_overlay && (report.distortion || report.is_energy_sampled))
     distortion = report.distortion;
   else // The report of a run that was stopped has none, and that between spheres is not the one between surfaces.
   {
-    SP::Error_code error = SP::overlay(m_first, m_directions, m_second, m_sphere2, *m_overlay);
+    error = SP::overlay(m_first, m_directions, m_second, m_sphere2, *m_overlay);
     if(error == SP::OK)
       error = SP::measure_distortion_between(*m_overlay, distortion.emplace());
     if(error != SP::OK && error != SP::ERROR_TOO_LARGE_OVERLAY)
@@ -223,7 +227,7 @@ void Surface_match::write_overlay(std::ostream& out) const
     for(const std::uint32_t v : m_overlay->triangles[k])
       bytes.write(v);
     const Mesh::Face_index f = m_overlay->faces[k].first;
-    bytes.write(static_cast<std::uint32_t>(m_refinement.parents().empty() ? f : m_refinement.parents()[f]));
+    bytes.write(static_cast<std::uint32_t>(parents.empty() ? std::size_t(f) : parents[f]));
     bytes.write(static_cast<std::uint32_t>(m_overlay->faces[k].second));
   }
   out << bytes.content;

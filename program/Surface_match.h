@@ -2,7 +2,6 @@
 #define PROGRAM_SURFACE_MATCH_H
 
 #include "Input_mesh.h"
-#include "Match_refinement.h"
 #include "Options.h"
 #include "surface_hints.h"
 
@@ -18,6 +17,8 @@
 namespace CGAL::Spherical_parameterization {
 template <class TriangleMesh1, class TriangleMesh2>
 struct Surface_overlay_3;
+template <class Mesh>
+class Surface_refinement_3;
 } // namespace CGAL::Spherical_parameterization
 
 namespace Program {
@@ -60,8 +61,9 @@ public:
   SP::Surface_map_report report;
   std::optional<SP::Distortion_between> distortion; ///< There is none if the common refinement is too large to be made.
 
-  /// returns how the first surface has been refined.
-  const Match_refinement& refinement() const { return m_refinement; }
+  std::optional<double> energy_before;    ///< if the first surface has been refined
+  std::size_t number_of_new_vertices = 0; ///< that this has then
+  std::vector<std::size_t> parents;       ///< what its faces are parts of, as numbers in the file
 
   const Overlay& overlay() const { return *m_overlay; }
 
@@ -93,7 +95,7 @@ private:
   std::size_t m_n_written; // vertices of the first surface, but those that holes have been filled with
   const std::vector<Polygon>& m_triangles;
   Sphere_map m_directions;
-  Match_refinement m_refinement;
+  std::unique_ptr<SP::Surface_refinement_3<Mesh>> m_refinement;
   Surface_hints m_hints;
   bool m_is_soft; // whether landmarks are
   std::unique_ptr<Overlay> m_overlay;

@@ -2,34 +2,19 @@
 
 #include "write_mesh.h"
 
-#include <CGAL/Spherical_parameterization/Cortex/fit_rotation_to_surface.h>
+#include <CGAL/Spherical_parameterization/Cortex/rotate_to_surface.h>
 #include <CGAL/Spherical_parameterization/is_bijective.h>
 #include <CGAL/Spherical_parameterization/round_to_float.h>
-
-#include <CGAL/Aff_transformation_3.h>
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
 #include <cmath>
 
 namespace Program {
 
-void turn_to_surface(Input_mesh& input, const Sphere_map& sphere, bool is_one_to_one)
+void turn_to_surface(Input_mesh& input, const Sphere_map& sphere)
 {
-  CGAL::Aff_transformation_3<CGAL::Exact_predicates_inexact_constructions_kernel> rotation(CGAL::IDENTITY);
-  if(SP::fit_rotation_to_surface(input.mesh(), sphere, rotation) != SP::OK)
-    return;
-  for(const Vertex_index v : input.mesh().vertices())
-  {
-    const Point_3 p = sphere[v];
-    const auto row = [&](int i) {
-      return rotation.m(i, 0) * p.x() + rotation.m(i, 1) * p.y() + rotation.m(i, 2) * p.z();
-    };
-    sphere[v] = Point_3(row(0), row(1), row(2));
-  }
-  if(is_one_to_one && !SP::is_bijective(input.mesh(), sphere))
-    throw error_in(input.name(),
-                   "the sphere cannot be turned: its smallest faces fold by rounding.\n--convention none leaves it "
-                   "as it is.");
+  if(SP::rotate_to_surface(input.mesh(), sphere) == SP::ERROR_INSUFFICIENT_PRECISION)
+    throw error_in(input.name(), "the sphere cannot be turned: its smallest faces fold by rounding.\n--convention none "
+                                 "leaves it as it is.");
 }
 
 void write_sphere(std::ostream& out, const std::string& path, const std::string& format, Input_mesh& input,

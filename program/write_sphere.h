@@ -9,9 +9,6 @@
 
 namespace Program {
 
-/// The radius of the spheres of FreeSurfer and of the Connectome Workbench.
-constexpr double radius_of_convention = 100.;
-
 /// What is wrong with a file that should be a sphere.
 inline const std::string no_sphere =
     "is no one-to-one sphere: not all of its faces are positively oriented as seen from "
@@ -20,7 +17,7 @@ inline const std::string no_sphere =
 /// turns a sphere such that it lies as its surface does. A surface that does not tell leaves it as it is.
 ///
 /// \throws Program_error if rounding folds a face of a map that is one-to-one
-void turn_to_surface(Input_mesh& input, const Sphere_map& sphere, bool is_one_to_one);
+void turn_to_surface(Input_mesh& input, const Sphere_map& sphere);
 
 /// writes the faces of a mesh with the images of its vertices on the sphere to the file `path`.
 ///

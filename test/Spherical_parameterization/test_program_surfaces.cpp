@@ -1,4 +1,4 @@
-// The commands of the command line program that take a surface and make more than its sphere: match, remesh, repair, show.
+// The commands of the command line program that make something else of a surface than its sphere: remesh, repair, show.
 
 #include "Program_fixture.h"
 #include "decoded_images.h"

@@ -26,6 +26,7 @@
 #include <CGAL/Spherical_parameterization/Cortex/Surface_file.h>
 #include <CGAL/Spherical_parameterization/Cortex/compute_sulcal_measures.h>
 #include <CGAL/Spherical_parameterization/Cortex/fit_rotation_to_surface.h>
+#include <CGAL/Spherical_parameterization/Cortex/rotate_to_surface.h>
 
 #endif // C++17
 

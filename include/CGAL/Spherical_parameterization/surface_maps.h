@@ -26,6 +26,7 @@
 #include <CGAL/Spherical_parameterization/Surface_maps/Sphere_alignment_3.h>
 #include <CGAL/Spherical_parameterization/Surface_maps/Surface_map_report.h>
 #include <CGAL/Spherical_parameterization/Surface_maps/Surface_mapper_3.h>
+#include <CGAL/Spherical_parameterization/Surface_maps/Surface_refinement_3.h>
 #include <CGAL/Spherical_parameterization/Surface_maps/align_spheres.h>
 #include <CGAL/Spherical_parameterization/Surface_maps/map_surface.h>
 #include <CGAL/Spherical_parameterization/Surface_maps/measure_distortion_between.h>
