@@ -44,7 +44,8 @@ public:
         m_flags.emplace_back(name, m_app.add_flag(option.names, option.help));
       else
         m_app.add_option(option.names, words, option.help)
-            ->expected(option.number_of_values(), option.takes_more() ? -1 : option.number_of_values());
+            ->expected(option.number_of_values(), option.takes_more() ? -1 : option.number_of_values())
+            ->allow_extra_args(option.takes_more()); // what follows are names
     }
     m_line.command = command.name;
     for(const auto& [option, others] : needed_options)
