@@ -79,7 +79,7 @@ class Entry:
         self.name = name
         self.section = section  # what is said of all members that it stands among
         self.kind = element.get("kind")
-        self.file = element.find("location").get("file")
+        self.file = element.find("location").get("declfile") or element.find("location").get("file")
         self.brief = text_of(element.find("briefdescription"))
 
     def parameters(self, kind):

@@ -47,7 +47,7 @@ public:
   /// Type of the method
   using Mapper = Surface_mapper_3<Mesh>;
 
-  /// returns the value of a vertex from those of the first ones: a new one has the mean of the ends of its edge.
+  /// returns the value of the vertex `v` from the `values` of the first ones: a new one has the mean of the ends of its edge.
   double value_at(const std::vector<double>& values, Vertex_index v) const
   {
     if(v.idx() < values.size())
@@ -56,7 +56,7 @@ public:
     return k < m_ends.size() ? 0.5 * (value_at(values, m_ends[k][0]) + value_at(values, m_ends[k][1])) : 0.;
   }
 
-  /// returns whether a vertex counts, where the first ones say so: a new one does if both ends of its edge do.
+  /// returns whether the vertex `v` counts, where `counts` says so of the first ones: a new one does if both ends of its edge do.
   bool counts_at(const std::vector<char>& counts, Vertex_index v) const
   {
     if(v.idx() < counts.size())
@@ -68,6 +68,9 @@ public:
   /// splits edges that block landmarks, and faces that bend over much of the second surface, and maps the first one again, until
   /// two rounds have not lowered the energy by a hundredth of what it has above that of an isometry, or vertices are half as many
   /// again. (One round alone often raises it, where a face next to a landmark is stretched.)
+  ///
+  /// \tparam VertexSphereMap2 a model of `ReadablePropertyMap` from the vertices of `tmesh2` to their images
+  /// \tparam Map a function object
   ///
   /// \param tmesh1 the first surface, which has been mapped by `mapper`; it is refined
   /// \param directions its `directions_of()`, with what was found; those of the refined surface in the end
@@ -134,15 +137,17 @@ public:
     return OK;
   }
 
-  /// returns the directions of the vertices of a mesh; a vertex without a face stays at the origin.
+  /// returns a map for the directions of the vertices of `mesh`, all of them at the origin at first.
   static Direction_map directions_of(Mesh& mesh)
   {
     using Point_3 = typename Mesh::Point;
     return mesh.template add_property_map<Vertex_index, Point_3>("v:directions", Point_3(0, 0, 0)).first;
   }
 
-  /// returns how many vertices have been added, and the energy before.
+  /// returns how many vertices have been added.
   std::size_t number_of_new_vertices() const { return m_ends.size(); }
+
+  /// returns the energy of the map of the surface as it was.
   double energy_before() const { return m_energy_before; }
 
   /// returns for each face of the refined surface the one that it is a part of; empty if nothing was to be refined.

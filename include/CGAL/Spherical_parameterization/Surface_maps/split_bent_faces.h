@@ -15,9 +15,10 @@
 #include <CGAL/license/Spherical_parameterization.h>
 
 #include <CGAL/Spherical_parameterization/Error_code.h>
+#include <CGAL/Spherical_parameterization/Surface_maps/split_blocking_edges.h>
 #include <CGAL/Spherical_parameterization/Surface_maps/internal/overlay/overlay_surfaces.h>
 #include <CGAL/Spherical_parameterization/Surface_maps/internal/read_two_surfaces.h>
-#include <CGAL/Spherical_parameterization/Surface_maps/split_blocking_edges.h>
+#include <CGAL/Spherical_parameterization/internal/run/maximum_number.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/tags.h>

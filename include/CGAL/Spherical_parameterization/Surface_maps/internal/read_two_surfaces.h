@@ -22,12 +22,9 @@
 #include <CGAL/Spherical_parameterization/internal/run/check_run.h>
 #include <CGAL/Spherical_parameterization/internal/surface/read_mesh.h>
 
-#include <CGAL/Named_function_parameters.h>
-
 #include <algorithm>
 #include <cstddef>
 #include <map>
-#include <optional>
 #include <utility>
 
 namespace CGAL::Spherical_parameterization::internal {
@@ -105,16 +102,6 @@ bool read_mask(const Function& counts, const Vertices& vertices, std::vector<cha
   for(const auto v : vertices)
     mask.push_back(!counts(v));
   return std::find(mask.begin(), mask.end(), 0) != mask.end();
-}
-
-// The largest number of vertices of a common refinement, if it is given.
-template <class NamedParameters>
-std::optional<std::size_t> maximum_number_of(const NamedParameters& np)
-{
-  if constexpr(parameters::is_default_parameter<NamedParameters, internal_np::maximum_number_t>::value)
-    return std::nullopt;
-  else
-    return static_cast<std::size_t>(parameters::get_parameter(np, internal_np::maximum_number));
 }
 
 } // namespace CGAL::Spherical_parameterization::internal
