@@ -2,7 +2,7 @@
 # Usage: scripts/test_long.sh
 #
 # What takes too long for scripts/test.sh, which is to be run first: 20,000 random triangulations instead of 500, other
-# tests with as many more repetitions, each header on its own, compile flags and compile errors, the benchmarks, all tests
+# tests with as many more repetitions, each header on its own, compile flags, errors and times, the benchmarks, all tests
 # under the sanitizer of addresses, every program in a CGAL tree, the commands of the manual for cohorts, and each fuzzer for
 # ten minutes. Takes about two hours on two cores.
 
@@ -18,6 +18,7 @@ export SPHERICAL_PARAMETERIZATION_LONG_TESTS=1
 run_stage "configure" cmake "$build" -DSPHERICAL_PARAMETERIZATION_QUICK_BUILD=OFF
 run_stage "build everything with optimization" cmake --build "$build" -j "$jobs"
 run_stage "long tests" ctest --test-dir "$build" --output-on-failure --no-tests=error -j "$jobs"
+run_stage "compile times" "$root/scripts/measure_compile_time.py" --program --check
 "$root/scripts/test_sanitizers.sh" --all
 "$root/scripts/test_in_cgal_tree.sh"
 "$root/scripts/test_cohorts.sh"
@@ -33,7 +34,7 @@ fuzz() {
     $([ ! -f "$dictionary" ] || echo "-dict=$dictionary")
 }
 run_stage "configure the fuzzers" cmake -S "$root" -B "$build/fuzz" -DCMAKE_CXX_COMPILER=clang++ \
-  -DSPHERICAL_PARAMETERIZATION_BUILD_{EXAMPLES,BENCHMARKS}=OFF -DSPHERICAL_PARAMETERIZATION_BUILD_FUZZERS=ON
+  -DSPHERICAL_PARAMETERIZATION_BUILD_{PROGRAM,EXAMPLES,BENCHMARKS}=OFF -DSPHERICAL_PARAMETERIZATION_BUILD_FUZZERS=ON
 for name in reading parameterize surfaces onto images surface_files; do
   run_stage "build the fuzzer of $name" cmake --build "$build/fuzz" --target "fuzz_$name"
   run_stage "fuzz $name" fuzz "$name"

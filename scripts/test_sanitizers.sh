@@ -9,10 +9,10 @@
 # shellcheck source-path=SCRIPTDIR source=common.sh
 . "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 
-examples=OFF
+program=OFF
 tests_of_address=address
 if [ "${1-}" = --all ]; then
-  examples=ON
+  program=ON
   tests_of_address=unit
   shift
 fi
@@ -27,7 +27,7 @@ for sanitizer; do
   tests=$sanitizer
   [ "$sanitizer" = thread ] || tests=$tests_of_address
   run_stage "configure for the $sanitizer sanitizer" cmake -S "$root" -B "$directory" -DCMAKE_CXX_COMPILER=clang++ \
-    -DSPHERICAL_PARAMETERIZATION_BUILD_TESTS=ON -DSPHERICAL_PARAMETERIZATION_BUILD_EXAMPLES=$examples \
+    -DSPHERICAL_PARAMETERIZATION_BUILD_TESTS=ON -DSPHERICAL_PARAMETERIZATION_BUILD_PROGRAM=$program -DSPHERICAL_PARAMETERIZATION_BUILD_EXAMPLES=OFF \
     -DSPHERICAL_PARAMETERIZATION_BUILD_BENCHMARKS=OFF \
     -DSPHERICAL_PARAMETERIZATION_WARNINGS_AS_ERRORS=ON -DSPHERICAL_PARAMETERIZATION_SANITIZER="$sanitizer" \
     -DCMAKE_CXX_FLAGS="-fsanitize-ignorelist='$root/test/Spherical_parameterization/sanitizers/undefined.txt'"
