@@ -18,13 +18,11 @@ void append(Options_list& list, const Options_list& more)
 
 Options_list method_options(const std::string& command)
 {
-  Options_list list = {
-      {"--method", "METHOD", "bld, the default, hierarchical, harmonic, stereographic, schnyder; conformal, arap"},
-      {"--paper", "", "the published method with its settings: harmonic start, s from 0.1 to 10, ..."}};
+  Options_list list = {{"--method", "METHOD", "bld, hierarchical, harmonic, stereographic, schnyder, conformal, arap"},
+                       {"--paper", "", "the published method: harmonic start, s from 0.1 to 10, ..."}};
   if(command != "match" && command != "register")
-    append(list,
-           {{"--initial", "START", "hierarchical, stereographic, harmonic, conformal, schnyder, or FILE with a map"},
-            {"--density", "FILE", "areas on the sphere by these values; equal: in proportion to those of faces"}});
+    append(list, {{"--initial", "START", "hierarchical, stereographic, harmonic, conformal, schnyder, or a FILE"},
+                  {"--density", "FILE", "areas on the sphere by these values, or equal: in proportion to faces"}});
   append(list, {{"--energy", "ENERGY", "symmetric-dirichlet, the default, isometric, or conformal: angles only"},
                 {"--prefer", "WHAT", "the lowest average distortion, worst, balance (the default), or sampling"},
                 {"--sharpness", "B", "anything between: 0 is average, 20 balance, 40 worst"},
@@ -37,8 +35,8 @@ Options_list method_options(const std::string& command)
 }
 
 const Options_list repair_options = {
-    {"--fill-holes", "N", "fill holes of at most N edges, or all; what is written is that of the file"},
-    {"--components", "WHICH", "of a surface of several parts, map the largest; or each, to files with numbers"}};
+    {"--fill-holes", "N", "fill holes of at most N edges, or all; the faces of the file are written"},
+    {"--components", "WHICH", "of several components, map the largest; or each, to numbered files"}};
 
 const Options_list common_options = {{"--threads", "N", "use no more threads; the result is always the same"},
                                      {"--quiet", "", "print nothing but errors"}};
@@ -55,7 +53,7 @@ const Options_list report_options = {
 
 const Options_list hint_options = {
     {"--landmarks", "A B", "files with the vertices that correspond, one a line, counted from 0"},
-    {"--soft-landmarks", "W", "the weight of their mean squared distance, instead of meeting them exactly"},
+    {"--soft-landmarks", "W", "weight of their mean squared distance, instead of meeting them exactly"},
     {"--features", "A B", "values of vertices to align by; or depth, height, curvature, inflated"},
     {"--feature-weights", "NAME=W,...", "how much features of these names count; 1"},
     {"--compare", "WHAT", "ranks of features, the default, or their values"},
@@ -78,37 +76,36 @@ Options_list own_options(const std::string& command)
                                    : "write the sphere as it was before"}};
     append(list, hint_options);
     if(is_match)
-      append(list, {{"--split", "", "split edges where that lowers the energy by much; at most half as many again"},
+      append(list, {{"--split", "", "split edges where that lowers the energy by much; at most by half"},
                     {"--morph", "T FILE", "write the common refinement on its way from SURFACE, T = 0, to TARGET"}});
     return list;
   }
   if(command == "remesh")
     return {{"-o,--output", "MESH", "write the surface with the faces of DOMAIN; .ply has normals, too"},
             {"--sphere", "SPHERE", "write the sphere of SURFACE"},
-            {"--transfer", "VALUES", "carry over properties of a .ply file, or files of values with commas between"},
+            {"--transfer", "VALUES", "transfer properties of a .ply file, or files of values with commas"},
             {"--values-sphere", "SPHERE", "VALUES is another surface, and this its sphere"},
-            {"--geometry-image", "FILE", "write points as colours of a square, .png or .exr; normals to FILE_normals"},
+            {"--geometry-image", "FILE", "write points as colours, .png or .exr, and normals to FILE_normals"},
             {"--image-size", "N", "pixels in each of its rows and columns, odd; 257"}};
   if(command == "resample")
     return {{"-o,--output", "RESULT", "write what the vertices of SPHERE_B get"},
             {"--output-folder", "FOLDER", "for several VALUES: write each here, by its name"},
             {"--method", "METHOD", "barycentric, the default; adaptive, that with --areas; nearest or largest"},
-            {"--areas", "A B", "surfaces with the vertices of the spheres, or files of areas: average by area"},
-            {"--mask", "FILE", "the vertices of SPHERE_A that count: a value is positive, or a label has them"},
+            {"--areas", "A B", "surfaces with the vertices of the spheres, or areas: average by them"},
+            {"--mask", "FILE", "the vertices of SPHERE_A that count: a positive value, or a label"},
             {"--valid", "FILE", "write 1 for the vertices of SPHERE_B that get something, 0 for the others"},
             {"--through", "", "VALUES are spheres: carry them through a registration, from A to B"}};
   if(command == "check")
     return {{"--json", "FILE", "write the report and the distortions as JSON; - prints them instead"}};
   if(command == "repair")
-    return {
-        {"-o,--output", "RESULT", "write the closed surface; in .ply, filler is 1 for faces that are new"},
-        {"--fill-holes", "N", "fill holes of at most N edges, or all, the default"},
-        {"--components", "WHICH", "of a surface of several parts, take the largest; or each, to files with numbers"},
-        {"--handles", "FILE.ply", "write a short closed path around each handle, as lines"}};
+    return {{"-o,--output", "RESULT", "write the closed surface; in .ply, filler is 1 for faces that are new"},
+            {"--fill-holes", "N", "fill holes of at most N edges, or all, the default"},
+            {"--components", "WHICH", "of several components, take the largest; or each, to numbered files"},
+            {"--handles", "FILE.ply", "write a short closed path around each handle, as lines"}};
   if(command == "show")
     return {{"-o,--output", "PAGE.html", "write the page, which needs no network"},
             {"--beside", "SURFACE", "show this surface with the same faces in place of the sphere"},
-            {"--labels", "FILE", "an annotation of FreeSurfer or .label.gii file, whose colours the page shows"}};
+            {"--labels", "FILE", "an annotation of FreeSurfer or .label.gii file, for colours"}};
   return {{"--output-folder", "FOLDER", "write each sphere and its report here, as NAME.off, say, and NAME.json"},
           {"--surfaces", "NAME...", "map files of these names, or patterns, in all folders below each INPUT"},
           {"--overwrite", "", "with --surfaces: replace files that the program has not written"},
@@ -127,12 +124,12 @@ const std::vector<Command> commands = {
     {"match", "map a surface onto another one: match SURFACE TARGET -o RESULT", "cat.off horse.off -o cat_on_horse.off",
      "SURFACE TARGET [-o RESULT] [options]", "Maps a surface one-to-one onto another one, through both spheres.", 2, 2},
     {"register", "register a sphere to an atlas: register SURFACE ATLAS --features A B",
-     "lh.white lh.atlas --features depth atlas.sulc -o lh.sphere.reg",
+     "lh.white atlas --features depth atlas.sulc -o lh.sphere.reg",
      "SURFACE ATLAS --features A B [-o SPHERE] [options]",
      "Registers a surface to an atlas: a sphere that has features.", 2, 2},
     {"remesh", "give a surface other faces: remesh SURFACE octahedron=64 -o MESH",
      "cow.off octahedron=64 -o remesh.ply", "SURFACE DOMAIN [-o MESH] [options]",
-     "Samples a surface by octahedron=N, cube=N or icosahedron=N, whose edges are divided into N, or by a FILE\nwith a "
+     "Samples a surface by octahedron=N, cube=N or icosahedron=N, whose edges are divided into N, or by a\nFILE with a "
      "mesh of the sphere. --prefer is sampling if nothing else is given.",
      1, 2},
     {"resample", "carry values from one sphere to another one: resample VALUES SPHERE_A SPHERE_B",
@@ -141,19 +138,19 @@ const std::vector<Command> commands = {
      std::size_t(-1)},
     {"check", "say whether a surface can be mapped, or a sphere is one-to-one: check SURFACE [SPHERE]",
      "cow.off sphere.off", "SURFACE [SPHERE] [options]",
-     "Says what keeps a surface from being mapped; or whether a sphere with its faces is one-to-one, and how\nit is "
+     "Says what keeps a surface from being mapped; or whether a sphere with its faces is one-to-one, and\nhow it is "
      "distorted.",
      1, 2},
     {"repair", "fill holes, pick a component, find handles: repair SURFACE -o RESULT", "scan.ply -o closed.ply",
      "SURFACE [-o RESULT] [options]", "Fills the holes of a surface, or writes where its handles are.", 1, 1},
     {"batch", "map many surfaces: batch INPUT... --output-folder FOLDER", "scans/ --output-folder spheres",
      "INPUT... --output-folder FOLDER [options]",
-     "Maps meshes, and those in folders. One that fails does not stop the others; small ones are mapped one on\neach "
+     "Maps meshes, and those in folders. One that fails does not stop the others; small ones are mapped\none on each "
      "core. After Ctrl-C nothing that is incomplete is left.",
      1, std::size_t(-1)},
     {"show", "write a page for web browsers: show SURFACE [SPHERE] -o PAGE.html", "cow.off sphere.off -o cow.html",
      "SURFACE [SPHERE] -o PAGE.html [options]",
-     "Shows a surface and its sphere side by side, coloured by the distortion of the place that is pointed at;\nof a "
+     "Shows a surface and its sphere side by side, coloured, with the distortion at the pointer; of a\n"
      "surface with handles, where these are. Without SPHERE, the surface is mapped.",
      1, 2}};
 

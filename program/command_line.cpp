@@ -130,17 +130,19 @@ std::string help()
     line.resize((std::max)(line.size(), column), ' ');
     text += line + command.summary + '\n';
   }
-  return text + "\nWithout one, map is meant, and with --output-folder, batch. " + program + " COMMAND --help\n" +
-         R"(explains its options. Files are .off, .obj, .ply, .stl, .ts, or surfaces in the formats GIFTI
-(.gii, .gii.gz) and of FreeSurfer, such as lh.white. Ctrl-C ends the sweeps; the map reached is written.
+  return text + "\nWithout one, map is meant, and with --output-folder, batch. " + program + "\n" +
+         R"(COMMAND --help explains its options. Files are .off, .obj, .ply, .stl, .ts, or surfaces in the
+formats GIFTI (.gii, .gii.gz) and of FreeSurfer, such as lh.white. Ctrl-C ends the sweeps; the map
+reached is written.
 
   -h, --help          print this
   --version           print the version
   --completion bash   print what completes commands and options in this shell
 
-Exit status: 0, all that was asked for was written, and every map in it is certified as one-to-one; 1, an
-error, of which a message tells; 2, a map folds, which --method conformal and arap do not exclude, but all
-files were written nevertheless. With batch: 1, some meshes have no map; 2, all have one, but some fold.
+Exit status: 0, all that was asked for was written, and every map in it is certified as one-to-one;
+1, an error, with a message; 2, a map has inverted faces, which --method conformal and arap do not
+exclude, but all files were written. With batch: 1, some meshes have no map; 2, all have one, but some
+have inverted faces.
 )";
 }
 
