@@ -1,0 +1,3 @@
+// Cortical surfaces, and their files.
+
+#include <CGAL/Spherical_parameterization/Cortex/internal/FreeSurfer_impl.h>
