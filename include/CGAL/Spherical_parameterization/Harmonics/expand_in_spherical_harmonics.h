@@ -21,7 +21,6 @@
 #include <CGAL/Spherical_parameterization/internal/library.h>
 #include <CGAL/Spherical_parameterization/internal/locate/Sphere_triangulation.h>
 #include <CGAL/Spherical_parameterization/internal/numbers/Vector_3.h>
-#include <CGAL/Spherical_parameterization/internal/numbers/direction_of.h>
 #include <CGAL/Spherical_parameterization/internal/run/Mesh_on_sphere.h>
 #include <CGAL/Spherical_parameterization/internal/run/Visitor_control.h>
 #include <CGAL/Spherical_parameterization/internal/run/check_arguments.h>
@@ -129,8 +128,7 @@ Error_code expand_functions(const TriangleMesh& tmesh, const VertexSphereMap& ve
   Visitor_control<NamedParameters> control(np);
   const Execution execution = execution_of<ConcurrencyTag>();
   Mesh mesh;
-  if(const Error_code error =
-         mesh.read_with_points(tmesh, vertex_sphere_map, vertex_point_map_of(tmesh, np), execution))
+  if(const Error_code error = mesh.read_with_points(tmesh, vertex_sphere_map, np, execution))
     return error;
   const std::size_t n_vertices = mesh.points.size(), size = static_cast<std::size_t>(expansion.degree()) + 1;
   if(expansion.weights() == Harmonic_weights::vertices && size * size > n_vertices)
@@ -146,10 +144,6 @@ Error_code expand_functions(const TriangleMesh& tmesh, const VertexSphereMap& ve
       return ERROR_WRONG_PARAMETER;
   }
   Sphere_triangulation<K> sphere;
-  std::vector<Vector_3d> images;
-  images.reserve(n_vertices);
-  for(const auto& p : mesh.images)
-    images.push_back(rounded(p));
   sphere.assign(std::move(mesh.images), std::move(mesh.triangles));
   sphere.make_grid();
   const auto locate = [&](const std::vector<Vector_3d>& directions) {
@@ -158,14 +152,14 @@ Error_code expand_functions(const TriangleMesh& tmesh, const VertexSphereMap& ve
     for(const Vector_3d& q : directions)
       points.emplace_back(FT(q[0]), FT(q[1]), FT(q[2]));
     std::vector<Vertex_mean> result;
-    result.reserve(points.size());
     for(const auto& [triangle, w] : sphere.locate(points, execution))
       result.push_back({sphere.triangles()[triangle].vertices,
                         {CGAL::to_double(w[0]), CGAL::to_double(w[1]), CGAL::to_double(w[2])}});
     return result;
   };
-  return expand_functions({std::move(mesh.points), std::move(images), sphere.triangles(), locate}, values, expansion,
-                          harmonics, control, execution);
+  return expand_functions(
+      {std::move(mesh.points), read_points(mesh.vertices_of_mesh, vertex_sphere_map), sphere.triangles(), locate},
+      values, expansion, harmonics, control, execution);
 }
 
 } // namespace internal

@@ -17,8 +17,8 @@
 #include <CGAL/Spherical_parameterization/Error_code.h>
 #include <CGAL/Spherical_parameterization/internal/execution/parallel.h>
 #include <CGAL/Spherical_parameterization/internal/library.h>
-#include <CGAL/Spherical_parameterization/internal/numbers/direction_of.h>
 #include <CGAL/Spherical_parameterization/internal/run/Mesh_on_sphere.h>
+#include <CGAL/Spherical_parameterization/internal/surface/read_mesh.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/tags.h>
@@ -118,11 +118,8 @@ Error_code make_sphere_domain(const TriangleMesh& tmesh, VertexSphereMap vertex_
     return error;
   Sphere_domain_3 result;
   result.m_directions.reserve(mesh.images.size());
-  for(const auto& image : mesh.images)
-  {
-    const internal::Vector_3d p = internal::rounded(image);
+  for(const internal::Vector_3d& p : internal::read_points(mesh.vertices_of_mesh, vertex_sphere_map))
     result.m_directions.emplace_back(p[0], p[1], p[2]);
-  }
   result.m_triangles.reserve(mesh.triangles.size());
   for(const internal::Linked_triangle& t : mesh.triangles)
     result.m_triangles.push_back(t.vertices);

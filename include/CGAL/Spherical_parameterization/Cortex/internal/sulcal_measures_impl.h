@@ -16,23 +16,16 @@
 
 #include <CGAL/Spherical_parameterization/Cortex/compute_sulcal_measures.h>
 #include <CGAL/Spherical_parameterization/Cortex/fit_rotation_to_surface.h>
-#include <CGAL/Spherical_parameterization/Error_code.h>
-#include <CGAL/Spherical_parameterization/internal/execution/parallel.h>
 #include <CGAL/Spherical_parameterization/internal/numbers/Rotation_matrix.h>
-#include <CGAL/Spherical_parameterization/internal/numbers/Vector_3.h>
-#include <CGAL/Spherical_parameterization/internal/surface/Surface.h>
 #include <CGAL/Spherical_parameterization/internal/surface/Surface_diffusion.h>
-#include <CGAL/Spherical_parameterization/internal/surface/Vertex_rings.h>
 #include <CGAL/Spherical_parameterization/internal/surface/mesh_measures.h>
 #include <CGAL/Spherical_parameterization/internal/surface/vertex_scalars.h>
 
 #include <CGAL/number_type_config.h>
 
-#include <cstddef>
 #include <numeric>
 #include <optional>
 #include <utility>
-#include <vector>
 
 namespace CGAL::Spherical_parameterization::internal {
 

@@ -14,31 +14,18 @@
 
 #include <CGAL/license/Spherical_parameterization.h>
 
-#include <CGAL/Spherical_parameterization/Error_code.h>
-#include <CGAL/Spherical_parameterization/Harmonics/Spherical_harmonics_3.h>
 #include <CGAL/Spherical_parameterization/Harmonics/evaluate_spherical_harmonics.h>
 #include <CGAL/Spherical_parameterization/Harmonics/expand_in_spherical_harmonics.h>
 #include <CGAL/Spherical_parameterization/Harmonics/internal/Expansion_samples.h>
 #include <CGAL/Spherical_parameterization/Harmonics/internal/First_degree_ellipsoid.h>
-#include <CGAL/Spherical_parameterization/Harmonics/internal/Sphere_nodes.h>
-#include <CGAL/Spherical_parameterization/Harmonics/internal/Spherical_harmonic_transform.h>
 #include <CGAL/Spherical_parameterization/Harmonics/move_to_standard_position.h>
 #include <CGAL/Spherical_parameterization/Harmonics/rotate_spherical_harmonics.h>
-#include <CGAL/Spherical_parameterization/internal/execution/Run_control.h>
-#include <CGAL/Spherical_parameterization/internal/execution/parallel.h>
 #include <CGAL/Spherical_parameterization/internal/numbers/Rotation_matrix.h>
-#include <CGAL/Spherical_parameterization/internal/numbers/Vector_3.h>
-#include <CGAL/Spherical_parameterization/internal/surface/Surface.h>
 #include <CGAL/Spherical_parameterization/internal/surface/read_mesh.h>
-
-#include <CGAL/Aff_transformation_3.h>
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
 #include <utility>
-#include <vector>
 
 namespace CGAL::Spherical_parameterization::internal {
 

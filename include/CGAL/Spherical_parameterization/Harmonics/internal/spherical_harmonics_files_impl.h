@@ -14,21 +14,16 @@
 
 #include <CGAL/license/Spherical_parameterization.h>
 
-#include <CGAL/Spherical_parameterization/Error_code.h>
 #include <CGAL/Spherical_parameterization/Harmonics/spherical_harmonics_files.h>
 #include <CGAL/Spherical_parameterization/internal/files/File_bytes.h>
 #include <CGAL/Spherical_parameterization/internal/files/Number_text.h>
 
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
-#include <istream>
 #include <iterator>
 #include <limits>
 #include <locale>
-#include <ostream>
 #include <sstream>
-#include <string>
 #include <string_view>
 #include <utility>
 #include <vector>

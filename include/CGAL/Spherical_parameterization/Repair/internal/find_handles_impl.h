@@ -15,20 +15,13 @@
 #include <CGAL/license/Spherical_parameterization.h>
 
 #include <CGAL/Spherical_parameterization/Repair/find_handles.h>
-#include <CGAL/Spherical_parameterization/internal/numbers/Vector_3.h>
-#include <CGAL/Spherical_parameterization/internal/surface/Linked_triangle.h>
-#include <CGAL/Spherical_parameterization/internal/surface/Surface.h>
 
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
-#include <cstdint>
 #include <functional>
-#include <limits>
 #include <numeric>
 #include <queue>
 #include <utility>
-#include <vector>
 
 namespace CGAL::Spherical_parameterization::internal {
 

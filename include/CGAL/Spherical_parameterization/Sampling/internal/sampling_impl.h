@@ -14,33 +14,20 @@
 
 #include <CGAL/license/Spherical_parameterization.h>
 
-#include <CGAL/Spherical_parameterization/Error_code.h>
 #include <CGAL/Spherical_parameterization/Sampling/Sphere_domain_3.h>
 #include <CGAL/Spherical_parameterization/Sampling/Sphere_resampler_3.h>
-#include <CGAL/Spherical_parameterization/Sampling/internal/Interpolation_weights.h>
 #include <CGAL/Spherical_parameterization/Sampling/internal/Subdivided_solid.h>
 #include <CGAL/Spherical_parameterization/Sampling/internal/Triangle_set.h>
 #include <CGAL/Spherical_parameterization/Sampling/measure_distance.h>
 #include <CGAL/Spherical_parameterization/internal/certificate/Bijectivity_certificate.h>
-#include <CGAL/Spherical_parameterization/internal/execution/Run_control.h>
-#include <CGAL/Spherical_parameterization/internal/execution/parallel.h>
-#include <CGAL/Spherical_parameterization/internal/locate/Sphere_triangulation.h>
 #include <CGAL/Spherical_parameterization/internal/locate/locations_of_vertices.h>
-#include <CGAL/Spherical_parameterization/internal/numbers/Vector_3.h>
-#include <CGAL/Spherical_parameterization/internal/surface/Linked_triangle.h>
 #include <CGAL/Spherical_parameterization/internal/surface/Surface.h>
 
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstddef>
-#include <cstdint>
 #include <limits>
 #include <numeric>
 #include <utility>
-#include <vector>
 
 namespace CGAL::Spherical_parameterization {
 
