@@ -178,7 +178,7 @@ TEST(Triangles, have_a_tree_that_finds_the_nearest_one)
   {
     const Mesh mesh = make(list);
     Images corners;
-    ASSERT_EQ(SP::internal::Triangle_set::read(mesh, mesh.points(), corners), SP::OK);
+    ASSERT_EQ(SP::internal::append_corners(mesh, mesh.points(), corners), SP::OK);
     const SP::internal::Triangle_set set(corners.data(), corners.size());
     for(std::size_t k = 0; k < 100; ++k)
     {

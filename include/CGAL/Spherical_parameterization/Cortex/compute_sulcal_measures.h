@@ -15,8 +15,8 @@
 #include <CGAL/license/Spherical_parameterization.h>
 
 #include <CGAL/Spherical_parameterization/Error_code.h>
-#include <CGAL/Spherical_parameterization/Cortex/internal/sulcal_measures.h>
 #include <CGAL/Spherical_parameterization/internal/execution/parallel.h>
+#include <CGAL/Spherical_parameterization/internal/library.h>
 #include <CGAL/Spherical_parameterization/internal/run/check_arguments.h>
 #include <CGAL/Spherical_parameterization/internal/surface/Surface.h>
 #include <CGAL/Spherical_parameterization/internal/surface/read_mesh.h>
@@ -26,7 +26,7 @@
 
 #include <boost/graph/graph_traits.hpp>
 
-#include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Spherical_parameterization {
@@ -44,6 +44,13 @@ struct Sulcal_measures
   /// Mean curvature of the smoothed surface, which has the lobes and the deepest furrows alone, in the same unit as `curvature`
   std::vector<double> inflated_curvature;
 };
+
+namespace internal {
+
+// The measures of a surface, in the order and the unit of the caller.
+Sulcal_measures sulcal_measures_of(const Surface& surface, const Execution& execution);
+
+} // namespace internal
 
 /// \ingroup PkgSphericalParameterizationSurfaces
 ///
@@ -93,23 +100,16 @@ Error_code compute_sulcal_measures(const TriangleMesh& tmesh, Sulcal_measures& f
     internal::Surface surface;
     if(const Error_code error = internal::read_surface(tmesh, internal::vertex_point_map_of(tmesh, np), mesh, surface))
       return error;
-    const internal::Sulcal_scalars own =
-        internal::sulcal_measures_of(surface.rings(), surface.points(), internal::execution_of<ConcurrencyTag>());
-    // The callers of arrays know nothing of vertices without a face.
-    std::vector<char> has_face;
-    for(const auto v : vertices(tmesh))
-      has_face.push_back(halfedge(v, tmesh) != boost::graph_traits<TriangleMesh>::null_halfedge());
-    const auto in_order_of_mesh = [&](const std::vector<double>& values, double unit) {
-      const std::vector<double> callers = surface.in_callers_order(values);
-      std::vector<double> result(has_face.size(), 0.);
-      for(std::size_t v = 0, k = 0; v < result.size(); ++v)
-        if(has_face[v])
-          result[v] = unit * callers[k++];
-      return result;
-    };
-    const double unit = surface.equal_area_radius();
-    folding = {in_order_of_mesh(own.curvature, 1. / unit), in_order_of_mesh(own.depth, unit),
-               in_order_of_mesh(own.inflated_curvature, 1. / unit)};
+    Sulcal_measures result = internal::sulcal_measures_of(surface, internal::execution_of<ConcurrencyTag>());
+    for(std::vector<double>* values : {&result.curvature, &result.depth, &result.inflated_curvature})
+    {
+      std::vector<double> all; // the arrays lack vertices without a face
+      auto value = values->begin();
+      for(const auto v : vertices(tmesh))
+        all.push_back(halfedge(v, tmesh) == boost::graph_traits<TriangleMesh>::null_halfedge() ? 0. : *value++);
+      values->swap(all);
+    }
+    folding = std::move(result);
     return OK;
   }
   else
@@ -117,5 +117,9 @@ Error_code compute_sulcal_measures(const TriangleMesh& tmesh, Sulcal_measures& f
 }
 
 } // namespace CGAL::Spherical_parameterization
+
+#ifdef CGAL_SPHERICAL_PARAMETERIZATION_HEADER_ONLY
+#include <CGAL/Spherical_parameterization/Cortex/internal/sulcal_measures_impl.h>
+#endif
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_CORTEX_COMPUTE_SULCAL_MEASURES_H

@@ -15,25 +15,28 @@
 #include <CGAL/license/Spherical_parameterization.h>
 
 #include <CGAL/Spherical_parameterization/Error_code.h>
-#include <CGAL/Spherical_parameterization/internal/numbers/Rotation_matrix.h>
+#include <CGAL/Spherical_parameterization/internal/library.h>
 #include <CGAL/Spherical_parameterization/internal/numbers/Vector_3.h>
 #include <CGAL/Spherical_parameterization/internal/numbers/direction_of.h>
 #include <CGAL/Spherical_parameterization/internal/run/check_arguments.h>
 #include <CGAL/Spherical_parameterization/internal/surface/Surface.h>
-#include <CGAL/Spherical_parameterization/internal/surface/mesh_measures.h>
 #include <CGAL/Spherical_parameterization/internal/surface/read_mesh.h>
 
 #include <CGAL/Aff_transformation_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Named_function_parameters.h>
 
-#include <cstddef>
-#include <numeric>
-#include <optional>
-#include <utility>
 #include <vector>
 
 namespace CGAL::Spherical_parameterization {
+
+namespace internal {
+
+// The same for the directions of the images, in the order of the surface.
+Error_code fit_rotation_to_surface(const Surface& surface, const std::vector<Vector_3d>& images,
+                                   Aff_transformation_3<Exact_predicates_inexact_constructions_kernel>& rotation);
+
+} // namespace internal
 
 /// \ingroup PkgSphericalParameterizationSurfaces
 ///
@@ -74,40 +77,24 @@ Error_code fit_rotation_to_surface(const TriangleMesh& tmesh, VertexSphereMap ve
   if constexpr(internal::check_mesh_and_readable_map<TriangleMesh, VertexSphereMap>() &&
                internal::check_vertex_point_map<TriangleMesh, CGAL_NP_CLASS>())
   {
-    using internal::operator-;
-    using internal::operator*;
-    using internal::Vector_3d;
-
     internal::Mesh_arrays<TriangleMesh> mesh;
     internal::Surface surface;
     if(const Error_code error = internal::read_surface(tmesh, internal::vertex_point_map_of(tmesh, np), mesh, surface))
       return error;
-    const std::vector<Vector_3d> images = surface.in_own_order(internal::read_values(
+    const auto images = surface.in_own_order(internal::read_values(
         mesh.vertices_of_mesh, vertex_sphere_map, [](const auto& p) { return internal::direction_of(p); }));
     if(!internal::are_finite(images))
       return ERROR_INVALID_DIRECTION;
-    const std::vector<Vector_3d>& points = surface.points();
-    const std::vector<double> masses = internal::vertex_masses(surface.rings(), points);
-    const Vector_3d center = internal::center_of_mass(points, masses);
-    const double average = std::accumulate(masses.begin(), masses.end(), 0.) / static_cast<double>(masses.size());
-    std::vector<std::pair<Vector_3d, Vector_3d>> directions;
-    for(std::size_t v = 0; v < points.size(); ++v)
-    {
-      const Vector_3d offset = points[v] - center;
-      const double distance = internal::length(offset);
-      if(distance > 0.)
-        directions.emplace_back(images[v], (masses[v] / average / distance) * offset);
-    }
-    const std::optional<internal::Rotation_matrix> matrix = internal::fitting_rotation(directions);
-    if(!matrix)
-      return ERROR_UNDETERMINED_ROTATION;
-    rotation = internal::as_transformation(*matrix);
-    return OK;
+    return internal::fit_rotation_to_surface(surface, images, rotation);
   }
   else
     return ERROR_WRONG_PARAMETER;
 }
 
 } // namespace CGAL::Spherical_parameterization
+
+#ifdef CGAL_SPHERICAL_PARAMETERIZATION_HEADER_ONLY
+#include <CGAL/Spherical_parameterization/Cortex/internal/sulcal_measures_impl.h>
+#endif
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_CORTEX_FIT_ROTATION_TO_SURFACE_H

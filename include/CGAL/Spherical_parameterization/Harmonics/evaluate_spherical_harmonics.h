@@ -16,8 +16,9 @@
 
 #include <CGAL/Spherical_parameterization/Error_code.h>
 #include <CGAL/Spherical_parameterization/Harmonics/Spherical_harmonics_3.h>
-#include <CGAL/Spherical_parameterization/Harmonics/internal/evaluate_harmonics.h>
+#include <CGAL/Spherical_parameterization/internal/execution/Run_control.h>
 #include <CGAL/Spherical_parameterization/internal/execution/parallel.h>
+#include <CGAL/Spherical_parameterization/internal/library.h>
 #include <CGAL/Spherical_parameterization/internal/numbers/Vector_3.h>
 #include <CGAL/Spherical_parameterization/internal/numbers/direction_of.h>
 #include <CGAL/Spherical_parameterization/internal/run/Visitor_control.h>
@@ -25,10 +26,16 @@
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/tags.h>
 
-#include <utility>
 #include <vector>
 
 namespace CGAL::Spherical_parameterization {
+namespace internal {
+
+// The same at directions of length 1, or such that are not finite.
+Error_code evaluate_harmonics(const Spherical_harmonics_3& harmonics, const std::vector<Vector_3d>& directions,
+                              std::vector<double>& values, Run_control& control, const Execution& execution);
+
+} // namespace internal
 
 /// \ingroup PkgSphericalParameterizationHarmonics
 ///
@@ -72,18 +79,15 @@ Error_code evaluate_spherical_harmonics(const Spherical_harmonics_3& harmonics, 
   internal::Visitor_control<CGAL_NP_CLASS> control(np);
   std::vector<internal::Vector_3d> of_length_1;
   for(const auto& q : directions)
-  {
     of_length_1.push_back(internal::direction_of(q));
-    if(!internal::is_finite(of_length_1.back()))
-      return ERROR_INVALID_DIRECTION;
-  }
-  std::vector<double> result;
-  if(!internal::evaluate_harmonics(harmonics, of_length_1, result, internal::execution_of<ConcurrencyTag>(), control))
-    return ERROR_STOPPED;
-  values = std::move(result);
-  return OK;
+  return internal::evaluate_harmonics(harmonics, of_length_1, values, control,
+                                      internal::execution_of<ConcurrencyTag>());
 }
 
 } // namespace CGAL::Spherical_parameterization
+
+#ifdef CGAL_SPHERICAL_PARAMETERIZATION_HEADER_ONLY
+#include <CGAL/Spherical_parameterization/Harmonics/internal/harmonics_impl.h>
+#endif
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_HARMONICS_EVALUATE_SPHERICAL_HARMONICS_H

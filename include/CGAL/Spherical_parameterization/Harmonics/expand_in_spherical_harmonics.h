@@ -16,24 +16,25 @@
 
 #include <CGAL/Spherical_parameterization/Error_code.h>
 #include <CGAL/Spherical_parameterization/Harmonics/Spherical_harmonics_3.h>
-#include <CGAL/Spherical_parameterization/Harmonics/internal/Coefficient_layout.h>
-#include <CGAL/Spherical_parameterization/Harmonics/internal/Expansion_samples.h>
+#include <CGAL/Spherical_parameterization/internal/execution/Run_control.h>
 #include <CGAL/Spherical_parameterization/internal/execution/parallel.h>
+#include <CGAL/Spherical_parameterization/internal/library.h>
 #include <CGAL/Spherical_parameterization/internal/locate/Sphere_triangulation.h>
 #include <CGAL/Spherical_parameterization/internal/numbers/Vector_3.h>
 #include <CGAL/Spherical_parameterization/internal/run/Mesh_on_sphere.h>
 #include <CGAL/Spherical_parameterization/internal/run/Visitor_control.h>
 #include <CGAL/Spherical_parameterization/internal/run/check_arguments.h>
-#include <CGAL/Spherical_parameterization/internal/surface/Surface.h>
+#include <CGAL/Spherical_parameterization/internal/surface/Linked_triangle.h>
 #include <CGAL/Spherical_parameterization/internal/surface/read_mesh.h>
 
 #include <CGAL/Named_function_parameters.h>
+#include <CGAL/number_utils.h>
 #include <CGAL/tags.h>
 
-#include <boost/property_map/property_map.hpp>
-
-#include <algorithm>
+#include <array>
 #include <cstddef>
+#include <cstdint>
+#include <functional>
 #include <iterator>
 #include <type_traits>
 #include <utility>
@@ -83,60 +84,82 @@ private:
 
 namespace internal {
 
-// The numbers that a vertex has: one, or several.
+// A sample of functions of the vertices: a mean of three of them.
+struct Vertex_mean
+{
+  std::array<std::uint32_t, 3> vertices;
+  Vector_3d weights;
+};
+
+// A surface and its map to the sphere, rounded, as an expansion reads them.
+struct Expansion_surface
+{
+  std::vector<Vector_3d> points, images; // of the vertices
+  const std::vector<Linked_triangle>& triangles;
+  std::function<std::vector<Vertex_mean>(const std::vector<Vector_3d>& directions)> locate; // exact but for the weights
+};
+
+// Expands functions of which the vertices have `values`, those of a vertex one after the other.
+Error_code expand_functions(Expansion_surface surface, const std::vector<double>& values,
+                            const Harmonic_expansion_3& expansion, Spherical_harmonics_3& harmonics,
+                            Run_control& control, const Execution& execution);
+
+// Appends the numbers that a vertex has: one, or several.
 template <class Value>
-std::vector<double> numbers_of(const Value& value)
+void append_numbers(const Value& value, std::vector<double>& numbers)
 {
   if constexpr(std::is_arithmetic<Value>::value)
-    return {static_cast<double>(value)};
+    numbers.push_back(static_cast<double>(value));
   else
-    return {std::begin(value), std::end(value)};
+    numbers.insert(numbers.end(), std::begin(value), std::end(value));
 }
 
-// Expands what read(mesh) returns: vectors of three functions of the vertices, of which the last one may have less.
-template <class ConcurrencyTag, class TriangleMesh, class VertexSphereMap, class NamedParameters, class Read>
+// Expands functions of which append(v, mesh, values) appends the values at the vertex v; all have as many.
+template <class ConcurrencyTag, class TriangleMesh, class VertexSphereMap, class NamedParameters, class Append>
 Error_code expand_functions(const TriangleMesh& tmesh, const VertexSphereMap& vertex_sphere_map,
                             const Harmonic_expansion_3& expansion, Spherical_harmonics_3& harmonics,
-                            const NamedParameters& np, const Read& read)
+                            const NamedParameters& np, const Append& append)
 {
   using Mesh = Mesh_on_sphere<TriangleMesh, VertexSphereMap>;
+  using K = typename Mesh::Exact_kernel;
+  using FT = typename K::FT;
   if(expansion.degree() < 0 || static_cast<std::size_t>(expansion.degree()) > Spherical_harmonics_3::max_degree)
     return ERROR_WRONG_PARAMETER;
   Visitor_control<NamedParameters> control(np);
   const Execution execution = execution_of<ConcurrencyTag>();
   Mesh mesh;
-  if(const Error_code error =
-         mesh.read_with_points(tmesh, vertex_sphere_map, vertex_point_map_of(tmesh, np), execution))
+  if(const Error_code error = mesh.read_with_points(tmesh, vertex_sphere_map, np, execution))
     return error;
-  const auto degree = static_cast<std::size_t>(expansion.degree());
-  if(expansion.weights() == Harmonic_weights::vertices && (degree + 1) * (degree + 1) > mesh.points.size())
+  const std::size_t n_vertices = mesh.points.size(), size = static_cast<std::size_t>(expansion.degree()) + 1;
+  if(expansion.weights() == Harmonic_weights::vertices && size * size > n_vertices)
     return ERROR_TOO_HIGH_DEGREE;
+  std::vector<double> values;
   std::size_t n_functions = 0;
-  std::vector<std::vector<Vector_3d>> triples;
-  if(!read(mesh, triples, n_functions))
-    return ERROR_WRONG_PARAMETER;
-  for(const std::vector<Vector_3d>& triple : triples)
-    if(!are_finite(triple))
-      return ERROR_NON_FINITE_COORDINATE;
-  if(!control.go_further(0, 0.))
-    return ERROR_STOPPED;
-
-  Sphere_triangulation<typename Mesh::Exact_kernel> sphere;
+  for(std::size_t v = 0; v < n_vertices; ++v)
+  {
+    append(v, mesh, values);
+    if(v == 0)
+      n_functions = values.size();
+    if(n_functions == 0 || values.size() != (v + 1) * n_functions)
+      return ERROR_WRONG_PARAMETER;
+  }
+  Sphere_triangulation<K> sphere;
   sphere.assign(std::move(mesh.images), std::move(mesh.triangles));
   sphere.make_grid();
-  normalize(mesh.points);
-  Expansion expander(sphere, mesh.points, degree, expansion.weights(), execution);
-  Spherical_harmonics_3 result(n_functions, degree);
-  std::vector<double> coefficients;
-  for(std::size_t k = 0; k < triples.size(); ++k)
-  {
-    if(!expander.expand(triples[k], coefficients, control))
-      return ERROR_STOPPED;
-    write_coefficients(expander.transform(), coefficients, 3 * k, result);
-  }
-  result.fit = expander.fit();
-  harmonics = std::move(result);
-  return OK;
+  const auto locate = [&](const std::vector<Vector_3d>& directions) {
+    std::vector<typename K::Point_3> points;
+    points.reserve(directions.size());
+    for(const Vector_3d& q : directions)
+      points.emplace_back(FT(q[0]), FT(q[1]), FT(q[2]));
+    std::vector<Vertex_mean> result;
+    for(const auto& [triangle, w] : sphere.locate(points, execution))
+      result.push_back({sphere.triangles()[triangle].vertices,
+                        {CGAL::to_double(w[0]), CGAL::to_double(w[1]), CGAL::to_double(w[2])}});
+    return result;
+  };
+  return expand_functions(
+      {std::move(mesh.points), read_points(mesh.vertices_of_mesh, vertex_sphere_map), sphere.triangles(), locate},
+      values, expansion, harmonics, control, execution);
 }
 
 } // namespace internal
@@ -199,12 +222,9 @@ Error_code expand_in_spherical_harmonics(const TriangleMesh& tmesh, VertexSphere
                                          const Harmonic_expansion_3& expansion, Spherical_harmonics_3& harmonics,
                                          const CGAL_NP_CLASS& np = parameters::default_values())
 {
-  return internal::expand_functions<ConcurrencyTag>(tmesh, vertex_sphere_map, expansion, harmonics, np,
-                                                    [](const auto& mesh, auto& triples, std::size_t& n_functions) {
-                                                      triples.push_back(mesh.points);
-                                                      n_functions = 3;
-                                                      return true;
-                                                    });
+  return internal::expand_functions<ConcurrencyTag>(
+      tmesh, vertex_sphere_map, expansion, harmonics, np,
+      [](std::size_t v, const auto& mesh, auto& values) { internal::append_numbers(mesh.points[v], values); });
 }
 
 /// \ingroup PkgSphericalParameterizationHarmonics
@@ -236,26 +256,15 @@ Error_code expand_in_spherical_harmonics(const TriangleMesh& tmesh, VertexSphere
                                          const CGAL_NP_CLASS& np = parameters::default_values())
 {
   return internal::expand_functions<ConcurrencyTag>(
-      tmesh, vertex_sphere_map, expansion, harmonics, np,
-      [&](const auto& mesh, auto& triples, std::size_t& n_functions) {
-        for(std::size_t v = 0; v < mesh.vertices_of_mesh.size(); ++v)
-        {
-          const std::vector<double> numbers = internal::numbers_of(get(vertex_value_map, mesh.vertices_of_mesh[v]));
-          if(v == 0)
-          {
-            n_functions = numbers.size();
-            triples.assign((n_functions + 2) / 3,
-                           std::vector<internal::Vector_3d>(mesh.vertices_of_mesh.size(), {0., 0., 0.}));
-          }
-          if(numbers.empty() || numbers.size() != n_functions)
-            return false;
-          for(std::size_t k = 0; k < n_functions; ++k)
-            triples[k / 3][v][k % 3] = numbers[k];
-        }
-        return true;
+      tmesh, vertex_sphere_map, expansion, harmonics, np, [&](std::size_t v, const auto& mesh, auto& values) {
+        internal::append_numbers(get(vertex_value_map, mesh.vertices_of_mesh[v]), values);
       });
 }
 
 } // namespace CGAL::Spherical_parameterization
+
+#ifdef CGAL_SPHERICAL_PARAMETERIZATION_HEADER_ONLY
+#include <CGAL/Spherical_parameterization/Harmonics/internal/harmonics_impl.h>
+#endif
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_HARMONICS_EXPAND_IN_SPHERICAL_HARMONICS_H

@@ -16,11 +16,9 @@
 
 #include <CGAL/Spherical_parameterization/Error_code.h>
 #include <CGAL/Spherical_parameterization/Harmonics/Spherical_harmonics_3.h>
-#include <CGAL/Spherical_parameterization/Harmonics/internal/First_degree_ellipsoid.h>
-#include <CGAL/Spherical_parameterization/Harmonics/internal/rotate_harmonics.h>
+#include <CGAL/Spherical_parameterization/internal/execution/Run_control.h>
 #include <CGAL/Spherical_parameterization/internal/execution/parallel.h>
-#include <CGAL/Spherical_parameterization/internal/numbers/Rotation_matrix.h>
-#include <CGAL/Spherical_parameterization/internal/numbers/Vector_3.h>
+#include <CGAL/Spherical_parameterization/internal/library.h>
 #include <CGAL/Spherical_parameterization/internal/run/Visitor_control.h>
 
 #include <CGAL/Aff_transformation_3.h>
@@ -29,9 +27,6 @@
 #include <CGAL/tags.h>
 
 #include <array>
-#include <cmath>
-#include <cstddef>
-#include <utility>
 
 namespace CGAL::Spherical_parameterization {
 
@@ -55,6 +50,13 @@ struct Standard_position
   /// Whether the skewness along the first two axes is above a hundredth: otherwise noise turns the surface by half a turn
   bool signs_are_determined = false;
 };
+
+namespace internal {
+
+Error_code move_harmonics(Spherical_harmonics_3& harmonics, Standard_position& position, Run_control& control,
+                          const Execution& execution);
+
+} // namespace internal
 
 /// \ingroup PkgSphericalParameterizationHarmonics
 ///
@@ -97,40 +99,14 @@ template <class ConcurrencyTag = Parallel_if_available_tag, typename CGAL_NP_TEM
 Error_code move_to_standard_position(Spherical_harmonics_3& harmonics, Standard_position& position,
                                      const CGAL_NP_CLASS& np = parameters::default_values())
 {
-  constexpr double same =
-      0.01; // of lengths and skewness: some five times what another map of the same surface makes of them
-  constexpr double nothing = 1e-10; // of lengths
-  if(harmonics.number_of_functions() != 3 || harmonics.degree() == 0)
-    return ERROR_WRONG_PARAMETER;
   internal::Visitor_control<CGAL_NP_CLASS> control(np);
-  const internal::Execution execution = internal::execution_of<ConcurrencyTag>();
-  Spherical_harmonics_3 moved = internal::in_normalization_of_transform(harmonics);
-  for(std::size_t l = 0; l <= moved.degree(); ++l)
-    for(std::ptrdiff_t m = -static_cast<std::ptrdiff_t>(l); m <= static_cast<std::ptrdiff_t>(l); ++m)
-      for(std::size_t i = 0; i < 3; ++i)
-        if(!internal::is_finite(moved.coefficient(i, l, m)))
-          return ERROR_NON_FINITE_COORDINATE;
-  internal::First_degree_ellipsoid ellipsoid(moved);
-  if(!(ellipsoid.lengths[1] > nothing * ellipsoid.lengths[0]))
-    return ERROR_UNDETERMINED_ROTATION;
-  Standard_position result;
-  result.center = ellipsoid.center;
-  result.skewness = ellipsoid.orient(moved, execution);
-  result.semi_axes = ellipsoid.lengths;
-  result.rotation_of_surface = internal::as_transformation(ellipsoid.axes_of_surface);
-  result.rotation_of_sphere = internal::as_transformation(ellipsoid.axes_of_sphere);
-  result.axes_are_determined = result.semi_axes[1] < (1. - same) * result.semi_axes[0] &&
-                               std::abs(result.semi_axes[2]) < (1. - same) * result.semi_axes[1];
-  result.signs_are_determined = result.skewness[0] > same && result.skewness[1] > same;
-  ellipsoid.move_surface(moved);
-  if(!internal::rotate_harmonics(moved, ellipsoid.axes_of_sphere, execution, control))
-    return ERROR_STOPPED;
-  moved.convert(harmonics.normalization(), harmonics.has_phase());
-  harmonics = std::move(moved);
-  position = result;
-  return OK;
+  return internal::move_harmonics(harmonics, position, control, internal::execution_of<ConcurrencyTag>());
 }
 
 } // namespace CGAL::Spherical_parameterization
+
+#ifdef CGAL_SPHERICAL_PARAMETERIZATION_HEADER_ONLY
+#include <CGAL/Spherical_parameterization/Harmonics/internal/harmonics_impl.h>
+#endif
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_HARMONICS_MOVE_TO_STANDARD_POSITION_H

@@ -16,9 +16,9 @@
 
 #include <CGAL/Spherical_parameterization/Error_code.h>
 #include <CGAL/Spherical_parameterization/Harmonics/Spherical_harmonics_3.h>
-#include <CGAL/Spherical_parameterization/Harmonics/internal/rotate_harmonics.h>
+#include <CGAL/Spherical_parameterization/internal/execution/Run_control.h>
 #include <CGAL/Spherical_parameterization/internal/execution/parallel.h>
-#include <CGAL/Spherical_parameterization/internal/numbers/Rotation_matrix.h>
+#include <CGAL/Spherical_parameterization/internal/library.h>
 #include <CGAL/Spherical_parameterization/internal/run/Visitor_control.h>
 
 #include <CGAL/Aff_transformation_3.h>
@@ -26,11 +26,14 @@
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/tags.h>
 
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
-
 namespace CGAL::Spherical_parameterization {
+namespace internal {
+
+Error_code rotate_harmonics(Spherical_harmonics_3& harmonics,
+                            const Aff_transformation_3<Exact_predicates_inexact_constructions_kernel>& rotation,
+                            Run_control& control, const Execution& execution);
+
+} // namespace internal
 
 /// \ingroup PkgSphericalParameterizationHarmonics
 ///
@@ -72,23 +75,14 @@ Error_code rotate_spherical_harmonics(
     const Aff_transformation_3<Exact_predicates_inexact_constructions_kernel>& rotation,
     const CGAL_NP_CLASS& np = parameters::default_values())
 {
-  constexpr double max_deviation = 1e-6; // of a matrix that was written to a file with seven digits
-  internal::Rotation_matrix matrix;
-  for(std::size_t i = 0; i < 3; ++i)
-    for(std::size_t j = 0; j < 3; ++j)
-      matrix[i][j] = rotation.m(static_cast<int>(i), static_cast<int>(j));
-  double deviation = std::abs(internal::dot(matrix[0], internal::cross(matrix[1], matrix[2])) - 1.);
-  for(std::size_t i = 0; i < 3; ++i)
-    for(std::size_t j = 0; j < 3; ++j)
-      deviation = (std::max)(deviation, std::abs(internal::dot(matrix[i], matrix[j]) - (i == j ? 1. : 0.)));
-  if(!(deviation <= max_deviation))
-    return ERROR_WRONG_PARAMETER;
   internal::Visitor_control<CGAL_NP_CLASS> control(np);
-  return internal::rotate_harmonics(harmonics, matrix, internal::execution_of<ConcurrencyTag>(), control)
-             ? OK
-             : ERROR_STOPPED;
+  return internal::rotate_harmonics(harmonics, rotation, control, internal::execution_of<ConcurrencyTag>());
 }
 
 } // namespace CGAL::Spherical_parameterization
+
+#ifdef CGAL_SPHERICAL_PARAMETERIZATION_HEADER_ONLY
+#include <CGAL/Spherical_parameterization/Harmonics/internal/harmonics_impl.h>
+#endif
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_HARMONICS_ROTATE_SPHERICAL_HARMONICS_H

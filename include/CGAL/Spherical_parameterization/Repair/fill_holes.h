@@ -16,6 +16,7 @@
 
 #include <CGAL/Spherical_parameterization/Error_code.h>
 #include <CGAL/Spherical_parameterization/internal/numbers/Vector_3.h>
+#include <CGAL/Spherical_parameterization/internal/numbers/direction_of.h>
 #include <CGAL/Spherical_parameterization/internal/surface/read_mesh.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -25,7 +26,6 @@
 #include <CGAL/boost/graph/Euler_operations.h>
 #include <CGAL/boost/graph/iterator.h>
 #include <CGAL/boost/graph/properties.h>
-#include <CGAL/number_utils.h>
 #include <CGAL/utility.h>
 
 #include <boost/graph/graph_traits.hpp>
@@ -115,11 +115,7 @@ private:
   using Point = typename boost::property_traits<VertexPointMap>::value_type;
   using Exact_point = Exact_predicates_inexact_constructions_kernel::Point_3;
 
-  Vector_3d point(vertex_descriptor v) const
-  {
-    const auto& p = get(m_points, v);
-    return {CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z())};
-  }
+  Vector_3d point(vertex_descriptor v) const { return rounded(get(m_points, v)); }
 
   // the same in a unit for which squares are in the range of doubles
   Vector_3d scaled_point(vertex_descriptor v) const

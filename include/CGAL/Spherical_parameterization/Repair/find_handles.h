@@ -15,7 +15,9 @@
 #include <CGAL/license/Spherical_parameterization.h>
 
 #include <CGAL/Spherical_parameterization/Error_code.h>
-#include <CGAL/Spherical_parameterization/Repair/internal/Handle_finder.h>
+#include <CGAL/Spherical_parameterization/internal/library.h>
+#include <CGAL/Spherical_parameterization/internal/numbers/Vector_3.h>
+#include <CGAL/Spherical_parameterization/internal/surface/Linked_triangle.h>
 #include <CGAL/Spherical_parameterization/internal/surface/Surface.h>
 #include <CGAL/Spherical_parameterization/internal/surface/read_mesh.h>
 
@@ -23,11 +25,9 @@
 
 #include <boost/graph/graph_traits.hpp>
 
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
-#include <utility>
 #include <vector>
 
 namespace CGAL::Spherical_parameterization {
@@ -45,6 +45,20 @@ struct Handle
   std::vector<typename boost::graph_traits<TriangleMesh>::vertex_descriptor> path;
   double length = 0.; ///< of the path, in the unit of the mesh
 };
+
+namespace internal {
+
+struct Handle_path
+{
+  std::vector<std::uint32_t> vertices; // each is joined to the next one, and the last to the first
+  double length = 0.;
+};
+
+// Finds paths around the handles of a closed connected surface, at most so many.
+std::vector<Handle_path> find_handle_paths(const Index_triangles& triangles, std::vector<Vector_3d> points,
+                                           std::size_t max_handles);
+
+} // namespace internal
 
 /// \ingroup PkgSphericalParameterizationMeasuring
 ///
@@ -90,21 +104,21 @@ Error_code find_handles(const TriangleMesh& tmesh, std::vector<Handle<TriangleMe
   const Error_code error = internal::read_surface(tmesh, vpm, arrays, surface);
   if(error != ERROR_NO_TOPOLOGICAL_SPHERE)
     return error;
-  std::vector<internal::Vector_3d> points = internal::read_points(arrays.vertices_of_mesh, vpm);
-  const int exponent = internal::normalize(points);
-  const auto linked = internal::link_triangles(arrays.triangles, points.size());
-  internal::Handle_finder finder(linked, std::move(points));
-  while(handles.size() < max_handles && finder.genus() > 0)
+  for(const internal::Handle_path& path :
+      internal::find_handle_paths(arrays.triangles, internal::read_points(arrays.vertices_of_mesh, vpm), max_handles))
   {
-    const internal::Handle_finder::Path path = finder.find();
     handles.emplace_back();
     for(const std::uint32_t v : path.vertices)
       handles.back().path.push_back(arrays.vertices_of_mesh[v]);
-    handles.back().length = std::ldexp(path.length, exponent);
+    handles.back().length = path.length;
   }
   return OK;
 }
 
 } // namespace CGAL::Spherical_parameterization
+
+#ifdef CGAL_SPHERICAL_PARAMETERIZATION_HEADER_ONLY
+#include <CGAL/Spherical_parameterization/Repair/internal/find_handles_impl.h>
+#endif
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_REPAIR_FIND_HANDLES_H

@@ -15,8 +15,8 @@
 #include <CGAL/license/Spherical_parameterization.h>
 
 #include <CGAL/Spherical_parameterization/Error_code.h>
+#include <CGAL/Spherical_parameterization/Sampling/Sphere_domain_3.h>
 #include <CGAL/Spherical_parameterization/Sampling/internal/Geometry_image.h>
-#include <CGAL/Spherical_parameterization/Sampling/internal/Subdivided_solid.h>
 
 #include <png.h>
 
@@ -90,7 +90,7 @@ public:
   Error_code read(Geometry_image& image)
   {
     const auto read_header = [&] {
-      constexpr png_uint_32 max_width = 2 * max_subdivision + 1;
+      constexpr png_uint_32 max_width = 2 * Sphere_domain_3::max_subdivision + 1;
       png_set_read_fn(m_png, this, get);
       png_set_user_limits(m_png, max_width, 6 * max_width);
       png_set_chunk_malloc_max(m_png, 100000); // bytes: the texts are short

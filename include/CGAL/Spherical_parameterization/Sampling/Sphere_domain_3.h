@@ -15,15 +15,16 @@
 #include <CGAL/license/Spherical_parameterization.h>
 
 #include <CGAL/Spherical_parameterization/Error_code.h>
-#include <CGAL/Spherical_parameterization/Sampling/internal/Subdivided_solid.h>
 #include <CGAL/Spherical_parameterization/internal/execution/parallel.h>
+#include <CGAL/Spherical_parameterization/internal/library.h>
 #include <CGAL/Spherical_parameterization/internal/run/Mesh_on_sphere.h>
+#include <CGAL/Spherical_parameterization/internal/surface/read_mesh.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/number_utils.h>
 #include <CGAL/tags.h>
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <utility>
 #include <vector>
@@ -56,22 +57,22 @@ public:
   using Triangle = std::array<std::uint32_t, 3>;
 
   /// The largest number that edges can be divided into: 5000
-  static constexpr std::uint32_t max_subdivision = internal::max_subdivision;
+  static constexpr std::uint32_t max_subdivision = 5000; // of which an icosahedron has 250 million vertices
 
   /// makes an empty domain.
   Sphere_domain_3() = default;
 
   /// returns an octahedron whose edges are divided into `n`: \f$ 4 n^2 + 2 \f$ directions of length 1. The vertices of
   /// the octahedron are on the axes.
-  static Sphere_domain_3 octahedron(std::uint32_t n) { return make(n, internal::subdivided_octahedron); }
+  static Sphere_domain_3 octahedron(std::uint32_t n) { return regular(8, n); }
 
   /// returns a cube whose edges are divided into `n`: \f$ 6 n^2 + 2 \f$ directions of length 1. The faces of the cube are
   /// orthogonal to the axes, and each of their squares consists of two triangles.
-  static Sphere_domain_3 cube(std::uint32_t n) { return make(n, internal::subdivided_cube); }
+  static Sphere_domain_3 cube(std::uint32_t n) { return regular(6, n); }
 
   /// returns an icosahedron whose edges are divided into `n`: \f$ 10 n^2 + 2 \f$ directions of length 1. Two vertices of
   /// the icosahedron are on the z-axis, and one is in the plane of the x-axis and the z-axis.
-  static Sphere_domain_3 icosahedron(std::uint32_t n) { return make(n, internal::subdivided_icosahedron); }
+  static Sphere_domain_3 icosahedron(std::uint32_t n) { return regular(20, n); }
 
   /// returns whether there is nothing to sample by.
   bool is_empty() const { return m_triangles.empty(); }
@@ -86,19 +87,7 @@ private:
   template <class ConcurrencyTag, class TriangleMesh, class VertexSphereMap>
   friend Error_code make_sphere_domain(const TriangleMesh&, VertexSphereMap, Sphere_domain_3&);
 
-  template <class Solid>
-  static Sphere_domain_3 make(std::uint32_t n, Solid (*subdivide)(std::uint32_t))
-  {
-    Sphere_domain_3 result;
-    if(n == 0 || n > max_subdivision)
-      return result;
-    Solid solid = subdivide(n);
-    result.m_triangles = std::move(solid.triangles);
-    result.m_directions.reserve(solid.directions.size());
-    for(const internal::Vector_3d& p : solid.directions)
-      result.m_directions.emplace_back(p[0], p[1], p[2]);
-    return result;
-  }
+  static Sphere_domain_3 regular(std::size_t n_faces, std::uint32_t n);
 
   std::vector<Point_3> m_directions;
   std::vector<Triangle> m_triangles;
@@ -129,8 +118,8 @@ Error_code make_sphere_domain(const TriangleMesh& tmesh, VertexSphereMap vertex_
     return error;
   Sphere_domain_3 result;
   result.m_directions.reserve(mesh.images.size());
-  for(const auto& p : mesh.images)
-    result.m_directions.emplace_back(CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z()));
+  for(const internal::Vector_3d& p : internal::read_points(mesh.vertices_of_mesh, vertex_sphere_map))
+    result.m_directions.emplace_back(p[0], p[1], p[2]);
   result.m_triangles.reserve(mesh.triangles.size());
   for(const internal::Linked_triangle& t : mesh.triangles)
     result.m_triangles.push_back(t.vertices);
@@ -139,5 +128,9 @@ Error_code make_sphere_domain(const TriangleMesh& tmesh, VertexSphereMap vertex_
 }
 
 } // namespace CGAL::Spherical_parameterization
+
+#ifdef CGAL_SPHERICAL_PARAMETERIZATION_HEADER_ONLY
+#include <CGAL/Spherical_parameterization/Sampling/internal/sampling_impl.h>
+#endif
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_SAMPLING_SPHERE_DOMAIN_3_H

@@ -15,38 +15,22 @@
 #include <CGAL/license/Spherical_parameterization.h>
 
 #include <CGAL/Spherical_parameterization/Error_code.h>
-#include <CGAL/Spherical_parameterization/Sampling/internal/Resampling_weights.h>
-#include <CGAL/Spherical_parameterization/internal/certificate/Bijectivity_certificate.h>
+#include <CGAL/Spherical_parameterization/Sampling/internal/Interpolation_weights.h>
 #include <CGAL/Spherical_parameterization/internal/execution/parallel.h>
-#include <CGAL/Spherical_parameterization/internal/locate/Sphere_triangulation.h>
-#include <CGAL/Spherical_parameterization/internal/locate/locations_of_vertices.h>
+#include <CGAL/Spherical_parameterization/internal/library.h>
 #include <CGAL/Spherical_parameterization/internal/numbers/Vector_3.h>
 #include <CGAL/Spherical_parameterization/internal/surface/Linked_triangle.h>
 #include <CGAL/Spherical_parameterization/internal/surface/mesh_measures.h>
 
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/tags.h>
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <utility>
 #include <vector>
 
 namespace CGAL::Spherical_parameterization {
-namespace internal {
-
-// a point at another distance from the origin, unless it is the origin
-inline Vector_3d at_distance(double distance, const Vector_3d& p)
-{
-  const double size = length(p);
-  return size > 0. ? (distance / size) * p : p;
-}
-
-} // namespace internal
-
 /// \ingroup PkgSphericalParameterizationEnums
 ///
 /// What a vertex gets from those of another sphere by `Sphere_resampler_3`.
@@ -57,6 +41,27 @@ enum class Resampling_method
   nearest,     ///< what the vertex has that is interpolated with the largest weight
   largest      ///< what the vertex has whose weight by `adaptive` is largest
 };
+
+namespace internal {
+
+struct Resampling_settings
+{
+  Resampling_method method = Resampling_method::barycentric;
+  std::vector<double> source_areas, target_areas;
+  std::vector<bool> mask;
+};
+
+// Checks that points and triangles are a closed surface around the origin, one-to-one.
+Error_code check_sphere(const std::vector<Vector_3d>& points, const Index_triangles& triangles,
+                        const Execution& execution);
+
+// Finds the weights of the vertices of the source for those of the target.
+Error_code connect_spheres(const Resampling_settings& settings, const std::vector<Vector_3d>& source,
+                           const Index_triangles& source_triangles, const std::vector<Vector_3d>& target,
+                           const Index_triangles& target_triangles, Interpolation_weights& weights,
+                           const Execution& execution);
+
+} // namespace internal
 
 /// \ingroup PkgSphericalParameterizationSampling
 ///
@@ -93,7 +98,7 @@ public:
   /// sets the method, `Resampling_method::barycentric` by default, and returns the resampler.
   Sphere_resampler_3& method(Resampling_method method)
   {
-    m_method = method;
+    m_settings.method = method;
     return *this;
   }
 
@@ -104,15 +109,15 @@ public:
   /// \sa `vertex_areas()`
   Sphere_resampler_3& areas(std::vector<double> of_source, std::vector<double> of_target)
   {
-    m_source_areas = std::move(of_source);
-    m_target_areas = std::move(of_target);
+    m_settings.source_areas = std::move(of_source);
+    m_settings.target_areas = std::move(of_target);
     return *this;
   }
 
   /// sets which vertices of the source count, and returns the resampler; all if the mask is empty.
   Sphere_resampler_3& mask(std::vector<bool> mask)
   {
-    m_mask = std::move(mask);
+    m_settings.mask = std::move(mask);
     return *this;
   }
 
@@ -132,34 +137,10 @@ public:
     m_weights = internal::Interpolation_weights();
     m_target_triangles.clear();
     m_n_source = source.size();
-    const bool is_adaptive = m_method == Resampling_method::adaptive || m_method == Resampling_method::largest;
-    if((!m_mask.empty() && m_mask.size() != source.size()) ||
-       (is_adaptive && !(are_areas(m_source_areas, source.size()) && are_areas(m_target_areas, target.size()))))
-      return ERROR_WRONG_PARAMETER;
-    const internal::Execution execution = internal::execution_of<ConcurrencyTag>();
-    Triangulation from, to;
-    if(const Error_code error = read(source, source_triangles, from, execution))
+    if(const Error_code error =
+           internal::connect_spheres(m_settings, source, source_triangles, target, target_triangles, m_weights,
+                                     internal::execution_of<ConcurrencyTag>()))
       return error;
-    if(const Error_code error = read(target, target_triangles, to, execution))
-      return error;
-
-    internal::Interpolation_weights interpolated, handed_out;
-    const auto weights = [](const Triangulation& of, const Triangulation& in) {
-      return internal::barycentric_weights(in.triangles(), internal::locations_of_vertices(of, in));
-    };
-    internal::run_both(
-        execution,
-        [&] {
-          if(is_adaptive)
-            handed_out = weights(from, to);
-        },
-        [&] { interpolated = weights(to, from); });
-    if(is_adaptive)
-      interpolated = internal::adaptive_weights(interpolated, handed_out, internal::relative_areas(m_source_areas),
-                                                internal::relative_areas(m_target_areas));
-    const bool is_only_largest = m_method == Resampling_method::nearest || m_method == Resampling_method::largest;
-    m_weights = is_only_largest || !m_mask.empty() ? internal::selected(interpolated, m_mask, is_only_largest)
-                                                   : std::move(interpolated);
     m_target_triangles = target_triangles;
     return OK;
   }
@@ -195,6 +176,7 @@ public:
   ///         exclude where the triangles of the target are large: it is written nevertheless
   Error_code resample_sphere(const Points& sphere, Points& result) const
   {
+    using internal::operator*;
     Points resampled;
     std::vector<double> lengths, radii;
     for(const internal::Vector_3d& p : sphere)
@@ -204,10 +186,10 @@ public:
     if(const Error_code error = resample(lengths, radii))
       return error;
     for(std::size_t v = 0; v < resampled.size(); ++v)
-      resampled[v] = internal::at_distance(radii[v], resampled[v]);
+      if(const double length = internal::length(resampled[v]); length > 0.)
+        resampled[v] = (radii[v] / length) * resampled[v];
     result = std::move(resampled);
-    Triangulation ignored;
-    return read(result, m_target_triangles, ignored, internal::execution_of<ConcurrencyTag>());
+    return internal::check_sphere(result, m_target_triangles, internal::execution_of<ConcurrencyTag>());
   }
 
   /// returns whether each vertex of the target gets something: whether a source that the mask does not leave out has a weight.
@@ -229,52 +211,16 @@ public:
   }
 
 private:
-  using Exact_kernel = Exact_predicates_inexact_constructions_kernel;
-  using Triangulation = internal::Sphere_triangulation<Exact_kernel>;
-
-  static bool are_areas(const std::vector<double>& areas, std::size_t n)
-  {
-    return areas.size() == n &&
-           std::all_of(areas.begin(), areas.end(), [](double x) { return x >= 0. && internal::is_finite(x); });
-  }
-
-  static Error_code read(const Points& points, const Triangles& triangles, Triangulation& result,
-                         const internal::Execution& execution)
-  {
-    constexpr std::size_t max = (std::numeric_limits<std::uint32_t>::max)() / 6;
-    if(triangles.empty())
-      return ERROR_EMPTY_MESH;
-    if(points.size() >= max || triangles.size() >= max)
-      return ERROR_TOO_LARGE_MESH;
-    for(const auto& t : triangles)
-      for(const std::uint32_t v : t)
-      {
-        if(v >= points.size())
-          return ERROR_WRONG_PARAMETER;
-        if(!internal::is_finite(points[v]))
-          return ERROR_NON_FINITE_COORDINATE;
-      }
-    std::vector<internal::Linked_triangle> linked = internal::link_triangles(triangles, points.size());
-    if(linked.empty())
-      return ERROR_NON_CLOSED_MESH;
-    std::vector<typename Exact_kernel::Point_3> images;
-    images.reserve(points.size());
-    for(const auto& p : points)
-      images.emplace_back(p[0], p[1], p[2]);
-    if(!internal::certify_bijectivity<Exact_kernel>(images, linked, execution).is_bijective())
-      return ERROR_NO_1_TO_1_MAPPING;
-    result.assign(std::move(images), std::move(linked));
-    return OK;
-  }
-
-  Resampling_method m_method = Resampling_method::barycentric;
-  std::vector<double> m_source_areas, m_target_areas;
-  std::vector<bool> m_mask;
+  internal::Resampling_settings m_settings;
   std::size_t m_n_source = 0;
   Triangles m_target_triangles;
   internal::Interpolation_weights m_weights;
 };
 
 } // namespace CGAL::Spherical_parameterization
+
+#ifdef CGAL_SPHERICAL_PARAMETERIZATION_HEADER_ONLY
+#include <CGAL/Spherical_parameterization/Sampling/internal/sampling_impl.h>
+#endif
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_SAMPLING_SPHERE_RESAMPLER_3_H

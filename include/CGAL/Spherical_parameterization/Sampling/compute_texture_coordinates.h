@@ -112,11 +112,11 @@ Error_code compute_texture_coordinates(
   if(!frame.is_valid())
     return ERROR_INVALID_DIRECTION;
   Mesh_arrays mesh;
-  const auto point_map = internal::vertex_point_map_of(tmesh, np);
   if(const Error_code error =
-         mesh.read_with_points(tmesh, vertex_sphere_map, point_map, internal::execution_of<ConcurrencyTag>()))
+         mesh.read_with_points(tmesh, vertex_sphere_map, np, internal::execution_of<ConcurrencyTag>()))
     return error;
 
+  const auto point_map = internal::vertex_point_map_of(tmesh, np);
   const auto new_point_map = internal::vertex_point_map_of(textured_mesh, np_textured);
   using Point_3 = typename boost::property_traits<std::decay_t<decltype(point_map)>>::value_type;
   using New_point_3 = typename boost::property_traits<std::decay_t<decltype(new_point_map)>>::value_type;

@@ -15,21 +15,23 @@
 #include <CGAL/license/Spherical_parameterization.h>
 
 #include <CGAL/Spherical_parameterization/Error_code.h>
-#include <CGAL/Spherical_parameterization/Sampling/internal/Triangle_set.h>
+#include <CGAL/Spherical_parameterization/internal/execution/Run_control.h>
 #include <CGAL/Spherical_parameterization/internal/execution/parallel.h>
+#include <CGAL/Spherical_parameterization/internal/library.h>
 #include <CGAL/Spherical_parameterization/internal/numbers/Vector_3.h>
 #include <CGAL/Spherical_parameterization/internal/run/Visitor_control.h>
-#include <CGAL/Spherical_parameterization/internal/surface/Surface.h>
 #include <CGAL/Spherical_parameterization/internal/surface/read_mesh.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/tags.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
-#include <numeric>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Spherical_parameterization {
@@ -58,6 +60,31 @@ struct Surface_distance
     return larger > 0. ? 20. * std::log10(diagonal / larger) : std::numeric_limits<double>::infinity();
   }
 };
+
+namespace internal {
+
+// Appends the corners of the faces of a mesh, which may have a border.
+template <class TriangleMesh, class VertexPointMap>
+Error_code append_corners(const TriangleMesh& tmesh, const VertexPointMap& vpm, std::vector<Vector_3d>& corners)
+{
+  Mesh_arrays<TriangleMesh> mesh;
+  if(const Error_code error = mesh.read(tmesh, true))
+    return error;
+  const std::vector<Vector_3d> points = read_points(mesh.vertices_of_mesh, vpm);
+  if(!are_finite(points))
+    return ERROR_NON_FINITE_COORDINATE;
+  for(const auto& triangle : mesh.triangles)
+    for(const std::uint32_t v : triangle)
+      corners.push_back(points[v]);
+  return OK;
+}
+
+// The distance between the triangles with the first `n_first` corners and the others, by as many samples of each.
+Error_code measure_distance(std::vector<Vector_3d> corners, std::size_t n_first,
+                            const std::array<std::size_t, 2>& n_samples, Surface_distance& distance,
+                            Run_control& control, const Execution& execution);
+
+} // namespace internal
 
 /// \ingroup PkgSphericalParameterizationMeasuring
 ///
@@ -116,36 +143,20 @@ Error_code measure_distance(const TriangleMesh1& tmesh1, const TriangleMesh2& tm
     return ERROR_WRONG_PARAMETER;
   internal::Visitor_control<CGAL_NP_CLASS_1> control(np1);
   std::vector<internal::Vector_3d> corners;
-  if(const Error_code error = internal::Triangle_set::read(tmesh1, internal::vertex_point_map_of(tmesh1, np1), corners))
+  if(const Error_code error = internal::append_corners(tmesh1, internal::vertex_point_map_of(tmesh1, np1), corners))
     return error;
   const std::size_t n_first = corners.size();
-  if(const Error_code error = internal::Triangle_set::read(tmesh2, internal::vertex_point_map_of(tmesh2, np2), corners))
+  if(const Error_code error = internal::append_corners(tmesh2, internal::vertex_point_map_of(tmesh2, np2), corners))
     return error;
-  const int exponent = internal::normalize(corners);
-  const internal::Triangle_set first(corners.data(), n_first),
-      second(corners.data() + n_first, corners.size() - n_first);
-
-  const auto one_way = [&](const internal::Triangle_set& from, const internal::Triangle_set& to, std::size_t n) {
-    constexpr std::size_t block_size = 256; // of parallel work: enough that handing it out costs nothing
-    std::vector<double> squares(n);
-    internal::for_each_block_until_stopped(control, internal::execution_of<ConcurrencyTag>(), n, block_size,
-                                           [&](std::size_t begin, std::size_t end) {
-                                             for(std::size_t k = begin; k < end; ++k)
-                                               squares[k] = to.squared_distance_to(from.place(k, n));
-                                           });
-    const double mean = std::accumulate(squares.begin(), squares.end(), 0.) / static_cast<double>(n),
-                 max = *std::max_element(squares.begin(), squares.end());
-    return Surface_distance::One_way{std::scalbn(std::sqrt(mean), exponent), std::scalbn(std::sqrt(max), exponent)};
-  };
-  const Surface_distance result = {one_way(first, second, static_cast<std::size_t>(n1)),
-                                   one_way(second, first, static_cast<std::size_t>(n2)),
-                                   std::scalbn(first.diagonal(), exponent)};
-  if(control.is_stopped())
-    return ERROR_STOPPED;
-  distance = result;
-  return OK;
+  return internal::measure_distance(std::move(corners), n_first,
+                                    {static_cast<std::size_t>(n1), static_cast<std::size_t>(n2)}, distance, control,
+                                    internal::execution_of<ConcurrencyTag>());
 }
 
 } // namespace CGAL::Spherical_parameterization
+
+#ifdef CGAL_SPHERICAL_PARAMETERIZATION_HEADER_ONLY
+#include <CGAL/Spherical_parameterization/Sampling/internal/sampling_impl.h>
+#endif
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_SAMPLING_MEASURE_DISTANCE_H

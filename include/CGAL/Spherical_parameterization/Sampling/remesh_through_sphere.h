@@ -134,8 +134,7 @@ Error_code remesh_through_sphere(const TriangleMesh& tmesh, VertexSphereMap vert
   internal::Visitor_control<CGAL_NP_CLASS_1> control(np);
   const internal::Execution execution = internal::execution_of<ConcurrencyTag>();
   Mesh_arrays mesh;
-  if(const Error_code error =
-         mesh.read_with_points(tmesh, vertex_sphere_map, internal::vertex_point_map_of(tmesh, np), execution))
+  if(const Error_code error = mesh.read_with_points(tmesh, vertex_sphere_map, np, execution))
     return error;
   if(!control.go_further(0, 0.))
     return ERROR_STOPPED;

@@ -20,7 +20,6 @@
 #include <CGAL/Spherical_parameterization/internal/locate/Sphere_triangulation.h>
 #include <CGAL/Spherical_parameterization/internal/run/Mesh_on_sphere.h>
 #include <CGAL/Spherical_parameterization/internal/run/Visitor_control.h>
-#include <CGAL/Spherical_parameterization/internal/surface/read_mesh.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/Surface_mesh/Surface_mesh_fwd.h>
@@ -49,8 +48,7 @@ Error_code carry_properties(const SourceMesh& source, const SourceSphereMap& sou
   Visitor_control<NamedParameters> control(np_source);
   const Execution execution = execution_of<ConcurrencyTag>();
   Source source_arrays;
-  if(const Error_code error =
-         source_arrays.read_with_points(source, source_sphere, vertex_point_map_of(source, np_source), execution))
+  if(const Error_code error = source_arrays.read_with_points(source, source_sphere, np_source, execution))
     return error;
   Target target_arrays;
   if(const Error_code error = target_arrays.read(target, target_sphere, false, execution))

@@ -15,18 +15,16 @@
 #include <CGAL/license/Spherical_parameterization.h>
 
 #include <CGAL/Spherical_parameterization/Harmonics/Spherical_harmonics_3.h>
+#include <CGAL/Spherical_parameterization/Harmonics/expand_in_spherical_harmonics.h>
 #include <CGAL/Spherical_parameterization/Harmonics/internal/Least_squares.h>
 #include <CGAL/Spherical_parameterization/Harmonics/internal/Sphere_nodes.h>
 #include <CGAL/Spherical_parameterization/Harmonics/internal/Spherical_harmonic_transform.h>
 #include <CGAL/Spherical_parameterization/internal/execution/Run_control.h>
 #include <CGAL/Spherical_parameterization/internal/execution/parallel.h>
-#include <CGAL/Spherical_parameterization/internal/locate/Sphere_triangulation.h>
 #include <CGAL/Spherical_parameterization/internal/numbers/Vector_3.h>
-#include <CGAL/Spherical_parameterization/internal/surface/Linked_triangle.h>
+#include <CGAL/Spherical_parameterization/internal/numbers/direction_of.h>
 #include <CGAL/Spherical_parameterization/internal/surface/Surface.h>
 #include <CGAL/Spherical_parameterization/internal/surface/mesh_measures.h>
-
-#include <CGAL/number_utils.h>
 
 #include <algorithm>
 #include <array>
@@ -52,25 +50,44 @@ class Expansion_samples
 {
 public:
   // Samples at the vertices, weighted with a third of the areas of their faces.
-  template <class K>
-  Expansion_samples(const Sphere_triangulation<K>& sphere, const std::vector<Vector_3d>& surface)
-    : m_nodes(directions_of(sphere))
-    , m_counts(vertex_sums(sphere.triangles(), surface.size(), area_on(surface)))
+  explicit Expansion_samples(const Expansion_surface& surface)
+    : m_nodes(directions_of(surface.images))
+    , m_counts(vertex_sums(surface.triangles, surface.points.size(), area_on(surface.points)))
   {
-    normalize_counts(std::vector<double>(surface.size(), 1.));
-    m_terms.reserve(surface.size());
-    for(std::uint32_t v = 0; v < surface.size(); ++v)
+    normalize_counts(std::vector<double>(surface.points.size(), 1.));
+    m_terms.reserve(surface.points.size());
+    for(std::uint32_t v = 0; v < surface.points.size(); ++v)
       m_terms.push_back({{v, v, v}, {1., 0., 0.}});
   }
 
   // Samples at the nodes of a grid, which stand for parts of the surface, or of the sphere. In a triangle with the images p, q, r
   // and the area A on the surface, areas of the surface are those of the sphere at the direction of x times 2 A |x|^3 / det(p, q, r),
   // where x is the point of the flat triangle p, q, r.
-  template <class K>
-  Expansion_samples(const Sphere_triangulation<K>& sphere, const std::vector<Vector_3d>& surface,
-                    std::size_t degree_of_grid, bool weighs_surface, const Execution& execution)
-    : Expansion_samples(sphere, surface, Gauss_grid(degree_of_grid), weighs_surface, execution)
-  {}
+  Expansion_samples(const Expansion_surface& surface, Gauss_grid grid, bool weighs_surface)
+    : m_nodes(std::move(grid.nodes))
+  {
+    const std::size_t width = m_nodes.width(), n = m_nodes.number_of_parallels() * width;
+    std::vector<Vector_3d> directions;
+    directions.reserve(n);
+    std::vector<double> areas;
+    areas.reserve(n);
+    for(std::size_t k = 0; k < n; ++k)
+    {
+      directions.push_back(m_nodes.direction(k / width, k % width));
+      areas.push_back(grid.weights[k / width]);
+    }
+    m_counts = areas;
+    m_terms = surface.locate(directions);
+    for(std::size_t k = 0; weighs_surface && k < n; ++k)
+    {
+      const auto& [t, w] = m_terms[k];
+      const std::array<Vector_3d, 3> p =
+          scaled_together({surface.images[t[0]], surface.images[t[1]], surface.images[t[2]]});
+      const double det = dot(p[0], cross(p[1], p[2])), r = length(w[0] * p[0] + w[1] * p[1] + w[2] * p[2]);
+      m_counts[k] *= det > 0. ? area_on(surface.points)(t[0], t[1], t[2]) * (r * r * r / det) : 0.;
+    }
+    normalize_counts(areas);
+  }
 
   const Sphere_nodes& nodes() const { return m_nodes; }
   const std::vector<double>& weights() const { return m_weights; }
@@ -80,9 +97,9 @@ public:
     std::vector<double> result(m_nodes.number_of_values(), 0.);
     for(std::size_t k = 0; k < m_terms.size(); ++k)
     {
-      const Term& t = m_terms[k];
-      const Vector_3d x = t.shares[0] * values[t.vertices[0]] + t.shares[1] * values[t.vertices[1]] +
-                          t.shares[2] * values[t.vertices[2]];
+      const Vertex_mean& t = m_terms[k];
+      const Vector_3d x = t.weights[0] * values[t.vertices[0]] + t.weights[1] * values[t.vertices[1]] +
+                          t.weights[2] * values[t.vertices[2]];
       for(std::size_t i = 0; i < Sphere_nodes::n_functions; ++i)
         result[place(k, i)] = x[i];
     }
@@ -90,61 +107,16 @@ public:
   }
 
 private:
-  // A sample is a mean of three vertices.
-  struct Term
-  {
-    std::array<std::uint32_t, 3> vertices;
-    Vector_3d shares;
-  };
-
-  template <class K>
-  Expansion_samples(const Sphere_triangulation<K>& sphere, const std::vector<Vector_3d>& surface, Gauss_grid grid,
-                    bool weighs_surface, const Execution& execution)
-    : m_nodes(std::move(grid.nodes))
-  {
-    using FT = typename K::FT;
-    const std::size_t width = m_nodes.width(), n = m_nodes.number_of_parallels() * width;
-    std::vector<typename K::Point_3> directions;
-    directions.reserve(n);
-    std::vector<double> areas;
-    areas.reserve(n);
-    for(std::size_t k = 0; k < n; ++k)
-    {
-      const Vector_3d q = m_nodes.direction(k / width, k % width);
-      directions.emplace_back(FT(q[0]), FT(q[1]), FT(q[2]));
-      areas.push_back(grid.weights[k / width]);
-    }
-    m_counts = areas;
-    m_terms.reserve(n);
-    for(const auto& place : sphere.locate(directions, execution))
-    {
-      const Linked_triangle& t = sphere.triangles()[place.triangle];
-      m_terms.push_back({t.vertices,
-                         {CGAL::to_double(place.coordinates[0]), CGAL::to_double(place.coordinates[1]),
-                          CGAL::to_double(place.coordinates[2])}});
-      if(!weighs_surface)
-        continue;
-      const std::array<Vector_3d, 3> p = sphere.corners(t);
-      const Vector_3d& w = m_terms.back().shares;
-      const double det = dot(p[0], cross(p[1], p[2])), r = length(w[0] * p[0] + w[1] * p[1] + w[2] * p[2]);
-      m_counts[m_terms.size() - 1] *= det > 0. ? area_on(surface)(t[0], t[1], t[2]) * (r * r * r / det) : 0.;
-    }
-    normalize_counts(areas);
-  }
-
   std::size_t place(std::size_t k, std::size_t function) const
   {
     return m_nodes.place(k / m_nodes.width(), k % m_nodes.width(), function);
   }
 
-  template <class K>
-  static std::vector<Vector_3d> directions_of(const Sphere_triangulation<K>& sphere)
+  static std::vector<Vector_3d> directions_of(std::vector<Vector_3d> images)
   {
-    std::vector<Vector_3d> result;
-    result.reserve(sphere.points().size());
-    for(std::size_t v = 0; v < sphere.points().size(); ++v)
-      result.push_back(sphere.direction(v));
-    return result;
+    for(Vector_3d& p : images)
+      p = direction_of(p);
+    return images;
   }
 
   // Turns the counts into weights; into those of `usual` if there is no area.
@@ -169,31 +141,29 @@ private:
 
   Sphere_nodes m_nodes;
   std::vector<double> m_counts, m_weights; // of each sample, and in the order of values
-  std::vector<Term> m_terms;
+  std::vector<Vertex_mean> m_terms;
 };
 
 // Expansions of functions of the vertices of a mesh.
 class Expansion
 {
 public:
-  // `surface` are the points, scaled such that their areas neither overflow nor vanish.
-  template <class K>
-  Expansion(const Sphere_triangulation<K>& sphere, const std::vector<Vector_3d>& surface, std::size_t degree,
-            Harmonic_weights weights, const Execution& execution)
+  // The points of the surface are scaled such that their areas neither overflow nor vanish.
+  Expansion(const Expansion_surface& surface, std::size_t degree, Harmonic_weights weights, const Execution& execution)
     : m_transform(degree)
-    , m_at_vertices(sphere, surface)
-    , m_over_surface(sphere, surface, degree_of_grid(degree, surface.size()), true, execution)
+    , m_at_vertices(surface)
+    , m_over_surface(surface, Gauss_grid(degree_of_grid(degree, surface.points.size())), true)
     , m_execution(execution)
   {
     m_fit.weights = weights;
-    m_fit.degree_of_vertices = static_cast<std::size_t>(std::sqrt(static_cast<double>(surface.size()))) - 1;
+    m_fit.degree_of_vertices = static_cast<std::size_t>(std::sqrt(static_cast<double>(surface.points.size()))) - 1;
     if(weights == Harmonic_weights::vertices)
       return;
-    const std::size_t n = degree_of_grid(degree, surface.size());
+    const std::size_t n = degree_of_grid(degree, surface.points.size());
     const bool weighs_surface = weights == Harmonic_weights::surface;
     if(!weighs_surface)
-      m_over_sphere.emplace(sphere, surface, n, false, execution);
-    m_coarse.emplace(sphere, surface, (std::max)(degree, n / 2), weighs_surface, execution);
+      m_over_sphere.emplace(surface, Gauss_grid(n), false);
+    m_coarse.emplace(surface, Gauss_grid((std::max)(degree, n / 2)), weighs_surface);
   }
 
   const Spherical_harmonic_transform& transform() const { return m_transform; }

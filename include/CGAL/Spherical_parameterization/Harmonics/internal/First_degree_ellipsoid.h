@@ -15,7 +15,6 @@
 #include <CGAL/license/Spherical_parameterization.h>
 
 #include <CGAL/Spherical_parameterization/Harmonics/Spherical_harmonics_3.h>
-#include <CGAL/Spherical_parameterization/Harmonics/internal/Coefficient_layout.h>
 #include <CGAL/Spherical_parameterization/Harmonics/internal/Sphere_nodes.h>
 #include <CGAL/Spherical_parameterization/Harmonics/internal/Spherical_harmonic_transform.h>
 #include <CGAL/Spherical_parameterization/internal/execution/parallel.h>

@@ -15,13 +15,14 @@
 #include <CGAL/license/Spherical_parameterization.h>
 
 #include <CGAL/Spherical_parameterization/Error_code.h>
+#include <CGAL/Spherical_parameterization/Sampling/Sphere_domain_3.h>
 #include <CGAL/Spherical_parameterization/Sampling/internal/Subdivided_solid.h>
 #include <CGAL/Spherical_parameterization/internal/numbers/Vector_3.h>
+#include <CGAL/Spherical_parameterization/internal/numbers/direction_of.h>
 #include <CGAL/Spherical_parameterization/internal/surface/Linked_triangle.h>
 #include <CGAL/Spherical_parameterization/internal/surface/add_triangles.h>
 
 #include <CGAL/boost/graph/properties.h>
-#include <CGAL/number_utils.h>
 
 #include <boost/property_map/property_map.hpp>
 
@@ -86,7 +87,7 @@ struct Geometry_image_layout
     {
       const auto n = n_vertices < 2 ? 0 : std::llround(std::sqrt(static_cast<double>((n_vertices - 2) / factor)));
       const auto m = static_cast<std::uint32_t>(n);
-      if(n > 0 && n <= max_subdivision && factor * m * m + 2 == n_vertices)
+      if(n > 0 && n <= Sphere_domain_3::max_subdivision && factor * m * m + 2 == n_vertices)
         return factor == 4 ? of_octahedron(m) : of_cube(m);
     }
     return std::nullopt;
@@ -95,8 +96,8 @@ struct Geometry_image_layout
   // whether images have this size
   static bool is_size(std::size_t width, std::size_t height)
   {
-    return height == width ? width >= 3 && width % 2 == 1 && width / 2 <= max_subdivision
-                           : height == 6 * width && width >= 2 && width - 1 <= max_subdivision;
+    return height == width ? width >= 3 && width % 2 == 1 && width / 2 <= Sphere_domain_3::max_subdivision
+                           : height == 6 * width && width >= 2 && width - 1 <= Sphere_domain_3::max_subdivision;
   }
 
   static std::optional<Geometry_image_layout> of_size(std::size_t width, std::size_t height)
@@ -119,17 +120,14 @@ struct Geometry_image
 template <class TriangleMesh, class VertexMap>
 Error_code make_geometry_image(const TriangleMesh& tmesh, const VertexMap& map, Geometry_image& image)
 {
-  using Value = typename boost::property_traits<VertexMap>::value_type;
-  constexpr std::size_t n_components = std::is_arithmetic<Value>::value ? 1 : 3;
+  constexpr std::size_t n_components =
+      std::is_arithmetic<typename boost::property_traits<VertexMap>::value_type>::value ? 1 : 3;
   std::vector<std::array<double, n_components>> values;
   for(const auto v : vertices(tmesh))
-  {
-    const auto& value = get(map, v);
     if constexpr(n_components == 1)
-      values.push_back({static_cast<double>(value)});
+      values.push_back({static_cast<double>(get(map, v))});
     else
-      values.push_back({CGAL::to_double(value.x()), CGAL::to_double(value.y()), CGAL::to_double(value.z())});
-  }
+      values.push_back(rounded(get(map, v)));
   const auto layout = Geometry_image_layout::of_vertices(values.size());
   if(!layout)
     return ERROR_NO_GEOMETRY_IMAGE_MESH;

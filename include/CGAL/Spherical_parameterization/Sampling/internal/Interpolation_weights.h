@@ -17,6 +17,7 @@
 #include <CGAL/Spherical_parameterization/internal/execution/parallel.h>
 
 #include <CGAL/IO/Color.h>
+#include <CGAL/Iterator_range.h>
 #include <CGAL/Kernel_traits.h>
 #include <CGAL/Point_2.h>
 #include <CGAL/Point_3.h>
@@ -170,13 +171,7 @@ public:
     for_each_term([&](std::size_t target, const Weighted_source& term) { m_terms[m_ends[target]++] = term; });
   }
 
-  struct Terms
-  {
-    const Weighted_source *first, *last;
-
-    const Weighted_source* begin() const { return first; }
-    const Weighted_source* end() const { return last; }
-  };
+  using Terms = Iterator_range<const Weighted_source*>;
 
   std::size_t size() const { return m_ends.size(); }
   Terms terms(std::size_t i) const

@@ -20,6 +20,7 @@
 #include <CGAL/Spherical_parameterization/internal/locate/locations_of_vertices.h>
 #include <CGAL/Spherical_parameterization/internal/numbers/Vector_3.h>
 #include <CGAL/Spherical_parameterization/internal/surface/Surface.h>
+#include <CGAL/Spherical_parameterization/internal/surface/mesh_measures.h>
 
 #include <CGAL/IO/Color.h>
 #include <CGAL/Kernel_traits.h>
@@ -63,8 +64,7 @@ public:
   {
     normalize(source_points);
     for(const Linked_triangle& t : source.triangles())
-      m_source_areas.push_back(
-          length(cross(source_points[t[1]] - source_points[t[0]], source_points[t[2]] - source_points[t[0]])));
+      m_source_areas.push_back(doubled_area(source_points[t[0]], source_points[t[1]], source_points[t[2]]));
   }
 
   Interpolation_weights vertex_mixtures() const
@@ -191,24 +191,18 @@ struct Property_transfer
     static_assert(std::is_convertible<Target_element, Target_key>::value,
                   "A property of vertices has to be carried to one of the target's vertices, and one of faces to one "
                   "of its faces.");
-    const auto mix = [&](const Interpolation_weights& of_elements, const auto& sources, const auto& targets) {
-      of_elements.mix<Value>(
+    const auto mix = [&](auto& made, auto make, const auto& sources, const auto& targets) {
+      if(!made)
+        made = (weights.*make)();
+      made->template mix<Value>(
           sources.size(), [&](std::size_t i) -> Value { return get(source_map, sources[i]); },
           [&](std::size_t i, const Value& value) { put(target_map, targets[i], static_cast<Target_value>(value)); },
           weights.execution());
     };
     if constexpr(is_of_faces)
-    {
-      if(!of_faces)
-        of_faces = weights.face_mixtures();
-      mix(*of_faces, source_faces, target_faces);
-    }
+      mix(of_faces, &Transfer_weights<K>::face_mixtures, source_faces, target_faces);
     else
-    {
-      if(!of_vertices)
-        of_vertices = weights.vertex_mixtures();
-      mix(*of_vertices, source_vertices, target_vertices);
-    }
+      mix(of_vertices, &Transfer_weights<K>::vertex_mixtures, source_vertices, target_vertices);
   }
 };
 

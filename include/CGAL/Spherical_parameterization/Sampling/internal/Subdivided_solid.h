@@ -28,8 +28,6 @@
 
 namespace CGAL::Spherical_parameterization::internal {
 
-constexpr std::uint32_t max_subdivision = 5000; // of which an icosahedron has 250 million vertices
-
 // A solid whose edges are divided into n, projected to the sphere. A vertex is the sum of the corners of its face, each
 // with a weight for how many of the parts it is away from the others: on an edge from a to b, it is weights[n - i] a +
 // weights[i] b. The faces of the solid have k corners each, 3 or 4.

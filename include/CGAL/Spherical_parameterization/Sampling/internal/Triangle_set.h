@@ -14,15 +14,12 @@
 
 #include <CGAL/license/Spherical_parameterization.h>
 
-#include <CGAL/Spherical_parameterization/Error_code.h>
 #include <CGAL/Spherical_parameterization/internal/numbers/Vector_3.h>
-#include <CGAL/Spherical_parameterization/internal/surface/read_mesh.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
 #include <limits>
 #include <numeric>
 #include <vector>
@@ -67,22 +64,6 @@ inline double squared_distance(const Vector_3d& p, const std::array<Vector_3d, 3
 class Triangle_set
 {
 public:
-  // Appends the corners of the faces of a mesh, which may have a border.
-  template <class TriangleMesh, class VertexPointMap>
-  static Error_code read(const TriangleMesh& tmesh, const VertexPointMap& vpm, std::vector<Vector_3d>& corners)
-  {
-    Mesh_arrays<TriangleMesh> mesh;
-    if(const Error_code error = mesh.read(tmesh, true))
-      return error;
-    const std::vector<Vector_3d> points = read_points(mesh.vertices_of_mesh, vpm);
-    if(!are_finite(points))
-      return ERROR_NON_FINITE_COORDINATE;
-    for(const auto& triangle : mesh.triangles)
-      for(const std::uint32_t v : triangle)
-        corners.push_back(points[v]);
-    return OK;
-  }
-
   // Takes triangles by their corners, which are normalized.
   Triangle_set(const Vector_3d* corners, std::size_t n_corners)
   {

@@ -56,9 +56,9 @@ Error_code with_two_surfaces(const TriangleMesh1& tmesh1, const VertexSphereMap1
     const Execution execution = execution_of<ConcurrencyTag>();
     Mesh_on_sphere<TriangleMesh1, VertexSphereMap1> first;
     Mesh_on_sphere<TriangleMesh2, VertexSphereMap2> second;
-    if(const Error_code error = first.read_with_points(tmesh1, map1, vertex_point_map_of(tmesh1, np1), execution))
+    if(const Error_code error = first.read_with_points(tmesh1, map1, np1, execution))
       return error;
-    if(const Error_code error = second.read_with_points(tmesh2, map2, vertex_point_map_of(tmesh2, np2), execution))
+    if(const Error_code error = second.read_with_points(tmesh2, map2, np2, execution))
       return error;
     return f(first, second, static_cast<Run_control&>(control), execution);
   }

@@ -171,24 +171,10 @@ public:
   // The image of a vertex at distance 1, rounded.
   Vector_3d direction(std::size_t v) const { return direction_of(m_points[v]); }
 
-  // The images of a triangle, scaled together by a power of two, which is exact, so that no product of their coordinates
-  // overflows or underflows: their lengths count, as they do for all that locates.
+  // The images of a triangle, see scaled_together(): their lengths count, as they do for all that locates.
   std::array<Vector_3d, 3> corners(const Linked_triangle& t) const
   {
-    std::array<Vector_3d, 3> result;
-    double size = 0.;
-    for(std::size_t i = 0; i < 3; ++i)
-    {
-      const Point_3& p = m_points[t[i]];
-      result[i] = {CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z())};
-      size = (std::max)({size, std::abs(result[i][0]), std::abs(result[i][1]), std::abs(result[i][2])});
-    }
-    int exponent;
-    std::frexp(size, &exponent);
-    for(Vector_3d& p : result)
-      for(double& x : p)
-        x = std::ldexp(x, -exponent);
-    return result;
+    return scaled_together({rounded(m_points[t[0]]), rounded(m_points[t[1]]), rounded(m_points[t[2]])});
   }
 
   // Locates a direction from a triangle that is next to it, or not far from it, without a grid.

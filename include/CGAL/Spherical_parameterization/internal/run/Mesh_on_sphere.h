@@ -70,14 +70,14 @@ struct Mesh_on_sphere
     return OK;
   }
 
-  // The same with the points of the surface.
-  template <class VertexPointMap>
+  // The same with the points of the surface, by the named parameters of the call.
+  template <class NamedParameters>
   Error_code read_with_points(const TriangleMesh& tmesh, const VertexSphereMap& vertex_sphere_map,
-                              const VertexPointMap& vpm, const Execution& execution)
+                              const NamedParameters& np, const Execution& execution)
   {
     if(const Error_code error = read(tmesh, vertex_sphere_map, false, execution))
       return error;
-    points = read_points(vertices_of_mesh, vpm);
+    points = read_points(vertices_of_mesh, vertex_point_map_of(tmesh, np));
     return are_finite(points) ? OK : ERROR_NON_FINITE_COORDINATE;
   }
 

@@ -16,6 +16,7 @@
 
 #include <CGAL/Spherical_parameterization/Error_code.h>
 #include <CGAL/Spherical_parameterization/internal/numbers/Vector_3.h>
+#include <CGAL/Spherical_parameterization/internal/numbers/direction_of.h>
 #include <CGAL/Spherical_parameterization/internal/surface/Surface.h>
 
 #include <CGAL/Dynamic_property_map.h>
@@ -98,9 +99,7 @@ auto read_values(const Vertices& vertices, const Map& map, const Function& f)
 template <class Vertices, class VertexPointMap>
 std::vector<Vector_3d> read_points(const Vertices& vertices, const VertexPointMap& vpm)
 {
-  return read_values(vertices, vpm, [](const auto& p) {
-    return Vector_3d{CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z())};
-  });
+  return read_values(vertices, vpm, [](const auto& p) { return rounded(p); });
 }
 
 inline bool are_finite(const std::vector<Vector_3d>& points)

@@ -9,49 +9,44 @@
 //
 // Author(s)     : The Spherical_parameterization authors
 
-#ifndef CGAL_SPHERICAL_PARAMETERIZATION_CORTEX_INTERNAL_SULCAL_MEASURES_H
-#define CGAL_SPHERICAL_PARAMETERIZATION_CORTEX_INTERNAL_SULCAL_MEASURES_H
+#ifndef CGAL_SPHERICAL_PARAMETERIZATION_CORTEX_INTERNAL_SULCAL_MEASURES_IMPL_H
+#define CGAL_SPHERICAL_PARAMETERIZATION_CORTEX_INTERNAL_SULCAL_MEASURES_IMPL_H
 
 #include <CGAL/license/Spherical_parameterization.h>
 
-#include <CGAL/Spherical_parameterization/internal/execution/parallel.h>
-#include <CGAL/Spherical_parameterization/internal/numbers/Vector_3.h>
+#include <CGAL/Spherical_parameterization/Cortex/compute_sulcal_measures.h>
+#include <CGAL/Spherical_parameterization/Cortex/fit_rotation_to_surface.h>
+#include <CGAL/Spherical_parameterization/internal/numbers/Rotation_matrix.h>
 #include <CGAL/Spherical_parameterization/internal/surface/Surface_diffusion.h>
-#include <CGAL/Spherical_parameterization/internal/surface/Vertex_rings.h>
 #include <CGAL/Spherical_parameterization/internal/surface/mesh_measures.h>
 #include <CGAL/Spherical_parameterization/internal/surface/vertex_scalars.h>
 
 #include <CGAL/number_type_config.h>
 
-#include <cstddef>
 #include <numeric>
+#include <optional>
 #include <utility>
-#include <vector>
 
 namespace CGAL::Spherical_parameterization::internal {
 
-// What compute_sulcal_measures() measures, see there.
-struct Sulcal_scalars
+CGAL_SPHERICAL_PARAMETERIZATION_INLINE Sulcal_measures sulcal_measures_of(const Surface& surface,
+                                                                          const Execution& execution)
 {
-  Vertex_scalars curvature, depth, inflated_curvature;
-};
-
-// That of a surface of area 4 pi.
-inline Sulcal_scalars sulcal_measures_of(const Vertex_rings& rings, const std::vector<Vector_3d>& points,
-                                         const Execution& execution)
-{
+  const Vertex_rings& rings = surface.rings();
+  const std::vector<Vector_3d>& points = surface.points();
   constexpr double area = 4. * CGAL_PI, min_area = 1e-12;
   // Shorter times leave the noise of segmented images; longer ones take the smaller folds away. All of them in units of the area.
   constexpr double time_of_curvature = 1.5e-5 * area, time_of_depth = 1e-3 * area, time_of_inflated = 4e-5 * area;
   constexpr std::size_t n_steps = 10; // Large steps go less far in deep sulci.
   constexpr double tolerance = 1e-3;  // a thousandth of the deviation of the measures
-  const auto curvature = [](Vertex_scalars ways, double t) {
+  const double unit = surface.equal_area_radius();
+  const auto curvature = [&](Vertex_scalars ways, double t) {
     for(double& x : ways)
-      x /= -2. * t;
-    return ways;
+      x = 1. / unit * (x / (-2. * t));
+    return surface.in_callers_order(ways);
   };
   const Surface_diffusion diffusion(rings, points, min_area, execution);
-  Sulcal_scalars result;
+  Sulcal_measures result;
   result.curvature =
       curvature(diffusion.outside(points, diffusion.after(time_of_curvature, points, tolerance)), time_of_curvature);
   result.depth.assign(points.size(), 0.);
@@ -68,12 +63,36 @@ inline Sulcal_scalars sulcal_measures_of(const Vertex_rings& rings, const std::v
   const double mean = std::inner_product(areas.begin(), areas.end(), result.depth.begin(), 0.) /
                       std::accumulate(areas.begin(), areas.end(), 0.);
   for(double& x : result.depth)
-    x -= mean;
+    x = unit * (x - mean);
+  result.depth = surface.in_callers_order(result.depth);
   result.inflated_curvature =
       curvature(mean_curvature(rings, inflated, time_of_inflated, min_area, execution), time_of_inflated);
   return result;
 }
 
+CGAL_SPHERICAL_PARAMETERIZATION_INLINE Error_code
+fit_rotation_to_surface(const Surface& surface, const std::vector<Vector_3d>& images,
+                        Aff_transformation_3<Exact_predicates_inexact_constructions_kernel>& rotation)
+{
+  const std::vector<Vector_3d>& points = surface.points();
+  const std::vector<double> masses = vertex_masses(surface.rings(), points);
+  const Vector_3d center = center_of_mass(points, masses);
+  const double average = std::accumulate(masses.begin(), masses.end(), 0.) / static_cast<double>(masses.size());
+  std::vector<std::pair<Vector_3d, Vector_3d>> directions;
+  for(std::size_t v = 0; v < points.size(); ++v)
+  {
+    const Vector_3d offset = points[v] - center;
+    const double distance = length(offset);
+    if(distance > 0.)
+      directions.emplace_back(images[v], (masses[v] / average / distance) * offset);
+  }
+  const std::optional<Rotation_matrix> matrix = fitting_rotation(directions);
+  if(!matrix)
+    return ERROR_UNDETERMINED_ROTATION;
+  rotation = as_transformation(*matrix);
+  return OK;
+}
+
 } // namespace CGAL::Spherical_parameterization::internal
 
-#endif // CGAL_SPHERICAL_PARAMETERIZATION_CORTEX_INTERNAL_SULCAL_MEASURES_H
+#endif // CGAL_SPHERICAL_PARAMETERIZATION_CORTEX_INTERNAL_SULCAL_MEASURES_IMPL_H

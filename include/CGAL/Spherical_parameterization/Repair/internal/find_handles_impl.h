@@ -9,24 +9,19 @@
 //
 // Author(s)     : The Spherical_parameterization authors
 
-#ifndef CGAL_SPHERICAL_PARAMETERIZATION_REPAIR_INTERNAL_HANDLE_FINDER_H
-#define CGAL_SPHERICAL_PARAMETERIZATION_REPAIR_INTERNAL_HANDLE_FINDER_H
+#ifndef CGAL_SPHERICAL_PARAMETERIZATION_REPAIR_INTERNAL_FIND_HANDLES_IMPL_H
+#define CGAL_SPHERICAL_PARAMETERIZATION_REPAIR_INTERNAL_FIND_HANDLES_IMPL_H
 
 #include <CGAL/license/Spherical_parameterization.h>
 
-#include <CGAL/Spherical_parameterization/internal/numbers/Vector_3.h>
-#include <CGAL/Spherical_parameterization/internal/surface/Linked_triangle.h>
+#include <CGAL/Spherical_parameterization/Repair/find_handles.h>
 
 #include <algorithm>
-#include <array>
-#include <cstddef>
-#include <cstdint>
+#include <cmath>
 #include <functional>
-#include <limits>
 #include <numeric>
 #include <queue>
 #include <utility>
-#include <vector>
 
 namespace CGAL::Spherical_parameterization::internal {
 
@@ -42,12 +37,6 @@ namespace CGAL::Spherical_parameterization::internal {
 class Handle_finder
 {
 public:
-  struct Path
-  {
-    std::vector<std::uint32_t> vertices; // each is joined to the next one, and the last to the first
-    double length = 0.;
-  };
-
   // The triangles are those of a closed connected mesh.
   Handle_finder(const std::vector<Linked_triangle>& triangles, std::vector<Vector_3d> points)
     : m_points(std::move(points))
@@ -76,7 +65,7 @@ public:
   }
 
   // Finds a path around a handle, if there is one left, and cuts the surface along it.
-  Path find()
+  Handle_path find()
   {
     if(genus() == 0)
       return {};
@@ -91,7 +80,7 @@ public:
       best = std::move(loop);
       root = m_halfedges[best.halfedges[best.halfedges.size() / 2]].target;
     }
-    Path result;
+    Handle_path result;
     result.length = best.length;
     for(const Index h : best.halfedges)
       result.vertices.push_back(m_origins[m_halfedges[h].target]);
@@ -253,6 +242,22 @@ private:
   std::size_t m_n_faces;
 };
 
+CGAL_SPHERICAL_PARAMETERIZATION_INLINE std::vector<Handle_path> find_handle_paths(const Index_triangles& triangles,
+                                                                                  std::vector<Vector_3d> points,
+                                                                                  std::size_t max_handles)
+{
+  const int exponent = normalize(points);
+  const std::vector<Linked_triangle> linked = link_triangles(triangles, points.size());
+  Handle_finder finder(linked, std::move(points));
+  std::vector<Handle_path> result;
+  while(result.size() < max_handles && finder.genus() > 0)
+  {
+    result.push_back(finder.find());
+    result.back().length = std::ldexp(result.back().length, exponent);
+  }
+  return result;
+}
+
 } // namespace CGAL::Spherical_parameterization::internal
 
-#endif // CGAL_SPHERICAL_PARAMETERIZATION_REPAIR_INTERNAL_HANDLE_FINDER_H
+#endif // CGAL_SPHERICAL_PARAMETERIZATION_REPAIR_INTERNAL_FIND_HANDLES_IMPL_H

@@ -1,0 +1,4 @@
+// Cortical surfaces, and their files.
+
+#include <CGAL/Spherical_parameterization/Cortex/internal/FreeSurfer_impl.h>
+#include <CGAL/Spherical_parameterization/Cortex/internal/sulcal_measures_impl.h>

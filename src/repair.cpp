@@ -1,0 +1,3 @@
+// The repair of surfaces, but for what works with the caller's meshes.
+
+#include <CGAL/Spherical_parameterization/Repair/internal/find_handles_impl.h>
