@@ -1,34 +1,14 @@
 // Areas as wanted: the areas of spherical triangles and their derivatives, the shares of the parts of a surface, and maps that
 // meet them, as far as they can be met.
 
-#include <CGAL/Spherical_parameterization/Conformal_energy_3.h>
-#include <CGAL/Spherical_parameterization/Error_code.h>
 #include <CGAL/Spherical_parameterization/Target_area_parameterizer_3.h>
 #include <CGAL/Spherical_parameterization/internal/areas/Cell_areas.h>
 #include <CGAL/Spherical_parameterization/internal/areas/Area_shares.h>
-#include <CGAL/Spherical_parameterization/is_bijective.h>
-#include <CGAL/Spherical_parameterization/parameterize.h>
 
 #include "methods.h"
 #include "random_meshes.h"
-#include "test_meshes.h"
 
-#include <CGAL/Named_function_parameters.h>
 #include <CGAL/Polyhedron_3.h>
-#include <CGAL/tags.h>
-
-#include <boost/property_map/property_map.hpp>
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
-#include <functional>
-#include <limits>
-#include <map>
-#include <numeric>
-#include <vector>
 
 using namespace test;
 
@@ -48,8 +28,6 @@ using SP::internal::Vector_3d;
 using Vertex_index = Mesh::Vertex_index;
 using Face_index = Mesh::Face_index;
 using Sphere_map = Mesh::Property_map<Vertex_index, Point_3>;
-
-constexpr double pi = 3.14159265358979323846;
 
 // ---------------------------------------------------------------------------------------------------------------------
 // Areas of spherical triangles
@@ -75,13 +53,9 @@ TEST(Spherical_area, keeps_its_precision_on_small_triangles)
 TEST(Spherical_area, has_the_gradient_of_difference_quotients)
 {
   Random random(1);
-  const auto direction = [&] {
-    const double x = random.between(-1., 1.), y = random.between(-1., 1.), z = random.between(-1., 1.);
-    return normalized(Vector_3d{x, y, z});
-  };
   for(int k = 0; k < 100; ++k)
   {
-    const Vector_3d x = direction(), p = direction(), q = direction(), along = direction();
+    const Vector_3d x = random.direction(), p = random.direction(), q = random.direction(), along = random.direction();
     const Vector_3d tangent = along - dot(along, x) * x;
     constexpr double h = 1e-5;
     const auto area_at = [&](double t) { return Spherical_area(normalized(x + t * tangent), p, q).value(); };

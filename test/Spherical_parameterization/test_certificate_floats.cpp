@@ -1,7 +1,6 @@
 // Maps are rounded to floats such that they stay one-to-one, which the judge decides; what need not be moved is not.
 
 #include <CGAL/Spherical_parameterization/internal/certificate/Float_rounding.h>
-#include <CGAL/Spherical_parameterization/round_to_float.h>
 
 #include "judge.h"
 #include "methods.h"
@@ -9,16 +8,6 @@
 #include "test_scale.h"
 
 #include <CGAL/Simple_cartesian.h>
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <limits>
-#include <utility>
-#include <vector>
 
 using namespace test;
 
@@ -131,11 +120,9 @@ TEST(Rounding_to_floats, moves_nothing_but_what_is_next_to_a_fold)
   const Coordinates middle = combination(0.5, images[face[1]], 0.5, images[face[2]]),
                     inner = combination(1. - 1e-9, middle, 1e-9, images[face[0]]);
   const std::size_t v = images.size();
-  images.push_back(combination(100. / norm(inner), inner, 0., inner));
   list.points = images;
-  list.triangles[100] = {face[0], face[1], v};
-  list.triangles.push_back({face[1], face[2], v});
-  list.triangles.push_back({face[2], face[0], v});
+  split_face(list, 100, combination(100. / norm(inner), inner, 0., inner));
+  images = list.points;
   ASSERT_TRUE(judge::is_one_to_one(images, list.triangles));
   const std::vector<Float_image> rounded = nearest(images);
   Outcome outcome = round_to_float(list, images);

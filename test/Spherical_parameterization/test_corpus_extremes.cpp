@@ -7,17 +7,6 @@
 
 #include <CGAL/boost/graph/helpers.h>
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <cstdint>
-#include <limits>
-#include <string>
-#include <vector>
-
 using namespace test;
 
 namespace {
@@ -197,24 +186,14 @@ TEST(Extreme_connectivity, stacks_that_shrink_into_a_point)
       }
 }
 
-// Moves and scales a sphere without symmetries: its map stays as it is, as long as doubles hold the surface.
-TEST(Extreme_coordinates, tiny_huge_and_far_away)
+// At 1e8, doubles are 1.5e-8 apart, 1.5e-5 of what is 1e-3 large.
+TEST(Extreme_coordinates, far_away)
 {
   const Triangle_list list = bumpy_sphere(3);
-  const Result original = expect_mapped(list);
-  for(const double factor : {1e-300, 1e-150, 1e150, 1e300})
-  {
-    SCOPED_TRACE(factor);
-    const Result result = expect_mapped(test_meshes::scaled(list, factor, factor, factor));
-    EXPECT_NEAR(result.report.radius / factor / original.report.radius, 1., 1e-9);
-    EXPECT_NEAR(result.distortion.isometric.maximum / original.distortion.isometric.maximum, 1., 1e-9);
-  }
-
-  // At 1e8, doubles are 1.5e-8 apart, 1.5e-5 of what is 1e-3 large.
   Triangle_list far = test_meshes::scaled(list, 1e-3, 1e-3, 1e-3);
   for(Coordinates& p : far.points)
     p = combination(1., p, 1e8, {1., -1., 1.});
-  const Result result = expect_mapped(far);
+  const Result original = expect_mapped(list), result = expect_mapped(far);
   EXPECT_NEAR(result.report.radius / 1e-3 / original.report.radius, 1., 1e-3);
   EXPECT_NEAR(result.distortion.isometric.average / original.distortion.isometric.average, 1., 1e-2);
 }

@@ -1,26 +1,11 @@
 // The files of FreeSurfer: what is in them, what becomes of damaged ones, and what is written.
 
-#include "Binary_file.h"
 #include "surface_files.h"
 
-#include <CGAL/Spherical_parameterization/Error_code.h>
 #include <CGAL/Spherical_parameterization/Cortex/FreeSurfer.h>
 #ifdef TEST_MGH
 #include <CGAL/Spherical_parameterization/Cortex/MGH.h>
 #endif
-
-#include <gtest/gtest.h>
-
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <cstdint>
-#include <limits>
-#include <ostream>
-#include <set>
-#include <string>
-#include <utility>
-#include <vector>
 
 using namespace surface_files;
 

@@ -1,30 +1,12 @@
 // GIFTI files: every encoding, what becomes of damaged ones, and what is written.
 
-#include "Binary_file.h"
 #include "surface_files.h"
-
-#include <CGAL/Spherical_parameterization/Error_code.h>
-#include <CGAL/Spherical_parameterization/Cortex/Surface_file.h>
 
 #ifdef TEST_GIFTI
 
 #include <CGAL/Spherical_parameterization/Cortex/GIFTI.h>
 #include <CGAL/Spherical_parameterization/Cortex/internal/Base64.h>
 #include <CGAL/Spherical_parameterization/Cortex/internal/Zlib.h>
-
-#include <gtest/gtest.h>
-
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <cstdint>
-#include <limits>
-#include <map>
-#include <ostream>
-#include <sstream>
-#include <string>
-#include <utility>
-#include <vector>
 
 using namespace surface_files;
 using CGAL::Spherical_parameterization::internal::from_base64;

@@ -22,16 +22,6 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <cstdint>
-#include <limits>
-#include <random>
-#include <utility>
-#include <vector>
-
 namespace {
 
 using namespace test_meshes;

@@ -1,22 +1,13 @@
 // Files of coefficients: those of SPHARM-PDM as that program reads them, tables, and what is told of damaged ones.
 
+#include "standard_library.h"
+
 #include <CGAL/Spherical_parameterization/Harmonics/spherical_harmonics_files.h>
 #include <CGAL/Spherical_parameterization/Harmonics/reconstruct_from_spherical_harmonics.h>
 
 #include <CGAL/Simple_cartesian.h>
 
 #include <gtest/gtest.h>
-
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <istream>
-#include <ostream>
-#include <random>
-#include <sstream>
-#include <string>
-#include <utility>
-#include <vector>
 
 namespace {
 

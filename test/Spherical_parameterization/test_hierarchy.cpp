@@ -12,18 +12,6 @@
 #include "random_meshes.h"
 #include "recording_control.h"
 
-#include <CGAL/spherical_parameterization.h>
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
-#include <cstdint>
-#include <numeric>
-#include <utility>
-#include <vector>
-
 using namespace test;
 
 namespace {
@@ -180,12 +168,9 @@ TEST(Mesh_hierarchy, copes_with_a_thousand_nested_separating_triangles)
   for(std::size_t k = 0; k < 1000; ++k)
   {
     const Triangle t = list.triangles[face];
-    const std::size_t v = list.points.size();
-    list.points.push_back(
+    split_face(
+        list, face,
         combination(1. / 3., list.points[t[0]], 1. / 3., combination(1., list.points[t[1]], 1., list.points[t[2]])));
-    list.triangles[face] = {t[0], t[1], v};
-    list.triangles.push_back({t[1], t[2], v});
-    list.triangles.push_back({t[2], t[0], v});
     face = list.triangles.size() - 1;
   }
   expect_hierarchy(surface_of(list));

@@ -8,19 +8,7 @@
 #include "random_meshes.h"
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
-#include <CGAL/boost/graph/generators.h>
 #include <CGAL/squared_distance_3.h>
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <ctime>
-#include <limits>
-#include <random>
-#include <vector>
 
 using namespace test;
 
@@ -76,10 +64,7 @@ TEST(Distance, refuses_what_is_no_surface_of_triangles)
     EXPECT_EQ(SP::measure_distance(mesh, sphere, d), error);
     EXPECT_EQ(d.diagonal, 7.);
   };
-  Mesh cube;
-  CGAL::make_hexahedron(Point_3(-1, -1, -1), Point_3(1, -1, -1), Point_3(1, 1, -1), Point_3(-1, 1, -1),
-                        Point_3(-1, 1, 1), Point_3(-1, -1, 1), Point_3(1, -1, 1), Point_3(1, 1, 1), cube);
-  expect(cube, SP::ERROR_NON_TRIANGULAR_MESH);
+  expect(cube(), SP::ERROR_NON_TRIANGULAR_MESH);
   expect(Mesh(), SP::ERROR_EMPTY_MESH);
   for(const double x : {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()})
   {
@@ -133,18 +118,17 @@ TEST(Triangles, have_the_exact_distance)
 {
   using Exact_point_3 = CGAL::Epeck::Point_3;
   const auto exact = [](const Coordinates& p) { return Exact_point_3(p[0], p[1], p[2]); };
-  std::mt19937 random(1);
-  std::uniform_real_distribution<double> uniform(-1., 1.);
-  const auto point = [&] { return Coordinates{uniform(random), uniform(random), uniform(random)}; };
+  Random random(1);
   const auto between = [](const Coordinates& p, const Coordinates& q, double s) {
-    return Coordinates{p[0] + s * (q[0] - p[0]), p[1] + s * (q[1] - p[1]), p[2] + s * (q[2] - p[2])};
+    return combination(1., p, s, difference(q, p));
   };
   for(std::size_t k = 0; k < 2000; ++k)
   {
-    const Coordinates a = point(), b = point(),
-                      c = between(between(a, b, uniform(random)), point(),
+    const Coordinates a = random.in_cube(), b = random.in_cube(),
+                      c = between(between(a, b, random.between(-1., 1.)), random.in_cube(),
                                   std::array<double, 5>{1., 1e-5, 1e-10, 1e-16, 0.}[k % 5]);
-    const Coordinates p = k % 2 == 0 ? point() : between(between(a, b, uniform(random)), c, uniform(random));
+    const Coordinates p =
+        k % 2 == 0 ? random.in_cube() : between(between(a, b, random.between(-1., 1.)), c, random.between(-1., 1.));
     const CGAL::Epeck::Triangle_3 triangle(exact(a), exact(b), exact(c));
     const CGAL::Epeck::Segment_3 edges[] = {{exact(a), exact(b)}, {exact(b), exact(c)}, {exact(c), exact(a)}};
     CGAL::Epeck::FT expected = triangle.is_degenerate() ? CGAL::squared_distance(exact(p), edges[0])

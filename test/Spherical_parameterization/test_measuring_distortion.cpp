@@ -1,23 +1,12 @@
 // The distortion of a map: against singular values in extended precision, for faces of every shape and size, and what is said
 // of faces that have none.
 
-#include <CGAL/Spherical_parameterization/measure_distortion.h>
-
+#include "long_doubles.h"
 #include "methods.h"
 #include "random_meshes.h"
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Simple_cartesian.h>
-#include <CGAL/boost/graph/generators.h>
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <limits>
-#include <vector>
 
 using namespace test;
 
@@ -45,46 +34,15 @@ Measurement measure(const Triangle_list& list, const Images& images)
   return result;
 }
 
-// The distortions of a triangle by brute force, in extended precision where there is one: the matrix of the map in
-// coordinates of the source's plane, and one rotation of its two columns (Jacobi) that makes them orthogonal. The
-// longer one is the larger singular value then; the product of both is the ratio of the areas.
+// the distortions of a triangle
 struct Reference
 {
-  using Vector = std::array<long double, 3>;
-
   long double isometric, area, angle;
-
-  static long double dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-
-  static Vector cross(const Vector& a, const Vector& b)
-  {
-    return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-  }
-
-  static Vector sum(long double s, const Vector& a, long double t, const Vector& b)
-  {
-    return {s * a[0] + t * b[0], s * a[1] + t * b[1], s * a[2] + t * b[2]};
-  }
-
-  static Vector vector(const Coordinates& from, const Coordinates& to)
-  {
-    return sum(-1.L, {from[0], from[1], from[2]}, 1.L, {to[0], to[1], to[2]});
-  }
 
   static Reference of(const Triangle_list& list, const Images& images, const Triangle& t)
   {
-    const Vector e1 = vector(list.points[t[0]], list.points[t[1]]), e2 = vector(list.points[t[0]], list.points[t[2]]);
-    const Vector f1 = vector(images[t[0]], images[t[1]]), f2 = vector(images[t[0]], images[t[2]]);
-    // e1 is mapped to f1, and the height over it, which is e2 - foot e1, to f2 - foot f1.
-    const long double foot = dot(e1, e2) / dot(e1, e1);
-    const Vector height = sum(1.L, e2, -foot, e1);
-    const Vector a = sum(1.L / std::sqrt(dot(e1, e1)), f1, 0.L, f1);
-    const Vector b = sum(1.L / std::sqrt(dot(height, height)), f2, -foot / std::sqrt(dot(height, height)), f1);
-    const long double angle = 0.5L * std::atan2(2.L * dot(a, b), dot(a, a) - dot(b, b));
-    const Vector major = sum(std::cos(angle), a, std::sin(angle), b);
-    const long double s2 = std::sqrt(dot(major, major));
-    const Vector n = cross(e1, e2), m = cross(f1, f2);
-    const long double s1 = std::sqrt(dot(m, m)) / std::sqrt(dot(n, n)) / s2;
+    const auto [s1, s2] = singular_values({list.points[t[0]], list.points[t[1]], list.points[t[2]]},
+                                          {images[t[0]], images[t[1]], images[t[2]]});
     return {(std::max)(s2, 1.L / s1), s1 * s2 + 1.L / (s1 * s2), s2 / s1 + s1 / s2};
   }
 };
@@ -397,10 +355,7 @@ TEST(Distortion, of_a_surface_without_area_is_infinite)
 // Faces that are not triangles are data, not a mistake of the caller's program.
 TEST(Distortion, of_polygons_and_of_nothing_is_refused)
 {
-  Mesh cube;
-  CGAL::make_hexahedron(Point_3(-1, -1, -1), Point_3(1, -1, -1), Point_3(1, 1, -1), Point_3(-1, 1, -1),
-                        Point_3(-1, 1, 1), Point_3(-1, -1, 1), Point_3(1, -1, 1), Point_3(1, 1, 1), cube);
-  for(const Mesh& mesh : {cube, Mesh()})
+  for(const Mesh& mesh : {cube(), Mesh()})
   {
     const SP::Error_code expected = mesh.is_empty() ? SP::ERROR_EMPTY_MESH : SP::ERROR_NON_TRIANGULAR_MESH;
     const auto distortion = get(CGAL::dynamic_face_property_t<SP::Face_distortion>(), mesh);

@@ -5,18 +5,6 @@
 #include "methods.h"
 #include "random_meshes.h"
 
-#include <CGAL/spherical_parameterization.h>
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <cstdint>
-#include <functional>
-#include <vector>
-
 #ifdef CGAL_LINKED_WITH_TBB
 // The range of faces whose sums are parallel is made by the descent alone; this is a descent for tests.
 template <>
@@ -157,20 +145,6 @@ TEST(Symmetric_Dirichlet_energy, has_its_definition_and_derivatives)
   expect_optimal_scale(energy);
 }
 
-TEST(Symmetric_Dirichlet_energy, grows_with_the_square_of_the_isometric_distortion)
-{
-  const SP::Symmetric_Dirichlet_energy_3 energy;
-  Random random(3);
-  for(int k = 0; k < 100; ++k)
-  {
-    const double s1 = random.factor(1e3), s2 = random.factor(1e3);
-    const double isometric = (std::max)({s1, s2, 1. / s1, 1. / s2});
-    const double value = energy(s1 * s1 + s2 * s2, s1 * s2);
-    EXPECT_GE(value, 0.5 * isometric * isometric);
-    EXPECT_LE(value, 2. * isometric * isometric * (1. + 1e-14));
-  }
-}
-
 TEST(Stretch_energy, has_its_definition_and_derivatives)
 {
   for(const double epsilon : {1e-3, 0.5})
@@ -217,19 +191,7 @@ TEST(Conformal_energy, has_its_definition_and_derivatives)
   const SP::Conformal_energy_3 energy;
   expect_definition(energy, blend(1.));
   expect_derivatives(energy);
-}
-
-TEST(Conformal_energy, does_not_depend_on_the_radius)
-{
-  const SP::Conformal_energy_3 energy;
-  EXPECT_EQ(energy.optimal_scale(range(random_faces(1, 1.))), 1.);
-  Random random(4);
-  for(int k = 0; k < 100; ++k)
-  {
-    const double s1 = random.factor(1e3), s2 = random.factor(1e3), q = random.factor(1e3);
-    const double i = s1 * s1 + s2 * s2, d = s1 * s2;
-    EXPECT_NEAR(energy(q * i, q * d), energy(i, d), 1e-14 * energy(i, d));
-  }
+  EXPECT_EQ(energy.optimal_scale(range(random_faces(1, 1.))), 1.); // no radius is better than another
 }
 
 // ---------------------------------------------------------------------------------------------------------------------
@@ -289,25 +251,19 @@ struct Plain
 
 const SP::Symmetric_Dirichlet_energy_3 energy;
 
-TEST(Radius, of_a_sphere_on_itself_stays)
+TEST(Radius, of_a_sphere_on_a_sphere_is_found_in_one_step)
 {
   const Triangle_list sphere = icosphere(3);
-  const Faces faces = faces_of(sphere, sphere.points, 1.);
-  EXPECT_NEAR(SP::Area_preserving_radius_3()(energy, range(faces), 1.), 1., 1e-14);
-  EXPECT_NEAR(SP::Area_balancing_radius_3()(energy, range(faces), 1.), 1., 1e-14);
-  // The energy's d is that of the planes' distance from the centre, a little below 1: about the largest triangles'
-  // inradius squared over two.
-  EXPECT_NEAR(SP::Optimal_radius_3()(energy, range(faces), 1.), 1., 1e-2);
-  EXPECT_EQ(SP::Fixed_radius_3(0.75)(energy, range(faces), 1.), 0.75);
-}
-
-TEST(Radius, of_a_sphere_on_one_of_another_size_is_found_in_one_step)
-{
-  const Triangle_list sphere = icosphere(3), large = test_meshes::scaled(sphere, 5., 5., 5.);
-  const Faces faces = faces_of(large, sphere.points, 1.);
-  EXPECT_NEAR(SP::Area_preserving_radius_3()(energy, range(faces), 1.), 5., 1e-13);
-  EXPECT_NEAR(SP::Area_balancing_radius_3()(energy, range(faces), 1.), 5., 1e-13);
-  EXPECT_NEAR(SP::Optimal_radius_3()(energy, range(faces), 1.), 5., 5e-2);
+  for(const double size : {1., 5.})
+  {
+    const Faces faces = faces_of(test_meshes::scaled(sphere, size, size, size), sphere.points, 1.);
+    EXPECT_NEAR(SP::Area_preserving_radius_3()(energy, range(faces), 1.), size, 1e-14 * size);
+    EXPECT_NEAR(SP::Area_balancing_radius_3()(energy, range(faces), 1.), size, 1e-14 * size);
+    // The energy's d is that of the planes' distance from the centre, a little below 1: about the largest triangles'
+    // inradius squared over two.
+    EXPECT_NEAR(SP::Optimal_radius_3()(energy, range(faces), 1.), size, 1e-2 * size);
+    EXPECT_EQ(SP::Fixed_radius_3(0.75)(energy, range(faces), 1.), 0.75);
+  }
 }
 
 // The faces of a run are summed up block by block, by several threads: each face once, however many there are, and to the
@@ -631,7 +587,8 @@ TEST(Sharpness, trades_the_average_for_the_maximum)
   EXPECT_LT(plain.report.average_energy, sharp.report.average_energy);
   EXPECT_LT(sharp.report.largest_energy, plain.report.largest_energy);
   EXPECT_LT(plain.distortion.isometric.average, sharp.distortion.isometric.average);
-  EXPECT_LT(sharp.distortion.isometric.maximum, 0.9 * plain.distortion.isometric.maximum);
+  for(const Result& result : {sharp, run_with(SP::Sharpness::lowest_worst(), 300)})
+    EXPECT_LT(result.distortion.isometric.maximum, 0.9 * plain.distortion.isometric.maximum);
 }
 
 TEST(Sharpness, may_be_as_large_as_you_like)

@@ -2,20 +2,8 @@
 // have to be.
 
 #include "methods.h"
-#include "test_meshes.h"
 
-#include <CGAL/Spherical_parameterization/find_defect.h>
 #include <CGAL/Spherical_parameterization/Repair/find_handles.h>
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
-#include <limits>
-#include <set>
-#include <utility>
-#include <vector>
 
 using namespace test;
 

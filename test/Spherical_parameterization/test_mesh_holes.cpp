@@ -3,22 +3,10 @@
 #include "judge.h"
 #include "methods.h"
 #include "random_meshes.h"
-#include "test_meshes.h"
 
 #include <CGAL/Spherical_parameterization/Repair/fill_holes.h>
-#include <CGAL/Spherical_parameterization/find_defect.h>
 
 #include <CGAL/boost/graph/IO/polygon_mesh_io.h>
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
-#include <limits>
-#include <set>
-#include <string>
-#include <vector>
 
 using namespace test;
 

@@ -1,26 +1,14 @@
 // Any model of FaceListGraph with points of any kernel: the map is a bijection, it is the same for all whose coordinates are
 // doubles, and the mesh stays as it is.
 
-#include <CGAL/spherical_parameterization.h>
-
 #include "methods.h"
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Linear_cell_complex_for_bgl_combinatorial_map_helper.h>
 #include <CGAL/Polyhedron_3.h>
 #include <CGAL/Simple_cartesian.h>
-#include <CGAL/boost/graph/Euler_operations.h>
 #include <CGAL/boost/graph/Face_filtered_graph.h>
 #include <CGAL/boost/graph/graph_traits_Linear_cell_complex_for_combinatorial_map.h>
-#include <CGAL/boost/graph/properties.h>
-
-#include <gtest/gtest.h>
-
-#include <cstddef>
-#include <map>
-#include <string>
-#include <utility>
-#include <vector>
 
 using namespace test;
 
@@ -155,30 +143,6 @@ TEST(Vertex_point_map, replaces_the_points_of_the_mesh)
   const auto map = make_sentinel_map<Point_3>(mesh);
   ASSERT_EQ(SP::parameterize(mesh, map, params::vertex_point_map(surface)), SP::OK);
   expect_reference(mesh, map);
-}
-
-// Nothing but what the concept WritablePropertyMap asks for.
-struct Write_only_map
-{
-  using key_type = Mesh::Vertex_index;
-  using value_type = Point_3;
-  using reference = void;
-  using category = boost::writable_property_map_tag;
-
-  friend void put(const Write_only_map& map, key_type v, const value_type& p) { map.points->at(v) = p; }
-
-  std::vector<Point_3>* points;
-};
-
-TEST(Vertex_sphere_map, needs_to_be_writable_only)
-{
-  const Mesh mesh = make(list());
-  std::vector<Point_3> written(num_vertices(mesh));
-  ASSERT_EQ(SP::parameterize(mesh, Write_only_map{&written}), SP::OK);
-  Images result;
-  for(const Point_3& p : written)
-    result.push_back({p.x(), p.y(), p.z()});
-  EXPECT_TRUE(have_same_bits(result, reference()));
 }
 
 // A view of one component of a mesh.

@@ -1,7 +1,6 @@
-// Each error code for what it is meant for, through the public functions and with every method; and that nothing is written
-// then, but for a map that stores other values than it was given.
+// Each error code that is not that of a defect of the mesh for what it is meant for; and that nothing is written then, but for a
+// map that stores other values than it was given.
 
-#include <CGAL/spherical_parameterization.h>
 #include <CGAL/Spherical_parameterization/ARAP_parameterizer_3.h>
 #include <CGAL/Spherical_parameterization/Conformal_parameterizer_3.h>
 #include <CGAL/Spherical_parameterization/Harmonic_parameterizer_3.h>
@@ -11,58 +10,16 @@
 
 #include "methods.h"
 
-#include <CGAL/Surface_mesh.h>
-#include <CGAL/boost/graph/Euler_operations.h>
 #include <CGAL/boost/graph/generators.h>
-
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <cstddef>
-#include <limits>
-#include <set>
-#include <string>
-#include <utility>
-#include <vector>
 
 using namespace test;
 
 namespace {
 
-using Vertex_index = Mesh::Vertex_index;
 using Bld = SP::Bijective_low_distortion_parameterizer_3<>;
 
 constexpr double inf = std::numeric_limits<double>::infinity();
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-
-Vertex_index vertex(std::size_t i)
-{
-  return Vertex_index(static_cast<Mesh::size_type>(i));
-}
-
-// Expects this error of the method, and that it has not begun; that the map is untouched is a part of run().
-void expect_error(const Mesh& mesh, const Method& method, SP::Error_code error)
-{
-  const Result result = method.run(mesh);
-  EXPECT_EQ(result.error, error) << method.name();
-  EXPECT_EQ(result.report.number_of_iterations(), 0u);
-  EXPECT_EQ(result.report.stop_reason, SP::NOT_RUN);
-}
-
-// The same of every method, before any work: the visitor is not called.
-void expect_error(const Mesh& mesh, SP::Error_code error)
-{
-  std::vector<Method> methods = all_methods();
-  methods.push_back(precomputed(mesh, sentinels(num_vertices(mesh))));
-  for(const Method& method : methods)
-  {
-    expect_error(mesh, method, error);
-    Recorder recorder;
-    EXPECT_EQ(method.run(mesh, Options().visitor(recorder)).error, error);
-    EXPECT_TRUE(recorder.events.empty());
-  }
-  EXPECT_EQ(SP::find_defect(mesh).error, error);
-}
 
 TEST(Error_message, is_a_different_sentence_for_each_code)
 {
@@ -79,108 +36,6 @@ TEST(Error_message, is_a_different_sentence_for_each_code)
   std::set<std::string> reasons;
   for(int reason = SP::NOT_RUN; reason <= SP::NON_FINITE_ENERGY; ++reason)
     EXPECT_TRUE(reasons.insert(SP::get_stop_message(static_cast<SP::Stop_reason>(reason))).second);
-}
-
-TEST(Error_code, empty_mesh)
-{
-  expect_error(Mesh(), SP::ERROR_EMPTY_MESH);
-  Mesh points;
-  points.add_vertex(Point_3(1., 2., 3.));
-  points.add_vertex(Point_3(3., 2., 1.));
-  expect_error(points, SP::ERROR_EMPTY_MESH);
-}
-
-TEST(Error_code, too_few_vertices)
-{
-  Mesh pillow; // two triangles, back to back
-  const Vertex_index a = pillow.add_vertex(Point_3(0., 0., 0.)), b = pillow.add_vertex(Point_3(1., 0., 0.)),
-                     c = pillow.add_vertex(Point_3(0., 1., 0.));
-  pillow.add_face(a, b, c);
-  pillow.add_face(a, c, b);
-  expect_error(pillow, SP::ERROR_TOO_FEW_VERTICES);
-  pillow.add_vertex(Point_3(0., 0., 1.)); // an isolated vertex does not count
-  expect_error(pillow, SP::ERROR_TOO_FEW_VERTICES);
-}
-
-TEST(Error_code, non_triangular_mesh)
-{
-  Mesh cube;
-  CGAL::make_hexahedron(Point_3(-1, -1, -1), Point_3(1, -1, -1), Point_3(1, 1, -1), Point_3(-1, 1, -1),
-                        Point_3(-1, 1, 1), Point_3(-1, -1, 1), Point_3(1, -1, 1), Point_3(1, 1, 1), cube);
-  expect_error(cube, SP::ERROR_NON_TRIANGULAR_MESH);
-
-  Mesh one_quadrangle = make(icosphere(1));
-  CGAL::Euler::join_face(*one_quadrangle.halfedges().begin(), one_quadrangle);
-  expect_error(one_quadrangle, SP::ERROR_NON_TRIANGULAR_MESH);
-}
-
-TEST(Error_code, non_closed_mesh)
-{
-  Triangle_list list = icosphere(1);
-  list.triangles.erase(list.triangles.begin() + 30);
-  expect_error(make(list), SP::ERROR_NON_CLOSED_MESH);
-  list.points.resize(3);
-  list.triangles = {{0, 1, 2}};
-  expect_error(make(list), SP::ERROR_NON_CLOSED_MESH);
-}
-
-TEST(Error_code, several_components)
-{
-  expect_error(make(disjoint_union(icosphere(1), icosphere(1))), SP::ERROR_SEVERAL_COMPONENTS);
-  // together they have the Euler number of a sphere
-  expect_error(make(disjoint_union(icosphere(1), torus(7, 5))), SP::ERROR_SEVERAL_COMPONENTS);
-  expect_error(make(disjoint_union(torus(7, 5), icosphere(1))), SP::ERROR_SEVERAL_COMPONENTS);
-}
-
-TEST(Error_code, no_topological_sphere)
-{
-  expect_error(make(torus(7, 5)), SP::ERROR_NO_TOPOLOGICAL_SPHERE);
-}
-
-TEST(Error_code, no_simplicial_complex_by_a_double_edge)
-{
-  // A double pyramid over a quadrangle becomes one over a triangle, two corners of which get a second edge instead of the
-  // edge between a tip and the third corner.
-  Mesh mesh = make(suspension(4));
-  const Vertex_index corner = CGAL::Euler::collapse_edge(edge(mesh.halfedge(vertex(0), vertex(1)), mesh), mesh);
-  CGAL::Euler::flip_edge(mesh.halfedge(corner, vertex(4)), mesh);
-  ASSERT_EQ(mesh.number_of_vertices(), 5u);
-  ASSERT_TRUE(CGAL::is_closed(mesh) && CGAL::is_triangle_mesh(mesh) && mesh.is_valid());
-  expect_error(mesh, SP::ERROR_NO_SIMPLICIAL_COMPLEX);
-
-  // In a larger mesh, a vertex in a face gets degree 2: then two faces have the same vertices.
-  Mesh large = make(icosphere(1));
-  const Mesh::Halfedge_index h = CGAL::Euler::add_center_vertex(*large.halfedges().begin(), large);
-  const Vertex_index center = large.target(h);
-  EXPECT_EQ(SP::parameterize(large, Point_map(large, sentinels(num_vertices(large)))), SP::OK);
-  CGAL::Euler::flip_edge(h, large);
-  ASSERT_EQ(large.degree(center), 2u);
-  expect_error(large, SP::ERROR_NO_SIMPLICIAL_COMPLEX);
-}
-
-TEST(Error_code, no_simplicial_complex_by_two_fans_at_one_vertex)
-{
-  const Triangle_list sphere = icosphere(1);
-  Mesh mesh = make(disjoint_union(sphere, sphere));
-  const Vertex_index other = vertex(sphere.points.size());
-  for(const auto h : CGAL::halfedges_around_target(mesh.halfedge(other), mesh))
-    mesh.set_target(h, Vertex_index(0));
-  mesh.remove_vertex(other);
-  expect_error(mesh, SP::ERROR_NO_SIMPLICIAL_COMPLEX);
-}
-
-TEST(Error_code, non_finite_coordinate)
-{
-  for(const double x : {inf, -inf, nan})
-  {
-    Triangle_list list = icosphere(1);
-    list.points[7][1] = x;
-    expect_error(make(list), SP::ERROR_NON_FINITE_COORDINATE);
-    // an isolated vertex may be anywhere
-    list = icosphere(1);
-    list.points.push_back({x, x, x});
-    EXPECT_EQ(bijective().run(list).error, SP::OK);
-  }
 }
 
 TEST(Error_code, invalid_initial_parameterization)

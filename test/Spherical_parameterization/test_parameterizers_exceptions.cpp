@@ -2,32 +2,14 @@
 // memory, arrives at the caller, and nothing else has happened: the mesh is as it was, and so is the map unless it is being
 // written, no memory is lost, and the parameterizer is as good as new.
 
-#include <CGAL/spherical_parameterization.h>
-
 #include "engine.h"
 #include "methods.h"
 #include "test_scale.h"
-
-#include <CGAL/Surface_mesh.h>
 
 #ifdef CGAL_LINKED_WITH_TBB
 #include <tbb/global_control.h>
 #include <tbb/task_arena.h>
 #endif
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <atomic>
-#include <cstddef>
-#include <cstdlib>
-#include <functional>
-#include <memory>
-#include <new>
-#include <string>
-#include <thread>
-#include <utility>
-#include <vector>
 
 using namespace test;
 

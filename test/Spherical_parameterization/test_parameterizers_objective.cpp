@@ -6,17 +6,6 @@
 #include "random_meshes.h"
 
 #include <CGAL/boost/graph/IO/polygon_mesh_io.h>
-#include <CGAL/spherical_parameterization.h>
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
-#include <cstdint>
-#include <filesystem>
-#include <string>
-#include <vector>
 
 using namespace test;
 
@@ -32,11 +21,7 @@ Triangle_list with_cap(Triangle_list list, std::size_t k)
 {
   const Triangle t = list.triangles[k];
   const Coordinates a = list.points[t[0]], b = list.points[t[1]], c = list.points[t[2]];
-  const auto v = static_cast<std::uint32_t>(list.points.size());
-  list.points.push_back(combination(1. - 1e-4, combination(0.5, a, 0.5, b), 1e-4, c));
-  list.triangles[k] = {t[0], t[1], v};
-  list.triangles.push_back({t[1], t[2], v});
-  list.triangles.push_back({t[2], t[0], v});
+  split_face(list, k, combination(1. - 1e-4, combination(0.5, a, 0.5, b), 1e-4, c));
   return list;
 }
 
@@ -48,34 +33,14 @@ struct Named_mesh
 
 std::vector<Named_mesh> small_meshes()
 {
-  std::vector<Named_mesh> result = {{"cube", make({{{0., 0., 0.},
-                                                    {1., 0., 0.},
-                                                    {1., 1., 0.},
-                                                    {0., 1., 0.},
-                                                    {0., 0., 1.},
-                                                    {1., 0., 1.},
-                                                    {1., 1., 1.},
-                                                    {0., 1., 1.}},
-                                                   {{0, 2, 1},
-                                                    {0, 3, 2},
-                                                    {4, 5, 6},
-                                                    {4, 6, 7},
-                                                    {0, 1, 5},
-                                                    {0, 5, 4},
-                                                    {1, 2, 6},
-                                                    {1, 6, 5},
-                                                    {2, 3, 7},
-                                                    {2, 7, 6},
-                                                    {3, 0, 4},
-                                                    {3, 4, 7}}})},
-                                    {"tentacle", make(with_tentacle(30, 6.))},
-                                    {"ellipsoid", make(ellipsoid(1., 1., 9., 3))},
-                                    {"stacked", make(random_stacked_sphere(300, 1))},
-                                    {"bumpy", make(bumpy_sphere(3))},
-                                    {"caps", make(with_cap(with_cap(bumpy_sphere(3), 17), 400))},
-                                    {"slivers", make(with_slivers(bumpy_sphere(3), 10, 1e-5))},
-                                    {"slivers of an extremity", make(with_slivers(with_tentacle(30, 6.), 4, 1e-3))}};
-  return result;
+  return {{"cube", make(list_of(SP::Sphere_domain_3::cube(1)))},
+          {"tentacle", make(with_tentacle(30, 6.))},
+          {"ellipsoid", make(ellipsoid(1., 1., 9., 3))},
+          {"stacked", make(random_stacked_sphere(300, 1))},
+          {"bumpy", make(bumpy_sphere(3))},
+          {"caps", make(with_cap(with_cap(bumpy_sphere(3), 17), 400))},
+          {"slivers", make(with_slivers(bumpy_sphere(3), 10, 1e-5))},
+          {"slivers of an extremity", make(with_slivers(with_tentacle(30, 6.), 4, 1e-3))}};
 }
 
 void expect_no_rise(const Method& method, const Mesh& mesh)
@@ -98,13 +63,8 @@ Triangle_list with_split_cap(Triangle_list list)
   {
     const Triangle t = list.triangles[k];
     const Coordinates a = list.points[t[0]], b = list.points[t[1]], c = list.points[t[2]];
-    if(a[2] + b[2] + c[2] < 6.)
-      continue;
-    const auto v = static_cast<std::uint32_t>(list.points.size());
-    list.points.push_back(combination(1., combination(1. / 3., a, 1. / 3., b), 1. / 3., c));
-    list.triangles[k] = {t[0], t[1], v};
-    list.triangles.push_back({t[1], t[2], v});
-    list.triangles.push_back({t[2], t[0], v});
+    if(a[2] + b[2] + c[2] >= 6.)
+      split_face(list, k, combination(1., combination(1. / 3., a, 1. / 3., b), 1. / 3., c));
   }
   return list;
 }

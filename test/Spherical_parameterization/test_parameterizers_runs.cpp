@@ -6,19 +6,6 @@
 #include "random_meshes.h"
 #include "test_scale.h"
 
-#include <CGAL/spherical_parameterization.h>
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <chrono>
-#include <cmath>
-#include <cstddef>
-#include <limits>
-#include <string>
-#include <thread>
-#include <vector>
-
 using namespace test;
 
 namespace {
@@ -97,15 +84,6 @@ TEST(Visitor, is_called_in_order)
       EXPECT_EQ(energy < recorder.all("iteration").front().energy, method.name() != "published");
     }
   }
-}
-
-TEST(Visitor, has_no_influence_by_watching)
-{
-  const Mesh mesh = make(bumpy_sphere(2));
-  const Point_map map(mesh, sentinels(num_vertices(mesh)));
-  ASSERT_EQ(SP::parameterize(mesh, map), SP::OK);
-  Recorder recorder;
-  EXPECT_TRUE(have_same_bits(bijective().run(mesh, Options().visitor(recorder)).images, images(mesh, map)));
 }
 
 // Without any tolerance, a run goes on for as long as it is let.

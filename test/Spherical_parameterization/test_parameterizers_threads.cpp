@@ -2,8 +2,6 @@
 // again, also of calls at the same time and from within what the caller runs in parallel. scripts/test_sanitizers.sh
 // runs this file under the sanitizer of threads.
 
-#include <CGAL/spherical_parameterization.h>
-
 #include "methods.h"
 #include "test_scale.h"
 #include "without_tbb.h"
@@ -11,9 +9,7 @@
 #include <CGAL/Polyhedron_3.h>
 #include <CGAL/Polyhedron_items_with_id_3.h>
 
-#include <boost/graph/graph_traits.hpp>
 #include <boost/property_map/function_property_map.hpp>
-#include <boost/property_map/property_map.hpp>
 
 #ifdef CGAL_LINKED_WITH_TBB
 #include <tbb/global_control.h>
@@ -21,15 +17,6 @@
 #include <tbb/task_arena.h>
 #include <tbb/task_group.h>
 #endif
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cstddef>
-#include <functional>
-#include <map>
-#include <thread>
-#include <vector>
 
 using namespace test;
 
@@ -87,17 +74,6 @@ TEST(Determinism, of_every_method)
       EXPECT_EQ(again.report.average_energy, first.report.average_energy);
     }
   }
-}
-
-// A schedule that has a state starts anew as well.
-TEST(Determinism, of_a_schedule)
-{
-  const Method method("schedule", SP::Bijective_low_distortion_parameterizer_3().sharpness(SP::Sharpness::schedule()));
-  const Result first = method.run(meshes()[1]), second = method.run(meshes()[1]);
-  EXPECT_GT(first.report.number_of_average_iterations, 0u);
-  EXPECT_GT(first.report.number_of_sharp_iterations, 0u);
-  EXPECT_EQ(first.report.number_of_average_iterations, second.report.number_of_average_iterations);
-  EXPECT_TRUE(have_same_bits(first.images, second.images));
 }
 
 // What is measured, too.

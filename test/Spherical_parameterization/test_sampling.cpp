@@ -1,7 +1,5 @@
 // Each direction has the location that an exact brute force finds, whatever the mesh and the map, however it is asked for.
 
-#include <CGAL/Spherical_parameterization/Sphere_locator_3.h>
-
 #include "Counting_kernel.h"
 #include "judge.h"
 #include "methods.h"
@@ -9,7 +7,6 @@
 #include "test_scale.h"
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
-#include <CGAL/Exact_rational.h>
 #include <CGAL/Polygon_mesh_processing/locate.h>
 #include <CGAL/Polyhedron_3.h>
 #include <CGAL/Simple_cartesian.h>
@@ -21,19 +18,6 @@
 #ifdef __GLIBC__
 #include <malloc.h>
 #endif
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <cstdint>
-#include <filesystem>
-#include <iterator>
-#include <limits>
-#include <string>
-#include <vector>
 
 using namespace test;
 
@@ -214,11 +198,7 @@ Triangle_list with_needles(Triangle_list list, std::size_t n, double height)
   {
     const Triangle t = list.triangles[k];
     const Coordinates middle = combination(0.5, list.points[t[0]], 0.5, list.points[t[1]]);
-    const std::size_t v = list.points.size();
-    list.points.push_back(combination(1. - height, middle, height, list.points[t[2]]));
-    list.triangles[k] = {t[0], t[1], v};
-    list.triangles.push_back({t[1], t[2], v});
-    list.triangles.push_back({t[2], t[0], v});
+    split_face(list, k, combination(1. - height, middle, height, list.points[t[2]]));
   }
   return list;
 }
@@ -324,6 +304,17 @@ TEST(Locations, take_as_many_side_tests_in_a_large_mesh_as_in_a_small_one)
   EXPECT_LT(n_side_tests(5), 1.1 * n_side_tests(2));
 }
 
+template <class Locations>
+void expect_same_up_to_rounding(const Locations& locations, const Locations& expected)
+{
+  for(std::size_t k = 0; k < locations.size(); ++k)
+  {
+    EXPECT_EQ(locations[k].first, expected[k].first);
+    for(std::size_t i = 0; i < 3; ++i)
+      EXPECT_NEAR(locations[k].second[i], expected[k].second[i], 1e-6 * expected[k].second[i]);
+  }
+}
+
 TEST(Locations, do_not_depend_on_the_length_of_a_direction)
 {
   const Sphere_map map(random_stacked_sphere(300, 2));
@@ -338,13 +329,7 @@ TEST(Locations, do_not_depend_on_the_length_of_a_direction)
     for(Coordinates& q : scaled)
       for(double& x : q)
         x = std::ldexp(x, exponent);
-    const auto locations = locate_all(map.locator(), scaled);
-    for(std::size_t k = 0; k < locations.size(); ++k)
-    {
-      EXPECT_EQ(locations[k].first, expected[k].first);
-      for(std::size_t i = 0; i < 3; ++i)
-        EXPECT_NEAR(locations[k].second[i], expected[k].second[i], 1e-6 * expected[k].second[i]);
-    }
+    expect_same_up_to_rounding(locate_all(map.locator(), scaled), expected);
   }
   expect_right(map, {{1e300, 1e-5, 0.}, {1e-300, 0., 2e-300}, {5e-324, -5e-324, 5e-324}, {1., 1e-300, -1e-200}});
 }
@@ -357,13 +342,8 @@ TEST(Locations, do_not_depend_on_the_size_of_the_map)
   for(const int exponent : {-900, -100, 100, 900})
   {
     const double factor = std::ldexp(1., exponent);
-    const auto locations = locate_all(Sphere_map(scaled(list, factor, factor, factor)).locator(), directions);
-    for(std::size_t k = 0; k < locations.size(); ++k)
-    {
-      EXPECT_EQ(locations[k].first, expected[k].first);
-      for(std::size_t i = 0; i < 3; ++i)
-        EXPECT_NEAR(locations[k].second[i], expected[k].second[i], 1e-6 * expected[k].second[i]);
-    }
+    expect_same_up_to_rounding(locate_all(Sphere_map(scaled(list, factor, factor, factor)).locator(), directions),
+                               expected);
   }
 }
 

@@ -4,7 +4,6 @@
 #include "decoded_images.h"
 #include "methods.h"
 
-#include <CGAL/Spherical_parameterization/Sampling/Sphere_domain_3.h>
 #include <CGAL/Spherical_parameterization/Sampling/remesh_through_sphere.h>
 
 #ifdef TEST_PNG
@@ -14,23 +13,6 @@
 #include <CGAL/Spherical_parameterization/Sampling/EXR_geometry_image.h>
 #endif
 #include <CGAL/Spherical_parameterization/Sampling/internal/Geometry_image.h>
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <cstdint>
-#include <cstring>
-#include <fstream>
-#include <limits>
-#include <map>
-#include <set>
-#include <sstream>
-#include <string>
-#include <utility>
-#include <vector>
 
 #include <sys/resource.h>
 

@@ -1,10 +1,6 @@
 // The domains triangulate the sphere; what is sampled through them, or carried from mesh to mesh, is what the rules of the
 // documentation say.
 
-#include <CGAL/Spherical_parameterization/Default_visitor.h>
-#include <CGAL/Spherical_parameterization/Sampling/Sphere_domain_3.h>
-#include <CGAL/Spherical_parameterization/Sphere_locator_3.h>
-#include <CGAL/Spherical_parameterization/is_bijective.h>
 #include <CGAL/Spherical_parameterization/Sampling/remesh_through_sphere.h>
 #include <CGAL/Spherical_parameterization/Sampling/transfer.h>
 
@@ -15,24 +11,6 @@
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Polyhedron_3.h>
 #include <CGAL/Simple_cartesian.h>
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <cstdint>
-#include <functional>
-#include <limits>
-#include <map>
-#include <memory>
-#include <new>
-#include <stdexcept>
-#include <string>
-#include <tuple>
-#include <utility>
-#include <vector>
 
 using namespace test;
 
@@ -409,37 +387,21 @@ TEST(Remeshing, leaves_the_mesh_as_it_was_if_memory_runs_out)
   EXPECT_GE(n_failures, 6u + 12u + 8u);
 }
 
-// A map that takes a number of points only.
-struct Full_map
-{
-  using key_type = Vertex_index;
-  using value_type = Point_3;
-  using reference = void;
-  using category = boost::writable_property_map_tag;
-  std::size_t* n_left;
-
-  friend void put(const Full_map& map, Vertex_index, const Point_3&)
-  {
-    if(*map.n_left == 0)
-      throw std::length_error("full");
-    --*map.n_left;
-  }
-};
-
 TEST(Remeshing, leaves_the_mesh_as_it_was_if_a_map_throws)
 {
   const Mapped_mesh source = ellipsoid_on_sphere(1);
   Mesh mesh = make(tetrahedron());
   std::size_t n_left = 5;
-  EXPECT_THROW(
-      (void)SP::remesh_through_sphere(source.mesh, source.sphere, Domain::octahedron(1), mesh, Full_map{&n_left}),
-      std::length_error);
+  const Full_map<Vertex_index, Point_3> sphere{&n_left};
+  const auto remesh = [&] {
+    return SP::remesh_through_sphere(source.mesh, source.sphere, Domain::octahedron(1), mesh, sphere);
+  };
+  EXPECT_THROW((void)remesh(), std::length_error);
   EXPECT_EQ(points(mesh), tetrahedron().points);
   EXPECT_EQ(triangles(mesh), triangles(make(tetrahedron())));
   EXPECT_TRUE(CGAL::is_valid_polygon_mesh(mesh));
   n_left = 6;
-  EXPECT_EQ(SP::remesh_through_sphere(source.mesh, source.sphere, Domain::octahedron(1), mesh, Full_map{&n_left}),
-            SP::OK);
+  EXPECT_EQ(remesh(), SP::OK);
   EXPECT_EQ(mesh.number_of_vertices(), 4u + 6u);
   EXPECT_TRUE(CGAL::is_valid_polygon_mesh(mesh));
 }
@@ -449,33 +411,29 @@ TEST(Transfer, from_a_mesh_to_itself_changes_no_bit_of_any_type)
   Mapped_mesh source(random_stacked_sphere(100, 1)), target(random_stacked_sphere(100, 1));
   const auto x = [](std::size_t i) { return std::sin(static_cast<double>(i)); };
   const auto byte = [](std::size_t i) { return static_cast<unsigned char>(37 * i); };
-  using Pair = std::array<double, 2>;
-  fill<Vertex_index, double>(source, "v:double", x);
-  fill<Vertex_index, float>(source, "v:float", [&](std::size_t i) { return static_cast<float>(x(i)); });
-  fill<Vertex_index, bool>(source, "v:bool", [&](std::size_t i) { return x(i) > 0.; });
-  fill<Vertex_index, std::string>(source, "v:string", [](std::size_t i) { return std::to_string(i); });
-  fill<Vertex_index, CGAL::IO::Color>(
-      source, "v:color", [&](std::size_t i) { return CGAL::IO::Color(byte(i), byte(i + 1), 7, byte(i + 2)); });
-  fill<Vertex_index, Kernel::Vector_3>(source, "v:vector",
-                                       [&](std::size_t i) { return Kernel::Vector_3(x(i), 1., 2.); });
-  fill<Vertex_index, Kernel::Point_2>(source, "v:uv", [&](std::size_t i) { return Kernel::Point_2(x(i), 3.); });
-  fill<Vertex_index, Pair>(source, "v:array", [&](std::size_t i) { return Pair{x(i), x(i + 1)}; });
-  fill<Vertex_index, std::vector<double>>(source, "v:series",
-                                          [&](std::size_t i) { return std::vector<double>(5, x(i)); });
-  fill<Face_index, int>(source, "f:label", [](std::size_t i) { return static_cast<int>(i); });
-  fill<Face_index, double>(source, "f:double", x);
+  std::vector<std::function<void()>> checks;
+  const auto add = [&](auto index, const std::string& name, const auto& make_value) {
+    using Index = decltype(index);
+    using T = decltype(make_value(0));
+    fill<Index, T>(source, name, make_value);
+    checks.push_back([&source, &target, name] { expect_same<Index, T>(source.mesh, target.mesh, name); });
+  };
+  const Vertex_index v;
+  const Face_index f;
+  add(v, "v:double", x);
+  add(v, "v:float", [&](std::size_t i) { return static_cast<float>(x(i)); });
+  add(v, "v:bool", [&](std::size_t i) { return x(i) > 0.; });
+  add(v, "v:string", [](std::size_t i) { return std::to_string(i); });
+  add(v, "v:color", [&](std::size_t i) { return CGAL::IO::Color(byte(i), byte(i + 1), 7, byte(i + 2)); });
+  add(v, "v:vector", [&](std::size_t i) { return Kernel::Vector_3(x(i), 1., 2.); });
+  add(v, "v:uv", [&](std::size_t i) { return Kernel::Point_2(x(i), 3.); });
+  add(v, "v:array", [&](std::size_t i) { return std::array<double, 2>{x(i), x(i + 1)}; });
+  add(v, "v:series", [&](std::size_t i) { return std::vector<double>(5, x(i)); });
+  add(f, "f:label", [](std::size_t i) { return static_cast<int>(i); });
+  add(f, "f:double", x);
   ASSERT_EQ(SP::transfer(source.mesh, source.sphere, target.mesh, target.sphere), SP::OK);
-  expect_same<Vertex_index, double>(source.mesh, target.mesh, "v:double");
-  expect_same<Vertex_index, float>(source.mesh, target.mesh, "v:float");
-  expect_same<Vertex_index, bool>(source.mesh, target.mesh, "v:bool");
-  expect_same<Vertex_index, std::string>(source.mesh, target.mesh, "v:string");
-  expect_same<Vertex_index, CGAL::IO::Color>(source.mesh, target.mesh, "v:color");
-  expect_same<Vertex_index, Kernel::Vector_3>(source.mesh, target.mesh, "v:vector");
-  expect_same<Vertex_index, Kernel::Point_2>(source.mesh, target.mesh, "v:uv");
-  expect_same<Vertex_index, Pair>(source.mesh, target.mesh, "v:array");
-  expect_same<Vertex_index, std::vector<double>>(source.mesh, target.mesh, "v:series");
-  expect_same<Face_index, int>(source.mesh, target.mesh, "f:label");
-  expect_same<Face_index, double>(source.mesh, target.mesh, "f:double");
+  for(const auto& check : checks)
+    check();
 }
 
 TEST(Transfer, leaves_points_and_spheres)
@@ -689,8 +647,7 @@ TEST(Transfer, does_not_depend_on_the_size_of_the_spheres)
   ASSERT_EQ(SP::transfer(source.mesh, source.sphere, expected.mesh, expected.sphere), SP::OK);
   const auto scale = [](Mapped_mesh& m, int exponent) {
     for(const Vertex_index v : m.mesh.vertices())
-      m.sphere[v] = Point_3(std::ldexp(m.sphere[v].x(), exponent), std::ldexp(m.sphere[v].y(), exponent),
-                            std::ldexp(m.sphere[v].z(), exponent));
+      m.sphere[v] = scaled_by_power(m.sphere[v], exponent);
   };
   Mapped_mesh target(icosphere(1));
   scale(source, -600);

@@ -1,26 +1,12 @@
 // What the vertices of one sphere have is carried to those of another one by the weights that the documentation defines.
 
-#include <CGAL/Spherical_parameterization/Sphere_locator_3.h>
 #include <CGAL/Spherical_parameterization/Sampling/Sphere_resampler_3.h>
 
 #include "methods.h"
-#include "test_meshes.h"
 
 #ifdef CGAL_LINKED_WITH_TBB
 #include <tbb/global_control.h>
 #endif
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <cstdint>
-#include <limits>
-#include <map>
-#include <string>
-#include <vector>
 
 using namespace test;
 

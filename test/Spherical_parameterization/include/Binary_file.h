@@ -1,19 +1,7 @@
-// Copyright (c) 2026  The Spherical_parameterization authors.
-// All rights reserved.
-//
-// This file is part of the Spherical_parameterization package for CGAL (www.cgal.org).
-//
-// SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Author(s)     : The Spherical_parameterization authors
-
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_BINARY_FILE_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_BINARY_FILE_H
 
-#include <cstddef>
-#include <cstdint>
-#include <cstring>
-#include <string>
+#include "standard_library.h"
 
 // The bytes of a number, the most significant one first or last.
 template <class Bits, class Number>

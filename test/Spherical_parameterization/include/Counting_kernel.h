@@ -1,12 +1,3 @@
-// Copyright (c) 2026  The Spherical_parameterization authors.
-// All rights reserved.
-//
-// This file is part of the Spherical_parameterization package for CGAL (www.cgal.org).
-//
-// SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Author(s)     : The Spherical_parameterization authors
-
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_TEST_COUNTING_KERNEL_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_TEST_COUNTING_KERNEL_H
 
@@ -18,11 +9,6 @@
 #include <CGAL/Spherical_parameterization/internal/certificate/Orientation_about_origin_3.h>
 #include <CGAL/Spherical_parameterization/internal/locate/Sphere_triangulation.h>
 #include <CGAL/Spherical_parameterization/internal/surface/Linked_triangle.h>
-
-#include <array>
-#include <cstddef>
-#include <cstdint>
-#include <vector>
 
 namespace test {
 

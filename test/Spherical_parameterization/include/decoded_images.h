@@ -1,16 +1,9 @@
-// Copyright (c) 2026  The Spherical_parameterization authors.
-// All rights reserved.
-//
-// This file is part of the Spherical_parameterization package for CGAL (www.cgal.org).
-//
-// SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Author(s)     : The Spherical_parameterization authors
-
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_TEST_DECODED_IMAGES_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_TEST_DECODED_IMAGES_H
 
 // What others see in an image: decoded by the libraries of the formats, without the reader of the package.
+
+#include "standard_library.h"
 
 #ifdef TEST_PNG
 #include <png.h>
@@ -24,14 +17,6 @@
 #endif
 
 #include <gtest/gtest.h>
-
-#include <cstddef>
-#include <fstream>
-#include <istream>
-#include <map>
-#include <sstream>
-#include <string>
-#include <vector>
 
 namespace test {
 

@@ -1,12 +1,3 @@
-// Copyright (c) 2026  The Spherical_parameterization authors.
-// All rights reserved.
-//
-// This file is part of the Spherical_parameterization package for CGAL (www.cgal.org).
-//
-// SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Author(s)     : The Spherical_parameterization authors
-
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_TEST_JUDGE_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_TEST_JUDGE_H
 
@@ -20,13 +11,6 @@
 #include <CGAL/number_utils.h>
 
 #include <gtest/gtest.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <type_traits>
-#include <vector>
 
 namespace test {
 namespace judge {

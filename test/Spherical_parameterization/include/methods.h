@@ -1,12 +1,3 @@
-// Copyright (c) 2026  The Spherical_parameterization authors.
-// All rights reserved.
-//
-// This file is part of the Spherical_parameterization package for CGAL (www.cgal.org).
-//
-// SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Author(s)     : The Spherical_parameterization authors
-
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_TEST_METHODS_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_TEST_METHODS_H
 
@@ -15,12 +6,9 @@
 // promises.
 
 #include "images.h"
-#include "test_meshes.h"
 
-#include <CGAL/Spherical_parameterization/Error_code.h>
-#include <CGAL/Spherical_parameterization/Parameterization_report.h>
+#include <CGAL/spherical_parameterization.h>
 #include <CGAL/Spherical_parameterization/Sampling/Sphere_domain_3.h>
-#include <CGAL/Spherical_parameterization/measure_distortion.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Named_function_parameters.h>
@@ -30,14 +18,6 @@
 #include <boost/property_map/property_map.hpp>
 
 #include <gtest/gtest.h>
-
-#include <cstddef>
-#include <functional>
-#include <memory>
-#include <optional>
-#include <string>
-#include <utility>
-#include <vector>
 
 namespace test {
 
@@ -138,6 +118,24 @@ private:
     std::function<Point_3(const Point_3&)> stored;
   };
   std::shared_ptr<Data> m_data;
+};
+
+// A map that takes a number of values only.
+template <class Key, class Value>
+struct Full_map
+{
+  using key_type = Key;
+  using value_type = Value;
+  using reference = void;
+  using category = boost::writable_property_map_tag;
+  std::size_t* n_left;
+
+  friend void put(const Full_map& map, Key, const Value&)
+  {
+    if(*map.n_left == 0)
+      throw std::length_error("full");
+    --*map.n_left;
+  }
 };
 
 // The named parameters of a run.
@@ -254,7 +252,11 @@ Method precomputed(const Mesh& mesh, const Images& images);    // a given map
 Method bijective_from(const Mesh& mesh, const Images& images); // the default method, from a given map
 Method bijective_from_stereographic();
 
+// Expects this error of the method, and that it has not begun; that the map is untouched is a part of run().
+void expect_error(const Mesh& mesh, const Method& method, SP::Error_code error);
+
 Mesh make(const Triangle_list& list);
+Mesh cube(); // of quadrangles
 Triangle_list list_of(const SP::Sphere_domain_3& domain);
 std::vector<Triangle> triangles(const Mesh& mesh);
 Images points(const Mesh& mesh);

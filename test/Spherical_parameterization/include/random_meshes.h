@@ -1,12 +1,3 @@
-// Copyright (c) 2026  The Spherical_parameterization authors.
-// All rights reserved.
-//
-// This file is part of the Spherical_parameterization package for CGAL (www.cgal.org).
-//
-// SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Author(s)     : The Spherical_parameterization authors
-
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_TEST_RANDOM_MESHES_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_TEST_RANDOM_MESHES_H
 
@@ -15,18 +6,6 @@
 // that are deformed beyond recognition.
 
 #include "images.h"
-#include "test_meshes.h"
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <cstdint>
-#include <random>
-#include <stdexcept>
-#include <string>
-#include <utility>
-#include <vector>
 
 namespace test {
 

@@ -1,23 +1,12 @@
-// Copyright (c) 2026  The Spherical_parameterization authors.
-// All rights reserved.
-//
-// This file is part of the Spherical_parameterization package for CGAL (www.cgal.org).
-//
-// SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Author(s)     : The Spherical_parameterization authors
-
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_TEST_RECORDING_CONTROL_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_TEST_RECORDING_CONTROL_H
 
 // What accompanies a run of the package's inner parts: a visitor that stores what it is told, and may say no after a number
 // of questions, no time limit, and a report.
 
-#include <CGAL/Spherical_parameterization/internal/execution/Run_control.h>
+#include "standard_library.h"
 
-#include <cstddef>
-#include <limits>
-#include <vector>
+#include <CGAL/Spherical_parameterization/internal/execution/Run_control.h>
 
 namespace test {
 

@@ -1,12 +1,3 @@
-// Copyright (c) 2026  The Spherical_parameterization authors.
-// All rights reserved.
-//
-// This file is part of the Spherical_parameterization package for CGAL (www.cgal.org).
-//
-// SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Author(s)     : The Spherical_parameterization authors
-
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_TEST_SURFACES_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_TEST_SURFACES_H
 
@@ -15,15 +6,7 @@
 #include "methods.h"
 #include "random_meshes.h"
 
-#include <CGAL/Spherical_parameterization/Sampling/Sphere_domain_3.h>
 #include <CGAL/Spherical_parameterization/Surface_maps/align_spheres.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstdint>
-#include <utility>
-#include <vector>
 
 namespace test {
 

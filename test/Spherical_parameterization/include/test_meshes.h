@@ -1,17 +1,10 @@
-// Copyright (c) 2026  The Spherical_parameterization authors.
-// All rights reserved.
-//
-// This file is part of the Spherical_parameterization package for CGAL (www.cgal.org).
-//
-// SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Author(s)     : The Spherical_parameterization authors
-
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_TEST_MESHES_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_TEST_MESHES_H
 
 // Meshes for the tests, made without a file and the same on every machine: plain lists of points and triangles first
 // (Triangle_list), then a mesh of any type (make_mesh), and a map from its vertices to points (make_vertex_map).
+
+#include "standard_library.h"
 
 #include <CGAL/Dynamic_property_map.h>
 #include <CGAL/Kernel_traits.h>
@@ -19,17 +12,6 @@
 #include <CGAL/boost/graph/properties.h>
 
 #include <boost/graph/graph_traits.hpp>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <cstdint>
-#include <map>
-#include <random>
-#include <stdexcept>
-#include <utility>
-#include <vector>
 
 namespace test_meshes {
 
@@ -157,6 +139,17 @@ inline Triangle_list suspension(std::size_t n, unsigned int turns = 1)
   return list;
 }
 
+// Puts a vertex into the face, which keeps its first edge; the faces at the others are the last two then.
+inline void split_face(Triangle_list& list, std::size_t face, Coordinates point)
+{
+  const Triangle t = list.triangles[face];
+  const std::size_t v = list.points.size();
+  list.points.push_back(point);
+  list.triangles[face] = {t[0], t[1], v};
+  list.triangles.push_back({t[1], t[2], v});
+  list.triangles.push_back({t[2], t[0], v});
+}
+
 // A tetrahedron, then n times a vertex in the middle of a face, put onto the unit sphere: vertices of degree 3 and
 // of very high degree, big faces next to small ones. The engine is specified by the standard, and its numbers are used
 // as they are, so that the mesh does not depend on the standard library.
@@ -169,11 +162,7 @@ inline Triangle_list random_stacked_sphere(std::size_t n, std::uint32_t seed)
     const std::size_t face = random() % list.triangles.size();
     const Triangle t = list.triangles[face];
     const Coordinates a = list.points[t[0]], b = list.points[t[1]], c = list.points[t[2]];
-    const std::size_t v = list.points.size();
-    list.points.push_back(normalized({a[0] + b[0] + c[0], a[1] + b[1] + c[1], a[2] + b[2] + c[2]}));
-    list.triangles[face] = {t[0], t[1], v};
-    list.triangles.push_back({t[1], t[2], v});
-    list.triangles.push_back({t[2], t[0], v});
+    split_face(list, face, normalized({a[0] + b[0] + c[0], a[1] + b[1] + c[1], a[2] + b[2] + c[2]}));
   }
   return list;
 }

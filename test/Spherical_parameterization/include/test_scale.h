@@ -1,21 +1,10 @@
-// Copyright (c) 2026  The Spherical_parameterization authors.
-// All rights reserved.
-//
-// This file is part of the Spherical_parameterization package for CGAL (www.cgal.org).
-//
-// SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Author(s)     : The Spherical_parameterization authors
-
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_TEST_SCALE_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_TEST_SCALE_H
 
+#include "standard_library.h"
+
 // How much a test that repeats itself does: all of it in an optimized build, a tenth where assertions or sanitizers
 // make each run ten times slower.
-
-#include <algorithm>
-#include <cstddef>
-#include <cstdlib>
 
 namespace test_scale {
 

@@ -3,18 +3,13 @@
 #include "engine.h"
 #include "judge.h"
 
-#include <CGAL/spherical_parameterization.h>
 #include <CGAL/Spherical_parameterization/ARAP_parameterizer_3.h>
 #include <CGAL/Spherical_parameterization/Conformal_parameterizer_3.h>
 #include <CGAL/Spherical_parameterization/Harmonic_parameterizer_3.h>
 #include <CGAL/Spherical_parameterization/Published_low_distortion_parameterizer_3.h>
 #include <CGAL/Spherical_parameterization/Stereographic_parameterizer_3.h>
-#include <CGAL/Spherical_parameterization/sampling.h>
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
+#include <CGAL/boost/graph/generators.h>
 
 namespace test {
 
@@ -154,9 +149,25 @@ Method bijective_from_stereographic()
                                                     SP::Stereographic_parameterizer_3()));
 }
 
+void expect_error(const Mesh& mesh, const Method& method, SP::Error_code error)
+{
+  const Result result = method.run(mesh);
+  EXPECT_EQ(result.error, error) << method.name();
+  EXPECT_EQ(result.report.number_of_iterations(), 0u);
+  EXPECT_EQ(result.report.stop_reason, SP::NOT_RUN);
+}
+
 Mesh make(const Triangle_list& list)
 {
   return test_meshes::make_mesh<Mesh>(list);
+}
+
+Mesh cube()
+{
+  Mesh result;
+  CGAL::make_hexahedron(Point_3(-1, -1, -1), Point_3(1, -1, -1), Point_3(1, 1, -1), Point_3(-1, 1, -1),
+                        Point_3(-1, 1, 1), Point_3(-1, -1, 1), Point_3(1, -1, 1), Point_3(1, 1, 1), result);
+  return result;
 }
 
 // the triangles of a domain, whose points are its directions
