@@ -3,22 +3,16 @@
 
 #include <CGAL/Spherical_parameterization/Conformal_energy_3.h>
 #include <CGAL/Spherical_parameterization/Stretch_energy_3.h>
-#include <CGAL/Spherical_parameterization/Symmetric_Dirichlet_energy_3.h>
 #include <CGAL/Spherical_parameterization/internal/descent/Star_energy.h>
 #include <CGAL/Spherical_parameterization/internal/numbers/Packed_double.h>
 #include <CGAL/Spherical_parameterization/internal/numbers/Vector_3.h>
 
 #include "archetypes.h"
 #include "engine.h"
+#include "long_doubles.h"
 #include "random_meshes.h"
 
 #include <gtest/gtest.h>
-
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <limits>
-#include <vector>
 
 using namespace test;
 
@@ -26,12 +20,7 @@ namespace {
 
 namespace SP = CGAL::Spherical_parameterization;
 
-using SP::internal::Four_lanes;
-using SP::internal::is_lanewise;
-using SP::internal::Lanes;
-using SP::internal::Tangent_frame;
-using SP::internal::Two_lanes;
-using SP::internal::Vector_3d;
+using namespace SP::internal;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
@@ -79,19 +68,6 @@ TEST(Packed_double, decides_lane_by_lane)
 // ---------------------------------------------------------------------------------------------------------------------
 // Tangent_frame
 
-using Long_vector = std::array<long double, 3>;
-
-Long_vector long_difference(const Vector_3d& a, const Vector_3d& b)
-{
-  return {static_cast<long double>(a[0]) - b[0], static_cast<long double>(a[1]) - b[1],
-          static_cast<long double>(a[2]) - b[2]};
-}
-
-double long_dot(const Long_vector& a, const Long_vector& b)
-{
-  return static_cast<double>(a[0] * b[0] + a[1] * b[1] + a[2] * b[2]);
-}
-
 std::vector<Vector_3d> frame_origins()
 {
   Random random(4);
@@ -120,9 +96,9 @@ TEST(Tangent_frame, is_orthonormal_and_right_handed)
     // the axes, as differences of two points of the sphere that lie symmetric to the origin of the frame
     const Long_vector x = long_difference(frame.point_at(0.5, 0.), frame.point_at(-0.5, 0.));
     const Long_vector y = long_difference(frame.point_at(0., 0.5), frame.point_at(0., -0.5));
-    EXPECT_NEAR(long_dot(x, x), 1., 1e-15);
-    EXPECT_NEAR(long_dot(y, y), 1., 1e-15);
-    EXPECT_NEAR(long_dot(x, y), 0., 1e-15);
+    EXPECT_NEAR(static_cast<double>(long_dot(x, x)), 1., 1e-15);
+    EXPECT_NEAR(static_cast<double>(long_dot(y, y)), 1., 1e-15);
+    EXPECT_NEAR(static_cast<double>(long_dot(x, y)), 0., 1e-15);
     for(std::size_t i = 0; i < 3; ++i)
     {
       const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
@@ -147,7 +123,7 @@ TEST(Tangent_frame, takes_a_point_to_its_offset_and_back)
       EXPECT_NEAR(offset[2], Tangent_frame::height_at(x, y), 1e-15);
       // What makes tiny triangles work: the offset of a point that is near is as precise as the difference of the points.
       const Long_vector exact = long_difference(p, n);
-      EXPECT_NEAR(norm(offset) / std::sqrt(long_dot(exact, exact)), 1., 2e-15);
+      EXPECT_NEAR(norm(offset) / std::sqrt(static_cast<double>(long_dot(exact, exact))), 1., 2e-15);
     }
   }
 }

@@ -1,7 +1,6 @@
 // The descent of a whole mesh: independent sets, all faces measured at once, the sharpness of the sweeps and the loop over
 // them, which with the settings of the paper is the published method.
 
-#include <CGAL/Spherical_parameterization/Two_phase_radius_3.h>
 #include <CGAL/Spherical_parameterization/internal/descent/Block_coordinate_descent.h>
 #include <CGAL/Spherical_parameterization/internal/descent/Descent_loop.h>
 #include <CGAL/Spherical_parameterization/internal/descent/Measured_faces.h>
@@ -13,30 +12,12 @@
 #include "random_stars.h"
 #include "recording_control.h"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
-#include <cstdint>
-#include <memory>
-#include <vector>
-
 using namespace test;
 
 namespace {
 
 using SP::Sharpness;
-using SP::internal::Block_coordinate_descent;
-using SP::internal::Descent_loop;
-using SP::internal::Energy_summary;
-using SP::internal::Execution;
-using SP::internal::Gradient_step;
-using SP::internal::Face_energy;
-using SP::internal::Independent_sets;
-using SP::internal::Newton_step;
-using SP::internal::Rest_triangle;
-using SP::internal::Sharpness_rule;
+using namespace SP::internal;
 
 TEST(Independent_sets, are_independent_and_complete)
 {

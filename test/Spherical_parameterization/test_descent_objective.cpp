@@ -10,13 +10,6 @@
 #include "indexed_meshes.h"
 #include "random_meshes.h"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
-#include <vector>
-
 using namespace test;
 
 namespace {
@@ -24,15 +17,7 @@ namespace {
 namespace SP = CGAL::Spherical_parameterization;
 
 using SP::Sharpness;
-using SP::internal::Block_coordinate_descent;
-using SP::internal::Energy_summary;
-using SP::internal::Execution;
-using SP::internal::Face_energy;
-using SP::internal::Face_objective;
-using SP::internal::Mesh_summary;
-using SP::internal::Newton_step;
-using SP::internal::Objective;
-using SP::internal::Rest_triangle;
+using namespace SP::internal;
 
 using Energies = std::vector<double>;
 

@@ -1,8 +1,6 @@
 // The descent of the package against the reference implementation of its method: both end at the same value of the same
 // objective.
 
-#include <CGAL/Spherical_parameterization/Bijective_low_distortion_parameterizer_3.h>
-#include <CGAL/Spherical_parameterization/Sharpness.h>
 #include <CGAL/Spherical_parameterization/internal/surface/mesh_measures.h>
 
 #include "engine.h"
@@ -11,13 +9,6 @@
 #include "methods.h"
 #include "random_meshes.h"
 #include "reference_method.h"
-
-#include <gtest/gtest.h>
-
-#include <cstddef>
-#include <cstdint>
-#include <string>
-#include <vector>
 
 using namespace test;
 

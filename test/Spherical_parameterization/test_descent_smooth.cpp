@@ -9,16 +9,8 @@
 #include <CGAL/Spherical_parameterization/internal/surface/mesh_measures.h>
 
 #include "engine.h"
-#include "images.h"
 #include "indexed_meshes.h"
 #include "random_meshes.h"
-
-#include <gtest/gtest.h>
-
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <vector>
 
 using namespace test;
 
@@ -27,18 +19,7 @@ namespace {
 namespace SP = CGAL::Spherical_parameterization;
 
 using SP::Sharpness;
-using SP::internal::Block_coordinate_descent;
-using SP::internal::Execution;
-using SP::internal::Face_energy;
-using SP::internal::Face_objective;
-using SP::internal::Newton_step;
-using SP::internal::Objective;
-using SP::internal::Rest_triangle;
-using SP::internal::Round_sphere;
-using SP::internal::Smooth_step;
-using SP::internal::Smooth_step_schedule;
-using SP::internal::Sphere_cells;
-using SP::internal::Strain_sums;
+using namespace SP::internal;
 
 Images directions_of(const Images& points)
 {

@@ -7,22 +7,10 @@
 #include <CGAL/Spherical_parameterization/internal/descent/Block_coordinate_descent.h>
 #include <CGAL/Spherical_parameterization/internal/descent/Measured_faces.h>
 #include <CGAL/Spherical_parameterization/internal/descent/Star_energy.h>
-#include <CGAL/Spherical_parameterization/internal/descent/Star_packets.h>
 #include <CGAL/Spherical_parameterization/internal/descent/Vertex_step.h>
 
 #include "indexed_meshes.h"
 #include "random_stars.h"
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <cstdint>
-#include <limits>
-#include <type_traits>
-#include <vector>
 
 using namespace test;
 

@@ -5,19 +5,10 @@
 #include "methods.h"
 #include "random_meshes.h"
 
-#include <CGAL/spherical_parameterization.h>
 #include <CGAL/Spherical_parameterization/ARAP_parameterizer_3.h>
 #include <CGAL/Spherical_parameterization/Conformal_parameterizer_3.h>
 #include <CGAL/Spherical_parameterization/Harmonic_parameterizer_3.h>
 #include <CGAL/Spherical_parameterization/Published_low_distortion_parameterizer_3.h>
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
-#include <cstdint>
-#include <vector>
 
 using namespace test;
 

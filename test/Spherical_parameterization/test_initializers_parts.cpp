@@ -12,17 +12,6 @@
 #include "random_meshes.h"
 #include "recording_control.h"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <cstdint>
-#include <limits>
-#include <set>
-#include <vector>
-
 using namespace test;
 
 namespace {
@@ -356,14 +345,12 @@ TEST(Harmonic_map, is_a_critical_point_of_the_energy)
 
       Recording_control control;
       const SP::Parameterization_report& report = control.report();
-      struct
-      {
-        const Surface& surface;
-        std::vector<Vector_3d>& positions;
-        double radius;
-        Recording_control& control;
-      } run = {mesh, u, 0., control};
+      SP::internal::Run run(control, Execution());
+      run.surface = mesh;
+      run.positions = u;
+      run.radius = 0.;
       ASSERT_EQ(SP::internal::lower_energy<Solver>(Harmonic_map(mesh, is_guarded, Execution()), 100, run), SP::OK);
+      u = run.positions;
       EXPECT_EQ(run.radius, 1.);
       EXPECT_EQ(report.stop_reason, SP::CONVERGED);
       EXPECT_EQ(report.initial_energy, start_energy);
@@ -480,7 +467,7 @@ struct Scattered_map
 {
   explicit Scattered_map(double scatter)
     : list(bumpy_sphere(2))
-    , mesh(surface_of(list))
+    , mesh(test::surface_of(list))
     , u(mesh.in_own_order(icosphere(2).points))
   {
     Random random(1);

@@ -1,10 +1,6 @@
 // The map of the connectivity alone is one-to-one for every triangulation, with determinants as large as its proof says; and it
 // is what the default method starts from if the hierarchy has found no map.
 
-#include <CGAL/Spherical_parameterization/Bijective_low_distortion_parameterizer_3.h>
-#include <CGAL/Spherical_parameterization/Hierarchical_parameterizer_3.h>
-#include <CGAL/Spherical_parameterization/Schnyder_parameterizer_3.h>
-#include <CGAL/Spherical_parameterization/Symmetric_Dirichlet_energy_3.h>
 #include <CGAL/Spherical_parameterization/internal/initializers/Schnyder_drawing.h>
 #include <CGAL/Spherical_parameterization/internal/run/run_descent.h>
 
@@ -12,16 +8,6 @@
 #include "judge.h"
 #include "methods.h"
 #include "random_meshes.h"
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <cstdint>
-#include <utility>
-#include <vector>
 
 using namespace test;
 
