@@ -38,11 +38,6 @@
 namespace CGAL::Spherical_parameterization {
 namespace internal {
 
-inline Vector_3d normalized_or_zero(const Vector_3d& v)
-{
-  return length(v) > 0. ? normalized(v) : v;
-}
-
 inline std::vector<Vector_3d> vertex_normals(std::vector<Vector_3d> points,
                                              const std::vector<Linked_triangle>& triangles)
 {

@@ -129,14 +129,11 @@ struct Gauss_grid
   std::vector<double> weights; // of a node of each parallel; those of all nodes have the sum 1
 
 private:
-  struct Rule
-  {
-    std::vector<double> zeros, weights;
-  };
+  using Rule = std::pair<std::vector<double>, std::vector<double>>; // zeros, weights
 
   Gauss_grid(Rule rule, std::size_t width)
-    : nodes(rule.zeros, width)
-    , weights(std::move(rule.weights))
+    : nodes(rule.first, width)
+    , weights(std::move(rule.second))
   {
     for(double& w : weights)
       w /= 2. * static_cast<double>(width);
@@ -163,8 +160,8 @@ private:
         slope = size * (before - x * p) / ((1. - x) * (1. + x));
         x -= p / slope;
       }
-      rule.zeros[k] = x;
-      rule.weights[k] = 2. / ((1. - x) * (1. + x) * slope * slope);
+      rule.first[k] = x;
+      rule.second[k] = 2. / ((1. - x) * (1. + x) * slope * slope);
     }
     return rule;
   }

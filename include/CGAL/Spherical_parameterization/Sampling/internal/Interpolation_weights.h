@@ -115,8 +115,29 @@ T mean_value(const Weighted_source* begin, const Weighted_source* end, const Val
   }
 }
 
-// The mean of the values of some terms; of labels, the one with the largest sum of weights, the first one if several have.
-// What has no term gets zero, or what else the type begins with.
+// Of terms whose sources have labels, one with the label that has the largest sum of weights, the first one if several have.
+// Not a template, as to sort takes long to compile.
+inline const Weighted_source* term_of_largest_label(
+    const Weighted_source* begin, const Weighted_source* end,
+    const std::function<bool(const Weighted_source*, const Weighted_source*)>& is_less)
+{
+  std::vector<const Weighted_source*> terms(static_cast<std::size_t>(end - begin));
+  std::iota(terms.begin(), terms.end(), begin);
+  std::stable_sort(terms.begin(), terms.end(), is_less);
+  std::pair<double, const Weighted_source*> best = {-1., nullptr}; // the sum of weights of a label, and its first term
+  for(auto term = terms.begin(); term != terms.end();)
+  {
+    std::pair<double, const Weighted_source*> sum = {0., *term};
+    for(; term != terms.end() && !is_less(sum.second, *term); ++term)
+      sum.first += (*term)->weight;
+    if(sum.first > best.first || (sum.first == best.first && sum.second < best.second))
+      best = sum;
+  }
+  return best.second;
+}
+
+// The mean of the values of some terms; of labels, the one with the largest sum of weights. What has no term gets zero, or what
+// else the type begins with.
 template <class T>
 T weighted_value(const Weighted_source* begin, const Weighted_source* end, const T* values)
 {
@@ -127,25 +148,9 @@ T weighted_value(const Weighted_source* begin, const Weighted_source* end, const
   if constexpr(has_mean<T>)
     return mean_value<T>(begin, end, [&](std::size_t source) { return values + source; });
   else
-  {
-    const auto is_less = [&](const Weighted_source* a, const Weighted_source* b) {
-      return std::less<T>()(values[a->source], values[b->source]);
-    };
-    std::vector<const Weighted_source*> terms(static_cast<std::size_t>(end - begin));
-    std::iota(terms.begin(), terms.end(), begin);
-    std::stable_sort(terms.begin(), terms.end(), is_less);
-    std::pair<double, const Weighted_source*> best = {-1.,
-                                                      nullptr}; // the sum of weights of a label, and its first term
-    for(auto term = terms.begin(); term != terms.end();)
-    {
-      std::pair<double, const Weighted_source*> sum = {0., *term};
-      for(; term != terms.end() && !is_less(sum.second, *term); ++term)
-        sum.first += (*term)->weight;
-      if(sum.first > best.first || (sum.first == best.first && sum.second < best.second))
-        best = sum;
-    }
-    return values[best.second->source];
-  }
+    return values[term_of_largest_label(begin, end, [&](const Weighted_source* a, const Weighted_source* b) {
+                    return std::less<T>()(values[a->source], values[b->source]);
+                  })->source];
 }
 
 // From which elements of a source, and with which weights, each element of a target has its value.

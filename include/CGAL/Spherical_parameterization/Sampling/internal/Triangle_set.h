@@ -114,6 +114,8 @@ public:
 
 private:
   using Frame = std::array<Vector_3d, 3>;
+  static constexpr double huge = (std::numeric_limits<double>::max)();
+  static constexpr std::size_t leaf_size = 4, none = (std::numeric_limits<std::size_t>::max)();
 
   static Vector_3d in_frame(const Frame& frame, const Vector_3d& p)
   {
@@ -122,8 +124,17 @@ private:
 
   struct Box
   {
-    Vector_3d min, max;
+    Vector_3d min = {huge, huge, huge}, max = {-huge, -huge, -huge}; // of no point
     std::size_t frame = none; // in which it is upright, if that is not the coordinate system
+
+    void extend(const Vector_3d& p)
+    {
+      for(std::size_t i = 0; i < 3; ++i)
+      {
+        min[i] = (std::min)(min[i], p[i]);
+        max[i] = (std::max)(max[i], p[i]);
+      }
+    }
 
     // half the area of its surface
     double area() const
@@ -144,25 +155,16 @@ private:
 
   // A balanced binary tree: ranges of `m_order`, halved as long as they are longer than `leaf_size`. Its boxes have the
   // numbers of the middles of their ranges, which differ as no half has less than two elements.
-  static constexpr std::size_t leaf_size = 4, none = (std::numeric_limits<std::size_t>::max)();
   static std::size_t middle(std::size_t begin, std::size_t end) { return begin + (end - begin) / 2; }
 
   // The box of a range, by the coordinates of its corners in some frame.
   template <class Coordinates>
   Box box_of(std::size_t begin, std::size_t end, const Coordinates& coordinates) const
   {
-    constexpr double max = (std::numeric_limits<double>::max)();
-    Box box = {{max, max, max}, {-max, -max, -max}, none};
+    Box box;
     for(std::size_t k = begin; k < end; ++k)
       for(const Vector_3d& corner : m_triangles[m_order[k]])
-      {
-        const Vector_3d p = coordinates(corner);
-        for(std::size_t i = 0; i < 3; ++i)
-        {
-          box.min[i] = (std::min)(box.min[i], p[i]);
-          box.max[i] = (std::max)(box.max[i], p[i]);
-        }
-      }
+        box.extend(coordinates(corner));
     return box;
   }
 
@@ -221,17 +223,10 @@ private:
       return;
     // Halved where the centres, not the boxes, reach farthest: needles around a vertex all reach as far.
     const auto center = [&](std::size_t t) { return m_triangles[t][0] + m_triangles[t][1] + m_triangles[t][2]; };
-    Vector_3d min = center(m_order[begin]), max = min;
-    for(std::size_t k = begin + 1; k < end; ++k)
-    {
-      const Vector_3d p = center(m_order[k]);
-      for(std::size_t i = 0; i < 3; ++i)
-      {
-        min[i] = (std::min)(min[i], p[i]);
-        max[i] = (std::max)(max[i], p[i]);
-      }
-    }
-    const Vector_3d size = max - min;
+    Box centers;
+    for(std::size_t k = begin; k < end; ++k)
+      centers.extend(center(m_order[k]));
+    const Vector_3d size = centers.max - centers.min;
     const std::size_t axis = static_cast<std::size_t>(std::max_element(size.begin(), size.end()) - size.begin());
     std::size_t* const order = m_order.data();
     std::nth_element(order + begin, order + middle(begin, end), order + end,

@@ -77,6 +77,11 @@ Vector_3<FT> normalized(const Vector_3<FT>& a)
   return (1. / length(a)) * a;
 }
 
+inline Vector_3d normalized_or_zero(const Vector_3d& a)
+{
+  return length(a) > 0. ? normalized(a) : a;
+}
+
 // Whether x is neither infinite nor NaN. It asks the bits, as a compiler that may assume that all numbers are finite
 // (-ffinite-math-only, part of -ffast-math) replaces std::isfinite() by true.
 inline bool is_finite(double x)
