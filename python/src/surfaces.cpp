@@ -88,12 +88,12 @@ std::vector<std::pair<Vertex_index, Vertex_index>> read_landmarks(const Two_surf
       const std::int64_t v = landmarks.data()[2 * row + column];
       const auto refuse = [&](const std::string& why) {
         SP::internal::Soup_defect defect{SP::ERROR_INVALID_LANDMARK,
-                                     "landmarks: row " + std::to_string(row) + " has the vertex " + std::to_string(v) +
-                                         (column == 0 ? " of surface1" : " of surface2") + why +
-                                         ".\n(Vertices and rows are counted from 0.)",
-                                     {},
-                                     {},
-                                     {}};
+                                         "landmarks: row " + std::to_string(row) + " has the vertex " +
+                                             std::to_string(v) + (column == 0 ? " of surface1" : " of surface2") + why +
+                                             ".\n(Vertices and rows are counted from 0.)",
+                                         {},
+                                         {},
+                                         {}};
         if(v >= 0)
           defect.vertex = static_cast<std::size_t>(v);
         throw Error{defect};

@@ -82,7 +82,8 @@ void map_by_landmarks(const Surfaces& surfaces, const std::string& content)
 void map_by_features(const Surfaces& surfaces, const std::string& content)
 {
   const std::size_t n = num_vertices(surfaces.first);
-  const Program::File_features features = Program::features_of({SP::internal::read_mesh_file(".ply", content, true)}, n);
+  const Program::File_features features =
+      Program::features_of({SP::internal::read_mesh_file(".ply", content, true)}, n);
   std::vector<Mapper::Feature> pairs;
   for(const auto& [name, values] : features.values)
     pairs.emplace_back([values = &values](Vertex_index v) { return (*values)[v]; },
