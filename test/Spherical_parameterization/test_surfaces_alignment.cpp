@@ -238,7 +238,7 @@ const Arms bent_arms = {straight_arms.directions, straight_arms.lengths, 0.35};
 void locate(const Mapped_mesh& mesh, SP::internal::Located_surface& surface)
 {
   SP::internal::Mesh_on_sphere<Mesh, Mesh::Property_map<Vertex_index, Point_3>> arrays;
-  EXPECT_EQ(arrays.read_with_points(mesh.mesh, mesh.sphere, mesh.mesh.points(), {}), SP::OK);
+  EXPECT_EQ(arrays.read_with_points(mesh.mesh, mesh.sphere, CGAL::parameters::default_values(), {}), SP::OK);
   EXPECT_EQ(surface.assign(SP::internal::surface_of(arrays)), SP::OK);
 }
 
