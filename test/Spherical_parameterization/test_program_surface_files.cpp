@@ -19,7 +19,7 @@ const std::string volume = []() {
   return file.content;
 }();
 
-const std::string remesh = "remesh lh.white octahedron=2 --method stereographic --quiet ";
+const std::string remesh_white = "remesh lh.white octahedron=2 --method stereographic --quiet ";
 
 class Surface_files : public Program_fixture
 {
@@ -143,22 +143,22 @@ TEST_F(Surface_files, damaged_files_are_named)
 
 TEST_F(Surface_files, values_are_carried_over)
 {
-  expect_success(remesh + "-o even.ply --transfer lh.sulc,lh.curv");
+  expect_success(remesh_white + "-o even.ply --transfer lh.sulc,lh.curv");
   expect_part(content(path("even.ply")), "property float sulc\nproperty float curv\n");
 #ifdef TEST_MGH
   Surface_file values; // frames get numbers
   values.columns.resize(2);
   values.columns[0].values = values.columns[1].values = {1., 2., 3., 4.};
   write_by("lh.both.mgz", [&](std::ostream& out) { return SP::IO::write_MGH(out, values, true); });
-  expect_success(remesh + "-o even.ply --transfer lh.both.mgz");
+  expect_success(remesh_white + "-o even.ply --transfer lh.both.mgz");
   expect_part(content(path("even.ply")), "property float both_1\nproperty float both_2\n");
 #endif
   // those of another surface, whose sphere has its faces
   expect_success("lh.white -o lh.sphere");
-  expect_success(remesh + "-o even.ply --transfer lh.sulc --values-sphere lh.sphere");
+  expect_success(remesh_white + "-o even.ply --transfer lh.sulc --values-sphere lh.sphere");
   write("cortex.label", "#!ascii label\n1\n2 0 0 0 1\n");
-  expect_message(remesh + "-o lh.even --transfer lh.sulc", "the name of a .ply or .gii file");
-  expect_messages(remesh + "-o even.ply --transfer ",
+  expect_message(remesh_white + "-o lh.even --transfer lh.sulc", "the name of a .ply or .gii file");
+  expect_messages(remesh_white + "-o even.ply --transfer ",
                   {{"lh.short", "lh.short: has values of 2 vertices, but lh.white has 4"},
                    {"lh.sulc,lh.short", "lh.short: has values of 2 vertices, but lh.sulc of 4"},
                    {"lh.sulc,lh.sulc", "lh.sulc: has values of the name sulc, as a file before it"},
@@ -269,7 +269,7 @@ TEST_F(Surface_files, hemispheres_that_are_mixed_up_are_reported)
   expect_success("match lh.white lh.white --features lh.sulc rh.sulc" + map, mixed + "rh.sulc" + rest + uncertain);
   expect_success("match lh.white lh.white --features lh.sulc lh.sulc" + map, uncertain);
   expect_success("match lh.white corner.off" + map);
-  expect_success(remesh + "-o even.ply --transfer lh.curv,rh.sulc", mixed + "rh.sulc" + rest);
+  expect_success(remesh_white + "-o even.ply --transfer lh.curv,rh.sulc", mixed + "rh.sulc" + rest);
   expect_success("lh.white -o lh.sphere");
   fs::copy(path("lh.sphere"), path("sub-1_hemi-R_sphere"));
   expect_success("resample lh.sulc lh.sphere sub-1_hemi-R_sphere -o lh.out",
@@ -370,9 +370,9 @@ TEST_F(Surface_files, values_are_carried_over_to_GIFTI)
                     {"region", "NIFTI_INTENT_LABEL", Vertex_values::Type::int32, {7., 7., 7., 7.}, {}}};
   values.labels = {{7, "all", {{0., 0., 0., 1.}}}};
   write_by("v.func.gii", [&](std::ostream& out) { return SP::IO::write_GIFTI(out, values); });
-  expect_success(remesh + "-o even.ply --transfer v.func.gii",
+  expect_success(remesh_white + "-o even.ply --transfer v.func.gii",
                  "v.func.gii: not carried over: the names and colours of its labels, which a GIFTI file can hold\n");
-  expect_success(remesh + "-o even.surf.gii --transfer lh.sulc,v.func.gii");
+  expect_success(remesh_white + "-o even.surf.gii --transfer lh.sulc,v.func.gii");
   const Surface_file file = read_by("even.func.gii", SP::IO::read_GIFTI);
   ASSERT_EQ(file.columns.size(), 3u);
   EXPECT_EQ(file.columns[0].name, "sulc");
@@ -386,11 +386,11 @@ TEST_F(Surface_files, values_are_carried_over_to_GIFTI)
     values.columns.erase(values.columns.begin());
     return SP::IO::write_GIFTI(out, values);
   });
-  expect_success(remesh + "-o even.surf.gii --transfer v.func.gii,w.label.gii",
+  expect_success(remesh_white + "-o even.surf.gii --transfer v.func.gii,w.label.gii",
                  "v.func.gii,w.label.gii: not carried over: the names and colours of the labels of w.label.gii, as a "
                  "file before it has some\n");
   EXPECT_EQ(file.origin.metadata.at(0).second, "CortexLeft");
-  expect_message(remesh + "-o even.func.gii --transfer lh.sulc", "even.func.gii: would be written twice");
+  expect_message(remesh_white + "-o even.func.gii --transfer lh.sulc", "even.func.gii: would be written twice");
 }
 
 #endif
