@@ -18,49 +18,47 @@ void append(Options_list& list, const Options_list& more)
 
 Options_list method_options(const std::string& command)
 {
-  Options_list list = {
-      {"--method", "METHOD", "bld, the default, hierarchical, harmonic, stereographic, schnyder; conformal, arap"},
-      {"--paper", "", "the published method with its settings: harmonic start, s from 0.1 to 10, ..."}};
+  Options_list list = {{"--method", "METHOD", "bld (default), hierarchical, harmonic, stereographic, schnyder, ..."},
+                       {"--paper", "", "the published method with its settings"}};
   if(command != "match" && command != "register")
-    append(list,
-           {{"--initial", "START", "hierarchical, stereographic, harmonic, conformal, schnyder, or FILE with a map"},
-            {"--density", "FILE", "areas on the sphere by these values; equal: in proportion to those of faces"}});
+    append(list, {{"--initial", "START", "hierarchical, stereographic, harmonic, conformal, schnyder; or a FILE"},
+                  {"--density", "FILE", "areas on the sphere by these values; equal: as those of the surface"}});
   append(list, {{"--energy", "ENERGY", "symmetric-dirichlet, the default, isometric, or conformal: angles only"},
                 {"--prefer", "WHAT", "the lowest average distortion, worst, balance (the default), or sampling"},
                 {"--sharpness", "B", "anything between: 0 is average, 20 balance, 40 worst"},
                 {"--schedule", "S,T[,N]", "exp(s E), s from S to T, after N sweeps of the sum; --paper: 0.1,10,100"},
                 {"--radius", "RADIUS", "objective, the default, two-phase, optimal, area, balanced or fixed=R"},
-                {"--tolerance", "T", "end when two sweeps change the objective by no more than this share; 1e-3"},
+                {"--tolerance", "T", "end when two sweeps change the objective by no more; 1e-3"},
                 {"--iterations", "N", "most sweeps; 250, or more below 2000 vertices; 0 leaves the initial map"},
                 {"--time-limit", "SECONDS", "sweep no longer than this; the map reached is written"}});
   return list;
 }
 
 const Options_list repair_options = {
-    {"--fill-holes", "N", "fill holes of at most N edges, or all; what is written is that of the file"},
-    {"--components", "WHICH", "of a surface of several parts, map the largest; or each, to files with numbers"}};
+    {"--fill-holes", "N", "fill holes of at most N edges, or all, before mapping"},
+    {"--components", "WHICH", "of several parts, map the largest; or each, to files with numbers"}};
 
 const Options_list common_options = {{"--threads", "N", "use no more threads; the result is always the same"},
                                      {"--quiet", "", "print nothing but errors"}};
 
 const Options_list format_options = {
-    {"--format", "FORMAT", "off, obj, ply, ts, gifti or freesurfer, whatever the names of files are"},
+    {"--format", "FORMAT", "off, obj, ply, ts, gifti or freesurfer, whatever names of files say"},
     {"--convention", "WHICH", "cortex: spheres lie as the surface, radius 100 (.gii, lh.*); or none"}};
 
 const Options_list report_options = {
-    {"--json", "FILE", "write the report and the distortions as JSON; - prints them instead"},
+    {"--json", "FILE", "write the report as JSON; - prints it instead"},
     {"--colored", "PREFIX", "write PREFIX_surface.ply and PREFIX_sphere.ply, coloured by distortion"},
     {"--page", "FILE.html", "write a page for web browsers that shows both sides, see show"},
-    {"--labels", "FILE", "with --page: an annotation or .label.gii file, whose colours it shows"}};
+    {"--labels", "FILE", "with --page: an annotation or .label.gii file, for its colours"}};
 
 const Options_list hint_options = {
     {"--landmarks", "A B", "files with the vertices that correspond, one a line, counted from 0"},
-    {"--soft-landmarks", "W", "the weight of their mean squared distance, instead of meeting them exactly"},
+    {"--soft-landmarks", "W", "the weight of their mean squared distance; by default met exactly"},
     {"--features", "A B", "values of vertices to align by; or depth, height, curvature, inflated"},
     {"--feature-weights", "NAME=W,...", "how much features of these names count; 1"},
     {"--compare", "WHAT", "ranks of features, the default, or their values"},
-    {"--masks", "A B", "values of vertices, 0 where features are not to be compared; or labels"},
-    {"--regularize", "WHAT", "keep low the distortion between surfaces, the default, or between spheres"},
+    {"--masks", "A B", "values of vertices, 0 where features do not count; or labels"},
+    {"--regularize", "WHAT", "low distortion between surfaces, the default, or spheres"},
     {"--overlay", "FILE.ply", "write the common refinement with the places on both, and both faces"}};
 
 Options_list own_options(const std::string& command)
@@ -70,49 +68,48 @@ Options_list own_options(const std::string& command)
   if(command == "match" || command == "register")
   {
     const bool is_match = command == "match";
-    Options_list list = {{"-o,--output", is_match ? "RESULT" : "SPHERE",
-                          is_match ? "write SURFACE with its vertices on TARGET"
-                                   : "write the sphere of SURFACE, its vertices on that of ATLAS"},
-                         {"--sphere", "SPHERE",
-                          is_match ? "write the directions on the sphere of TARGET, and that to SPHERE_target"
-                                   : "write the sphere as it was before"}};
+    Options_list list = {
+        {"-o,--output", is_match ? "RESULT" : "SPHERE",
+         is_match ? "write SURFACE with its vertices on TARGET"
+                  : "write the sphere of SURFACE, its vertices on that of ATLAS"},
+        {"--sphere", "SPHERE",
+         is_match ? "directions on the sphere of TARGET; that to SPHERE_target" : "write the sphere as it was before"}};
     append(list, hint_options);
     if(is_match)
-      append(list, {{"--split", "", "split edges where that lowers the energy by much; at most half as many again"},
-                    {"--morph", "T FILE", "write the common refinement on its way from SURFACE, T = 0, to TARGET"}});
+      append(list, {{"--split", "", "split edges where that lowers the energy by much"},
+                    {"--morph", "T FILE", "write the common refinement on its way: T = 0 is SURFACE, 1 TARGET"}});
     return list;
   }
   if(command == "remesh")
     return {{"-o,--output", "MESH", "write the surface with the faces of DOMAIN; .ply has normals, too"},
             {"--sphere", "SPHERE", "write the sphere of SURFACE"},
-            {"--transfer", "VALUES", "carry over properties of a .ply file, or files of values with commas between"},
+            {"--transfer", "VALUES", "carry over properties of a .ply file, or files of values: A,B,..."},
             {"--values-sphere", "SPHERE", "VALUES is another surface, and this its sphere"},
-            {"--geometry-image", "FILE", "write points as colours of a square, .png or .exr; normals to FILE_normals"},
+            {"--geometry-image", "FILE", "write points as colours, .png or .exr; normals to FILE_normals"},
             {"--image-size", "N", "pixels in each of its rows and columns, odd; 257"}};
   if(command == "resample")
     return {{"-o,--output", "RESULT", "write what the vertices of SPHERE_B get"},
             {"--output-folder", "FOLDER", "for several VALUES: write each here, by its name"},
             {"--method", "METHOD", "barycentric, the default; adaptive, that with --areas; nearest or largest"},
-            {"--areas", "A B", "surfaces with the vertices of the spheres, or files of areas: average by area"},
-            {"--mask", "FILE", "the vertices of SPHERE_A that count: a value is positive, or a label has them"},
-            {"--valid", "FILE", "write 1 for the vertices of SPHERE_B that get something, 0 for the others"},
+            {"--areas", "A B", "surfaces with these vertices, or files of areas: average by area"},
+            {"--mask", "FILE", "vertices of SPHERE_A that count: a positive value, or in a label"},
+            {"--valid", "FILE", "write 1 for vertices of SPHERE_B that get something, 0 for others"},
             {"--through", "", "VALUES are spheres: carry them through a registration, from A to B"}};
   if(command == "check")
-    return {{"--json", "FILE", "write the report and the distortions as JSON; - prints them instead"}};
+    return {{"--json", "FILE", "write the report as JSON; - prints it instead"}};
   if(command == "repair")
-    return {
-        {"-o,--output", "RESULT", "write the closed surface; in .ply, filler is 1 for faces that are new"},
-        {"--fill-holes", "N", "fill holes of at most N edges, or all, the default"},
-        {"--components", "WHICH", "of a surface of several parts, take the largest; or each, to files with numbers"},
-        {"--handles", "FILE.ply", "write a short closed path around each handle, as lines"}};
+    return {{"-o,--output", "RESULT", "write the closed surface; in .ply, filler is 1 for faces that are new"},
+            {"--fill-holes", "N", "fill holes of at most N edges, or all, the default"},
+            {"--components", "WHICH", "of several parts, take the largest; or each, to files with numbers"},
+            {"--handles", "FILE.ply", "write a short closed path around each handle, as lines"}};
   if(command == "show")
     return {{"-o,--output", "PAGE.html", "write the page, which needs no network"},
             {"--beside", "SURFACE", "show this surface with the same faces in place of the sphere"},
-            {"--labels", "FILE", "an annotation of FreeSurfer or .label.gii file, whose colours the page shows"}};
-  return {{"--output-folder", "FOLDER", "write each sphere and its report here, as NAME.off, say, and NAME.json"},
-          {"--surfaces", "NAME...", "map files of these names, or patterns, in all folders below each INPUT"},
+            {"--labels", "FILE", "an annotation of FreeSurfer or a .label.gii file, for its colours"}};
+  return {{"--output-folder", "FOLDER", "write each sphere and its report here: NAME.off, NAME.json"},
+          {"--surfaces", "NAME...", "map files of these names, or patterns, in folders below each INPUT"},
           {"--overwrite", "", "with --surfaces: replace files that the program has not written"},
-          {"--template", "T", "map the surface T onto each INPUT, and write T with its vertices there"},
+          {"--template", "T", "map T onto each INPUT, and write T with its vertices there"},
           {"--resume", "", "leave out meshes that are done, by this version with these options"}};
 }
 
@@ -132,7 +129,7 @@ const std::vector<Command> commands = {
      "Registers a surface to an atlas: a sphere that has features.", 2, 2},
     {"remesh", "give a surface other faces: remesh SURFACE octahedron=64 -o MESH",
      "cow.off octahedron=64 -o remesh.ply", "SURFACE DOMAIN [-o MESH] [options]",
-     "Samples a surface by octahedron=N, cube=N or icosahedron=N, whose edges are divided into N, or by a FILE\nwith a "
+     "Samples a surface by octahedron=N, cube=N or icosahedron=N, whose edges are divided into N, or by\na FILE with a "
      "mesh of the sphere. --prefer is sampling if nothing else is given.",
      1, 2},
     {"resample", "carry values from one sphere to another one: resample VALUES SPHERE_A SPHERE_B",
@@ -141,20 +138,20 @@ const std::vector<Command> commands = {
      std::size_t(-1)},
     {"check", "say whether a surface can be mapped, or a sphere is one-to-one: check SURFACE [SPHERE]",
      "cow.off sphere.off", "SURFACE [SPHERE] [options]",
-     "Says what keeps a surface from being mapped; or whether a sphere with its faces is one-to-one, and how\nit is "
+     "Says what keeps a surface from being mapped; or whether a sphere with its faces is\none-to-one, and how it is "
      "distorted.",
      1, 2},
     {"repair", "fill holes, pick a component, find handles: repair SURFACE -o RESULT", "scan.ply -o closed.ply",
      "SURFACE [-o RESULT] [options]", "Fills the holes of a surface, or writes where its handles are.", 1, 1},
     {"batch", "map many surfaces: batch INPUT... --output-folder FOLDER", "scans/ --output-folder spheres",
      "INPUT... --output-folder FOLDER [options]",
-     "Maps meshes, and those in folders. One that fails does not stop the others; small ones are mapped one on\neach "
+     "Maps meshes, and those in folders. One that fails does not stop the others; small ones are mapped\none on each "
      "core. After Ctrl-C nothing that is incomplete is left.",
      1, std::size_t(-1)},
     {"show", "write a page for web browsers: show SURFACE [SPHERE] -o PAGE.html", "cow.off sphere.off -o cow.html",
      "SURFACE [SPHERE] -o PAGE.html [options]",
-     "Shows a surface and its sphere side by side, coloured by the distortion of the place that is pointed at;\nof a "
-     "surface with handles, where these are. Without SPHERE, the surface is mapped.",
+     "Shows a surface and its sphere side by side, coloured by distortion;\nof a surface with handles, where these "
+     "are. Without SPHERE, the surface is mapped.",
      1, 2}};
 
 const std::map<std::string, std::vector<const char*>> needed_options = {

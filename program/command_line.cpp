@@ -104,7 +104,7 @@ void check_option(const std::string& word, const Parser& parser, const Command& 
 
 std::string help_of(const Command& command)
 {
-  constexpr std::size_t column = 27;
+  constexpr std::size_t column = 25;
   std::string text = "Example: " + std::string(program) + ' ' + command.name + ' ' + command.example +
                      "\nUsage: " + program + ' ' + command.name + ' ' + command.usage + "\n\n" + command.text + "\n\n";
   for(const Command_option& option : options_of(command.name))
@@ -121,8 +121,8 @@ std::string help()
   constexpr std::size_t column = 12;
   std::string text =
       "Example: " + std::string(program) + " cow.off -o sphere.off\n\n" +
-      "Maps a closed triangle mesh of genus 0 to a sphere, one-to-one and with low distortion, certified by\n"
-      "exact arithmetic; and what can be done with such maps. The first word is a command:\n\n";
+      "Maps a closed triangle mesh of genus 0 to a sphere, one-to-one and with low distortion, certified\n"
+      "by exact arithmetic; and what can be done with such maps. The first word is a command:\n\n";
   for(const Command& command : commands)
   {
     std::string line = "  " + command.name + ' ';
@@ -131,15 +131,17 @@ std::string help()
   }
   return text + "\nWithout one, map is meant, and with --output-folder, batch. " + program + " COMMAND --help\n" +
          R"(explains its options. Files are .off, .obj, .ply, .stl, .ts, or surfaces in the formats GIFTI
-(.gii, .gii.gz) and of FreeSurfer, such as lh.white. Ctrl-C ends the sweeps; the map reached is written.
+(.gii, .gii.gz) and of FreeSurfer, such as lh.white. Ctrl-C ends the sweeps; the map reached is
+written.
 
   -h, --help          print this
   --version           print the version
   --completion bash   print what completes commands and options in this shell
 
-Exit status: 0, all that was asked for was written, and every map in it is certified as one-to-one; 1, an
-error, of which a message tells; 2, a map folds, which --method conformal and arap do not exclude, but all
-files were written nevertheless. With batch: 1, some meshes have no map; 2, all have one, but some fold.
+Exit status: 0, all that was asked for was written, and every map in it is certified as one-to-one;
+1, an error, of which a message tells; 2, a map folds, which --method conformal and arap do not
+exclude, but all files were written nevertheless. With batch: 1, some meshes have no map; 2, all
+have one, but some fold.
 )";
 }
 
