@@ -124,7 +124,7 @@ const std::vector<Command> commands = {
     {"match", "map a surface onto another one: match SURFACE TARGET -o RESULT", "cat.off horse.off -o cat_on_horse.off",
      "SURFACE TARGET [-o RESULT] [options]", "Maps a surface one-to-one onto another one, through both spheres.", 2, 2},
     {"register", "register a sphere to an atlas: register SURFACE ATLAS --features A B",
-     "lh.white lh.atlas --features depth atlas.sulc -o lh.sphere.reg",
+     "lh.white atlas.off --features depth atlas.sulc -o lh.reg",
      "SURFACE ATLAS --features A B [-o SPHERE] [options]",
      "Registers a surface to an atlas: a sphere that has features.", 2, 2},
     {"remesh", "give a surface other faces: remesh SURFACE octahedron=64 -o MESH",

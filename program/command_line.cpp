@@ -129,7 +129,7 @@ std::string help()
     line.resize((std::max)(line.size(), column), ' ');
     text += line + command.summary + '\n';
   }
-  return text + "\nWithout one, map is meant, and with --output-folder, batch. " + program + " COMMAND --help\n" +
+  return text + "\nWithout one, map is meant; with --output-folder, batch. " + program + " COMMAND --help\n" +
          R"(explains its options. Files are .off, .obj, .ply, .stl, .ts, or surfaces in the formats GIFTI
 (.gii, .gii.gz) and of FreeSurfer, such as lh.white. Ctrl-C ends the sweeps; the map reached is
 written.
