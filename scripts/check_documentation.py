@@ -200,8 +200,9 @@ def without_comments(source):
 
 
 def tags_read_by(header, visited):
-    """The tags of named parameters that are read in a header of the package, or in one that it includes."""
-    if header in visited:
+    """The tags of named parameters that are read in a header of the package, or in one that it includes. What can be compiled
+    once knows no named parameters."""
+    if header in visited or header.endswith("_impl.h"):
         return set()
     visited.add(header)
     source = without_comments((HEADERS / header).read_text())

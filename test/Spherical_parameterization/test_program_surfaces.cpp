@@ -207,7 +207,7 @@ TEST_F(Surface_program, maps_one_part_or_each_and_finds_handles)
 
   expect_message("torus.off -o map_of_torus.off", "A path of 6 edges around a handle, of length 6, at vertex");
   expect_part(expect_success("repair torus.off --handles handles.ply"),
-              "cannot be mapped: the surface has the genus 1");
+              "cannot be mapped: torus.off: the surface has the genus 1");
   expect_part(content(path("handles.ply")), "element edge 6\n");
   expect_success("repair sphere.off --handles handles.ply");
   expect_part(content(path("handles.ply")), "element edge 0\n");
