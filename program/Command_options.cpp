@@ -59,7 +59,7 @@ const Options_list hint_options = {
     {"--compare", "WHAT", "ranks of features, the default, or their values"},
     {"--masks", "A B", "values of vertices, 0 where features are not to be compared; or labels"},
     {"--regularize", "WHAT", "keep low the distortion between surfaces, the default, or between spheres"},
-    {"--overlay", "FILE.ply", "write the common refinement with the places on both, and both faces"}};
+    {"--overlay", "FILE.ply", "write the common refinement with positions on both, and both faces"}};
 
 Options_list own_options(const std::string& command)
 {
@@ -76,7 +76,7 @@ Options_list own_options(const std::string& command)
                                    : "write the sphere as it was before"}};
     append(list, hint_options);
     if(is_match)
-      append(list, {{"--split", "", "split edges where that lowers the energy by much; at most by half"},
+      append(list, {{"--split", "", "split edges to lower the energy; at most half as many vertices again"},
                     {"--morph", "T FILE", "write the common refinement on its way from SURFACE, T = 0, to TARGET"}});
     return list;
   }

@@ -153,6 +153,8 @@ void Option_reader::read_names()
   o.is_onto_atlas = is_atlas;
   if(names.size() > 1 && (is("check") || is("show")))
     o.sphere_file = names[1];
+  else if(is("check") && has("json"))
+    fail("--json has the distortions of a sphere: check SURFACE SPHERE --json FILE");
   if(names.size() > 1 && is("remesh"))
     o.domain = names[1];
 }

@@ -112,6 +112,7 @@ TEST_F(Commands, say_where_options_went)
                        {"batch corner.off --output-folder out -o a.off", "-o"},
                        {"batch corner.off --output-folder out --json a.json", "--json is no option of batch"},
                        {"remesh corner.off cube=2 --unknown", "spherical_parameterization remesh --help"},
+                       {"check corner.off --json r.json", "check SURFACE SPHERE --json FILE"},
                        {"corner.off --unknown", "--unknown"}});
 }
 
