@@ -1,7 +1,5 @@
 // The core of the package, but for the descents, of which each energy has a source of its own.
 
-#include <CGAL/Spherical_parameterization/internal/certificate/Bijectivity_certificate_impl.h>
 #include <CGAL/Spherical_parameterization/internal/certificate/Orientation_about_origin_3_impl.h>
 #include <CGAL/Spherical_parameterization/internal/execution/parallel_impl.h>
-#include <CGAL/Spherical_parameterization/internal/run/run_parameterization_impl.h>
 #include <CGAL/Spherical_parameterization/internal/surface/Surface_impl.h>

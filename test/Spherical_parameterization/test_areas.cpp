@@ -2,7 +2,6 @@
 // meet them, as far as they can be met.
 
 #include <CGAL/Spherical_parameterization/Target_area_parameterizer_3.h>
-#include <CGAL/Spherical_parameterization/internal/areas/Cell_areas.h>
 #include <CGAL/Spherical_parameterization/internal/areas/Area_shares.h>
 
 #include "methods.h"

@@ -5,7 +5,7 @@
 #ifdef TEST_GIFTI
 
 #include <CGAL/Spherical_parameterization/Cortex/GIFTI.h>
-#include <CGAL/Spherical_parameterization/Cortex/internal/Base64.h>
+#include <CGAL/Spherical_parameterization/Cortex/internal/Gifti_data.h>
 #include <CGAL/Spherical_parameterization/Cortex/internal/Zlib.h>
 
 using namespace surface_files;

@@ -1,7 +1,7 @@
 // What the vertices of one sphere have is carried to those of another one by the weights that the documentation defines.
 
 #include <CGAL/Spherical_parameterization/Sampling/Sphere_resampler_3.h>
-#include <CGAL/Spherical_parameterization/Sampling/internal/Resampling_weights.h>
+#include <CGAL/Spherical_parameterization/Sampling/internal/Interpolation_weights.h>
 
 #include "methods.h"
 

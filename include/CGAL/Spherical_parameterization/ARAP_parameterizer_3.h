@@ -69,18 +69,14 @@ public:
   Error_code parameterize(const TriangleMesh& tmesh, VertexSphereMap vertex_sphere_map,
                           const CGAL_NP_CLASS& np = parameters::default_values())
   {
-    if constexpr(internal::check_run<TriangleMesh, VertexSphereMap, CGAL_NP_CLASS>())
-    {
-      internal::Parameterization_run<ConcurrencyTag, TriangleMesh, CGAL_NP_CLASS> run(tmesh, np, m_report);
-      if(is_valid() && run.read_number_of_iterations() && run.read())
-        run.error = internal::make_initial_map(m_initial_parameterizer, run);
-      if(run.error == OK)
-        run.error = internal::lower_energy<SolverTraits>(internal::ARAP_map(run.surface, run.execution),
-                                                         run.number_of_iterations.value_or(500), run);
-      return run.write(vertex_sphere_map, internal::Guarantee::NONE);
-    }
-    else
-      return ERROR_WRONG_PARAMETER;
+    return internal::run_parameterization<ConcurrencyTag, internal::Guarantee::NONE>(
+        tmesh, vertex_sphere_map, np, m_report, [&](auto& run) {
+          if(is_valid() && run.read_number_of_iterations() && run.read())
+            run.error = internal::make_initial_map(m_initial_parameterizer, run);
+          if(run.error == OK)
+            run.error = internal::lower_energy<SolverTraits>(internal::ARAP_map(run.surface, run.execution),
+                                                             run.number_of_iterations.value_or(500), run);
+        });
   }
 
   /// returns what the last run did.
@@ -95,9 +91,5 @@ private:
 };
 
 } // namespace CGAL::Spherical_parameterization
-
-#if defined(CGAL_SPHERICAL_PARAMETERIZATION_USE_LIBRARY) && defined(CGAL_EIGEN3_ENABLED)
-#include <CGAL/Spherical_parameterization/internal/initializers/initializers_of_library.h>
-#endif
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_ARAP_PARAMETERIZER_3_H

@@ -175,19 +175,16 @@ public:
   Error_code parameterize(const TriangleMesh& tmesh, VertexSphereMap vertex_sphere_map,
                           const CGAL_NP_CLASS& np = parameters::default_values())
   {
-    if constexpr(internal::check_settings<Energy, Radius>() &&
-                 internal::check_run<TriangleMesh, VertexSphereMap, CGAL_NP_CLASS>())
-    {
-      internal::Parameterization_run<ConcurrencyTag, TriangleMesh, CGAL_NP_CLASS> run(tmesh, np, m_report);
-      if(is_valid() && run.read_number_of_iterations() && run.read())
-        run.error = make_initial_map(run);
-      if(run.error == OK)
-        internal::run_descent<internal::Newton_step>(
-            m_energy, m_radius, m_sharpness, m_settings,
-            run.number_of_iterations.value_or(internal::default_number_of_sweeps(run.surface.number_of_vertices())),
-            run);
-      return run.write(vertex_sphere_map);
-    }
+    if constexpr(internal::check_settings<Energy, Radius>())
+      return internal::run_parameterization<ConcurrencyTag>(tmesh, vertex_sphere_map, np, m_report, [&](auto& run) {
+        if(is_valid() && run.read_number_of_iterations() && run.read())
+          run.error = make_initial_map(run);
+        if(run.error == OK)
+          internal::run_descent<internal::Newton_step>(
+              m_energy, m_radius, m_sharpness, m_settings,
+              run.number_of_iterations.value_or(internal::default_number_of_sweeps(run.surface.number_of_vertices())),
+              run);
+      });
     else
       return ERROR_WRONG_PARAMETER;
   }

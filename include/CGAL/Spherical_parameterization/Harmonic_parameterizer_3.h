@@ -65,15 +65,10 @@ public:
   Error_code parameterize(const TriangleMesh& tmesh, VertexSphereMap vertex_sphere_map,
                           const CGAL_NP_CLASS& np = parameters::default_values())
   {
-    if constexpr(internal::check_run<TriangleMesh, VertexSphereMap, CGAL_NP_CLASS>())
-    {
-      internal::Parameterization_run<ConcurrencyTag, TriangleMesh, CGAL_NP_CLASS> run(tmesh, np, m_report);
+    return internal::run_parameterization<ConcurrencyTag>(tmesh, vertex_sphere_map, np, m_report, [&](auto& run) {
       if(run.read_number_of_iterations() && run.read())
         run.error = internal::map_harmonically<SolverTraits>(run, true, run.number_of_iterations.value_or(100));
-      return run.write(vertex_sphere_map);
-    }
-    else
-      return ERROR_WRONG_PARAMETER;
+    });
   }
 
   /// returns what the last run did.
@@ -84,9 +79,5 @@ private:
 };
 
 } // namespace CGAL::Spherical_parameterization
-
-#if defined(CGAL_SPHERICAL_PARAMETERIZATION_USE_LIBRARY) && defined(CGAL_EIGEN3_ENABLED)
-#include <CGAL/Spherical_parameterization/internal/initializers/initializers_of_library.h>
-#endif
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_HARMONIC_PARAMETERIZER_3_H

@@ -108,14 +108,11 @@ public:
   Error_code parameterize(const TriangleMesh& tmesh, VertexSphereMap vertex_sphere_map,
                           const CGAL_NP_CLASS& np = parameters::default_values())
   {
-    if constexpr(internal::check_energy<Energy>() &&
-                 internal::check_run<TriangleMesh, VertexSphereMap, CGAL_NP_CLASS>())
-    {
-      internal::Parameterization_run<ConcurrencyTag, TriangleMesh, CGAL_NP_CLASS> run(tmesh, np, m_report);
-      if(is_valid() && run.read())
-        run.error = embed(run, true);
-      return run.write(vertex_sphere_map);
-    }
+    if constexpr(internal::check_energy<Energy>())
+      return internal::run_parameterization<ConcurrencyTag>(tmesh, vertex_sphere_map, np, m_report, [&](auto& run) {
+        if(is_valid() && run.read())
+          run.error = embed(run, true);
+      });
     else
       return ERROR_WRONG_PARAMETER;
   }

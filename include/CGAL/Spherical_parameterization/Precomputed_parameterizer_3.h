@@ -57,9 +57,7 @@ public:
   Error_code parameterize(const TriangleMesh& tmesh, VertexSphereMap vertex_sphere_map,
                           const CGAL_NP_CLASS& np = parameters::default_values())
   {
-    if constexpr(internal::check_run<TriangleMesh, VertexSphereMap, CGAL_NP_CLASS>())
-    {
-      internal::Parameterization_run<ConcurrencyTag, TriangleMesh, CGAL_NP_CLASS> run(tmesh, np, m_report);
+    return internal::run_parameterization<ConcurrencyTag>(tmesh, vertex_sphere_map, np, m_report, [&](auto& run) {
       if(run.read())
       {
         run.error = run.read_map(m_map) ? OK : ERROR_INVALID_INITIAL_PARAMETERIZATION;
@@ -67,10 +65,7 @@ public:
         if(run.error == OK)
           m_report.stop_reason = CONVERGED; // as there is nothing to improve
       }
-      return run.write(vertex_sphere_map);
-    }
-    else
-      return ERROR_WRONG_PARAMETER;
+    });
   }
 
   /// returns what the last run did.

@@ -109,17 +109,15 @@ public:
   Error_code parameterize(const TriangleMesh& tmesh, VertexSphereMap vertex_sphere_map,
                           const CGAL_NP_CLASS& np = parameters::default_values())
   {
-    if constexpr(internal::check_settings<Isometric_energy_3, Radius>() &&
-                 internal::check_run<TriangleMesh, VertexSphereMap, CGAL_NP_CLASS>())
-    {
-      internal::Parameterization_run<ConcurrencyTag, TriangleMesh, CGAL_NP_CLASS> run(tmesh, np, m_report);
-      if(is_valid() && run.read_number_of_iterations() && run.read())
-        run.error = internal::make_initial_map(m_initial_parameterizer, run);
-      if(run.error == OK)
-        internal::run_descent<internal::Gradient_step>(Isometric_energy_3(), m_radius, m_sharpness, {1e-5, 1e-3, false},
-                                                       run.number_of_iterations.value_or(2000), run);
-      return run.write(vertex_sphere_map);
-    }
+    if constexpr(internal::check_settings<Isometric_energy_3, Radius>())
+      return internal::run_parameterization<ConcurrencyTag>(tmesh, vertex_sphere_map, np, m_report, [&](auto& run) {
+        if(is_valid() && run.read_number_of_iterations() && run.read())
+          run.error = internal::make_initial_map(m_initial_parameterizer, run);
+        if(run.error == OK)
+          internal::run_descent<internal::Gradient_step>(Isometric_energy_3(), m_radius, m_sharpness,
+                                                         {1e-5, 1e-3, false}, run.number_of_iterations.value_or(2000),
+                                                         run);
+      });
     else
       return ERROR_WRONG_PARAMETER;
   }

@@ -66,15 +66,10 @@ public:
   Error_code parameterize(const TriangleMesh& tmesh, VertexSphereMap vertex_sphere_map,
                           const CGAL_NP_CLASS& np = parameters::default_values())
   {
-    if constexpr(internal::check_run<TriangleMesh, VertexSphereMap, CGAL_NP_CLASS>())
-    {
-      internal::Parameterization_run<ConcurrencyTag, TriangleMesh, CGAL_NP_CLASS> run(tmesh, np, m_report);
+    return internal::run_parameterization<ConcurrencyTag>(tmesh, vertex_sphere_map, np, m_report, [&](auto& run) {
       if(run.read())
         run.error = internal::embed_stereographically<SolverTraits>(run, true);
-      return run.write(vertex_sphere_map);
-    }
-    else
-      return ERROR_WRONG_PARAMETER;
+    });
   }
 
   /// returns what the last run did.
@@ -85,9 +80,5 @@ private:
 };
 
 } // namespace CGAL::Spherical_parameterization
-
-#if defined(CGAL_SPHERICAL_PARAMETERIZATION_USE_LIBRARY) && defined(CGAL_EIGEN3_ENABLED)
-#include <CGAL/Spherical_parameterization/internal/initializers/initializers_of_library.h>
-#endif
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_STEREOGRAPHIC_PARAMETERIZER_3_H

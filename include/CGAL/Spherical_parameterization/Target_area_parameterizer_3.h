@@ -20,7 +20,6 @@
 #include <CGAL/Spherical_parameterization/Symmetric_Dirichlet_energy_3.h>
 #include <CGAL/Spherical_parameterization/internal/areas/Area_descent.h>
 #include <CGAL/Spherical_parameterization/internal/areas/Area_shares.h>
-#include <CGAL/Spherical_parameterization/internal/areas/Cell_areas.h>
 #include <CGAL/Spherical_parameterization/internal/execution/policy_traits.h>
 #include <CGAL/Spherical_parameterization/internal/numbers/Vector_3.h>
 #include <CGAL/Spherical_parameterization/internal/run/check_arguments.h>
@@ -305,9 +304,5 @@ private:
 };
 
 } // namespace CGAL::Spherical_parameterization
-
-#if defined(CGAL_SPHERICAL_PARAMETERIZATION_USE_LIBRARY) && defined(CGAL_EIGEN3_ENABLED)
-#include <CGAL/Spherical_parameterization/internal/areas/area_descents_of_library.h>
-#endif
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_TARGET_AREA_PARAMETERIZER_3_H

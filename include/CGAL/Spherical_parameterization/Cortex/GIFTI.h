@@ -16,10 +16,10 @@
 
 #include <CGAL/Spherical_parameterization/Cortex/Surface_file.h>
 #include <CGAL/Spherical_parameterization/Error_code.h>
-#include <CGAL/Spherical_parameterization/Cortex/internal/Base64.h>
+#include <CGAL/Spherical_parameterization/Cortex/internal/Gifti_data.h>
 #include <CGAL/Spherical_parameterization/Cortex/internal/Gifti_parser.h>
 #include <CGAL/Spherical_parameterization/Cortex/internal/Zlib.h>
-#include <CGAL/Spherical_parameterization/Cortex/internal/vertex_values.h>
+#include <CGAL/Spherical_parameterization/Cortex/internal/surface_file_checks.h>
 #include <CGAL/Spherical_parameterization/internal/files/File_bytes.h>
 
 #include <array>
@@ -206,8 +206,7 @@ namespace IO {
 ///         Coordinates and values that are not finite are kept.
 inline Error_code read_GIFTI(std::istream& in, Surface_file& file, std::string& message)
 {
-  return internal::read_or_tell(file, message, [&](Surface_file& result, std::string& text) {
-    std::string content = internal::read_all(in);
+  return internal::read_or_tell(in, file, message, [](std::string content, Surface_file& result, std::string& text) {
     const std::size_t file_size = content.size();
     if(internal::is_packed_by_gzip(content))
     {

@@ -16,9 +16,8 @@
 
 #include <CGAL/Spherical_parameterization/Cortex/Surface_file.h>
 #include <CGAL/Spherical_parameterization/Error_code.h>
-#include <CGAL/Spherical_parameterization/Cortex/internal/Freesurfer_parts.h>
 #include <CGAL/Spherical_parameterization/Cortex/internal/Zlib.h>
-#include <CGAL/Spherical_parameterization/Cortex/internal/vertex_values.h>
+#include <CGAL/Spherical_parameterization/Cortex/internal/surface_file_checks.h>
 #include <CGAL/Spherical_parameterization/internal/files/File_bytes.h>
 
 #include <array>
@@ -80,7 +79,7 @@ struct Mgh_header
   std::int32_t type;
 };
 
-inline void read_mgh(const std::string& content, IO::Surface_file& file)
+inline void read_mgh(const std::string& content, IO::Surface_file& file, std::string&)
 {
   const bool is_packed = is_packed_by_gzip(content);
   const Mgh_header header(is_packed ? unpack(content, Mgh_header::size, true) : content.substr(0, Mgh_header::size));
@@ -149,8 +148,7 @@ namespace IO {
 /// \return `OK`, or `ERROR_INVALID_SURFACE_FILE` if the file is damaged, or of another kind; `file` is left as it was then
 inline Error_code read_MGH(std::istream& in, Surface_file& file, std::string& message)
 {
-  return internal::read_or_tell(
-      file, message, [&](Surface_file& result, std::string&) { internal::read_mgh(internal::read_all(in), result); });
+  return internal::read_or_tell(in, file, message, internal::read_mgh);
 }
 
 /// \ingroup PkgSphericalParameterizationFiles

@@ -17,7 +17,6 @@
 #include <CGAL/Spherical_parameterization/Error_code.h>
 #include <CGAL/Spherical_parameterization/internal/library.h>
 #include <CGAL/Spherical_parameterization/internal/numbers/Vector_3.h>
-#include <CGAL/Spherical_parameterization/internal/numbers/direction_of.h>
 #include <CGAL/Spherical_parameterization/internal/run/check_arguments.h>
 #include <CGAL/Spherical_parameterization/internal/surface/Surface.h>
 #include <CGAL/Spherical_parameterization/internal/surface/read_mesh.h>

@@ -20,7 +20,6 @@
 #include <CGAL/Spherical_parameterization/internal/execution/parallel.h>
 #include <CGAL/Spherical_parameterization/internal/library.h>
 #include <CGAL/Spherical_parameterization/internal/numbers/Vector_3.h>
-#include <CGAL/Spherical_parameterization/internal/numbers/direction_of.h>
 #include <CGAL/Spherical_parameterization/internal/run/Visitor_control.h>
 
 #include <CGAL/Named_function_parameters.h>

@@ -16,7 +16,7 @@
 
 #include <CGAL/Spherical_parameterization/Error_code.h>
 #include <CGAL/Spherical_parameterization/internal/numbers/Vector_3.h>
-#include <CGAL/Spherical_parameterization/internal/numbers/direction_of.h>
+#include <CGAL/Spherical_parameterization/internal/run/maximum_number.h>
 #include <CGAL/Spherical_parameterization/internal/surface/read_mesh.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -313,9 +313,7 @@ template <class TriangleMesh, typename CGAL_NP_TEMPLATE_PARAMETERS>
 Error_code fill_holes(TriangleMesh& tmesh, std::vector<Filled_hole<TriangleMesh>>& holes,
                       const CGAL_NP_CLASS& np = parameters::default_values())
 {
-  std::size_t max_edges = (std::numeric_limits<std::size_t>::max)();
-  if constexpr(!parameters::is_default_parameter<CGAL_NP_CLASS, internal_np::maximum_number_t>::value)
-    max_edges = static_cast<std::size_t>(parameters::get_parameter(np, internal_np::maximum_number));
+  const std::size_t max_edges = internal::maximum_number_of(np).value_or((std::numeric_limits<std::size_t>::max)());
   const auto vpm = internal::vertex_point_map_of(tmesh, np);
   return internal::Hole_filler<TriangleMesh, std::decay_t<decltype(vpm)>>(tmesh, vpm).fill(holes, max_edges);
 }

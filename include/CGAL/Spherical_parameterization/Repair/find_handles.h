@@ -19,6 +19,7 @@
 #include <CGAL/Spherical_parameterization/internal/numbers/Vector_3.h>
 #include <CGAL/Spherical_parameterization/internal/surface/Linked_triangle.h>
 #include <CGAL/Spherical_parameterization/internal/surface/Surface.h>
+#include <CGAL/Spherical_parameterization/internal/run/maximum_number.h>
 #include <CGAL/Spherical_parameterization/internal/surface/read_mesh.h>
 
 #include <CGAL/Named_function_parameters.h>
@@ -95,9 +96,7 @@ Error_code find_handles(const TriangleMesh& tmesh, std::vector<Handle<TriangleMe
                         const CGAL_NP_CLASS& np = parameters::default_values())
 {
   handles.clear();
-  std::size_t max_handles = (std::numeric_limits<std::size_t>::max)();
-  if constexpr(!parameters::is_default_parameter<CGAL_NP_CLASS, internal_np::maximum_number_t>::value)
-    max_handles = static_cast<std::size_t>(parameters::get_parameter(np, internal_np::maximum_number));
+  const std::size_t max_handles = internal::maximum_number_of(np).value_or((std::numeric_limits<std::size_t>::max)());
   internal::Mesh_arrays<TriangleMesh> arrays;
   internal::Surface surface;
   const auto vpm = internal::vertex_point_map_of(tmesh, np);

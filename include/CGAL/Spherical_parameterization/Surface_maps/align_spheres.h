@@ -19,7 +19,7 @@
 #include <CGAL/Spherical_parameterization/Surface_maps/internal/find_surface_map.h>
 #include <CGAL/Spherical_parameterization/Surface_maps/internal/read_two_surfaces.h>
 #include <CGAL/Spherical_parameterization/internal/numbers/Rotation_matrix.h>
-#include <CGAL/Spherical_parameterization/internal/numbers/direction_of.h>
+#include <CGAL/Spherical_parameterization/internal/numbers/Vector_3.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/tags.h>

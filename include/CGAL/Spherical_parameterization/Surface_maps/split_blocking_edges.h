@@ -17,7 +17,6 @@
 #include <CGAL/Spherical_parameterization/Error_code.h>
 #include <CGAL/Spherical_parameterization/internal/certificate/is_safely_positive.h>
 #include <CGAL/Spherical_parameterization/internal/numbers/Vector_3.h>
-#include <CGAL/Spherical_parameterization/internal/numbers/direction_of.h>
 #include <CGAL/Spherical_parameterization/internal/surface/read_mesh.h>
 
 #include <CGAL/boost/graph/Euler_operations.h>

@@ -15,11 +15,9 @@
 #include <CGAL/license/Spherical_parameterization.h>
 
 #include <CGAL/Spherical_parameterization/Cortex/Surface_file.h>
-#include <CGAL/Spherical_parameterization/Cortex/internal/Freesurfer_parts.h>
 #include <CGAL/Spherical_parameterization/Cortex/internal/Gifti_data.h>
-#include <CGAL/Spherical_parameterization/Cortex/internal/vertex_values.h>
+#include <CGAL/Spherical_parameterization/Cortex/internal/surface_file_checks.h>
 #include <CGAL/Spherical_parameterization/internal/files/File_bytes.h>
-#include <CGAL/Spherical_parameterization/internal/files/Number_text.h>
 
 #include <expat.h>
 

@@ -57,24 +57,26 @@ inline uInt length_of_block(std::size_t size)
   return static_cast<uInt>((std::min)(size, std::size_t((std::numeric_limits<uInt>::max)())));
 }
 
+// A stream of zlib, which `end` ends.
+template <int (*end)(z_streamp)>
+struct Zlib_stream : z_stream
+{
+  Zlib_stream()
+    : z_stream()
+  {}
+  ~Zlib_stream() { end(this); }
+  Zlib_stream(const Zlib_stream&) = delete;
+  Zlib_stream& operator=(const Zlib_stream&) = delete;
+};
+
 // Unpacks what zlib or gzip has packed, in one stream or, if `has_members`, several. Returns one byte more than `max_size`
 // if there are more.
 inline std::string unpack(std::string_view packed, std::size_t max_size, bool has_members)
 {
-  struct Stream : z_stream
-  {
-    Stream()
-      : z_stream()
-    {
-      constexpr int any_header = 32;
-      if(inflateInit2(this, MAX_WBITS + any_header) != Z_OK)
-        throw std::bad_alloc();
-    }
-    ~Stream() { inflateEnd(this); }
-    Stream(const Stream&) = delete;
-    Stream& operator=(const Stream&) = delete;
-  } stream;
-
+  constexpr int any_header = 32;
+  Zlib_stream<inflateEnd> stream;
+  if(inflateInit2(&stream, MAX_WBITS + any_header) != Z_OK)
+    throw std::bad_alloc();
   std::string result;
   std::array<char, 1 << 16> block;
   std::size_t position = 0;
@@ -111,21 +113,11 @@ inline std::string unpack(std::string_view packed, std::size_t max_size, bool ha
 // Packs bytes by zlib, or by gzip.
 inline std::string pack(std::string_view bytes, bool is_gzip)
 {
-  struct Stream : z_stream
-  {
-    explicit Stream(bool has_gzip_header)
-      : z_stream()
-    {
-      constexpr int gzip_header = 16, usual_memory = 8;
-      if(deflateInit2(this, Z_DEFAULT_COMPRESSION, Z_DEFLATED, MAX_WBITS + (has_gzip_header ? gzip_header : 0),
-                      usual_memory, Z_DEFAULT_STRATEGY) != Z_OK)
-        throw std::bad_alloc();
-    }
-    ~Stream() { deflateEnd(this); }
-    Stream(const Stream&) = delete;
-    Stream& operator=(const Stream&) = delete;
-  } stream(is_gzip);
-
+  constexpr int gzip_header = 16, usual_memory = 8;
+  Zlib_stream<deflateEnd> stream;
+  if(deflateInit2(&stream, Z_DEFAULT_COMPRESSION, Z_DEFLATED, MAX_WBITS + (is_gzip ? gzip_header : 0), usual_memory,
+                  Z_DEFAULT_STRATEGY) != Z_OK)
+    throw std::bad_alloc();
   std::string result;
   std::array<char, 1 << 16> block;
   std::size_t position = 0;

@@ -16,7 +16,6 @@
 
 #include <CGAL/Spherical_parameterization/Harmonics/spherical_harmonics_files.h>
 #include <CGAL/Spherical_parameterization/internal/files/File_bytes.h>
-#include <CGAL/Spherical_parameterization/internal/files/Number_text.h>
 
 #include <algorithm>
 #include <cmath>
@@ -122,7 +121,7 @@ void for_each_in_coef(std::size_t degree, const Function& f)
   }
 }
 
-inline Spherical_harmonics_3 read_coef(const std::string& content)
+inline void read_coef(const std::string& content, Spherical_harmonics_3& result, std::string&)
 {
   Coef_parser in(content);
   in.expect('{');
@@ -132,7 +131,7 @@ inline Spherical_harmonics_3 read_coef(const std::string& content)
     throw File_error("The file says that it has ", n,
                      " coefficients, and is too short for that, or it is no .coef file: ", truncated);
   const std::size_t degree = degree_with(static_cast<std::size_t>(n), "coefficients");
-  Spherical_harmonics_3 result(3, degree, Harmonic_normalization::orthonormal, true);
+  result = Spherical_harmonics_3(3, degree, Harmonic_normalization::orthonormal, true);
   for_each_in_coef(degree, [&](std::size_t l, std::ptrdiff_t m, double factor) {
     in.expect(',');
     in.expect('{');
@@ -146,7 +145,6 @@ inline Spherical_harmonics_3 read_coef(const std::string& content)
   });
   in.expect('}');
   in.expect_end();
-  return result;
 }
 
 inline std::string coef_text(Spherical_harmonics_3 harmonics)
@@ -206,7 +204,7 @@ inline std::vector<std::string_view> fields_of(std::string_view line)
   return result;
 }
 
-inline Spherical_harmonics_3 read_table(std::string_view content)
+inline void read_table(std::string_view content, Spherical_harmonics_3& result, std::string&)
 {
   std::vector<std::string_view> lines;
   while(!content.empty())
@@ -233,7 +231,6 @@ inline Spherical_harmonics_3 read_table(std::string_view content)
       throw File_error("Line ", line + 1, ": ", in_quotes(field), " is no finite number.");
     return x;
   };
-  Spherical_harmonics_3 result(0);
   std::vector<char> is_there(lines.size() - 1, 0);
   for(std::size_t i = 1; i < lines.size(); ++i)
   {
@@ -267,7 +264,6 @@ inline Spherical_harmonics_3 read_table(std::string_view content)
     for(std::size_t k = 0; k < n_columns - 4; ++k)
       result.set_coefficient(k, static_cast<std::size_t>(l), static_cast<std::ptrdiff_t>(m), number(i, fields[2 + k]));
   }
-  return result;
 }
 
 } // namespace internal
@@ -277,10 +273,7 @@ namespace IO {
 CGAL_SPHERICAL_PARAMETERIZATION_INLINE Error_code read_SPHARM_PDM(std::istream& in, Spherical_harmonics_3& harmonics,
                                                                   std::string& message)
 {
-  return internal::read_or_tell(
-      harmonics, message,
-      [&](Spherical_harmonics_3& result, std::string&) { result = internal::read_coef(internal::read_all(in)); },
-      ERROR_INVALID_HARMONICS_FILE);
+  return internal::read_or_tell(in, harmonics, message, internal::read_coef, ERROR_INVALID_HARMONICS_FILE);
 }
 
 CGAL_SPHERICAL_PARAMETERIZATION_INLINE Error_code write_SPHARM_PDM(std::ostream& out,
@@ -295,10 +288,7 @@ CGAL_SPHERICAL_PARAMETERIZATION_INLINE Error_code read_harmonics_table(std::istr
                                                                        Spherical_harmonics_3& harmonics,
                                                                        std::string& message)
 {
-  return internal::read_or_tell(
-      harmonics, message,
-      [&](Spherical_harmonics_3& result, std::string&) { result = internal::read_table(internal::read_all(in)); },
-      ERROR_INVALID_HARMONICS_FILE);
+  return internal::read_or_tell(in, harmonics, message, internal::read_table, ERROR_INVALID_HARMONICS_FILE);
 }
 
 CGAL_SPHERICAL_PARAMETERIZATION_INLINE Error_code write_harmonics_table(std::ostream& out,

@@ -18,7 +18,6 @@
 #include <CGAL/Spherical_parameterization/Sampling/Sphere_domain_3.h>
 #include <CGAL/Spherical_parameterization/Sampling/internal/Subdivided_solid.h>
 #include <CGAL/Spherical_parameterization/internal/numbers/Vector_3.h>
-#include <CGAL/Spherical_parameterization/internal/numbers/direction_of.h>
 #include <CGAL/Spherical_parameterization/internal/surface/Linked_triangle.h>
 #include <CGAL/Spherical_parameterization/internal/surface/add_triangles.h>
 

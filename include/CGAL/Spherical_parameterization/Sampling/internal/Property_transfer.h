@@ -17,7 +17,6 @@
 #include <CGAL/Spherical_parameterization/Sampling/internal/Interpolation_weights.h>
 #include <CGAL/Spherical_parameterization/internal/execution/parallel.h>
 #include <CGAL/Spherical_parameterization/internal/locate/Sphere_triangulation.h>
-#include <CGAL/Spherical_parameterization/internal/locate/locations_of_vertices.h>
 #include <CGAL/Spherical_parameterization/internal/numbers/Vector_3.h>
 #include <CGAL/Spherical_parameterization/internal/surface/Surface.h>
 #include <CGAL/Spherical_parameterization/internal/surface/mesh_measures.h>

@@ -17,11 +17,11 @@
 #include <CGAL/Spherical_parameterization/Sampling/Sphere_domain_3.h>
 #include <CGAL/Spherical_parameterization/Sampling/Sphere_resampler_3.h>
 #include <CGAL/Spherical_parameterization/Sampling/internal/Subdivided_solid.h>
-#include <CGAL/Spherical_parameterization/Sampling/internal/Resampling_weights.h>
+#include <CGAL/Spherical_parameterization/Sampling/internal/Interpolation_weights.h>
 #include <CGAL/Spherical_parameterization/Sampling/internal/Triangle_set.h>
 #include <CGAL/Spherical_parameterization/Sampling/measure_distance.h>
 #include <CGAL/Spherical_parameterization/internal/certificate/Bijectivity_certificate.h>
-#include <CGAL/Spherical_parameterization/internal/locate/locations_of_vertices.h>
+#include <CGAL/Spherical_parameterization/internal/locate/Sphere_triangulation.h>
 #include <CGAL/Spherical_parameterization/internal/surface/Surface.h>
 
 #include <algorithm>

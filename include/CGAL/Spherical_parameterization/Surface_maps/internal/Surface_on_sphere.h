@@ -19,8 +19,12 @@
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
+#include <algorithm>
 #include <array>
+#include <cstddef>
 #include <cstdint>
+#include <numeric>
+#include <optional>
 #include <vector>
 
 namespace CGAL::Spherical_parameterization::internal {
@@ -50,6 +54,34 @@ struct Overlay_arrays
   std::array<std::vector<Vector_3d>, 2> points; // on each surface
   Index_triangles triangles;
   std::vector<std::array<std::uint32_t, 2>> parents; // of the triangles, on each surface
+};
+
+// The settings of Surface_mapper_3: all that is known of two surfaces beside their shapes.
+struct Surface_map_settings
+{
+  std::optional<double> landmark_weight; // without it, they are to be met exactly
+  double feature_weight = 4.;
+  std::vector<double> feature_weights; // of each; empty if all are the same
+  bool compares_values = false;        // of these features, and not ranks
+  bool keeps_alignment = false;        // of the spheres as they are
+
+  // The values at the vertices of both surfaces, which each run reads, in the order of the caller.
+  std::array<std::vector<std::vector<double>>, 2> features; // if there are none, those of the package are used
+  std::array<std::vector<char>, 2> masks; // whether a vertex does not count; empty if all of a surface does
+  std::vector<std::array<std::uint32_t, 2>> landmarks;
+
+  bool has_hard_landmarks() const { return !landmark_weight; }
+
+  bool are_valid(std::size_t n_features) const
+  {
+    const bool are_weights =
+        std::all_of(feature_weights.begin(), feature_weights.end(), [](double w) { return w >= 0. && is_finite(w); });
+    const double sum = std::accumulate(feature_weights.begin(), feature_weights.end(), 0.);
+    return (!landmark_weight || is_positive_and_finite(*landmark_weight)) && feature_weight >= 0. &&
+           is_finite(feature_weight) &&
+           (feature_weights.empty() ||
+            (feature_weights.size() == n_features && are_weights && is_positive_and_finite(sum)));
+  }
 };
 
 } // namespace CGAL::Spherical_parameterization::internal

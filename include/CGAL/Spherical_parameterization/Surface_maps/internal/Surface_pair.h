@@ -15,7 +15,7 @@
 #include <CGAL/license/Spherical_parameterization.h>
 
 #include <CGAL/Spherical_parameterization/Error_code.h>
-#include <CGAL/Spherical_parameterization/Surface_maps/internal/Surface_map_settings.h>
+#include <CGAL/Spherical_parameterization/Surface_maps/internal/Surface_on_sphere.h>
 #include <CGAL/Spherical_parameterization/Surface_maps/internal/target/Target_metric.h>
 #include <CGAL/Spherical_parameterization/internal/execution/Run_control.h>
 #include <CGAL/Spherical_parameterization/internal/surface/Surface.h>

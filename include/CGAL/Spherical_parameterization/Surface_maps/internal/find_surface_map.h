@@ -17,7 +17,6 @@
 #include <CGAL/Spherical_parameterization/Error_code.h>
 #include <CGAL/Spherical_parameterization/Surface_maps/Sphere_alignment_3.h>
 #include <CGAL/Spherical_parameterization/Surface_maps/Surface_map_report.h>
-#include <CGAL/Spherical_parameterization/Surface_maps/internal/Surface_map_settings.h>
 #include <CGAL/Spherical_parameterization/Surface_maps/internal/Surface_on_sphere.h>
 #include <CGAL/Spherical_parameterization/internal/execution/Run_control.h>
 #include <CGAL/Spherical_parameterization/internal/execution/parallel.h>

@@ -19,13 +19,16 @@
 #include <CGAL/Spherical_parameterization/internal/execution/parallel.h>
 #include <CGAL/Spherical_parameterization/internal/run/Mesh_on_sphere.h>
 #include <CGAL/Spherical_parameterization/internal/run/Visitor_control.h>
-#include <CGAL/Spherical_parameterization/internal/run/check_run.h>
+#include <CGAL/Spherical_parameterization/internal/run/check_arguments.h>
 #include <CGAL/Spherical_parameterization/internal/surface/read_mesh.h>
 
 #include <algorithm>
 #include <cstddef>
 #include <map>
+#include <tuple>
+#include <type_traits>
 #include <utility>
+#include <vector>
 
 namespace CGAL::Spherical_parameterization::internal {
 
@@ -34,11 +37,17 @@ template <bool takes_exact_numbers, class TriangleMesh1, class VertexSphereMap1,
           class VertexSphereMap2>
 constexpr bool check_pair()
 {
-  if constexpr(takes_exact_numbers)
-    return check_mesh_and_readable_map<TriangleMesh1, VertexSphereMap1>() &&
-           check_mesh_and_readable_map<TriangleMesh2, VertexSphereMap2>();
-  else
-    return check_two_spheres<TriangleMesh1, VertexSphereMap1, TriangleMesh2, VertexSphereMap2>();
+  if constexpr(check_mesh_and_readable_map<TriangleMesh1, VertexSphereMap1>() &&
+               check_mesh_and_readable_map<TriangleMesh2, VertexSphereMap2>())
+  {
+    using K1 = typename Exact_predicates_kernel_of_map<VertexSphereMap1>::type;
+    using K2 = typename Exact_predicates_kernel_of_map<VertexSphereMap2>::type;
+    constexpr bool are_numbers =
+        takes_exact_numbers || (std::is_same<typename K1::FT, double>::value && std::is_same<K1, K2>::value);
+    static_assert(are_numbers, "The coordinates of both maps to the sphere have to be of type double or float.");
+    return are_numbers;
+  }
+  return false;
 }
 
 // Checks a call of a function of two surfaces, reads both, as Mesh_on_sphere, and returns f(first, second, control, execution).
@@ -71,6 +80,24 @@ template <class Arrays>
 Surface_on_sphere surface_of(Arrays& arrays)
 {
   return {std::move(arrays.points), std::move(arrays.images), std::move(arrays.triangles)};
+}
+
+// Reads features, each a pair of functions of a vertex, for the first surface (0) or the second one (1). Returns false if a
+// value is not finite.
+template <std::size_t surface, class Features, class Vertices>
+bool read_features(const Features& features, const Vertices& vertices, std::vector<std::vector<double>>& channels)
+{
+  for(const auto& feature : features)
+  {
+    channels.emplace_back();
+    for(const auto v : vertices)
+    {
+      channels.back().push_back(std::get<surface>(feature)(v));
+      if(!is_finite(channels.back().back()))
+        return false;
+    }
+  }
+  return true;
 }
 
 // Reads the numbers of the landmarks on one of the surfaces among its vertices. Returns false if one is not among them, or

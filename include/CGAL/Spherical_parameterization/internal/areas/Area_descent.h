@@ -14,10 +14,13 @@
 
 #include <CGAL/license/Spherical_parameterization.h>
 
+#include <CGAL/Spherical_parameterization/Conformal_energy_3.h>
+#include <CGAL/Spherical_parameterization/Isometric_energy_3.h>
 #include <CGAL/Spherical_parameterization/Parameterization_report.h>
+#include <CGAL/Spherical_parameterization/Stretch_energy_3.h>
+#include <CGAL/Spherical_parameterization/Symmetric_Dirichlet_energy_3.h>
 #include <CGAL/Spherical_parameterization/internal/areas/Area_shares.h>
 #include <CGAL/Spherical_parameterization/internal/areas/Area_step.h>
-#include <CGAL/Spherical_parameterization/internal/areas/Cell_areas.h>
 #include <CGAL/Spherical_parameterization/internal/certificate/is_safely_positive.h>
 #include <CGAL/Spherical_parameterization/internal/execution/Run_control.h>
 #include <CGAL/Spherical_parameterization/internal/numbers/Vector_3.h>
@@ -110,6 +113,17 @@ std::size_t lower_area_differences(const Surface& surface, const Area_shares& sh
   return 0;
 #endif
 }
+
+#if defined(CGAL_SPHERICAL_PARAMETERIZATION_USE_LIBRARY) && defined(CGAL_EIGEN3_ENABLED)
+// Those by the energies of the package are in the library.
+#define CGAL_SPHERICAL_PARAMETERIZATION_AREA_DESCENT(EXTERN, Energy)                                                   \
+  EXTERN template std::size_t lower_area_differences(const Surface&, const Area_shares&, const Energy&, double,        \
+                                                     std::vector<Vector_3d>&, Run_control&);
+CGAL_SPHERICAL_PARAMETERIZATION_AREA_DESCENT(extern, Symmetric_Dirichlet_energy_3)
+CGAL_SPHERICAL_PARAMETERIZATION_AREA_DESCENT(extern, Isometric_energy_3)
+CGAL_SPHERICAL_PARAMETERIZATION_AREA_DESCENT(extern, Conformal_energy_3)
+CGAL_SPHERICAL_PARAMETERIZATION_AREA_DESCENT(extern, Stretch_energy_3)
+#endif
 
 } // namespace CGAL::Spherical_parameterization::internal
 

@@ -16,7 +16,7 @@
 
 #include <CGAL/Spherical_parameterization/Energy_derivatives_3.h>
 #include <CGAL/Spherical_parameterization/internal/areas/Block_equations.h>
-#include <CGAL/Spherical_parameterization/internal/areas/Cell_areas.h>
+#include <CGAL/Spherical_parameterization/internal/areas/Area_shares.h>
 #include <CGAL/Spherical_parameterization/internal/descent/Face_energy.h>
 #include <CGAL/Spherical_parameterization/internal/numbers/Vector_3.h>
 #include <CGAL/Spherical_parameterization/internal/surface/Rest_triangle.h>

@@ -16,7 +16,6 @@
 
 #include <CGAL/Spherical_parameterization/internal/certificate/Orientation_about_origin_3.h>
 #include <CGAL/Spherical_parameterization/internal/execution/parallel.h>
-#include <CGAL/Spherical_parameterization/internal/library.h>
 #include <CGAL/Spherical_parameterization/internal/numbers/Vector_3.h>
 #include <CGAL/Spherical_parameterization/internal/surface/Linked_triangle.h>
 
@@ -116,12 +115,12 @@ Bijectivity_certificate certify_bijectivity(const Points& points, const Triangle
 }
 
 // Whether points on the sphere make a bijection of a closed triangle mesh.
-bool are_bijective(const Index_triangles& triangles, const std::vector<Vector_3d>& points, const Execution& execution);
+inline bool are_bijective(const Index_triangles& triangles, const std::vector<Vector_3d>& points,
+                          const Execution& execution)
+{
+  return certify_bijectivity<Double_points>(points, triangles, execution).is_bijective();
+}
 
 } // namespace CGAL::Spherical_parameterization::internal
-
-#ifdef CGAL_SPHERICAL_PARAMETERIZATION_HEADER_ONLY
-#include <CGAL/Spherical_parameterization/internal/certificate/Bijectivity_certificate_impl.h>
-#endif
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_CERTIFICATE_BIJECTIVITY_CERTIFICATE_H

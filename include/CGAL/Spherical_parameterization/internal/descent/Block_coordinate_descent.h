@@ -290,11 +290,8 @@ private:
   template <class StarOf>
   void fill(Star_packets& stars, const StarOf& star_of) const
   {
-    const auto fill_block = [&](std::size_t begin, std::size_t end) {
-      for(std::size_t packet = begin; packet < end; ++packet)
-        stars.fill(packet, star_of);
-    };
-    for_each_block(m_execution, 0, stars.number_of_packets(), packets_per_block, fill_block);
+    for_each_in_blocks(m_execution, 0, stars.number_of_packets(), packets_per_block,
+                       [&](std::size_t packet) { stars.fill(packet, star_of); });
   }
 
   void move_all(const Star_packets& stars, std::vector<Vector_3d>& positions, double radius,

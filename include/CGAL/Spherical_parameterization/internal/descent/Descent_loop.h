@@ -14,12 +14,11 @@
 
 #include <CGAL/license/Spherical_parameterization.h>
 
-#include <CGAL/Spherical_parameterization/internal/descent/Descent_settings.h>
 #include <CGAL/Spherical_parameterization/Face_range_3.h>
 #include <CGAL/Spherical_parameterization/Parameterization_report.h>
 #include <CGAL/Spherical_parameterization/Sharpness.h>
 #include <CGAL/Spherical_parameterization/internal/descent/Block_coordinate_descent.h>
-#include <CGAL/Spherical_parameterization/internal/descent/Descent_state.h>
+#include <CGAL/Spherical_parameterization/internal/descent/Descent_settings.h>
 #include <CGAL/Spherical_parameterization/internal/descent/Energy_summary.h>
 #include <CGAL/Spherical_parameterization/internal/descent/Objective.h>
 #include <CGAL/Spherical_parameterization/internal/descent/Round_sphere.h>
@@ -40,6 +39,36 @@
 
 namespace CGAL::Spherical_parameterization::internal {
 
+struct Descent_state
+{
+  double radius = 1., value = 0.; // of the objective
+  Mesh_summary summary;
+};
+
+// Whether nothing that matters has changed: the objective, the average and the radius, and, less exactly, the largest
+// energy, which is a matter of few faces. Changes are compared with what could still be gained, if no map has less than
+// `isometric_energy`. The paper's rule is about the sum alone, whose relative change is that of exp(s value).
+inline bool has_converged(const Descent_state& now, const Descent_state& last, const Descent_settings& settings,
+                          double sharpness, double isometric_energy)
+{
+  const auto is_settled = [](double value, double last_value, double tolerance) {
+    return std::abs(value - last_value) <= tolerance * last_value;
+  };
+  const double energy_tolerance = settings.energy_tolerance;
+  if(!is_settled(now.radius, last.radius, settings.radius_tolerance))
+    return false;
+  const Energy_summary all = now.summary.all(), last_all = last.summary.all();
+  if(!settings.is_accelerated && sharpness > 0.)
+    return std::abs(std::expm1(sharpness * (now.value - last.value))) <= energy_tolerance;
+  if(!settings.is_accelerated)
+    return is_settled(all.average(), last_all.average(), energy_tolerance);
+  const auto has_settled = [&](double value, double last_value, double factor) {
+    return all.has_settled(value, last_value, factor * energy_tolerance, isometric_energy);
+  };
+  return has_settled(now.value, last.value, 1.) && has_settled(all.average(), last_all.average(), 1.) &&
+         has_settled(all.maximum_energy(), last_all.maximum_energy(), 20.);
+}
+
 // The method BLD once there is a bijection: sweeps over all vertices, each with the radius and the sharpness that suit
 // the map at hand, until nothing changes any more.
 template <class Energy, class Step>
@@ -50,11 +79,81 @@ public:
   // Block_coordinate_descent.
   Descent_loop(const Surface& mesh, const Energy& energy, const Step& step, const Sharpness& sharpness,
                Radius_chooser* radius, const Descent_settings& settings, Run_control& control, Execution execution,
-               std::vector<double> densities = {});
-  ~Descent_loop();
+               std::vector<double> densities = {})
+    : m_mesh(mesh)
+    , m_descent(Round_sphere<Energy, Step>(Face_energy<Energy>(energy)), step, execution)
+    , m_smooth_step(Round_sphere<Energy, Step>(Face_energy<Energy>(energy)), mesh.number_of_vertices(), !radius)
+    , m_execution(execution)
+    , m_isometric_energy(Face_energy<Energy>(energy)(2., 1.))
+    , m_objective(sharpness, !radius)
+    , m_radius_chooser(radius)
+    , m_settings(settings)
+    , m_control(control)
+  {
+    if constexpr(follows_curvature<Energy>)
+      if(densities.empty())
+        densities = vertex_densities(mesh.rings(), mesh.points(), curvature_masses(mesh.rings(), mesh.points()));
+    m_descent.assign(mesh.rings(), Independent_sets(mesh.rings()), mesh.points(), densities, Rest_limits(),
+                     sliver_vertices(mesh.rings(), mesh.points()));
+  }
 
   // Lowers the energy of the positions on the unit sphere in at most `max_sweeps` sweeps, and returns the radius.
-  double run(std::vector<Vector_3d>& positions, std::size_t max_sweeps);
+  double run(std::vector<Vector_3d>& positions, std::size_t max_sweeps)
+  {
+    Parameterization_report& report = m_control.report();
+    start(positions);
+    report.stop_reason = ITERATION_LIMIT;
+    bool has_phases = true; // whether the radius policy may have further ones
+    const std::size_t window =
+        m_settings.is_accelerated
+            ? (std::min)(Smooth_step_schedule::min_interval + size_of_small_meshes / m_mesh.number_of_vertices(),
+                         max_window)
+            : 1;
+    Descent_state last;
+    for(std::size_t i = 0; i < max_sweeps; ++i)
+    {
+      if(i % window == 0)
+        last = m_state;
+      const bool was_final = i > 0 && m_objective.is_final();
+
+      choose_objective(i);
+      choose_radius(i);
+      if(m_settings.is_accelerated)
+        step_smoothly(i, positions);
+      const double last_value = m_objective.value(m_state.summary);
+      if(m_settings.is_accelerated)
+        m_descent.sweep_with_focus(positions, scaled_radius(), m_objective.of_faces(),
+                                   m_state.summary.all().maximum_energy());
+      else
+        m_descent.sweep(positions, scaled_radius(), m_objective.of_faces());
+      measure(positions);
+      if(!m_radius_chooser && m_descent.has_slivers())
+        move_sliver_radius(last_value);
+
+      m_control.after_iteration(i + 1, m_state.value, m_state.radius);
+      if(!m_control.go_further(i + 1, m_state.value))
+        break;
+      const bool may_end =
+          was_final && (i + 1) % window == 0 && (!m_settings.is_accelerated || m_smooth_steps.may_end(i + 1 - window));
+      if(may_end &&
+         has_converged(m_state, last, m_settings, m_objective.of_faces().ordinary.sharpness, m_isometric_energy))
+      {
+        has_phases = m_radius_chooser && m_radius_chooser->next_phase();
+        if(!has_phases)
+        {
+          report.stop_reason = CONVERGED;
+          break;
+        }
+      }
+    }
+    if(has_phases)
+      skip_phases();
+    if(m_control.is_stopped())
+      report.stop_reason = m_control.stop_reason();
+    choose_final_radius();
+    finish(positions);
+    return m_state.radius;
+  }
 
 private:
   static constexpr std::size_t max_window = 100; // sweeps without change, of which a tetrahedron would have to make 501
@@ -289,92 +388,6 @@ private:
   Run_control& m_control;
   Descent_state m_state;
 };
-
-// Defined out of the class and so not inline: `extern template class Descent_loop<...>` spares a program that maps in
-// several files the time to compile it in each.
-
-template <class Energy, class Step>
-Descent_loop<Energy, Step>::Descent_loop(const Surface& mesh, const Energy& energy, const Step& step,
-                                         const Sharpness& sharpness, Radius_chooser* radius,
-                                         const Descent_settings& settings, Run_control& control, Execution execution,
-                                         std::vector<double> densities)
-  : m_mesh(mesh)
-  , m_descent(Round_sphere<Energy, Step>(Face_energy<Energy>(energy)), step, execution)
-  , m_smooth_step(Round_sphere<Energy, Step>(Face_energy<Energy>(energy)), mesh.number_of_vertices(), !radius)
-  , m_execution(execution)
-  , m_isometric_energy(Face_energy<Energy>(energy)(2., 1.))
-  , m_objective(sharpness, !radius)
-  , m_radius_chooser(radius)
-  , m_settings(settings)
-  , m_control(control)
-{
-  if constexpr(follows_curvature<Energy>)
-    if(densities.empty())
-      densities = vertex_densities(mesh.rings(), mesh.points(), curvature_masses(mesh.rings(), mesh.points()));
-  m_descent.assign(mesh.rings(), Independent_sets(mesh.rings()), mesh.points(), densities, Rest_limits(),
-                   sliver_vertices(mesh.rings(), mesh.points()));
-}
-
-template <class Energy, class Step>
-Descent_loop<Energy, Step>::~Descent_loop() = default;
-
-template <class Energy, class Step>
-double Descent_loop<Energy, Step>::run(std::vector<Vector_3d>& positions, std::size_t max_sweeps)
-{
-  Parameterization_report& report = m_control.report();
-  start(positions);
-  report.stop_reason = ITERATION_LIMIT;
-  bool has_phases = true; // whether the radius policy may have further ones
-  const std::size_t window =
-      m_settings.is_accelerated
-          ? (std::min)(Smooth_step_schedule::min_interval + size_of_small_meshes / m_mesh.number_of_vertices(),
-                       max_window)
-          : 1;
-  Descent_state last;
-  for(std::size_t i = 0; i < max_sweeps; ++i)
-  {
-    if(i % window == 0)
-      last = m_state;
-    const bool was_final = i > 0 && m_objective.is_final();
-
-    choose_objective(i);
-    choose_radius(i);
-    if(m_settings.is_accelerated)
-      step_smoothly(i, positions);
-    const double last_value = m_objective.value(m_state.summary);
-    if(m_settings.is_accelerated)
-      m_descent.sweep_with_focus(positions, scaled_radius(), m_objective.of_faces(),
-                                 m_state.summary.all().maximum_energy());
-    else
-      m_descent.sweep(positions, scaled_radius(), m_objective.of_faces());
-    measure(positions);
-    if(!m_radius_chooser && m_descent.has_slivers())
-      move_sliver_radius(last_value);
-
-    m_control.after_iteration(i + 1, m_state.value, m_state.radius);
-    if(!m_control.go_further(i + 1, m_state.value))
-      break;
-    const bool may_end =
-        was_final && (i + 1) % window == 0 && (!m_settings.is_accelerated || m_smooth_steps.may_end(i + 1 - window));
-    if(may_end &&
-       has_converged(m_state, last, m_settings, m_objective.of_faces().ordinary.sharpness, m_isometric_energy))
-    {
-      has_phases = m_radius_chooser && m_radius_chooser->next_phase();
-      if(!has_phases)
-      {
-        report.stop_reason = CONVERGED;
-        break;
-      }
-    }
-  }
-  if(has_phases)
-    skip_phases();
-  if(m_control.is_stopped())
-    report.stop_reason = m_control.stop_reason();
-  choose_final_radius();
-  finish(positions);
-  return m_state.radius;
-}
 
 } // namespace CGAL::Spherical_parameterization::internal
 

@@ -65,10 +65,8 @@ public:
     m_packets.resize(n_packets, boost::container::default_init);
     m_invariants.resize(n_packets * width, boost::container::default_init);
     std::vector<std::size_t> first(n_star_packets + 1, 0); // of the faces of each packet of stars
-    for_each_block(execution, 0, n_star_packets, packets_per_block, [&](std::size_t begin, std::size_t end) {
-      for(std::size_t k = begin; k < end; ++k)
-        first[k + 1] = stars.number_of_faces(k);
-    });
+    for_each_in_blocks(execution, 0, n_star_packets, packets_per_block,
+                       [&](std::size_t k) { first[k + 1] = stars.number_of_faces(k); });
     std::partial_sum(first.begin(), first.end(), first.begin());
     CGAL_assertion(first.back() == n_faces);
     for_each_block(execution, 0, n_star_packets, packets_per_block, [&](std::size_t begin, std::size_t end) {

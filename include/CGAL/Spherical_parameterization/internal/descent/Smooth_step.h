@@ -62,9 +62,8 @@ public:
   {
     constexpr std::size_t block_size = 256; // some five microseconds
     moved.resize(positions.size());
-    for_each_block(execution, 0, positions.size(), block_size, [&](std::size_t begin, std::size_t end) {
-      for(std::size_t v = begin; v < end; ++v)
-        moved[v] = normalized(positions[v] + t * m_cells.step_at(positions[v], m_steps));
+    for_each_in_blocks(execution, 0, positions.size(), block_size, [&](std::size_t v) {
+      moved[v] = normalized(positions[v] + t * m_cells.step_at(positions[v], m_steps));
     });
   }
 
@@ -94,9 +93,8 @@ private:
       mean_trace += trace(m_sums.hessian(c)) / static_cast<double>(n_cells);
     m_matrices.resize(n_cells);
     constexpr std::size_t cells_per_block = 16; // some ten microseconds
-    for_each_block(execution, 0, n_cells, cells_per_block, [&](std::size_t begin, std::size_t end) {
-      for(std::size_t c = begin; c < end; ++c)
-        m_matrices[c] = matrix_of_nodes(made_positive(m_sums.hessian(c), mean_trace), m_cells.cells()[c].motions);
+    for_each_in_blocks(execution, 0, n_cells, cells_per_block, [&](std::size_t c) {
+      m_matrices[c] = matrix_of_nodes(made_positive(m_sums.hessian(c), mean_trace), m_cells.cells()[c].motions);
     });
 
     m_right.assign(2 * n_nodes + 2, 0.);

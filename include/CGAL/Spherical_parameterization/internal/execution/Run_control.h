@@ -33,8 +33,8 @@ public:
     , m_report(report)
   {}
 
-  // the same of a run whose report is not given away
-  explicit Run_control(double max_seconds)
+  // the same of a run whose report is not given away, such as one that runs beside others, without a visitor
+  explicit Run_control(double max_seconds = 0.)
     : m_max_seconds(max_seconds)
     , m_report(m_own_report)
   {}
@@ -43,11 +43,11 @@ public:
   Run_control& operator=(const Run_control&) = delete;
 
   // see SphericalParameterizationVisitor
-  virtual void on_initialization_begin(std::size_t number_of_vertices) = 0;
-  virtual void on_level(std::size_t number_of_vertices) = 0;
-  virtual void on_initialization_end() = 0;
-  virtual void after_iteration(std::size_t iteration, double energy, double radius) = 0;
-  virtual void on_optimization_end() = 0;
+  virtual void on_initialization_begin(std::size_t /* number_of_vertices */) {}
+  virtual void on_level(std::size_t /* number_of_vertices */) {}
+  virtual void on_initialization_end() {}
+  virtual void after_iteration(std::size_t /* iteration */, double /* energy */, double /* radius */) {}
+  virtual void on_optimization_end() {}
 
   // Asks the visitor and the clock whether to go on. Once either has said no, it stays so.
   bool go_further(std::size_t iteration, double energy)
@@ -82,7 +82,7 @@ public:
 private:
   using Clock = std::chrono::steady_clock; // monotonic, unlike the one of CGAL::Real_timer
 
-  virtual bool visitor_goes_further(std::size_t iteration, double energy) = 0;
+  virtual bool visitor_goes_further(std::size_t /* iteration */, double /* energy */) { return true; }
 
   double seconds() const { return std::chrono::duration<double>(Clock::now() - m_start).count(); }
 

@@ -105,6 +105,17 @@ void for_each_block(const Execution& execution, std::size_t first, std::size_t l
   (n_blocks > 1 ? execution.run : &run_in_one_thread)(n_blocks, Block_function(run_block));
 }
 
+// Calls f(k) for all k in [first, last), block by block.
+template <class Function>
+void for_each_in_blocks(const Execution& execution, std::size_t first, std::size_t last, std::size_t block_size,
+                        const Function& f)
+{
+  for_each_block(execution, first, last, block_size, [&](std::size_t begin, std::size_t end) {
+    for(std::size_t k = begin; k < end; ++k)
+      f(k);
+  });
+}
+
 // Calls f() and g(), in parallel or one after the other. Neither may see what the other one does. Loops within them are
 // parallel as well; but a thread that runs one of the two does not help with the loops of the other, so g() should be
 // the shorter one.

@@ -23,6 +23,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <cstdlib>
 #include <cstring>
 #include <ios>
 #include <istream>
@@ -57,26 +58,6 @@ public:
   }
 };
 
-// Calls read(), which throws a `File_error` or fills `result`; hands on its message.
-template <class Result, class Read>
-Error_code read_or_tell(Result& result, std::string& message, const Read& read,
-                        Error_code error_code = ERROR_INVALID_SURFACE_FILE)
-{
-  message.clear();
-  try
-  {
-    Result all;
-    read(all, message);
-    result = std::move(all);
-    return OK;
-  }
-  catch(const File_error& error)
-  {
-    message = error.what();
-    return error_code;
-  }
-}
-
 // Returns what there is in a stream.
 inline std::string read_all(std::istream& in)
 {
@@ -96,6 +77,27 @@ inline std::string read_all(std::istream& in)
   return content;
 }
 
+// Calls read(content, result, message) with the content of a file; it throws a `File_error` or fills `result`. Hands on its
+// message.
+template <class Result, class Read>
+Error_code read_or_tell(std::istream& in, Result& result, std::string& message, const Read& read,
+                        Error_code error_code = ERROR_INVALID_SURFACE_FILE)
+{
+  message.clear();
+  try
+  {
+    Result all;
+    read(read_all(in), all, message);
+    result = std::move(all);
+    return OK;
+  }
+  catch(const File_error& error)
+  {
+    message = error.what();
+    return error_code;
+  }
+}
+
 // Returns a word of a file for a message, as far as it can be printed.
 inline std::string in_quotes(std::string_view text)
 {
@@ -107,6 +109,15 @@ inline std::string in_quotes(std::string_view text)
 }
 
 constexpr const char* truncated = "it is truncated: copy it again from where it is from.";
+
+// Converts the bytes of a number from an order to that of this machine, or back.
+template <class Number>
+void convert_bytes(Number& number, bool is_big_endian)
+{
+  char* const bytes = reinterpret_cast<char*>(&number);
+  if(is_big_endian != (boost::endian::order::native == boost::endian::order::big))
+    std::reverse(bytes, bytes + sizeof(Number));
+}
 
 // Reads binary numbers, the most significant byte first unless `is_big_endian` says otherwise, and says where they end.
 class Byte_reader
@@ -124,13 +135,9 @@ public:
   template <class Number>
   Number read(const char* what)
   {
-    std::array<unsigned char, sizeof(Number)> bytes;
-    const std::string_view next = read_bytes(sizeof(Number), what);
-    std::memcpy(bytes.data(), next.data(), sizeof(Number));
-    if(m_is_big_endian != (boost::endian::order::native == boost::endian::order::big))
-      std::reverse(bytes.begin(), bytes.end());
     Number number;
-    std::memcpy(&number, bytes.data(), sizeof(Number));
+    std::memcpy(&number, read_bytes(sizeof(Number), what).data(), sizeof(Number));
+    convert_bytes(number, m_is_big_endian);
     return number;
   }
 
@@ -211,11 +218,8 @@ public:
   template <class Number>
   void write(Number number)
   {
-    std::array<char, sizeof(Number)> bytes;
-    std::memcpy(bytes.data(), &number, sizeof(Number));
-    if(m_is_big_endian != (boost::endian::order::native == boost::endian::order::big))
-      std::reverse(bytes.begin(), bytes.end());
-    content.append(bytes.data(), sizeof(Number));
+    convert_bytes(number, m_is_big_endian);
+    content.append(reinterpret_cast<const char*>(&number), sizeof(Number));
   }
 
   // a text behind its length in bytes, with a zero at its end
@@ -237,6 +241,61 @@ inline bool is_written(std::ostream& out, const std::string& bytes)
   out.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
   return out.good();
 }
+
+// Reads numbers from words between blanks, whatever the locale of the program is.
+class Number_text
+{
+public:
+  explicit Number_text(std::string_view text)
+    : m_text(text)
+  {
+    m_format.imbue(std::locale::classic());
+  }
+
+  std::string_view next_word()
+  {
+    constexpr const char* blanks = " \t\r\n";
+    const std::size_t begin = (std::min)(m_text.find_first_not_of(blanks, m_position), m_text.size());
+    m_position = (std::min)(m_text.find_first_of(blanks, begin), m_text.size());
+    return m_text.substr(begin, m_position - begin);
+  }
+
+  // returns whether the word is a number; nan and inf are some
+  bool is_number(std::string_view word, double& x)
+  {
+    std::ios_base::iostate state = std::ios_base::goodbit;
+    const char* const end = word.data() + word.size();
+    if(m_parser.get(word.data(), end, m_format, state, x) == end && !word.empty())
+      return (state & std::ios_base::failbit) == 0;
+    const bool is_negative = !word.empty() && word.front() == '-';
+    const std::string_view name = word.substr(!word.empty() && (is_negative || word.front() == '+') ? 1 : 0);
+    if(is_word(name, "nan"))
+      x = std::numeric_limits<double>::quiet_NaN();
+    else if(is_word(name, "inf") || is_word(name, "infinity"))
+      x = is_negative ? -HUGE_VAL : HUGE_VAL;
+    else
+      return false;
+    return true;
+  }
+
+private:
+  struct Parser : std::num_get<char, const char*>
+  {
+    ~Parser() override = default; // that of the base is protected
+  };
+
+  // regardless of case
+  static bool is_word(std::string_view text, std::string_view word)
+  {
+    const auto is_same = [](char c, char d) { return (c | 0x20) == d; };
+    return text.size() == word.size() && std::equal(text.begin(), text.end(), word.begin(), is_same);
+  }
+
+  std::string_view m_text;
+  std::size_t m_position = 0;
+  std::istringstream m_format; // but for its locale, none of it is used
+  Parser m_parser;
+};
 
 } // namespace CGAL::Spherical_parameterization::internal
 

@@ -321,7 +321,7 @@ private:
 
   [[noreturn]] void fail_at_end(const Element& element) const
   {
-    throw File_error("the file ends in " + name_of_item(element) + " of " + std::to_string(element.count) +
+    throw File_error("the file ends in ", name_of_item(element), " of ", element.count,
                      ": it is truncated, or the number is wrong");
   }
 

@@ -54,8 +54,8 @@ public:
       throw File_error("this is no STL file: it neither begins with solid, nor is it long enough for a binary one");
     else if(content.size() < size)
       throw File_error("this is no STL file, or a truncated one: it neither begins with solid, nor is it long enough "
-                       "for the " +
-                       std::to_string(n_facets) + " facets of a binary one");
+                       "for the ",
+                       n_facets, " facets of a binary one");
     else
       read_facets(n_facets);
     return std::move(m_soup);
@@ -124,8 +124,7 @@ private:
   void add_corner(const Simple_cartesian<double>::Point_3& p)
   {
     if(!std::isfinite(p.x()) || !std::isfinite(p.y()) || !std::isfinite(p.z()))
-      throw File_error("facet " + std::to_string(m_soup.polygons.size()) +
-                       " has a coordinate that is infinite or not a number");
+      throw File_error("facet ", m_soup.polygons.size(), " has a coordinate that is infinite or not a number");
     const auto [vertex, is_new] = m_vertices.emplace(p, m_soup.points.size());
     if(is_new)
       m_soup.points.push_back(p);

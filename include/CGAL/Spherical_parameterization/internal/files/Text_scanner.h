@@ -17,15 +17,12 @@
 #include <CGAL/Spherical_parameterization/internal/files/File_bytes.h>
 #include <CGAL/Spherical_parameterization/internal/files/Polygon_soup.h>
 
-#include <boost/endian/conversion.hpp>
-
 #include <algorithm>
 #include <cerrno>
 #include <cmath>
 #include <cstddef>
 #include <cstdlib>
 #include <cstring>
-#include <sstream>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -153,7 +150,7 @@ public:
   void check_count(std::size_t count, const std::string& things, std::size_t min_size) const
   {
     if(count > (rest().size() + 1) / min_size) // the last line may lack its end
-      throw File_error("the file is too short for " + std::to_string(count) + " " + things +
+      throw File_error("the file is too short for ", count, " ", things,
                        ": it is truncated, or the number is wrong");
   }
 
@@ -163,11 +160,8 @@ public:
   {
     if(rest().size() < sizeof(Number))
       return false;
-    char bytes[sizeof(Number)];
-    std::memcpy(bytes, rest().data(), sizeof(Number));
-    if(is_big_endian != (boost::endian::order::native == boost::endian::order::big))
-      std::reverse(bytes, bytes + sizeof(Number));
-    std::memcpy(&number, bytes, sizeof(Number));
+    std::memcpy(&number, rest().data(), sizeof(Number));
+    convert_bytes(number, is_big_endian);
     m_byte = m_next;
     m_next += sizeof(Number);
     return true;
@@ -182,10 +176,7 @@ public:
   template <class... What>
   [[noreturn]] void fail(const What&... what) const
   {
-    std::ostringstream text;
-    text << (m_byte == 0 ? "line " : "byte ") << (m_byte == 0 ? m_line_number : m_byte) << ": ";
-    (text << ... << what);
-    throw File_error(text.str());
+    throw File_error(m_byte == 0 ? "line " : "byte ", m_byte == 0 ? m_line_number : m_byte, ": ", what...);
   }
 
   // returns the first word of `text` for a message, as far as it can be printed.

@@ -178,10 +178,9 @@ private:
     std::vector<std::uint32_t> target;
     for(const bool is_exact : {false, true}) // exact only if the quick search finds nothing
     {
-      for_each_block(m_execution, 0, n, block_size, [&](std::size_t begin, std::size_t end) {
-        for(std::size_t v = begin; v < end; ++v)
-          if(is_fixed.empty() || !is_fixed[fine.vertices[v]])
-            removals[v] = Vertex_removal::best(fine_rings, p, static_cast<std::uint32_t>(v), is_exact, local_images);
+      for_each_in_blocks(m_execution, 0, n, block_size, [&](std::size_t v) {
+        if(is_fixed.empty() || !is_fixed[fine.vertices[v]])
+          removals[v] = Vertex_removal::best(fine_rings, p, static_cast<std::uint32_t>(v), is_exact, local_images);
       });
       target = select(fine, fine_rings, removals);
       if(!fine.removed.empty())
@@ -271,19 +270,15 @@ private:
       }
 
     std::vector<std::uint32_t> offsets(n_coarse + 1, 0);
-    for_each_block(m_execution, 0, n_coarse, block_size, [&](std::size_t begin, std::size_t end) {
-      for(std::size_t v = begin; v < end; ++v)
-        for_each_kept_neighbor(rings, target, sources[v], [&](std::uint32_t) { ++offsets[v + 1]; });
+    for_each_in_blocks(m_execution, 0, n_coarse, block_size, [&](std::size_t v) {
+      for_each_kept_neighbor(rings, target, sources[v], [&](std::uint32_t) { ++offsets[v + 1]; });
     });
     std::partial_sum(offsets.begin(), offsets.end(), offsets.begin());
     Vertex_rings result;
     result.assign(std::move(offsets));
-    for_each_block(m_execution, 0, n_coarse, block_size, [&](std::size_t begin, std::size_t end) {
-      for(std::size_t v = begin; v < end; ++v)
-      {
-        std::uint32_t* out = result.ring_to_fill(v);
-        for_each_kept_neighbor(rings, target, sources[v], [&](std::uint32_t w) { *out++ = number[w]; });
-      }
+    for_each_in_blocks(m_execution, 0, n_coarse, block_size, [&](std::size_t v) {
+      std::uint32_t* out = result.ring_to_fill(v);
+      for_each_kept_neighbor(rings, target, sources[v], [&](std::uint32_t w) { *out++ = number[w]; });
     });
     return result;
   }

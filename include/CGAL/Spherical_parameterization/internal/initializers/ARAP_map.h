@@ -205,6 +205,10 @@ private:
   std::vector<Vector_3d> m_step;
 };
 
+#if defined(CGAL_SPHERICAL_PARAMETERIZATION_USE_LIBRARY) && defined(CGAL_EIGEN3_ENABLED)
+extern template Error_code lower_energy<Default>(ARAP_map, std::size_t, Run&);
+#endif
+
 } // namespace CGAL::Spherical_parameterization::internal
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_INITIALIZERS_ARAP_MAP_H

@@ -44,15 +44,12 @@ inline double dirichlet_energy(const Vertex_rings& rings, const std::vector<doub
                                const std::vector<Vector_3d>& u, std::vector<double>& shares, Execution execution)
 {
   constexpr std::size_t block_size = 1024; // of parallel work: enough that handing it out costs nothing
-  for_each_block(execution, 0, u.size(), block_size, [&](std::size_t begin, std::size_t end) {
-    for(std::size_t v = begin; v < end; ++v)
-    {
-      const Vertex_rings::Ring ring = rings.ring(v);
-      double sum = 0.;
-      for(std::size_t j = 0; j < ring.size(); ++j)
-        sum += weights[rings.offset(v) + j] * squared_length(u[ring[j]] - u[v]);
-      shares[v] = 0.25 * sum;
-    }
+  for_each_in_blocks(execution, 0, u.size(), block_size, [&](std::size_t v) {
+    const Vertex_rings::Ring ring = rings.ring(v);
+    double sum = 0.;
+    for(std::size_t j = 0; j < ring.size(); ++j)
+      sum += weights[rings.offset(v) + j] * squared_length(u[ring[j]] - u[v]);
+    shares[v] = 0.25 * sum;
   });
   return 0.25 / CGAL_PI * std::accumulate(shares.begin(), shares.end(), 0.);
 }
@@ -140,6 +137,10 @@ Error_code map_harmonically(Run& run, bool has_to_be_bijective, std::size_t max_
     return error;
   return lower_energy<SolverTraits>(Harmonic_map(run.surface, has_to_be_bijective, run.execution), max_rounds, run);
 }
+
+#if defined(CGAL_SPHERICAL_PARAMETERIZATION_USE_LIBRARY) && defined(CGAL_EIGEN3_ENABLED)
+extern template Error_code map_harmonically<Default>(Run&, bool, std::size_t);
+#endif
 
 } // namespace CGAL::Spherical_parameterization::internal
 

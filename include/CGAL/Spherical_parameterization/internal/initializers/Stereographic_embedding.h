@@ -307,6 +307,10 @@ Error_code embed_stereographically(Run& run, bool has_to_be_bijective)
   return OK;
 }
 
+#if defined(CGAL_SPHERICAL_PARAMETERIZATION_USE_LIBRARY) && defined(CGAL_EIGEN3_ENABLED)
+extern template Error_code embed_stereographically<Default>(Run&, bool);
+#endif
+
 } // namespace CGAL::Spherical_parameterization::internal
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_INITIALIZERS_STEREOGRAPHIC_EMBEDDING_H

@@ -18,7 +18,6 @@
 #include <CGAL/Spherical_parameterization/internal/execution/parallel.h>
 #include <CGAL/Spherical_parameterization/internal/locate/barycentric_coordinates.h>
 #include <CGAL/Spherical_parameterization/internal/numbers/Vector_3.h>
-#include <CGAL/Spherical_parameterization/internal/numbers/direction_of.h>
 #include <CGAL/Spherical_parameterization/internal/surface/Linked_triangle.h>
 
 #include <CGAL/enum.h>
@@ -343,12 +342,9 @@ private:
     while(n_bits < max_bits && (directions.size() >> n_bits) > 1)
       ++n_bits;
     std::vector<std::uint32_t> buckets(directions.size());
-    for_each_block(execution, 0, directions.size(), block_size, [&](std::size_t begin, std::size_t end) {
-      for(std::size_t k = begin; k < end; ++k)
-      {
-        const std::uint64_t place = Octahedral_grid::place_on_curve(approximate(directions[k]));
-        buckets[k] = static_cast<std::uint32_t>(place >> (32 - n_bits));
-      }
+    for_each_in_blocks(execution, 0, directions.size(), block_size, [&](std::size_t k) {
+      const std::uint64_t place = Octahedral_grid::place_on_curve(approximate(directions[k]));
+      buckets[k] = static_cast<std::uint32_t>(place >> (32 - n_bits));
     });
     std::vector<std::size_t> starts((std::size_t(1) << n_bits) + 1, 0); // of the buckets, and then their ends
     for(const std::uint32_t bucket : buckets)
@@ -377,6 +373,20 @@ T interpolated(const std::vector<T>& values, const std::vector<Linked_triangle>&
   const auto& w = place.coordinates;
   return CGAL::to_double(w[0]) * values[t[0]] + CGAL::to_double(w[1]) * values[t[1]] +
          CGAL::to_double(w[2]) * values[t[2]];
+}
+
+// Where the vertices of a connected triangulation of the sphere are in another one, which needs no grid: each is found by a
+// walk from the place of a neighbour. Vertices without a triangle are in none.
+template <class K>
+std::vector<typename Sphere_triangulation<K>::Triangle_location> locations_of_vertices(
+    const Sphere_triangulation<K>& of, const Sphere_triangulation<K>& in)
+{
+  constexpr std::uint32_t none = Sphere_triangulation<K>::none;
+  std::vector<typename Sphere_triangulation<K>::Triangle_location> result(of.points().size());
+  visit_from_neighbors(of.triangles(), of.points().size(), none, [&](std::uint32_t v, std::uint32_t w) {
+    result[v] = in.locate_from(w == none ? 0 : result[w].triangle, of.points()[v]);
+  });
+  return result;
 }
 
 } // namespace CGAL::Spherical_parameterization::internal

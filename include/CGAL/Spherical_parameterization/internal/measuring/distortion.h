@@ -218,17 +218,13 @@ std::vector<Measured_face> distortion_of_faces(const std::vector<Surface_point_3
       has_floating_point_coordinates<Surface_point_3> && has_floating_point_coordinates<Image_point_3>;
   const Orientation_about_origin_3<typename Selection::type> orientation;
   std::vector<Measured_face> result(triangles.size());
-  for_each_block(
-      may_be_parallel ? execution : Execution(), 0, result.size(), block_size, [&](std::size_t begin, std::size_t end) {
-        for(std::size_t k = begin; k < end; ++k)
-        {
-          const auto [a, b, c] = triangles[k];
-          const Image_point_3 &u = images[a], &v = images[b], &w = images[c];
-          const Triangle_stretch stretch(triangle_edges(points[a], points[b], points[c]), triangle_edges(u, v, w));
-          const Sign sign = orientation(Selection::convert(u), Selection::convert(v), Selection::convert(w));
-          result[k] = {stretch, sign != POSITIVE};
-        }
-      });
+  for_each_in_blocks(may_be_parallel ? execution : Execution(), 0, result.size(), block_size, [&](std::size_t k) {
+    const auto [a, b, c] = triangles[k];
+    const Image_point_3 &u = images[a], &v = images[b], &w = images[c];
+    const Triangle_stretch stretch(triangle_edges(points[a], points[b], points[c]), triangle_edges(u, v, w));
+    const Sign sign = orientation(Selection::convert(u), Selection::convert(v), Selection::convert(w));
+    result[k] = {stretch, sign != POSITIVE};
+  });
   return result;
 }
 

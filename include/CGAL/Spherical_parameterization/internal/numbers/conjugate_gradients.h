@@ -58,12 +58,7 @@ std::size_t conjugate_gradients(std::vector<T>& x, std::vector<T>& r, const Mult
                                 const Precondition& precondition, const GoOn& go_on, const Execution& execution = {})
 {
   constexpr std::size_t block_size = 1024; // ten microseconds of work or more
-  const auto for_each_element = [&](const auto& f) {
-    for_each_block(execution, 0, x.size(), block_size, [&](std::size_t begin, std::size_t end) {
-      for(std::size_t i = begin; i < end; ++i)
-        f(i);
-    });
-  };
+  const auto for_each_element = [&](const auto& f) { for_each_in_blocks(execution, 0, x.size(), block_size, f); };
   std::vector<T> z(x.size()), q(x.size());
   const auto first = precondition(r, z);
   std::vector<T> p = z;

@@ -29,9 +29,6 @@
 
 #include <boost/graph/graph_traits.hpp>
 
-#include <cstddef>
-#include <tuple>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -90,40 +87,6 @@ struct Mesh_on_sphere
     return error == OK ? ERROR_NO_1_TO_1_MAPPING : error;
   }
 };
-
-// for the functions of two surfaces, which compute with doubles
-template <class TriangleMesh1, class VertexSphereMap1, class TriangleMesh2, class VertexSphereMap2>
-constexpr bool check_two_spheres()
-{
-  if constexpr(check_mesh_and_readable_map<TriangleMesh1, VertexSphereMap1>() &&
-               check_mesh_and_readable_map<TriangleMesh2, VertexSphereMap2>())
-  {
-    using K1 = typename Exact_predicates_kernel_of_map<VertexSphereMap1>::type;
-    using K2 = typename Exact_predicates_kernel_of_map<VertexSphereMap2>::type;
-    constexpr bool are_doubles = std::is_same<typename K1::FT, double>::value && std::is_same<K1, K2>::value;
-    static_assert(are_doubles, "The coordinates of both maps to the sphere have to be of type double or float.");
-    return are_doubles;
-  }
-  return false;
-}
-
-// Reads features, each a pair of functions of a vertex, for the first surface (0) or the second one (1). Returns false if a
-// value is not finite.
-template <std::size_t surface, class Features, class Vertices>
-bool read_features(const Features& features, const Vertices& vertices, std::vector<std::vector<double>>& channels)
-{
-  for(const auto& feature : features)
-  {
-    channels.emplace_back();
-    for(const auto v : vertices)
-    {
-      channels.back().push_back(std::get<surface>(feature)(v));
-      if(!is_finite(channels.back().back()))
-        return false;
-    }
-  }
-  return true;
-}
 
 } // namespace CGAL::Spherical_parameterization::internal
 

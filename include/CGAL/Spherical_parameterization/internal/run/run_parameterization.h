@@ -19,10 +19,10 @@
 #include <CGAL/Spherical_parameterization/Parameterization_report.h>
 #include <CGAL/Spherical_parameterization/internal/certificate/is_safely_positive.h>
 #include <CGAL/Spherical_parameterization/internal/execution/parallel.h>
-#include <CGAL/Spherical_parameterization/internal/library.h>
+#include <CGAL/Spherical_parameterization/internal/initializers/Schnyder_drawing.h>
 #include <CGAL/Spherical_parameterization/internal/numbers/Vector_3.h>
 #include <CGAL/Spherical_parameterization/internal/run/Visitor_control.h>
-#include <CGAL/Spherical_parameterization/internal/run/check_run.h>
+#include <CGAL/Spherical_parameterization/internal/run/check_arguments.h>
 #include <CGAL/Spherical_parameterization/internal/run/write_map.h>
 #include <CGAL/Spherical_parameterization/internal/surface/Run.h>
 #include <CGAL/Spherical_parameterization/internal/surface/read_mesh.h>
@@ -33,6 +33,8 @@
 
 #include <boost/graph/graph_traits.hpp>
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <functional>
 #include <optional>
@@ -43,10 +45,24 @@
 namespace CGAL::Spherical_parameterization::internal {
 
 // Makes a map of the connectivity alone, which never fails.
-void draw_surface(Run& run);
+inline void draw_surface(Run& run)
+{
+  run.positions = Schnyder_drawing(run.surface.rings()).positions();
+  run.control.report().seconds_for_embedding += run.control.lap();
+}
 
 // Takes images of the vertices, in the caller's order, projected to the unit sphere. Returns whether they make a bijection there.
-bool take_map(std::vector<Vector_3d> images, Run& run);
+inline bool take_map(std::vector<Vector_3d> images, Run& run)
+{
+  for(Vector_3d& x : images)
+  {
+    const double size = (std::max)({std::abs(x[0]), std::abs(x[1]), std::abs(x[2])}); // squares could overflow
+    x = normalized({x[0] / size, x[1] / size, x[2] / size});
+  }
+  const bool is_bijective = are_bijective(run.surface.callers_triangles(), images, run.execution);
+  run.positions = run.surface.in_own_order(images);
+  return is_bijective;
+}
 
 // A run from the caller's mesh to the caller's map, as every parameterizer makes it: read(), the work of its method on the
 // members of Run, and write(). The caller's types end here.
@@ -147,6 +163,23 @@ public:
   Error_code error = ERROR_WRONG_PARAMETER;
 };
 
+// What the function parameterize() of a method does: calls method(run), which reads the mesh and makes the map, and writes it, by
+// what the method guarantees.
+template <class ConcurrencyTag, Guarantee guarantee = Guarantee::ONE_TO_ONE, class TriangleMesh, class VertexSphereMap,
+          class NamedParameters, class Method>
+Error_code run_parameterization(const TriangleMesh& tmesh, const VertexSphereMap& vertex_sphere_map,
+                                const NamedParameters& np, Parameterization_report& report, const Method& method)
+{
+  if constexpr(check_run<TriangleMesh, VertexSphereMap, NamedParameters>())
+  {
+    Parameterization_run<ConcurrencyTag, TriangleMesh, NamedParameters> run(tmesh, np, report);
+    method(run);
+    return run.write(vertex_sphere_map, guarantee);
+  }
+  else
+    return ERROR_WRONG_PARAMETER;
+}
+
 // What the initial parameterizer sees of the caller's visitor and of the time: it may be stopped, and its levels show.
 class Initial_map_visitor : public Default_visitor
 {
@@ -214,9 +247,5 @@ Error_code make_initial_map(Parameterizer& parameterizer, Parameterization_run& 
 }
 
 } // namespace CGAL::Spherical_parameterization::internal
-
-#ifdef CGAL_SPHERICAL_PARAMETERIZATION_HEADER_ONLY
-#include <CGAL/Spherical_parameterization/internal/run/run_parameterization_impl.h>
-#endif
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_RUN_RUN_PARAMETERIZATION_H

@@ -119,10 +119,7 @@ private:
   template <class Function>
   void for_each_vertex(const Function& f) const
   {
-    for_each_block(m_execution, 0, m_areas.size(), block_size, [&](std::size_t begin, std::size_t end) {
-      for(std::size_t v = begin; v < end; ++v)
-        f(v);
-    });
+    for_each_in_blocks(m_execution, 0, m_areas.size(), block_size, f);
   }
 
   template <class Function>

@@ -16,7 +16,6 @@
 
 #include <CGAL/Spherical_parameterization/Error_code.h>
 #include <CGAL/Spherical_parameterization/internal/numbers/Vector_3.h>
-#include <CGAL/Spherical_parameterization/internal/numbers/direction_of.h>
 #include <CGAL/Spherical_parameterization/internal/surface/Surface.h>
 
 #include <CGAL/Dynamic_property_map.h>

@@ -41,23 +41,6 @@ struct Alignment_start
   bool is_valid = true; // Doubles hold it.
 };
 
-// A control for what runs beside others.
-class Silent_control : public Run_control
-{
-public:
-  Silent_control()
-    : Run_control(0.)
-  {}
-  void on_initialization_begin(std::size_t) override {}
-  void on_level(std::size_t) override {}
-  void on_initialization_end() override {}
-  void after_iteration(std::size_t, double, double) override {}
-  void on_optimization_end() override {}
-
-private:
-  bool visitor_goes_further(std::size_t, double) override { return true; }
-};
-
 // The descent of one start on the coarse surfaces, and the score of its end. The energy of a map between surfaces is led by
 // features of great weight first, among them the distances from extremities that may correspond, which no pose changes and
 // which show from afar where to go. Then it is led by the features of the surfaces alone, with their weight in the end.
@@ -87,7 +70,7 @@ public:
     constexpr std::size_t min_size = 60, first_size = 700;
     const Vertex_rings& rings = m_surfaces.first().rings();
     std::size_t last_level = 0;
-    Silent_control control;
+    Run_control control;
     if(is_first)
     {
       start.hierarchy =
@@ -124,7 +107,7 @@ private:
              const Execution& execution) const
   {
     constexpr std::size_t min_size = 500; // the coarsest level once the large parts correspond
-    Silent_control control;
+    Run_control control;
     return lower_on_target(m_surfaces.first().rings(), m_surfaces.points(),
                            {m_metric, m_surfaces.goals(std::move(leads), weight)}, min_size, m_sweeps, directions,
                            control, execution);

@@ -178,7 +178,7 @@ private:
   template <class Function>
   void in_parallel(std::size_t n, const Function& f) const
   {
-    for_each_block(m_execution, 0, n, 1, [&](std::size_t k, std::size_t) { f(k); });
+    for_each_in_blocks(m_execution, 0, n, 1, f);
   }
 
   Sphere_image image(const std::vector<Vertex_scalars>& channels) const

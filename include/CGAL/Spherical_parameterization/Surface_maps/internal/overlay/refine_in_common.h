@@ -78,9 +78,8 @@ inline Error_code refine_in_common(const Sphere_mesh& sphere1, const std::vector
   on_second.resize(n);
   constexpr std::size_t block_size = 1024; // of parallel work: enough that handing it out costs nothing
   const auto locate = [&](const auto& of, const auto& triangles, const auto& in, const auto& values, Vector_3d* out) {
-    for_each_block(execution, 0, triangles.size(), block_size, [&](std::size_t begin, std::size_t end) {
-      for(std::size_t v = begin; v < end; ++v)
-        out[v] = interpolated(values, in.triangles(), in.locate_from(triangles[v], of.points()[v]));
+    for_each_in_blocks(execution, 0, triangles.size(), block_size, [&](std::size_t v) {
+      out[v] = interpolated(values, in.triangles(), in.locate_from(triangles[v], of.points()[v]));
     });
   };
   locate(sphere1, cells.triangles_of_first(), sphere2, points2, on_second.data());
@@ -90,16 +89,13 @@ inline Error_code refine_in_common(const Sphere_mesh& sphere1, const std::vector
     const auto& p = sphere.points()[v];
     return Vector_3d{p.x(), p.y(), p.z()};
   };
-  for_each_block(execution, 0, cells.crossings().size(), block_size, [&](std::size_t begin, std::size_t end) {
-    for(std::size_t k = begin; k < end; ++k)
-    {
-      const auto [e, f] = cells.crossings()[k];
-      const std::size_t v1 = sides1.source(e), w1 = sides1.target(e), v2 = sides2.source(f), w2 = sides2.target(f);
-      const auto [s, t] =
-          crossing_parameters(image(sphere1, v1), image(sphere1, w1), image(sphere2, v2), image(sphere2, w2));
-      overlay.points[0][n1 + n2 + k] = point_on_edge(points1[v1], points1[w1], s);
-      overlay.points[1][n1 + n2 + k] = point_on_edge(points2[v2], points2[w2], t);
-    }
+  for_each_in_blocks(execution, 0, cells.crossings().size(), block_size, [&](std::size_t k) {
+    const auto [e, f] = cells.crossings()[k];
+    const std::size_t v1 = sides1.source(e), w1 = sides1.target(e), v2 = sides2.source(f), w2 = sides2.target(f);
+    const auto [s, t] =
+        crossing_parameters(image(sphere1, v1), image(sphere1, w1), image(sphere2, v2), image(sphere2, w2));
+    overlay.points[0][n1 + n2 + k] = point_on_edge(points1[v1], points1[w1], s);
+    overlay.points[1][n1 + n2 + k] = point_on_edge(points2[v2], points2[w2], t);
   });
   if(!control.go_further(0, 0.))
     return ERROR_STOPPED;

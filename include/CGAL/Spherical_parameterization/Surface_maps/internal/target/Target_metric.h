@@ -64,13 +64,10 @@ public:
     const auto locations = images.locate(points_of(nodes), execution);
     Tensor_image image{n, std::vector<Tensor>(nodes.size())};
     // 1024 nodes of parallel work: enough that handing it out costs nothing
-    for_each_block(execution, 0, nodes.size(), 1024, [&](std::size_t begin, std::size_t end) {
-      for(std::size_t k = begin; k < end; ++k)
-      {
-        const Linked_triangle& t = images.triangles()[locations[k].triangle];
-        const std::array<Vector_3d, 3> x = {scale * points[t[0]], scale * points[t[1]], scale * points[t[2]]};
-        image.tensors[k] = tensor_of(images.corners(t), x, normalized(nodes[k]));
-      }
+    for_each_in_blocks(execution, 0, nodes.size(), 1024, [&](std::size_t k) {
+      const Linked_triangle& t = images.triangles()[locations[k].triangle];
+      const std::array<Vector_3d, 3> x = {scale * points[t[0]], scale * points[t[1]], scale * points[t[2]]};
+      image.tensors[k] = tensor_of(images.corners(t), x, normalized(nodes[k]));
     });
     for(image = smoothed(image, n);; image = smoothed(image, image.n / 2))
     {
