@@ -1,6 +1,6 @@
 // The descent by `Isometric_energy_3`, that of the paper as well.
 
-#include <CGAL/Spherical_parameterization/internal/run/descents_of_library.h>
+#include <CGAL/Spherical_parameterization/internal/run/run_descent_impl.h>
 
 namespace CGAL::Spherical_parameterization::internal {
 

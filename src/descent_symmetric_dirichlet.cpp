@@ -1,6 +1,6 @@
 // The descent by `Symmetric_Dirichlet_energy_3`.
 
-#include <CGAL/Spherical_parameterization/internal/run/descents_of_library.h>
+#include <CGAL/Spherical_parameterization/internal/run/run_descent_impl.h>
 
 namespace CGAL::Spherical_parameterization::internal {
 

@@ -14,6 +14,9 @@
 
 #include <CGAL/license/Spherical_parameterization.h>
 
+#include <iterator>
+#include <utility>
+
 namespace CGAL::Spherical_parameterization {
 
 // clang-format off
@@ -68,105 +71,84 @@ enum [[nodiscard]] Error_code
 /// \param error_code a value returned by a function of the package
 inline const char* get_error_message(Error_code error_code)
 {
-  switch(error_code)
-  {
-  case OK:
-    return "Success: the result is valid.";
-  case ERROR_EMPTY_MESH:
-    return "The mesh has no face, so that there is nothing to map or to measure: check what it was read from.";
-  case ERROR_TOO_FEW_VERTICES:
-    return "The mesh has fewer than four vertices with a face, and no closed surface has less than a tetrahedron: "
-           "check what it was read from.";
-  case ERROR_NON_TRIANGULAR_MESH:
-    return "The mesh has a face that is not a triangle: triangulate it first, for example with "
-           "CGAL::Polygon_mesh_processing::triangulate_faces().";
-  case ERROR_NON_CLOSED_MESH:
-    return "The mesh has a border: close its holes first, for example with "
-           "CGAL::Polygon_mesh_processing::triangulate_hole().";
-  case ERROR_SEVERAL_COMPONENTS:
-    return "The mesh has several connected components: parameterize each of them on its own, for example after "
-           "CGAL::Polygon_mesh_processing::split_connected_components().";
-  case ERROR_NO_TOPOLOGICAL_SPHERE:
-    return "The surface has a handle, as a torus has (its genus is not 0): remove its handles first, for example with "
-           "CGAL::alpha_wrap_3().";
-  case ERROR_NO_SIMPLICIAL_COMPLEX:
-    return "The mesh is no simplicial complex, as two edges join the same two vertices, or two fans of faces meet in "
-           "one vertex: split one of the edges, or duplicate the vertex, for example with "
-           "CGAL::Polygon_mesh_processing::duplicate_non_manifold_vertices().";
-  case ERROR_NON_FINITE_COORDINATE:
-    return "A coordinate is infinite or not a number: repair the file or the program that wrote it.";
-  case ERROR_INVALID_INITIAL_PARAMETERIZATION:
-    return "The map to start from is not one-to-one by more than rounding can change: every face has to be positively "
-           "oriented as seen from the centre of the sphere, and the faces have to cover the sphere once; start from "
-           "another map, such as that of Hierarchical_parameterizer_3.";
-  case ERROR_NO_1_TO_1_MAPPING:
-    return "The map to the sphere is not one-to-one: compute it by a method that guarantees this, such as "
-           "Bijective_low_distortion_parameterizer_3.";
-  case ERROR_INSUFFICIENT_PRECISION:
-    return "No one-to-one map was found that the coordinates can hold, as parts of the surface would be smaller on "
-           "the sphere than what these tell apart: use coordinates of type double, or an energy that also preserves "
-           "areas.";
-  case ERROR_CANNOT_SOLVE_LINEAR_SYSTEM:
-    return "The linear system of the method could not be solved: try another solver, or a method without one, such as "
-           "Hierarchical_parameterizer_3.";
-  case ERROR_WRONG_PARAMETER:
-    return "A parameter is out of its range: see the documentation of the function or class for the values it "
-           "accepts.";
-  case ERROR_TOO_LARGE_MESH:
-    return "The mesh has more than 700 million faces, which is more than 32-bit indices can count: simplify it first.";
-  case ERROR_TOO_LARGE_OVERLAY:
-    return "The common refinement of the two surfaces has more vertices than are allowed, as where vertices of "
-           "high degree meet, or long and narrow faces: allow more if there is memory for them, or remesh one of the "
-           "surfaces.";
-  case ERROR_INVALID_DIRECTION:
-    return "A direction is zero, infinite or not a number, or two directions are parallel that must not be: leave it "
-           "out, or repair what computes it.";
-  case ERROR_INVALID_DOMAIN:
-    return "The domain is empty: divide the edges of solids into 1 to 5000 parts, and see what make_sphere_domain() "
-           "says of a mesh.";
-  case ERROR_FOLDED_TEXTURE:
-    return "Some texture triangles are turned over, as the map has needles that would take too many new vertices; the "
-           "mesh and its texture coordinates have been written.";
-  case ERROR_NO_GEOMETRY_IMAGE_MESH:
-    return "The mesh has not the vertices of a geometry image: make it by remeshing over an octahedron or a cube "
-           "whose edges are divided.";
-  case ERROR_OUT_OF_FLOAT_RANGE:
-    return "The values are too large, or all too small, for the numbers of 32 bits of the file, which reach from "
-           "1.2e-38 to 3.4e38: scale the surface first, or write a file of another format, such as PNG or OFF.";
-  case ERROR_CANNOT_WRITE_FILE:
-    return "The file could not be written to its end: check that its folder is there and may be written to, and that "
-           "there is space left.";
-  case ERROR_INVALID_IMAGE_FILE:
-    return "The file is damaged, or no geometry image of this package: a PNG file has to have 16 bits per channel and "
-           "the texts Minimum and Maximum, an OpenEXR file the channels R, G and B.";
-  case ERROR_INVALID_IMAGE_SIZE:
-    return "The image has not the size of a geometry image: it has to be a square with an odd number of pixels in "
-           "each row, or six squares in a column, with three channels.";
-  case ERROR_INVALID_SURFACE_FILE:
-    return "The file is damaged, or of another kind than the function reads: see the message that the function gives "
-           "beside this code.";
-  case ERROR_INVALID_HARMONICS_FILE:
-    return "The file is damaged, or none of coefficients of spherical harmonics: see the message that the function "
-           "gives "
-           "beside this code.";
-  case ERROR_NON_MATCHING_BOUNDARY:
-    return "Pixels of the geometry image differ that are the same vertex of the mesh, so that the surface would not "
-           "be closed: write the image anew, and let no program smooth, scale or compress it with losses.";
-  case ERROR_UNDETERMINED_ROTATION:
-    return "There is no rotation that is determined: give at least two landmarks whose directions are neither the same "
-           "nor opposite, on both spheres, or a surface whose ellipsoid of degree 1 is neither a point nor a line.";
-  case ERROR_TOO_HIGH_DEGREE:
-    return "The vertices do not hold as many coefficients as the degree has: take a degree below the root of their "
-           "number, or areas of the surface or the sphere as weights.";
-  case ERROR_INVALID_DENSITY:
-    return "A density is negative, infinite or not a number, or all of them are 0, so that they do not say how much of "
-           "the sphere each part of the surface is to get: repair what computes them, or replace them by small "
-           "numbers.";
-  case ERROR_INVALID_LANDMARK:
-    return "A landmark is no vertex of a face of its mesh, or a vertex has two landmarks: leave it out.";
-  case ERROR_STOPPED:
-    return "The run was ended by its visitor or its time limit before there was a result: give it more time.";
-  }
+  // clang-format off
+  constexpr std::pair<Error_code, const char*> messages[] = {
+    {OK, "Success: the result is valid."},
+    {ERROR_EMPTY_MESH, "The mesh has no face, so that there is nothing to map or to measure: check what it was read "
+     "from."},
+    {ERROR_TOO_FEW_VERTICES, "The mesh has fewer than four vertices with a face, and no closed surface has less than a "
+     "tetrahedron: check what it was read from."},
+    {ERROR_NON_TRIANGULAR_MESH, "The mesh has a face that is not a triangle: triangulate it first, for example with "
+     "CGAL::Polygon_mesh_processing::triangulate_faces()."},
+    {ERROR_NON_CLOSED_MESH, "The mesh has a border: close its holes first, for example with "
+     "CGAL::Polygon_mesh_processing::triangulate_hole()."},
+    {ERROR_SEVERAL_COMPONENTS, "The mesh has several connected components: parameterize each of them on its own, for "
+     "example after CGAL::Polygon_mesh_processing::split_connected_components()."},
+    {ERROR_NO_TOPOLOGICAL_SPHERE, "The surface has a handle, as a torus has (its genus is not 0): remove its handles "
+     "first, for example with CGAL::alpha_wrap_3()."},
+    {ERROR_NO_SIMPLICIAL_COMPLEX, "The mesh is no simplicial complex, as two edges join the same two vertices, or two "
+     "fans of faces meet in one vertex: split one of the edges, or duplicate the vertex, for example with "
+     "CGAL::Polygon_mesh_processing::duplicate_non_manifold_vertices()."},
+    {ERROR_NON_FINITE_COORDINATE, "A coordinate is infinite or not a number: repair the file or the program that wrote "
+     "it."},
+    {ERROR_INVALID_INITIAL_PARAMETERIZATION, "The map to start from is not one-to-one by more than rounding can "
+     "change: every face has to be positively oriented as seen from the centre of the sphere, and the faces have to "
+     "cover the sphere once; start from another map, such as that of Hierarchical_parameterizer_3."},
+    {ERROR_NO_1_TO_1_MAPPING, "The map to the sphere is not one-to-one: compute it by a method that guarantees this, "
+     "such as Bijective_low_distortion_parameterizer_3."},
+    {ERROR_INSUFFICIENT_PRECISION, "No one-to-one map was found that the coordinates can hold, as parts of the surface "
+     "would be smaller on the sphere than what these tell apart: use coordinates of type double, or an energy that "
+     "also preserves areas."},
+    {ERROR_CANNOT_SOLVE_LINEAR_SYSTEM, "The linear system of the method could not be solved: try another solver, or a "
+     "method without one, such as Hierarchical_parameterizer_3."},
+    {ERROR_WRONG_PARAMETER, "A parameter is out of its range: see the documentation of the function or class for the "
+     "values it accepts."},
+    {ERROR_TOO_LARGE_MESH, "The mesh has more than 700 million faces, which is more than 32-bit indices can count: "
+     "simplify it first."},
+    {ERROR_TOO_LARGE_OVERLAY, "The common refinement of the two surfaces has more vertices than are allowed, as where "
+     "vertices of high degree meet, or long and narrow faces: allow more if there is memory for them, or remesh one of "
+     "the surfaces."},
+    {ERROR_INVALID_DIRECTION, "A direction is zero, infinite or not a number, or two directions are parallel that must "
+     "not be: leave it out, or repair what computes it."},
+    {ERROR_INVALID_DOMAIN, "The domain is empty: divide the edges of solids into 1 to 5000 parts, and see what "
+     "make_sphere_domain() says of a mesh."},
+    {ERROR_FOLDED_TEXTURE, "Some texture triangles are turned over, as the map has needles that would take too many "
+     "new vertices; the mesh and its texture coordinates have been written."},
+    {ERROR_NO_GEOMETRY_IMAGE_MESH, "The mesh has not the vertices of a geometry image: make it by remeshing over an "
+     "octahedron or a cube whose edges are divided."},
+    {ERROR_OUT_OF_FLOAT_RANGE, "The values are too large, or all too small, for the numbers of 32 bits of the file, "
+     "which reach from 1.2e-38 to 3.4e38: scale the surface first, or write a file of another format, such as PNG or "
+     "OFF."},
+    {ERROR_CANNOT_WRITE_FILE, "The file could not be written to its end: check that its folder is there and may be "
+     "written to, and that there is space left."},
+    {ERROR_INVALID_IMAGE_FILE, "The file is damaged, or no geometry image of this package: a PNG file has to have 16 "
+     "bits per channel and the texts Minimum and Maximum, an OpenEXR file the channels R, G and B."},
+    {ERROR_INVALID_IMAGE_SIZE, "The image has not the size of a geometry image: it has to be a square with an odd "
+     "number of pixels in each row, or six squares in a column, with three channels."},
+    {ERROR_INVALID_SURFACE_FILE, "The file is damaged, or of another kind than the function reads: see the message "
+     "that the function gives beside this code."},
+    {ERROR_INVALID_HARMONICS_FILE, "The file is damaged, or none of coefficients of spherical harmonics: see the "
+     "message that the function gives beside this code."},
+    {ERROR_NON_MATCHING_BOUNDARY, "Pixels of the geometry image differ that are the same vertex of the mesh, so that "
+     "the surface would not be closed: write the image anew, and let no program smooth, scale or compress it with "
+     "losses."},
+    {ERROR_UNDETERMINED_ROTATION, "There is no rotation that is determined: give at least two landmarks whose "
+     "directions are neither the same nor opposite, on both spheres, or a surface whose ellipsoid of degree 1 is "
+     "neither a point nor a line."},
+    {ERROR_TOO_HIGH_DEGREE, "The vertices do not hold as many coefficients as the degree has: take a degree below the "
+     "root of their number, or areas of the surface or the sphere as weights."},
+    {ERROR_INVALID_DENSITY, "A density is negative, infinite or not a number, or all of them are 0, so that they do "
+     "not say how much of the sphere each part of the surface is to get: repair what computes them, or replace them by "
+     "small numbers."},
+    {ERROR_INVALID_LANDMARK, "A landmark is no vertex of a face of its mesh, or a vertex has two landmarks: leave it "
+     "out."},
+    {ERROR_STOPPED, "The run was ended by its visitor or its time limit before there was a result: give it more time."},
+  };
+  // clang-format on
+  static_assert(std::size(messages) == ERROR_STOPPED + 1, "Each code has a message.");
+  for(const auto& [code, message] : messages)
+    if(code == error_code)
+      return message;
   return "Unknown error code: it was not returned by this package.";
 }
 

@@ -88,14 +88,14 @@ public:
   template <std::size_t n, class Terms>
   std::array<double, n> sums(const Terms& terms) const
   {
-    constexpr std::size_t block_size = 1024; // of parallel work: enough that handing it out costs nothing
-    std::vector<std::array<double, n>> parts((size() + block_size - 1) / block_size);
-    internal::for_each_block(m_execution, 0, size(), block_size, [&](std::size_t begin, std::size_t end) {
-      std::array<double, n> part = {};
-      for(const_iterator face = m_begin + begin; face != m_begin + end; ++face)
-        add(terms(*face), part);
-      parts[begin / block_size] = part;
-    });
+    std::vector<std::array<double, n>> parts((size() + internal::usual_block_size - 1) / internal::usual_block_size);
+    internal::for_each_block(m_execution, 0, size(), internal::usual_block_size,
+                             [&](std::size_t begin, std::size_t end) {
+                               std::array<double, n> part = {};
+                               for(const_iterator face = m_begin + begin; face != m_begin + end; ++face)
+                                 add(terms(*face), part);
+                               parts[begin / internal::usual_block_size] = part;
+                             });
     std::array<double, n> result = {};
     for(const std::array<double, n>& part : parts)
       add(part, result);

@@ -41,7 +41,7 @@ public:
   template <class Energy>
   double operator()(const Energy& energy, const Face_range_3& faces, double radius)
   {
-    if constexpr(internal::has_optimal_scale<Energy, Face_range_3>)
+    if constexpr(internal::is_detected<internal::Optimal_scale_result, Energy, Face_range_3>)
       return radius * energy.optimal_scale(faces);
     else
       return radius * newton_scale(energy, faces);

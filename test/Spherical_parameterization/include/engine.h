@@ -6,7 +6,7 @@
 
 #include <CGAL/Spherical_parameterization/Face_range_3.h>
 #include <CGAL/Spherical_parameterization/Symmetric_Dirichlet_energy_3.h>
-#include <CGAL/Spherical_parameterization/internal/run/descents_of_library.h>
+#include <CGAL/Spherical_parameterization/internal/run/run_descent_impl.h>
 
 #include <functional>
 #include <memory>
@@ -53,6 +53,9 @@ private:
 
 namespace CGAL::Spherical_parameterization::internal {
 CGAL_SPHERICAL_PARAMETERIZATION_DESCENTS_BY(extern, test::Hooked_energy)
+#ifdef CGAL_SPHERICAL_PARAMETERIZATION_HEADER_ONLY
+CGAL_SPHERICAL_PARAMETERIZATION_DESCENTS(extern)
+#endif
 } // namespace CGAL::Spherical_parameterization::internal
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_TEST_ENGINE_H

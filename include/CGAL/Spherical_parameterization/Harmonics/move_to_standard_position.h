@@ -28,6 +28,8 @@
 
 #include <array>
 
+#include <array>
+
 namespace CGAL::Spherical_parameterization {
 
 /// \ingroup PkgSphericalParameterizationHarmonics

@@ -19,6 +19,7 @@
 #include <CGAL/Spherical_parameterization/internal/execution/parallel.h>
 #include <CGAL/Spherical_parameterization/internal/run/Mesh_on_sphere.h>
 #include <CGAL/Spherical_parameterization/internal/run/Visitor_control.h>
+#include <CGAL/Spherical_parameterization/internal/run/check_run.h>
 #include <CGAL/Spherical_parameterization/internal/run/check_arguments.h>
 #include <CGAL/Spherical_parameterization/internal/surface/read_mesh.h>
 

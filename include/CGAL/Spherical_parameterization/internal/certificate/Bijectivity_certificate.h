@@ -55,9 +55,8 @@ struct Bijectivity_certificate
 template <class Triangles, class Predicate>
 std::size_t count_triangles(Execution execution, const Triangles& triangles, const Predicate& is_counted)
 {
-  constexpr std::size_t block_size = 1024; // of parallel work: enough that handing it out costs nothing
   std::atomic<std::size_t> result(0);
-  for_each_block(execution, 0, triangles.size(), block_size, [&](std::size_t begin, std::size_t end) {
+  for_each_block(execution, 0, triangles.size(), usual_block_size, [&](std::size_t begin, std::size_t end) {
     std::size_t n = 0;
     for(std::size_t k = begin; k < end; ++k)
       n += is_counted(triangles[k]);

@@ -27,14 +27,13 @@ namespace CGAL::Spherical_parameterization::internal {
 
 // Whether both functions of an energy can be called for lanes of numbers. One that is written for `double` only is
 // called for one lane after the other.
-template <class Energy, class FT, class = void>
-constexpr bool is_lanewise = false;
 template <class Energy, class FT>
-constexpr bool is_lanewise<
-    Energy, FT,
+using Energy_in_lanes =
     std::void_t<decltype(std::declval<const Energy&>()(std::declval<const FT&>(), std::declval<const FT&>())),
                 decltype(std::declval<const Energy&>().derivatives(std::declval<const FT&>(),
-                                                                   std::declval<const FT&>()))>> = true;
+                                                                   std::declval<const FT&>()))>;
+template <class Energy, class FT>
+constexpr bool is_lanewise = is_detected<Energy_in_lanes, Energy, FT>;
 
 // The energy of a face as the descent evaluates it: in one lane or several, and, if the weight of the guard is
 // positive, with that share of the area distortion d + 1 / d added, which keeps faces from shrinking without end where

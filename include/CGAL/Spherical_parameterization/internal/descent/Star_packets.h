@@ -59,35 +59,24 @@ Vector_3<FT> points_in_lanes(const std::uint32_t* vertices, const Vector_3d* pos
 // rest_index(), of the rest shapes. A star that has fewer faces than others of its packet, which its degree tells, is
 // padded with its first neighbor, and with 0 for the rest shapes.
 template <class FT>
-class Star_view
+struct Star_view
 {
-public:
-  Star_view() = default;
-  // `is_at_sliver` is null where there are no slivers.
-  Star_view(const std::uint32_t* vertices, const std::uint32_t* degrees, const std::uint32_t* neighbors,
-            const double* rest, const char* is_at_sliver, std::size_t first, std::size_t stride, std::size_t size)
-    : m_vertices(vertices)
-    , m_neighbors(neighbors)
-    , m_rest(rest)
-    , m_is_at_sliver(is_at_sliver)
-    , m_first(first)
-    , m_stride(stride)
-    , m_size(size)
-    , m_degree(Lanes<FT>::generate([&](std::size_t lane) { return static_cast<double>(degrees[lane]); }))
-  {}
+  const std::uint32_t* vertices = nullptr;
+  const std::uint32_t* neighbors = nullptr;
+  const double* rests = nullptr;
+  const char* slivers = nullptr; // null where there are none
+  std::size_t first = 0, stride = 0, n_rows = 0;
+  FT degree = 0.;
 
-  std::size_t size() const { return m_size; }
+  std::size_t size() const { return n_rows; }
 
-  Vector_3<FT> center(const Vector_3d* positions) const { return points_in_lanes<FT>(m_vertices, positions); }
+  Vector_3<FT> center(const Vector_3d* positions) const { return points_in_lanes<FT>(vertices, positions); }
   Vector_3<FT> neighbor(std::size_t j, const Vector_3d* positions) const
   {
-    return points_in_lanes<FT>(m_neighbors + m_first + j * m_stride, positions);
+    return points_in_lanes<FT>(neighbors + first + j * stride, positions);
   }
 
-  std::uint32_t neighbor(std::size_t j, std::size_t lane = 0) const
-  {
-    return m_neighbors[m_first + j * m_stride + lane];
-  }
+  std::uint32_t neighbor(std::size_t j, std::size_t lane = 0) const { return neighbors[first + j * stride + lane]; }
 
   // see Rest_triangle
   FT opposite_0(std::size_t j) const { return rest(j, 0); }
@@ -97,28 +86,16 @@ public:
   Rest_triangle rest(std::size_t j) const { return {rest(j, 0), rest(j, 1), rest(j, 2), rest(j, 3)}; } // of one star
 
   // whether row j is beyond the end of the star
-  auto is_padding(std::size_t j) const { return !(FT(static_cast<double>(j)) < m_degree); }
+  auto is_padding(std::size_t j) const { return !(FT(static_cast<double>(j)) < degree); }
 
   // whether the face belongs to the group of the slivers, if there are any
-  bool has_slivers() const { return m_is_at_sliver != nullptr; }
+  bool has_slivers() const { return slivers != nullptr; }
   auto is_at_sliver(std::size_t j) const
   {
-    return Lanes<FT>::generate(
-               [&](std::size_t lane) { return double(m_is_at_sliver[m_first + j * m_stride + lane]); }) > 0.;
+    return Lanes<FT>::generate([&](std::size_t lane) { return double(slivers[first + j * stride + lane]); }) > 0.;
   }
 
-private:
-  FT rest(std::size_t j, std::size_t k) const
-  {
-    return Lanes<FT>::load(m_rest + rest_index(m_first + j * m_stride, k));
-  }
-
-  const std::uint32_t* m_vertices = nullptr;
-  const std::uint32_t* m_neighbors = nullptr;
-  const double* m_rest = nullptr;
-  const char* m_is_at_sliver = nullptr;
-  std::size_t m_first = 0, m_stride = 0, m_size = 0;
-  FT m_degree = 0.;
+  FT rest(std::size_t j, std::size_t k) const { return Lanes<FT>::load(rests + rest_index(first + j * stride, k)); }
 };
 
 // The stars of many vertices, laid out such that several of them can be worked on at once: `width` stars of the same
@@ -261,9 +238,15 @@ public:
     std::size_t n_rows = p.number_of_rows;
     if constexpr(Lanes<FT>::width == 1)
       n_rows = m_degrees[p.first_place + lane];
-    return Star_view<FT>(m_vertices.data() + p.first_place + lane, m_degrees.data() + p.first_place + lane,
-                         m_neighbors.data(), m_rest.data(), has_slivers() ? m_is_at_sliver.data() : nullptr,
-                         p.first_corner + lane, p.stride, n_rows);
+    const std::size_t place = p.first_place + lane;
+    return {m_vertices.data() + place,
+            m_neighbors.data(),
+            m_rest.data(),
+            has_slivers() ? m_is_at_sliver.data() : nullptr,
+            p.first_corner + lane,
+            p.stride,
+            n_rows,
+            Lanes<FT>::generate([&](std::size_t k) { return static_cast<double>(m_degrees[place + k]); })};
   }
 
   double rest(std::size_t corner, std::size_t k) const { return m_rest[rest_index(corner, k)]; }

@@ -90,6 +90,8 @@ Execution execution_of()
     return Execution();
 }
 
+constexpr std::size_t usual_block_size = 1024; // of a loop: enough that handing it out costs nothing
+
 // Calls f(begin, end) for consecutive blocks that cover [first, last), in parallel if there is more than one. The
 // blocks do not depend on the number of threads: block k starts at first + k * block_size. So whatever is reduced block
 // by block and then over the blocks in order has the same bits however it was run.

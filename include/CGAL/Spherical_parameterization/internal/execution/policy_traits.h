@@ -19,44 +19,48 @@
 
 namespace CGAL::Spherical_parameterization::internal {
 
+template <class Void, template <class...> class Expression, class... T>
+struct Is_detected : std::false_type
+{};
+
+template <template <class...> class Expression, class... T>
+struct Is_detected<std::void_t<Expression<T...>>, Expression, T...> : std::true_type
+{};
+
+// whether there is a type `Expression<T...>`, that of an expression with these types
+template <template <class...> class Expression, class... T>
+constexpr bool is_detected = Is_detected<void, Expression, T...>::value;
+
 // The members that a model of a concept need not have, and what their absence means.
 
-template <class Policy, class = void>
-constexpr bool has_is_valid = false;
 template <class Policy>
-constexpr bool has_is_valid<Policy, std::void_t<decltype(std::declval<const Policy&>().is_valid())>> = true;
+using Is_valid_result = decltype(std::declval<const Policy&>().is_valid());
 
 // returns whether the parameters of a policy are in their ranges; a policy without parameters is valid
 template <class Policy>
 bool is_valid_policy(const Policy& policy)
 {
-  if constexpr(has_is_valid<Policy>)
+  if constexpr(is_detected<Is_valid_result, Policy>)
     return policy.is_valid();
   else
     return true;
 }
 
-template <class Policy, class = void>
-constexpr bool has_next_phase = false;
 template <class Policy>
-constexpr bool has_next_phase<Policy, std::void_t<decltype(std::declval<Policy&>().next_phase())>> = true;
+using Next_phase_result = decltype(std::declval<Policy&>().next_phase());
 
 // starts the next phase of a policy and returns whether there is one; most policies have a single phase
 template <class Policy>
 bool next_phase(Policy& policy)
 {
-  if constexpr(has_next_phase<Policy>)
+  if constexpr(is_detected<Next_phase_result, Policy>)
     return policy.next_phase();
   else
     return false;
 }
 
-template <class Energy, class Faces, class = void>
-constexpr bool has_optimal_scale = false;
 template <class Energy, class Faces>
-constexpr bool has_optimal_scale<
-    Energy, Faces, std::void_t<decltype(std::declval<const Energy&>().optimal_scale(std::declval<const Faces&>()))>> =
-    true;
+using Optimal_scale_result = decltype(std::declval<const Energy&>().optimal_scale(std::declval<const Faces&>()));
 
 // whether faces count by their areas on the surface; if an energy does not say so, each counts the same
 template <class Energy, class = void>

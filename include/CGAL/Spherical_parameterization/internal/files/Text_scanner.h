@@ -150,8 +150,7 @@ public:
   void check_count(std::size_t count, const std::string& things, std::size_t min_size) const
   {
     if(count > (rest().size() + 1) / min_size) // the last line may lack its end
-      throw File_error("the file is too short for ", count, " ", things,
-                       ": it is truncated, or the number is wrong");
+      throw File_error("the file is too short for ", count, " ", things, ": it is truncated, or the number is wrong");
   }
 
   // reads a number from the bytes that follow the line, and returns whether there are enough of them.

@@ -53,10 +53,10 @@ public:
   // Fits the rotations, then the radius, which is a linear problem of one variable; returns the energy.
   double fit(const std::vector<Vector_3d>& u)
   {
-    std::vector<Vector_3d> partial((m_faces.size() + block_size - 1) / block_size, Vector_3d{0., 0., 0.});
-    for_each_block(m_execution, 0, m_faces.size(), block_size, [&](std::size_t begin, std::size_t end) {
+    std::vector<Vector_3d> partial((m_faces.size() + usual_block_size - 1) / usual_block_size, Vector_3d{0., 0., 0.});
+    for_each_block(m_execution, 0, m_faces.size(), usual_block_size, [&](std::size_t begin, std::size_t end) {
       for(std::size_t f = begin; f < end; ++f)
-        m_faces[f].fit_rotation(u, partial[begin / block_size]);
+        m_faces[f].fit_rotation(u, partial[begin / usual_block_size]);
     });
     Vector_3d sums = {0., 0., 0.};
     for(const Vector_3d& part : partial)
@@ -140,8 +140,6 @@ private:
       }
     }
   };
-
-  static constexpr std::size_t block_size = 1024; // of parallel work: enough that handing it out costs nothing
 
   Execution m_execution;
   std::vector<Face> m_faces;

@@ -14,9 +14,9 @@
 
 #include <CGAL/license/Spherical_parameterization.h>
 
+#include <CGAL/Spherical_parameterization/internal/execution/parallel.h>
 #include <CGAL/Spherical_parameterization/Error_code.h>
 #include <CGAL/Spherical_parameterization/internal/certificate/is_safely_positive.h>
-#include <CGAL/Spherical_parameterization/internal/execution/parallel.h>
 #include <CGAL/Spherical_parameterization/internal/initializers/Laplacian_system.h>
 #include <CGAL/Spherical_parameterization/internal/initializers/Stereographic_embedding.h>
 #include <CGAL/Spherical_parameterization/internal/numbers/Vector_3.h>
@@ -43,8 +43,7 @@ namespace CGAL::Spherical_parameterization::internal {
 inline double dirichlet_energy(const Vertex_rings& rings, const std::vector<double>& weights,
                                const std::vector<Vector_3d>& u, std::vector<double>& shares, Execution execution)
 {
-  constexpr std::size_t block_size = 1024; // of parallel work: enough that handing it out costs nothing
-  for_each_in_blocks(execution, 0, u.size(), block_size, [&](std::size_t v) {
+  for_each_in_blocks(execution, 0, u.size(), usual_block_size, [&](std::size_t v) {
     const Vertex_rings::Ring ring = rings.ring(v);
     double sum = 0.;
     for(std::size_t j = 0; j < ring.size(); ++j)

@@ -206,14 +206,13 @@ public:
   // that the triangles that a query needs are in the caches since the query before.
   std::vector<Triangle_location> locate(const std::vector<Point_3>& directions, const Execution& execution) const
   {
-    constexpr std::size_t block_size = 1024;              // of parallel work: enough that handing it out costs nothing
     constexpr std::size_t min_triangles_to_sort = 100000; // Less than 5 MB are in the caches anyway.
     const Execution safe_execution = std::is_same<FT, double>::value ? execution : Execution();
     std::vector<Query> queries;
     if(m_triangles.size() >= min_triangles_to_sort)
       queries = sorted_along_curve(directions, safe_execution);
     std::vector<Triangle_location> result(directions.size());
-    for_each_block(safe_execution, 0, result.size(), block_size, [&](std::size_t begin, std::size_t end) {
+    for_each_block(safe_execution, 0, result.size(), usual_block_size, [&](std::size_t begin, std::size_t end) {
       Hint hint;
       for(std::size_t k = begin; k < end; ++k)
         if(queries.empty())

@@ -109,6 +109,7 @@ template <int W>
 class alignas(8 * W) Packed_mask
 {
 public:
+  using Self = Packed_mask;
   using Integers = typename Packed_vectors<W>::Integers;
 
   CGAL_SP_INLINE explicit Packed_mask(const Integers& lanes)
@@ -121,14 +122,8 @@ public:
 
   friend CGAL_SP_INLINE bool lane(const Packed_mask& a, std::size_t k) { return a.m_lanes[k] != 0; }
 
-  friend CGAL_SP_INLINE Packed_mask operator&&(const Packed_mask& a, const Packed_mask& b)
-  {
-    return Packed_mask(a.m_lanes & b.m_lanes);
-  }
-  friend CGAL_SP_INLINE Packed_mask operator||(const Packed_mask& a, const Packed_mask& b)
-  {
-    return Packed_mask(a.m_lanes | b.m_lanes);
-  }
+  friend CGAL_SP_INLINE Self operator&&(const Self& a, const Self& b) { return Self(a.m_lanes & b.m_lanes); }
+  friend CGAL_SP_INLINE Self operator||(const Self& a, const Self& b) { return Self(a.m_lanes | b.m_lanes); }
   friend CGAL_SP_INLINE Packed_mask operator!(const Packed_mask& a) { return Packed_mask(~a.m_lanes); }
 
   // whether the condition holds in any lane
@@ -152,6 +147,7 @@ template <int W>
 class alignas(8 * W) Packed_double
 {
 public:
+  using Self = Packed_double;
   using Mask = Packed_mask<W>;
   static constexpr std::size_t width = W;
 
@@ -181,10 +177,7 @@ public:
     return generate([&](std::size_t k) { return static_cast<double>(floats[k]); });
   }
 
-  static CGAL_SP_INLINE void store(const Packed_double& a, double* values)
-  {
-    std::memcpy(values, &a.m_lanes, sizeof(Doubles));
-  }
+  static CGAL_SP_INLINE void store(const Self& a, double* values) { std::memcpy(values, &a.m_lanes, sizeof(Doubles)); }
 
   // the value of lane k is f(k)
   template <class Function>
@@ -197,44 +190,23 @@ public:
 
   friend CGAL_SP_INLINE double lane(const Packed_double& a, std::size_t k) { return a.m_lanes[k]; }
 
-  friend CGAL_SP_INLINE Packed_double operator+(const Packed_double& a, const Packed_double& b)
-  {
-    return Packed_double(a.m_lanes + b.m_lanes);
-  }
-  friend CGAL_SP_INLINE Packed_double operator-(const Packed_double& a, const Packed_double& b)
-  {
-    return Packed_double(a.m_lanes - b.m_lanes);
-  }
-  friend CGAL_SP_INLINE Packed_double operator*(const Packed_double& a, const Packed_double& b)
-  {
-    return Packed_double(a.m_lanes * b.m_lanes);
-  }
-  friend CGAL_SP_INLINE Packed_double operator/(const Packed_double& a, const Packed_double& b)
-  {
-    return Packed_double(a.m_lanes / b.m_lanes);
-  }
+  friend CGAL_SP_INLINE Self operator+(const Self& a, const Self& b) { return Self(a.m_lanes + b.m_lanes); }
+  friend CGAL_SP_INLINE Self operator-(const Self& a, const Self& b) { return Self(a.m_lanes - b.m_lanes); }
+  friend CGAL_SP_INLINE Self operator*(const Self& a, const Self& b) { return Self(a.m_lanes * b.m_lanes); }
+  friend CGAL_SP_INLINE Self operator/(const Self& a, const Self& b) { return Self(a.m_lanes / b.m_lanes); }
   CGAL_SP_INLINE Packed_double operator-() const { return Packed_double(-m_lanes); }
   CGAL_SP_INLINE Packed_double& operator+=(const Packed_double& other) { return m_lanes += other.m_lanes, *this; }
   CGAL_SP_INLINE Packed_double& operator*=(const Packed_double& other) { return m_lanes *= other.m_lanes, *this; }
 
-  friend CGAL_SP_INLINE Mask operator<(const Packed_double& a, const Packed_double& b)
-  {
-    return Mask(Integers(a.m_lanes < b.m_lanes));
-  }
-  friend CGAL_SP_INLINE Mask operator>(const Packed_double& a, const Packed_double& b) { return b < a; }
+  friend CGAL_SP_INLINE Mask operator<(const Self& a, const Self& b) { return Mask(Integers(a.m_lanes < b.m_lanes)); }
+  friend CGAL_SP_INLINE Mask operator>(const Self& a, const Self& b) { return b < a; }
 
   friend CGAL_SP_INLINE Packed_double select(const Mask& condition, const Packed_double& a, const Packed_double& b)
   {
     return Packed_double(condition.lanes() ? a.m_lanes : b.m_lanes);
   }
-  friend CGAL_SP_INLINE Packed_double maximum(const Packed_double& a, const Packed_double& b)
-  {
-    return select(a < b, b, a);
-  }
-  friend CGAL_SP_INLINE Packed_double minimum(const Packed_double& a, const Packed_double& b)
-  {
-    return select(b < a, b, a);
-  }
+  friend CGAL_SP_INLINE Self maximum(const Self& a, const Self& b) { return select(a < b, b, a); }
+  friend CGAL_SP_INLINE Self minimum(const Self& a, const Self& b) { return select(b < a, b, a); }
   friend CGAL_SP_INLINE Packed_double absolute(const Packed_double& a) { return select(a < Packed_double(0.), -a, a); }
 
   friend CGAL_SP_INLINE Packed_double square_root(const Packed_double& a)

@@ -57,8 +57,7 @@ template <class T, class Multiply, class Precondition, class GoOn>
 std::size_t conjugate_gradients(std::vector<T>& x, std::vector<T>& r, const Multiply& multiply,
                                 const Precondition& precondition, const GoOn& go_on, const Execution& execution = {})
 {
-  constexpr std::size_t block_size = 1024; // ten microseconds of work or more
-  const auto for_each_element = [&](const auto& f) { for_each_in_blocks(execution, 0, x.size(), block_size, f); };
+  const auto for_each_element = [&](const auto& f) { for_each_in_blocks(execution, 0, x.size(), usual_block_size, f); };
   std::vector<T> z(x.size()), q(x.size());
   const auto first = precondition(r, z);
   std::vector<T> p = z;

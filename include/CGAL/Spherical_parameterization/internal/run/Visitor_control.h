@@ -16,7 +16,8 @@
 
 #include <CGAL/Spherical_parameterization/Default_visitor.h>
 #include <CGAL/Spherical_parameterization/internal/execution/Run_control.h>
-#include <CGAL/Spherical_parameterization/internal/run/check_arguments.h>
+
+#include <CGAL/Named_function_parameters.h>
 
 #include <CGAL/Named_function_parameters.h>
 
@@ -25,47 +26,6 @@
 #include <utility>
 
 namespace CGAL::Spherical_parameterization::internal {
-
-// Mistakes in a call of what may be stopped, see check_arguments.h.
-
-template <class Visitor>
-using Visitor_results =
-    std::void_t<decltype(std::declval<Visitor&>().on_initialization_begin(std::size_t())),
-                decltype(std::declval<Visitor&>().on_level(std::size_t())),
-                decltype(std::declval<Visitor&>().on_initialization_end()),
-                decltype(std::declval<Visitor&>().after_iteration(std::size_t(), 0., 0.)),
-                decltype(std::declval<Visitor&>().on_optimization_end()),
-                std::enable_if_t<std::is_convertible<decltype(std::declval<Visitor&>().go_further(std::size_t(), 0.)),
-                                                     bool>::value>>;
-
-template <class NamedParameters>
-using Visitor_of_call =
-    typename internal_np::Lookup_named_param_def<internal_np::visitor_t, NamedParameters, Default_visitor>::reference;
-
-// for a mesh that is one: the named parameters of what may be stopped
-template <class TriangleMesh, class NamedParameters>
-constexpr bool check_run_parameters()
-{
-  using Time =
-      typename internal_np::Lookup_named_param_def<internal_np::maximum_running_time_t, NamedParameters, double>::type;
-  constexpr bool is_visitor = is_detected<Visitor_results, std::remove_reference_t<Visitor_of_call<NamedParameters>>>;
-  static_assert(is_visitor,
-                "The named parameter visitor has to be a model of SphericalParameterizationVisitor, such as a class "
-                "derived from Default_visitor, or std::ref() of one.");
-  constexpr bool is_time = std::is_convertible<Time, double>::value;
-  static_assert(is_time, "The named parameter maximum_running_time has to be a number, the seconds.");
-  return is_visitor && is_time && check_vertex_point_map<TriangleMesh, NamedParameters>();
-}
-
-// for the parameterizers
-template <class TriangleMesh, class VertexSphereMap, class NamedParameters>
-constexpr bool check_run()
-{
-  if constexpr(check_mesh<TriangleMesh>())
-    if constexpr(check_map<TriangleMesh, VertexSphereMap>())
-      return check_run_parameters<TriangleMesh, NamedParameters>();
-  return false;
-}
 
 // A control by the named parameters of a call: its visitor, and its time limit.
 template <class NamedParameters>
@@ -100,7 +60,8 @@ private:
   }
 
   Default_visitor m_default_visitor;
-  Visitor_of_call<NamedParameters> m_visitor;
+  typename internal_np::Lookup_named_param_def<internal_np::visitor_t, NamedParameters, Default_visitor>::reference
+      m_visitor;
 };
 
 } // namespace CGAL::Spherical_parameterization::internal

@@ -16,6 +16,7 @@
 
 #include <CGAL/Spherical_parameterization/Energy_derivatives_3.h>
 #include <CGAL/Spherical_parameterization/Face_range_3.h>
+#include <CGAL/Spherical_parameterization/internal/execution/policy_traits.h>
 #include <CGAL/Spherical_parameterization/internal/library.h>
 
 #include <CGAL/Default.h>
@@ -41,18 +42,6 @@ namespace CGAL::Spherical_parameterization::internal {
 
 // A mistake in a call of a function of the package is a sentence of the compiler. What calls the functions below does not
 // instantiate anything else if they return `false`, so that it is the only one.
-
-template <class Void, template <class...> class Expression, class... T>
-struct Is_detected : std::false_type
-{};
-
-template <template <class...> class Expression, class... T>
-struct Is_detected<std::void_t<Expression<T...>>, Expression, T...> : std::true_type
-{};
-
-// whether there is a type `Expression<T...>`, that of an expression with these types
-template <template <class...> class Expression, class... T>
-constexpr bool is_detected = Is_detected<void, Expression, T...>::value;
 
 // `boost::graph_traits` of what is no graph is an error.
 template <class T>

@@ -83,10 +83,8 @@ void run_descent(const Energy& energy, const Radius& radius, const Sharpness& sh
 
 } // namespace CGAL::Spherical_parameterization::internal
 
-#if defined(CGAL_SPHERICAL_PARAMETERIZATION_HEADER_ONLY)
+#if defined(CGAL_SPHERICAL_PARAMETERIZATION_HEADER_ONLY) || defined(CGAL_SPHERICAL_PARAMETERIZATION_OWN_ENERGIES)
 #include <CGAL/Spherical_parameterization/internal/run/run_descent_impl.h>
-#elif defined(CGAL_SPHERICAL_PARAMETERIZATION_OWN_ENERGIES)
-#include <CGAL/Spherical_parameterization/internal/run/descents_of_library.h>
 #endif
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_RUN_RUN_DESCENT_H

@@ -14,6 +14,9 @@
 
 #include <CGAL/license/Spherical_parameterization.h>
 
+#include <CGAL/Spherical_parameterization/Conformal_energy_3.h>
+#include <CGAL/Spherical_parameterization/Stretch_energy_3.h>
+#include <CGAL/Spherical_parameterization/Symmetric_Dirichlet_energy_3.h>
 #include <CGAL/Spherical_parameterization/Parameterization_report.h>
 #include <CGAL/Spherical_parameterization/Sharpness.h>
 #include <CGAL/Spherical_parameterization/internal/certificate/is_safely_positive.h>
@@ -58,6 +61,29 @@ void descend(const Energy& energy, Radius_chooser* radius, const Sharpness& shar
   if(!can_be_swept && report.stop_reason == ITERATION_LIMIT)
     report.stop_reason = OBSTRUCTED;
 }
+
+// The descents that are in the library, which src/ defines: those by the energies of the package. Others are compiled where they
+// are called.
+
+#define CGAL_SPHERICAL_PARAMETERIZATION_DESCENT(EXTERN, Energy, Step)                                                  \
+  EXTERN template void descend<Step>(const Energy&, Radius_chooser*, const Sharpness&, const Descent_settings&,        \
+                                     std::size_t, Run&, const std::vector<double>&);
+
+#define CGAL_SPHERICAL_PARAMETERIZATION_DESCENTS_BY(EXTERN, Energy)                                                    \
+  EXTERN template void embed_surface(const Energy&, const Sharpness&, std::size_t, bool, Run&,                         \
+                                     const std::vector<double>&);                                                      \
+  CGAL_SPHERICAL_PARAMETERIZATION_DESCENT(EXTERN, Energy, Newton_step)
+
+#define CGAL_SPHERICAL_PARAMETERIZATION_DESCENTS(EXTERN)                                                               \
+  CGAL_SPHERICAL_PARAMETERIZATION_DESCENTS_BY(EXTERN, Symmetric_Dirichlet_energy_3)                                    \
+  CGAL_SPHERICAL_PARAMETERIZATION_DESCENTS_BY(EXTERN, Isometric_energy_3)                                              \
+  CGAL_SPHERICAL_PARAMETERIZATION_DESCENTS_BY(EXTERN, Conformal_energy_3)                                              \
+  CGAL_SPHERICAL_PARAMETERIZATION_DESCENTS_BY(EXTERN, Stretch_energy_3)                                                \
+  CGAL_SPHERICAL_PARAMETERIZATION_DESCENT(EXTERN, Isometric_energy_3, Gradient_step)
+
+#ifdef CGAL_SPHERICAL_PARAMETERIZATION_USE_LIBRARY
+CGAL_SPHERICAL_PARAMETERIZATION_DESCENTS(extern)
+#endif
 
 } // namespace CGAL::Spherical_parameterization::internal
 

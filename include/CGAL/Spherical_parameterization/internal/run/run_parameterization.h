@@ -22,6 +22,7 @@
 #include <CGAL/Spherical_parameterization/internal/initializers/Schnyder_drawing.h>
 #include <CGAL/Spherical_parameterization/internal/numbers/Vector_3.h>
 #include <CGAL/Spherical_parameterization/internal/run/Visitor_control.h>
+#include <CGAL/Spherical_parameterization/internal/run/check_run.h>
 #include <CGAL/Spherical_parameterization/internal/run/check_arguments.h>
 #include <CGAL/Spherical_parameterization/internal/run/write_map.h>
 #include <CGAL/Spherical_parameterization/internal/surface/Run.h>

@@ -113,22 +113,20 @@ private:
   static double product(double a, double b) { return a * b; }
   static double product(const Vector_3d& a, const Vector_3d& b) { return dot(a, b); }
 
-  // Ten microseconds of work or more: enough that handing it out costs little.
-  static constexpr std::size_t block_size = 1024;
-
   template <class Function>
   void for_each_vertex(const Function& f) const
   {
-    for_each_in_blocks(m_execution, 0, m_areas.size(), block_size, f);
+    for_each_in_blocks(m_execution, 0, m_areas.size(), usual_block_size, f);
   }
 
   template <class Function>
   double sum_over_vertices(const Function& f) const
   {
-    Vertex_scalars sums((m_areas.size() + block_size - 1) / block_size, 0.); // in order, whatever the number of threads
-    for_each_block(m_execution, 0, m_areas.size(), block_size, [&](std::size_t begin, std::size_t end) {
+    Vertex_scalars sums((m_areas.size() + usual_block_size - 1) / usual_block_size,
+                        0.); // in order, whatever the number of threads
+    for_each_block(m_execution, 0, m_areas.size(), usual_block_size, [&](std::size_t begin, std::size_t end) {
       for(std::size_t v = begin; v < end; ++v)
-        sums[begin / block_size] += f(v);
+        sums[begin / usual_block_size] += f(v);
     });
     return std::accumulate(sums.begin(), sums.end(), 0.);
   }

@@ -76,9 +76,8 @@ inline Error_code refine_in_common(const Sphere_mesh& sphere1, const std::vector
   on_second.resize(n1);
   on_second.insert(on_second.end(), points2.begin(), points2.end());
   on_second.resize(n);
-  constexpr std::size_t block_size = 1024; // of parallel work: enough that handing it out costs nothing
   const auto locate = [&](const auto& of, const auto& triangles, const auto& in, const auto& values, Vector_3d* out) {
-    for_each_in_blocks(execution, 0, triangles.size(), block_size, [&](std::size_t v) {
+    for_each_in_blocks(execution, 0, triangles.size(), usual_block_size, [&](std::size_t v) {
       out[v] = interpolated(values, in.triangles(), in.locate_from(triangles[v], of.points()[v]));
     });
   };
@@ -89,7 +88,7 @@ inline Error_code refine_in_common(const Sphere_mesh& sphere1, const std::vector
     const auto& p = sphere.points()[v];
     return Vector_3d{p.x(), p.y(), p.z()};
   };
-  for_each_in_blocks(execution, 0, cells.crossings().size(), block_size, [&](std::size_t k) {
+  for_each_in_blocks(execution, 0, cells.crossings().size(), usual_block_size, [&](std::size_t k) {
     const auto [e, f] = cells.crossings()[k];
     const std::size_t v1 = sides1.source(e), w1 = sides1.target(e), v2 = sides2.source(f), w2 = sides2.target(f);
     const auto [s, t] =
