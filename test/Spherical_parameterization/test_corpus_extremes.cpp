@@ -22,11 +22,6 @@ Result expect_mapped(const Triangle_list& list)
   return result;
 }
 
-Coordinates mean(const Triangle_list& list, const Triangle& t)
-{
-  return combination(1. / 3., list.points[t[0]], 1. / 3., combination(1., list.points[t[1]], 1., list.points[t[2]]));
-}
-
 // A ring of points around the z-axis.
 struct Ring
 {
@@ -75,33 +70,13 @@ Triangle_list surface_of_revolution(double bottom, const std::vector<Ring>& ring
   return list;
 }
 
-// A tube around the curve c(0), ..., c(n - 1) in the plane z = 0, with `size` corners in each ring, and a cap at each end.
-template <class Curve>
-Triangle_list tube(const Curve& c, std::size_t n, double radius, std::size_t size)
-{
-  Triangle_list list = surface_of_revolution(0., std::vector<Ring>(n, Ring{1., 0., size}), 1.); // for its triangles
-  for(std::size_t k = 0; k < n; ++k)
-  {
-    const Coordinates tangent = difference(c((std::min)(k + 1, n - 1)), c(k > 0 ? k - 1 : 0));
-    const Coordinates x = normalized(cross({0., 0., 1.}, tangent)), y = normalized(cross(tangent, x));
-    for(std::size_t i = 0; i < size; ++i)
-    {
-      const double angle = 2. * pi * static_cast<double>(i) / static_cast<double>(size);
-      list.points[k * size + i] = combination(1., c(k), radius, combination(std::cos(angle), x, std::sin(angle), y));
-    }
-  }
-  list.points[n * size] = c(0);
-  list.points[n * size + 1] = c(n - 1);
-  return list;
-}
-
 // Puts a tube of `n_rings` triangles with a pyramid on top in the place of the face, `length` long and getting thinner
 // to the factor `taper`. Its last three faces are those of the pyramid.
 void extrude(Triangle_list& list, std::size_t face, double length, std::size_t n_rings, double taper)
 {
   const Triangle base = list.triangles[face];
   const std::array<Coordinates, 3> p = {list.points[base[0]], list.points[base[1]], list.points[base[2]]};
-  const Coordinates center = mean(list, base);
+  const Coordinates center = centroid(list, base);
   const Coordinates direction = normalized(cross(difference(p[1], p[0]), difference(p[2], p[0])));
   list.triangles[face] = list.triangles.back(); // the face goes
   list.triangles.pop_back();
@@ -175,12 +150,11 @@ TEST(Extreme_connectivity, stacks_that_shrink_into_a_point)
         {
           const Triangle t = list.triangles.back();
           const std::size_t v = list.points.size();
-          list.points.push_back(mean(list, t));
-          list.triangles.back() = {t[0], t[1], v};
-          list.triangles.push_back(rule == 0 ? Triangle{t[2], t[0], v} : Triangle{t[1], t[2], v});
-          list.triangles.push_back(rule == 0   ? Triangle{t[1], t[2], v}
-                                   : rule == 1 ? Triangle{t[2], t[0], v}
-                                               : Triangle{v, t[2], t[0]});
+          split_face(list, list.triangles.size() - 1, centroid(list, t));
+          if(rule == 0)
+            std::swap(list.triangles.back(), *(list.triangles.end() - 2));
+          if(rule == 2)
+            list.triangles.back() = {v, t[2], t[0]};
         }
         expect_mapped(list);
       }
@@ -211,16 +185,13 @@ TEST(Extreme_coordinates, at_the_ends_of_the_range)
   expect_mapped(list);
 }
 
-TEST(Extreme_coordinates, all_coplanar_collinear_or_in_one_point)
+TEST(Extreme_coordinates, flat_self_intersecting_and_random)
 {
   const Triangle_list list = bumpy_sphere(3);
   expect_mapped(test_meshes::scaled(list, 1., 1., 0.));
   expect_mapped(test_meshes::scaled(list, 1., 0., 0.));
   EXPECT_EQ(expect_mapped(test_meshes::scaled(list, 0., 0., 0.)).report.number_of_flat_faces, list.triangles.size());
-}
 
-TEST(Extreme_coordinates, self_intersecting_and_random)
-{
   Triangle_list noisy = icosphere(4), all_random = noisy;
   Random random(5);
   for(std::size_t v = 0; v < noisy.points.size(); ++v)
@@ -256,29 +227,6 @@ TEST(Extreme_shapes, geometric_grading)
     rings.push_back({std::sin(angle), -std::cos(angle), 16});
   }
   EXPECT_LT(expect_mapped(surface_of_revolution(-1., rings, 1.)).distortion.isometric.average, 1.1); // this is a sphere
-}
-
-TEST(Extreme_shapes, spiral)
-{
-  const std::size_t n = test_scale::reduced(1500);
-  const auto curve = [&](std::size_t k) {
-    const double t = static_cast<double>(k) / static_cast<double>(n);
-    const double angle = 2. * pi * 15. * t, r = 1. + 15. * t;
-    return Coordinates{r * std::cos(angle), r * std::sin(angle), 0.};
-  };
-  expect_mapped(tube(curve, n, 0.3, 8));
-}
-
-TEST(Extreme_shapes, comb)
-{
-  std::vector<Ring> rings;
-  for(std::size_t k = 0; k < 202; ++k)
-    rings.push_back({1., 2. * static_cast<double>(k), 3});
-  Triangle_list list = surface_of_revolution(-1., rings, 403.);
-  const std::size_t n = list.triangles.size();
-  for(std::size_t f = n - 4; f > 8; f -= 6) // one tooth for each segment of the back
-    extrude(list, f, 40., test_scale::reduced(20), 0.5);
-  expect_mapped(list);
 }
 
 TEST(Extreme_shapes, tree_of_tubes)

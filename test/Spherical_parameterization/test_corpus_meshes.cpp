@@ -15,9 +15,6 @@ using namespace test;
 
 namespace {
 
-// ---------------------------------------------------------------------------------------------------------------------
-// Random meshes
-
 TEST(Random_meshes, are_of_all_kinds_and_sizes)
 {
   std::set<std::string> kinds;
@@ -83,9 +80,6 @@ TEST(Random_meshes, are_mapped_or_refused_by_other_methods)
     EXPECT_LE(number_of_refusals(method, n, 5000000, Options().sequential()), n / 2) << method.name();
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
-// The folder
-
 // The files of a folder whose names start with `prefix`, in alphabetical order; none if there is no such folder.
 std::vector<std::string> files(const std::string& folder, const std::string& prefix)
 {
@@ -111,8 +105,9 @@ bool read(const std::string& file, Mesh& mesh)
   }
 }
 
-// Every closed mesh of the folder with less than so many vertices is mapped; returns how many these are.
-std::size_t expect_mapped(const std::vector<std::string>& names, std::size_t max_vertices)
+// Calls a function for every closed mesh of these files with at most so many vertices; returns how many these are.
+template <class Function>
+std::size_t for_each_mesh(const std::vector<std::string>& names, std::size_t max_vertices, const Function& function)
 {
   std::size_t n_meshes = 0;
   for(const std::string& name : names)
@@ -121,8 +116,7 @@ std::size_t expect_mapped(const std::vector<std::string>& names, std::size_t max
     Mesh mesh;
     if(!read(name, mesh) || !CGAL::is_closed(mesh) || num_vertices(mesh) > max_vertices)
       continue;
-    const SP::Error_code error = bijective().run(mesh, Options().iterations(20)).error;
-    EXPECT_EQ(error, SP::OK) << SP::get_error_message(error);
+    function(mesh);
     ++n_meshes;
   }
   return n_meshes;
@@ -145,22 +139,20 @@ protected:
 
 TEST_F(Folder, of_meshes_is_mapped)
 {
-  EXPECT_GE(expect_mapped(meshes, 11000), 20u);
-  EXPECT_GE(expect_mapped(hard, 1000000), 50u);
+  const auto expect_mapped = [](const Mesh& mesh) {
+    const SP::Error_code error = bijective().run(mesh, Options().iterations(20)).error;
+    EXPECT_EQ(error, SP::OK) << SP::get_error_message(error);
+  };
+  EXPECT_GE(for_each_mesh(meshes, 11000, expect_mapped), 20u);
+  EXPECT_GE(for_each_mesh(hard, 1000000, expect_mapped), 50u);
 }
 
 TEST_F(Folder, of_meshes_is_mapped_by_all_methods_or_refused)
 {
   std::vector<std::string> names = meshes;
   names.insert(names.end(), hard.begin(), hard.end());
-  std::size_t n_meshes = 0, n_bijections = 0;
-  for(const std::string& name : names)
-  {
-    SCOPED_TRACE(name);
-    Mesh mesh;
-    if(!read(name, mesh) || !CGAL::is_closed(mesh) || num_vertices(mesh) > (test_scale::is_long() ? 7000u : 3000u))
-      continue;
-    ++n_meshes;
+  std::size_t n_bijections = 0;
+  const std::size_t n_meshes = for_each_mesh(names, test_scale::is_long() ? 7000 : 3000, [&](const Mesh& mesh) {
     for(const Method& method : all_methods())
     {
       const SP::Error_code error = method.run(mesh, Options().iterations(20)).error;
@@ -169,7 +161,7 @@ TEST_F(Folder, of_meshes_is_mapped_by_all_methods_or_refused)
       EXPECT_TRUE(error == SP::OK || method.name() != "hierarchical");
       n_bijections += error == SP::OK;
     }
-  }
+  });
   EXPECT_GE(n_meshes, 40u);
   EXPECT_GE(n_bijections, 4 * n_meshes);
 }

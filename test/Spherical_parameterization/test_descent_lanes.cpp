@@ -65,9 +65,6 @@ TEST(Packed_double, decides_lane_by_lane)
   EXPECT_FALSE(any(a > Four_lanes(5.)));
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
-// Tangent_frame
-
 std::vector<Vector_3d> frame_origins()
 {
   Random random(4);
@@ -140,9 +137,6 @@ TEST(Tangent_frame, has_precise_heights)
   }
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
-// Areas of images
-
 Vector_3d offset_at(double x, double y)
 {
   return {x, y, Tangent_frame::height_at(x, y)};
@@ -183,32 +177,6 @@ TEST(Image_measure, has_the_derivatives_of_its_value)
   expect_derivatives_of_measure<SP::internal::Determinant_measure<double>, true>();
   expect_derivatives_of_measure<SP::internal::Flat_measure<double>, false>();
 }
-
-// The determinant is the flat area times the distance of the plane from the centre; both agree for small faces.
-TEST(Image_measure, of_small_faces_is_flat)
-{
-  Random random(2);
-  for(const double size : {1., 0.1, 1e-2, 1e-3})
-    for(int k = 0; k < 50; ++k)
-    {
-      Images corners;
-      while(corners.size() < 2)
-      {
-        const double angle = random.between(0., pi), r = size * random.between(0.3, 0.9);
-        corners.push_back(offset_at(r * std::cos(angle), r * std::sin(angle)));
-      }
-      const Vector_3d &p = corners[0], &q = corners[1];
-      const double determinant = SP::internal::Determinant_measure<double>(p, q).value();
-      const double flat = SP::internal::Flat_measure<double>(p, q).value();
-      EXPECT_NEAR(determinant, flat * normalized(cross(p, q))[2], 1e-13 * size * size);
-      // the radius of the circle where the plane cuts the sphere
-      const double circumradius = norm(p) * norm(q) * distance(p, q) / (2. * flat);
-      EXPECT_NEAR(std::abs(determinant), flat * std::sqrt(1. - circumradius * circumradius), 1e-9 * size * size);
-    }
-}
-
-// ---------------------------------------------------------------------------------------------------------------------
-// Energies
 
 // Whether an energy is written for lanes is seen from whether it can be called for them.
 static_assert(is_lanewise<SP::Symmetric_Dirichlet_energy_3, Four_lanes>, "");

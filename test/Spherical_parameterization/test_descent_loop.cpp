@@ -1,16 +1,12 @@
-// The descent of a whole mesh: independent sets, all faces measured at once, the sharpness of the sweeps and the loop over
-// them, which with the settings of the paper is the published method.
+// The descent of a whole mesh: independent sets, all faces measured at once, and the sharpness of the sweeps.
 
 #include <CGAL/Spherical_parameterization/internal/descent/Block_coordinate_descent.h>
-#include <CGAL/Spherical_parameterization/internal/descent/Descent_loop.h>
 #include <CGAL/Spherical_parameterization/internal/descent/Measured_faces.h>
 #include <CGAL/Spherical_parameterization/internal/descent/Objective.h>
 
 #include "engine.h"
-#include "indexed_meshes.h"
 #include "methods.h"
 #include "random_stars.h"
-#include "recording_control.h"
 
 using namespace test;
 
@@ -47,9 +43,6 @@ TEST(Independent_sets, are_independent_and_complete)
     EXPECT_LE(sets.first.size(), 13u); // a greedy colouring of a planar graph, hardly ever above 7
   }
 }
-
-// ---------------------------------------------------------------------------------------------------------------------
-// Measuring
 
 // The mean that the stopping rule looks at, from one summary and from the summaries of parts.
 TEST(Energy_summary, agrees_with_the_definition_of_the_means)
@@ -96,13 +89,6 @@ TEST(Energy_summary, does_not_overflow)
   EXPECT_NEAR(summary.exponential_mean(), 1e10 - std::log(3.) / 1e3, 1e-5);
 }
 
-Images on_unit_sphere(Images points)
-{
-  for(Coordinates& p : points)
-    p = normalized(p);
-  return points;
-}
-
 // All energies of a mesh at once: those of the single faces, up to rounding.
 TEST(Measured_faces, agree_with_the_single_faces)
 {
@@ -112,31 +98,12 @@ TEST(Measured_faces, agree_with_the_single_faces)
   Images positions = surface;
   for(Coordinates& p : positions)
     p = normalized(combination(1., p, 1., {0.1, 0.2, -0.1}));
-  const auto rest_of_face = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
-    return Rest_triangle::from_points(surface[a], surface[b], surface[c]);
-  };
   // Each vertex is a set of its own, so that the faces come in the order of their smallest vertices.
-  std::vector<std::uint32_t> vertices;
-  std::vector<std::size_t> first_of_set = {0};
-  while(vertices.size() < n)
-  {
-    vertices.push_back(static_cast<std::uint32_t>(vertices.size()));
-    first_of_set.push_back(vertices.size());
-  }
-  SP::internal::Star_packets stars;
-  stars.assign(
-      vertices, first_of_set, [&](std::uint32_t v) { return mesh.rings().degree(v); }, false);
-  for(std::size_t v = 0; v < n; ++v)
-  {
-    Random_stars::Star star;
-    const Vertex_rings::Ring ring = mesh.rings().ring(v);
-    for(std::size_t j = 0; j < ring.size(); ++j)
-    {
-      star.neighbors.push_back(ring[j]);
-      star.rests.push_back(rest_of_face(vertices[v], ring[j], ring[(j + 1) % ring.size()]));
-    }
-    stars.fill(v, [&](std::uint32_t) { return star; });
-  }
+  std::vector<std::uint32_t> vertices(n);
+  std::vector<std::size_t> first_of_set(n + 1);
+  std::iota(vertices.begin(), vertices.end(), 0);
+  std::iota(first_of_set.begin(), first_of_set.end(), 0);
+  const Star_packets stars = stars_of(mesh, vertices, first_of_set);
   SP::internal::Measured_faces faces;
   faces.assign(stars, mesh.rings().number_of_faces(), Execution());
 
@@ -149,7 +116,7 @@ TEST(Measured_faces, agree_with_the_single_faces)
   mesh.rings().for_each_face([&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
     const Coordinates u = positions[a], p = difference(positions[b], u), q = difference(positions[c], u);
     const Coordinates normal = cross(p, q), pq = difference(q, p);
-    const Rest_triangle rest = rest_of_face(a, b, c);
+    const Rest_triangle rest = Rest_triangle::from_points(surface[a], surface[b], surface[c]);
     const double i =
         radius * radius * (rest.opposite_0 * dot(pq, pq) + rest.opposite_1 * dot(q, q) + rest.opposite_2 * dot(p, p));
     const double to_d = radius * radius * rest.inverse_doubled_area, d = to_d * dot(u, normal);
@@ -195,7 +162,7 @@ TEST(Block_coordinate_descent, takes_over_another_mesh)
     EXPECT_EQ(descent.focus_on_faces_above(0., mesh.number_of_vertices()), 0u); // it is not measured yet
   };
   const auto optimize = [&](Descent& descent, const Surface& mesh, Execution execution) {
-    Images positions = on_unit_sphere(mesh.points()); // of an ellipsoid
+    Images positions = directions_of(mesh.points()); // of an ellipsoid
     const std::size_t n = mesh.number_of_vertices();
     for(int k = 0; k < 3; ++k)
     {
@@ -223,9 +190,6 @@ TEST(Block_coordinate_descent, takes_over_another_mesh)
     EXPECT_TRUE(have_same_bits(optimize(descent, mesh, in_parallel), optimize(own, mesh, Execution())));
   }
 }
-
-// ---------------------------------------------------------------------------------------------------------------------
-// The sharpness of the sweeps
 
 TEST(Sharpness_rule, of_a_dial_is_inverse_to_the_largest_energy)
 {
@@ -316,115 +280,6 @@ TEST(Sharpness_rule, of_a_schedule_makes_as_many_average_sweeps_as_given)
   EXPECT_EQ(after_one.next(0, 3., 50.), 0.);
   EXPECT_EQ(after_one.next(1, 3., 50.), 5.);
   EXPECT_TRUE(after_one.is_final());
-}
-
-// ---------------------------------------------------------------------------------------------------------------------
-// The loop
-
-struct Fixed_radius_chooser : SP::internal::Radius_chooser
-{
-  double initial_radius(double) const override { return 1.4; }
-  double next_radius(const SP::Face_range_3&, double) override { return 1.4; }
-  bool next_phase() override { return false; }
-};
-
-struct Published_radius_chooser : SP::internal::Radius_chooser
-{
-  double initial_radius(double radius) const override { return policy.initial_radius(radius); }
-  double next_radius(const SP::Face_range_3& faces, double radius) override
-  {
-    return policy(SP::Isometric_energy_3(), faces, radius);
-  }
-  bool next_phase() override { return policy.next_phase(); }
-
-  SP::Two_phase_radius_3<> policy =
-      SP::Two_phase_radius_3<>(SP::Area_preserving_radius_3(), SP::Area_balancing_radius_3(), 0.);
-};
-
-class Published_loop : public ::testing::Test
-{
-protected:
-  // Runs the steps of the paper from a harmonic map; the images on the sphere.
-  Images run(const Sharpness& sharpness, SP::internal::Radius_chooser& chooser,
-             const SP::internal::Descent_settings& settings, std::size_t max_sweeps)
-  {
-    control = std::make_unique<Recording_control>();
-    Images positions = m_start;
-    Descent_loop<SP::Isometric_energy_3, Gradient_step> loop(m_mesh, SP::Isometric_energy_3(), Gradient_step(),
-                                                             sharpness, &chooser, settings, *control, Execution());
-    const double radius = loop.run(positions, max_sweeps);
-    for(auto& p : positions)
-      p = {radius * p[0], radius * p[1], radius * p[2]};
-    return m_mesh.in_callers_order(positions);
-  }
-
-  const Triangle_list list = bumpy_sphere(2);
-  std::unique_ptr<Recording_control> control;
-
-private:
-  // as the map is read that another parameterizer has written
-  Images start() const
-  {
-    Images result = m_mesh.in_own_order(harmonic().run(list).images);
-    for(Coordinates& p : result)
-    {
-      const double size = (std::max)({std::abs(p[0]), std::abs(p[1]), std::abs(p[2])});
-      p = SP::internal::normalized<double>({p[0] / size, p[1] / size, p[2] / size});
-    }
-    return result;
-  }
-
-  Surface m_mesh = surface_of(list);
-  Images m_start = start();
-};
-
-TEST_F(Published_loop, is_the_published_method)
-{
-  const Images expected = published().run(list).images;
-  const Sharpness sharpness = Sharpness::schedule(0.1, 10., 100);
-  Published_radius_chooser chooser;
-  EXPECT_TRUE(have_same_bits(run(sharpness, chooser, {1e-5, 1e-3, false}, 2000), expected));
-  EXPECT_EQ(control->report().stop_reason, SP::CONVERGED);
-  // and each setting matters
-  EXPECT_FALSE(have_same_bits(run(sharpness, chooser = {}, {1e-4, 1e-3, false}, 2000), expected));
-  EXPECT_FALSE(have_same_bits(run(sharpness, chooser = {}, {1e-5, 1e-3, true}, 2000), expected));
-  EXPECT_FALSE(have_same_bits(run(sharpness, chooser = {}, {1e-5, 1e-3, false}, 150), expected));
-  EXPECT_FALSE(
-      have_same_bits(run(Sharpness::schedule(0.1, 10., 99), chooser = {}, {1e-5, 1e-3, false}, 2000), expected));
-}
-
-TEST_F(Published_loop, lowers_the_sum_of_the_energies)
-{
-  Fixed_radius_chooser chooser;
-  run(Sharpness::schedule(0.1, 10., 100), chooser, {1e-5, 1e-3, false}, 100);
-  EXPECT_EQ(control->report().number_of_average_iterations, 100u);
-  double last = control->report().initial_energy;
-  for(std::size_t i = 0; i < 100; ++i)
-  {
-    EXPECT_LT(control->energies[i], (i < 30 ? 1. : 1. + 1e-14) * last) << i; // the end is a matter of rounding
-    EXPECT_GT(control->energies[i], 2.);
-    EXPECT_EQ(control->radii[i], 1.4);
-    last = control->energies[i];
-  }
-}
-
-// The stopping rule compares the sum of exp(s E) before and after a sweep, that is, exp(s mean).
-TEST_F(Published_loop, stops_when_the_sum_has_settled)
-{
-  const double s = 5.;
-  for(const double tolerance : {1e-2, 1e-4})
-  {
-    Fixed_radius_chooser chooser;
-    run(Sharpness::fixed(s), chooser, {tolerance, 1e-3, false}, 2000);
-    EXPECT_EQ(control->report().stop_reason, SP::CONVERGED);
-    const std::vector<double>& energies = control->energies;
-    ASSERT_GT(energies.size(), 10u);
-    for(std::size_t i = 1; i < energies.size(); ++i)
-    {
-      const double change = std::abs(std::exp(s * (energies[i] - energies[i - 1])) - 1.);
-      EXPECT_EQ(change <= tolerance, i == energies.size() - 1) << i;
-    }
-  }
 }
 
 } // namespace

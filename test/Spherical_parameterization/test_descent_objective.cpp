@@ -14,15 +14,10 @@ using namespace test;
 
 namespace {
 
-namespace SP = CGAL::Spherical_parameterization;
-
 using SP::Sharpness;
 using namespace SP::internal;
 
 using Energies = std::vector<double>;
-
-// ---------------------------------------------------------------------------------------------------------------------
-// The areas of isometric images
 
 // by the first-order term that takes the determinant of a small equilateral face to its flat area
 TEST(Face_objective, compares_determinants_with_those_of_isometric_images)
@@ -49,9 +44,6 @@ TEST(Face_objective, compares_determinants_with_those_of_isometric_images)
   const Coordinates p = {c, 0., 0.}, q = {-0.5 * c, std::sqrt(0.75) * c, 0.}, r = {-0.5 * c, -std::sqrt(0.75) * c, 0.};
   EXPECT_NEAR((factor(p, q, r) - 1.) / (1. / std::sqrt(1. - c * c) - 1.), 1., 1e-4);
 }
-
-// ---------------------------------------------------------------------------------------------------------------------
-// The levels
 
 Mesh_summary summary_of(const Objective& objective, const Energies& ordinary, const Energies& slivers)
 {
@@ -193,9 +185,6 @@ TEST(Objective, does_not_overflow)
   EXPECT_TRUE(objective.of_faces().is_average());
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
-// The radius
-
 TEST(Radius_derivatives, are_those_of_the_sum_over_all_but_the_slivers)
 {
   using Energy = SP::Symmetric_Dirichlet_energy_3;
@@ -204,9 +193,7 @@ TEST(Radius_derivatives, are_those_of_the_sum_over_all_but_the_slivers)
   for(const bool has_slivers : {false, true})
   {
     const Surface mesh = surface_of(has_slivers ? with_slivers(list, 6, 1e-4) : list);
-    Images positions = mesh.points();
-    for(Coordinates& p : positions)
-      p = normalized(p);
+    const Images positions = directions_of(mesh.points());
     using Space = SP::internal::Round_sphere<Energy, Newton_step>;
     Block_coordinate_descent<Space, Newton_step> descent(Space{energy}, Newton_step(), Execution());
     descent.assign(mesh.rings(), SP::internal::Independent_sets(mesh.rings()), mesh.points(), {},

@@ -22,14 +22,6 @@ Reference_method::Vectors vectors(const Images& points)
   return result;
 }
 
-Reference_method::Vectors directions(const Images& images)
-{
-  Reference_method::Vectors result = vectors(images);
-  for(Reference_method::Vector& p : result)
-    p.normalize();
-  return result;
-}
-
 // The reference starts from Schnyder's map, far from the end. The package converges with small tolerances to the same
 // value, and with the default ones to at most 0.2 % more.
 void expect_same_minimum(const Triangle_list& list, double beta)
@@ -43,7 +35,7 @@ void expect_same_minimum(const Triangle_list& list, double beta)
   ASSERT_EQ(converged.error, SP::OK);
 
   Reference_method reference(vectors(list.points), list.triangles, beta);
-  reference.set_map(directions(schnyder().run(list).images));
+  reference.set_map(vectors(directions_of(schnyder().run(list).images)));
   reference.minimize(1e-9);
   Images images;
   for(const Reference_method::Vector& p : reference.map())
@@ -52,9 +44,9 @@ void expect_same_minimum(const Triangle_list& list, double beta)
 
   const double expected = reference.phi(), tolerance = 1e-6 * expected;
   EXPECT_NEAR(recorder.all("iteration").back().energy, expected, tolerance); // at the radius and the level of the run
-  reference.set_map(directions(converged.images));
+  reference.set_map(vectors(directions_of(converged.images)));
   EXPECT_NEAR(reference.phi(), expected, tolerance);
-  reference.set_map(directions(with_defaults.images));
+  reference.set_map(vectors(directions_of(with_defaults.images)));
   EXPECT_GT(reference.phi(), expected - tolerance);
   EXPECT_LT(reference.phi(), 1.002 * expected);
 }

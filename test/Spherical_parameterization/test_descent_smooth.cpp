@@ -16,21 +16,8 @@ using namespace test;
 
 namespace {
 
-namespace SP = CGAL::Spherical_parameterization;
-
 using SP::Sharpness;
 using namespace SP::internal;
-
-Images directions_of(const Images& points)
-{
-  Images result;
-  for(const Coordinates& p : points)
-    result.push_back(normalized(p));
-  return result;
-}
-
-// ---------------------------------------------------------------------------------------------------------------------
-// The grid
 
 TEST(Sphere_cells, interpolates_between_its_nodes)
 {
@@ -59,9 +46,6 @@ TEST(Sphere_cells, interpolates_between_its_nodes)
       EXPECT_LT(distance(grid.step_at(node, nodes), node), 1e-12);
   }
 }
-
-// ---------------------------------------------------------------------------------------------------------------------
-// The sums
 
 // A surface, its map to the unit sphere, and a descent over it.
 template <class Energy>
@@ -219,9 +203,6 @@ TEST(Strain_sums, are_the_derivatives_of_the_objective)
       expect_sums_of_faces(SP::Stretch_energy_3(), beta, has_slivers);
     }
 }
-
-// ---------------------------------------------------------------------------------------------------------------------
-// The step
 
 // A sphere whose map to itself is smooth but no isometry: a sweep takes little of that away, a step most of it.
 TEST(Smooth_step, takes_away_what_sweeps_are_slow_with)

@@ -17,15 +17,7 @@ using namespace test;
 namespace {
 
 using SP::Sharpness;
-using SP::internal::Edge_set;
-using SP::internal::Execution;
-using SP::internal::Mesh_hierarchy;
-using SP::internal::Star_kernel;
-using SP::internal::Tangent_frame;
-using SP::internal::Vertex_removal;
-
-// ---------------------------------------------------------------------------------------------------------------------
-// Levels
+using namespace SP::internal;
 
 TEST(Edge_set, has_what_was_inserted_and_grows)
 {
@@ -162,22 +154,9 @@ TEST(Mesh_hierarchy, leads_to_a_tetrahedron_through_simplicial_spheres)
 
 TEST(Mesh_hierarchy, copes_with_a_thousand_nested_separating_triangles)
 {
-  // Each vertex is put into a face of the vertex before, so that every removal but the last ones breaks the link condition.
-  Triangle_list list = tetrahedron();
-  std::size_t face = 0;
-  for(std::size_t k = 0; k < 1000; ++k)
-  {
-    const Triangle t = list.triangles[face];
-    split_face(
-        list, face,
-        combination(1. / 3., list.points[t[0]], 1. / 3., combination(1., list.points[t[1]], 1., list.points[t[2]])));
-    face = list.triangles.size() - 1;
-  }
-  expect_hierarchy(surface_of(list));
+  // Each vertex is in a face of the vertex before, so that every removal but the last ones breaks the link condition.
+  expect_hierarchy(surface_of(nested_triangles(1000)));
 }
-
-// ---------------------------------------------------------------------------------------------------------------------
-// Holes
 
 // A hole whose faces, fanned out from its first vertex, are positive, and which is otherwise as irregular as can be.
 std::vector<Coordinates> random_hole(Random& random, double size)
@@ -185,14 +164,11 @@ std::vector<Coordinates> random_hole(Random& random, double size)
   const Tangent_frame frame(random.direction());
   const std::size_t n = 2 + random.below(9); // vertices other than the base
   std::vector<double> steps;
-  double total = 0.;
   for(std::size_t j = 1; j < n; ++j)
-  {
     steps.push_back(random.between(0.1, 1.));
-    total += steps.back();
-  }
   // up to 340 degrees around the base, but less than 170 in one step
-  const double largest = *std::max_element(steps.begin(), steps.end()) / total;
+  const double total = std::accumulate(steps.begin(), steps.end(), 0.),
+               largest = *std::max_element(steps.begin(), steps.end()) / total;
   const double turn = (std::min)(random.between(0.2, 5.9), 2.9 / largest);
   double angle = random.between(0., 2. * pi);
   std::vector<Coordinates> hole = {frame.point_at(0., 0.)};
@@ -250,19 +226,14 @@ TEST(Star_kernel, finds_nothing_where_there_is_nothing)
   const Tangent_frame frame({0., 0., 1.});
   const auto at = [&](double x, double y) { return frame.point_at(x, y); };
   Coordinates point = {7., 7., 7.};
-  // clockwise
-  EXPECT_FALSE(kernel.find_point(std::vector<Coordinates>{at(0., 0.), at(0., 0.1), at(0.1, 0.)}, point));
-  // on one great circle
-  EXPECT_FALSE(kernel.find_point(std::vector<Coordinates>{at(0., 0.), at(0.1, 0.), at(0.2, 0.)}, point));
-  // all at one place
-  EXPECT_FALSE(kernel.find_point(std::vector<Coordinates>(4, at(0.1, 0.2)), point));
-  // a kernel that is there, but too narrow for doubles
-  EXPECT_FALSE(kernel.find_point(std::vector<Coordinates>{at(0., 0.), at(0.1, 0.), at(0.1, 1e-16)}, point));
+  for(const std::vector<Coordinates>& hole :
+      {std::vector<Coordinates>{at(0., 0.), at(0., 0.1), at(0.1, 0.)}, // clockwise
+       {at(0., 0.), at(0.1, 0.), at(0.2, 0.)},                         // on one great circle
+       {at(0.1, 0.2), at(0.1, 0.2), at(0.1, 0.2), at(0.1, 0.2)},       // all at one point
+       {at(0., 0.), at(0.1, 0.), at(0.1, 1e-16)}})                     // with a kernel that is too narrow for doubles
+    EXPECT_FALSE(kernel.find_point(hole, point));
   EXPECT_EQ(point, (Coordinates{7., 7., 7.}));
 }
-
-// ---------------------------------------------------------------------------------------------------------------------
-// Embeddings
 
 TEST(Hierarchical_embedding, tells_of_every_level)
 {
@@ -288,17 +259,13 @@ TEST(Hierarchical_embedding, tells_of_every_level)
 }
 
 // With one sweep for a level, small ones still get what they need to settle, ten times as many at most.
-TEST(Hierarchical_parameterizer, sweeps_coarse_levels_at_most_ten_times_as_often)
+TEST(Hierarchical_parameterizer, sweeps_small_levels_until_they_have_settled)
 {
   const Method method("one sweep", SP::Hierarchical_parameterizer_3().sweeps_per_level(1));
   const SP::Parameterization_report report = method.run(bumpy_sphere(2)).report;
   EXPECT_GT(report.number_of_level_iterations, report.number_of_levels);
   EXPECT_LE(report.number_of_level_iterations, 10 * report.number_of_levels);
-}
-
-// A small mesh is swept until it has settled, as the coarse levels are; a larger one as often as was asked for.
-TEST(Hierarchical_parameterizer, tells_why_the_sweeps_ended)
-{
+  // and a small mesh as well; a larger one as often as was asked for
   EXPECT_EQ(hierarchical().run(bumpy_sphere(1)).report.stop_reason, SP::CONVERGED);
   EXPECT_EQ(hierarchical().run(bumpy_sphere(3)).report.stop_reason, SP::ITERATION_LIMIT);
 }
@@ -313,10 +280,10 @@ TEST(Hierarchical_parameterizer, follows_the_sharpness_on_fine_levels)
         .run(list, Options().iterations(0))
         .images;
   };
-  EXPECT_TRUE(have_same_bits(first_images(bumpy_sphere(2), Sharpness::lowest_worst()),
-                             first_images(bumpy_sphere(2), Sharpness::lowest_average())));
-  EXPECT_FALSE(have_same_bits(first_images(bumpy_sphere(3), Sharpness::lowest_worst()),
-                              first_images(bumpy_sphere(3), Sharpness::lowest_average())));
+  for(const unsigned int subdivisions : {2u, 3u})
+    EXPECT_EQ(have_same_bits(first_images(bumpy_sphere(subdivisions), Sharpness::lowest_worst()),
+                             first_images(bumpy_sphere(subdivisions), Sharpness::lowest_average())),
+              subdivisions == 2u);
 }
 
 // A conformal map of a long tentacle needs the guard against small faces.

@@ -16,8 +16,6 @@ using namespace test;
 
 namespace {
 
-namespace SP = CGAL::Spherical_parameterization;
-
 using namespace SP::internal; // whose arithmetic of vectors these files use
 using SP::internal::cross;
 using SP::internal::dot;
@@ -26,9 +24,6 @@ using SP::internal::normalized;
 using Solver = SP::internal::Solver_traits<CGAL::Default>::type;
 
 constexpr double any_weight = std::numeric_limits<double>::lowest();
-
-// ---------------------------------------------------------------------------------------------------------------------
-// Moebius transformations
 
 TEST(Moebius_transformation, maps_the_sphere_to_itself_conformally)
 {
@@ -75,78 +70,26 @@ TEST(Moebius_transformation, pushes_towards_a_point)
   }
 }
 
-bool accept_all(const std::vector<Vector_3d>&)
-{
-  return true;
-}
-
-// Points all around and their masses, balanced.
-struct Balanced_points
-{
-  Balanced_points(Random& random, std::size_t n)
-  {
-    for(std::size_t v = 0; v < n; ++v)
-    {
-      points.push_back(random.direction());
-      masses.push_back(random.between(0., 1.));
-    }
-    EXPECT_LT(center_mass(points, masses, accept_all), 1e-12);
-  }
-
-  std::vector<Vector_3d> points;
-  std::vector<double> masses;
-};
-
-TEST(Center_mass, brings_the_center_to_the_origin)
-{
-  Random random(5);
-  for(const double strength : {0.1, 0.9, 0.99, 0.999, 0.9999})
-  {
-    for(const std::size_t n : {5u, 30u, 1000u})
-    {
-      SCOPED_TRACE(strength);
-      const Balanced_points balanced(random, n);
-      const Moebius_transformation push{strength * random.direction()};
-      std::vector<Vector_3d> points;
-      for(const Vector_3d& u : balanced.points)
-        points.push_back(push(u));
-      EXPECT_GT(length(center_of_mass(points, balanced.masses)), 0.1 * strength);
-      const double distance = center_mass(points, balanced.masses, accept_all);
-      EXPECT_LT(distance, 1e-8);
-      EXPECT_EQ(distance, length(center_of_mass(points, balanced.masses)));
-      for(const Vector_3d& u : points)
-        EXPECT_NEAR(length(u), 1., 1e-15);
-      // There is only one such transformation: up to a rotation, the points are where they were.
-      const double tolerance = 1e-10 / (1. - strength);
-      for(std::size_t v = 1; v < n; ++v)
-        EXPECT_NEAR(length(points[v] - points[v - 1]), length(balanced.points[v] - balanced.points[v - 1]), tolerance);
-    }
-  }
-}
-
 // Few points, far off, with masses that differ by orders of magnitude, one of them nearly half of all: where Newton's
 // method alone would go astray.
-TEST(Center_mass, of_uneven_masses)
+TEST(Center_mass, brings_the_center_of_uneven_masses_to_the_origin)
 {
   Random random(6);
   for(int k = 0; k < 3000; ++k)
   {
     const Moebius_transformation push{0.999 * random.direction()};
-    std::vector<Vector_3d> points;
+    std::vector<Vector_3d> points, others;
     std::vector<double> masses;
-    double sum = 0.;
-    for(std::size_t n = 5 + random.below(10); points.size() < n; sum += masses.back())
+    const std::size_t n = 5 + random.below(10);
+    while(points.size() < n)
     {
-      points.push_back(push(random.direction()));
+      others.push_back(random.direction());
+      points.push_back(push(others.back()));
       masses.push_back(std::exp(random.between(-8., 0.)));
     }
     if(k % 2 == 0)
-    {
-      points.push_back(push(random.direction()));
-      masses.push_back(0.98 * sum);
-      sum *= 1.98;
-    }
-    if(*std::max_element(masses.begin(), masses.end()) > 0.4999 * sum)
+      masses[0] = 0.98 * std::accumulate(masses.begin() + 1, masses.end(), 0.);
+    if(*std::max_element(masses.begin(), masses.end()) > 0.4999 * std::accumulate(masses.begin(), masses.end(), 0.))
       continue;
     double last = length(center_of_mass(points, masses));
     const auto is_nearer = [&](const std::vector<Vector_3d>& p) {
@@ -155,29 +98,35 @@ TEST(Center_mass, of_uneven_masses)
       last = distance;
       return true;
     };
-    EXPECT_LT(center_mass(points, masses, is_nearer), 1e-8);
-    EXPECT_LT(length(center_of_mass(points, masses)), 1e-8);
+    const double distance = center_mass(points, masses, is_nearer);
+    EXPECT_LT(distance, 1e-8);
+    EXPECT_EQ(distance, length(center_of_mass(points, masses)));
+    // There is only one such transformation, up to a rotation, wherever it starts.
+    EXPECT_LT(center_mass(others, masses, [](const auto&) { return true; }), 1e-8);
+    for(std::size_t v = 0; v < n; ++v)
+    {
+      EXPECT_NEAR(length(points[v]), 1., 1e-15);
+      EXPECT_NEAR(length(points[v] - points[0]), length(others[v] - others[0]), 1e-3);
+    }
   }
 }
 
 TEST(Center_mass, goes_no_further_than_allowed)
 {
   Random random(7);
-  const Balanced_points balanced(random, 100);
-  const Moebius_transformation push{{0.5, 0.3, 0.2}};
   std::vector<Vector_3d> start;
-  for(const Vector_3d& u : balanced.points)
-    start.push_back(push(u));
-  const double start_distance = length(center_of_mass(start, balanced.masses));
-
+  while(start.size() < 100)
+    start.push_back(Moebius_transformation{{0.5, 0.3, 0.2}}(random.direction()));
+  const std::vector<double> masses(start.size(), 1.);
+  const double start_distance = length(center_of_mass(start, masses));
   std::vector<Vector_3d> points = start;
-  EXPECT_EQ(center_mass(points, balanced.masses, [](const auto&) { return false; }), start_distance);
+  EXPECT_EQ(center_mass(points, masses, [](const auto&) { return false; }), start_distance);
   EXPECT_EQ(points, start);
 
   // half of the way is allowed: it gets close to there, and every state was asked for
   std::set<std::vector<Vector_3d>> allowed;
-  const double distance = center_mass(points, balanced.masses, [&](const std::vector<Vector_3d>& p) {
-    const bool is_allowed = length(center_of_mass(p, balanced.masses)) > 0.5 * start_distance;
+  const double distance = center_mass(points, masses, [&](const std::vector<Vector_3d>& p) {
+    const bool is_allowed = length(center_of_mass(p, masses)) > 0.5 * start_distance;
     if(is_allowed)
       allowed.insert(p);
     return is_allowed;
@@ -186,9 +135,6 @@ TEST(Center_mass, goes_no_further_than_allowed)
   EXPECT_LT(distance, 0.52 * start_distance);
   EXPECT_EQ(allowed.count(points), 1u);
 }
-
-// ---------------------------------------------------------------------------------------------------------------------
-// The linear system
 
 // the Laplacian of a vertex
 Vector_3d laplacian(const Vertex_rings& rings, const std::vector<double>& weights, const std::vector<Vector_3d>& x,
@@ -219,15 +165,8 @@ TEST(Laplacian_system, is_solved)
       ASSERT_TRUE(system.solve(x));
       for(std::uint32_t v = 0; v < n; ++v)
       {
-        if(is_fixed(v))
-        {
-          EXPECT_EQ(x[v], (Vector_3d{0., 0., 0.}));
-        }
-        else
-        {
-          const Vector_3d left = laplacian(mesh.rings(), weights, x, v);
-          EXPECT_LT(length(left - right[v]), 1e-9);
-        }
+        const Vector_3d left = is_fixed(v) ? x[v] : laplacian(mesh.rings(), weights, x, v);
+        EXPECT_LT(length(left - (is_fixed(v) ? Vector_3d{} : right[v])), 1e-9);
       }
     }
   };
@@ -238,42 +177,11 @@ TEST(Laplacian_system, is_solved)
 TEST(Laplacian_system, says_that_it_cannot_be_solved)
 {
   const Surface mesh = surface_of(icosphere(1));
-  const std::vector<double> weights(mesh.rings().number_of_corners(), 0.);
   Laplacian_system<Solver> system;
-  const auto first = [](std::uint32_t v) { return v == 0; };
-  EXPECT_FALSE(system.factor(mesh.rings(), weights, first));
-  EXPECT_TRUE(system.factor(mesh.rings(), std::vector<double>(weights.size(), 1.), first));
-}
-
-// ---------------------------------------------------------------------------------------------------------------------
-// The harmonic energy and its minimum
-
-double image_area(const Vertex_rings& rings, const std::vector<Vector_3d>& u)
-{
-  double area = 0.;
-  rings.for_each_face([&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
-    area += 0.5 * length(cross(u[b] - u[a], u[c] - u[a]));
-  });
-  return area;
-}
-
-TEST(Dirichlet_energy, of_the_identity_of_a_sphere_tends_to_1)
-{
-  double last_error = 1.;
-  for(const unsigned int subdivisions : {1u, 2u, 3u, 4u})
-  {
-    const Triangle_list list = icosphere(subdivisions);
-    const Surface mesh = surface_of(list);
-    const std::vector<Vector_3d> u = mesh.in_own_order(list.points);
-    const std::vector<double> weights = cotangent_weights(mesh.rings(), mesh.points(), any_weight);
-    std::vector<double> shares(u.size());
-    const double energy = dirichlet_energy(mesh.rings(), weights, u, shares, Execution());
-    EXPECT_NEAR(energy, image_area(mesh.rings(), u) / (4. * pi), 1e-12); // it is conformal
-    const double error = std::abs(energy - 1.);
-    EXPECT_LT(error, 0.3 * last_error);
-    last_error = error;
-  }
-  EXPECT_LT(last_error, 2e-3);
+  for(const double weight : {0., 1.})
+    EXPECT_EQ(system.factor(mesh.rings(), std::vector<double>(mesh.rings().number_of_corners(), weight),
+                            [](std::uint32_t v) { return v == 0; }),
+              weight > 0.);
 }
 
 TEST(Dirichlet_energy, is_the_sum_over_the_edges)
@@ -299,7 +207,6 @@ TEST(Dirichlet_energy, is_the_sum_over_the_edges)
   }
   EXPECT_NEAR(4. * pi * energy, sum, 1e-11);
   EXPECT_NEAR(sum_of_shares, sum, 1e-11);
-  EXPECT_GT(energy, 1.01 * image_area(rings, u) / (4. * pi)); // the map is not conformal
 }
 
 // How far the Laplacian is from being normal to the sphere, as a part of all of it. What a multiplier of the condition
@@ -344,13 +251,13 @@ TEST(Harmonic_map, is_a_critical_point_of_the_energy)
       const double start_energy = dirichlet_energy(mesh.rings(), weights, u, shares, Execution());
 
       Recording_control control;
-      const SP::Parameterization_report& report = control.report();
       SP::internal::Run run(control, Execution());
       run.surface = mesh;
       run.positions = u;
       run.radius = 0.;
       ASSERT_EQ(SP::internal::lower_energy<Solver>(Harmonic_map(mesh, is_guarded, Execution()), 100, run), SP::OK);
       u = run.positions;
+      const SP::Parameterization_report& report = control.report();
       EXPECT_EQ(run.radius, 1.);
       EXPECT_EQ(report.stop_reason, SP::CONVERGED);
       EXPECT_EQ(report.initial_energy, start_energy);
@@ -375,44 +282,29 @@ TEST(Harmonic_map, is_a_critical_point_of_the_energy)
   }
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
-// The way through the plane
-
-TEST(Central_vertex, of_distances)
-{
-  const Surface mesh = surface_of(with_tentacle(40, 4.));
-  const Vertex_rings& rings = mesh.rings();
-  for(const std::uint32_t source : {0u, 50u, 200u})
-  {
-    const std::vector<std::uint32_t> distance = SP::internal::edge_distances(rings, source);
-    for(std::uint32_t v = 0; v < rings.number_of_vertices(); ++v)
-    {
-      std::uint32_t nearest = distance[rings.ring(v)[0]];
-      for(const std::uint32_t w : rings.ring(v))
-        nearest = (std::min)(nearest, distance[w]);
-      EXPECT_EQ(distance[v], v == source ? 0 : nearest + 1);
-    }
-  }
-}
-
 TEST(Central_vertex, is_as_near_to_all_as_any)
 {
   for(const Triangle_list& list : {with_tentacle(40, 4.), icosphere(3), suspension(12), tetrahedron()})
   {
     const Surface mesh = surface_of(list);
-    const auto eccentricity = [&](std::uint32_t v) {
-      const std::vector<std::uint32_t> distance = SP::internal::edge_distances(mesh.rings(), v);
-      return *std::max_element(distance.begin(), distance.end());
-    };
-    std::uint32_t least = eccentricity(0), largest = least;
-    for(std::uint32_t v = 1; v < mesh.number_of_vertices(); ++v)
+    const Vertex_rings& rings = mesh.rings();
+    std::vector<std::uint32_t> eccentricities;
+    for(std::uint32_t source = 0; source < rings.number_of_vertices(); ++source)
     {
-      least = (std::min)(least, eccentricity(v));
-      largest = (std::max)(largest, eccentricity(v));
+      const std::vector<std::uint32_t> distance = SP::internal::edge_distances(rings, source);
+      for(std::uint32_t v = 0; v < rings.number_of_vertices(); ++v)
+      {
+        std::uint32_t nearest = distance[rings.ring(v)[0]];
+        for(const std::uint32_t w : rings.ring(v))
+          nearest = (std::min)(nearest, distance[w]);
+        ASSERT_EQ(distance[v], v == source ? 0 : nearest + 1);
+      }
+      eccentricities.push_back(*std::max_element(distance.begin(), distance.end()));
     }
-    const std::uint32_t central = eccentricity(SP::internal::central_vertex(mesh.rings()));
-    EXPECT_LE(central, 1.15 * least);
-    EXPECT_TRUE(central < largest || least == largest);
+    const auto [least, largest] = std::minmax_element(eccentricities.begin(), eccentricities.end());
+    const std::uint32_t central = eccentricities[SP::internal::central_vertex(rings)];
+    EXPECT_LE(central, 1.15 * *least);
+    EXPECT_TRUE(central < *largest || *least == *largest);
   }
 }
 
@@ -439,9 +331,6 @@ TEST(Stereographic_embedding, is_positive_and_centred)
       EXPECT_NEAR(length(p), 1., 1e-15);
   }
 }
-
-// ---------------------------------------------------------------------------------------------------------------------
-// As rigid as possible
 
 // The energy of the map u on the sphere of radius r by its singular values: their squares add up to I and their
 // product, negative for a face that is turned over, is d, so their sum is the root of I + 2 d.
@@ -488,7 +377,7 @@ struct Scattered_map
   std::vector<Vector_3d> u;
 };
 
-TEST(ARAP_energy, is_that_of_the_singular_values)
+TEST(ARAP_energy, is_that_of_the_singular_values_at_the_best_radius)
 {
   for(const double scatter : {0., 0.05, 0.3})
   {
@@ -496,38 +385,12 @@ TEST(ARAP_energy, is_that_of_the_singular_values)
     EXPECT_EQ(map.number_of_inverted_faces() > 0, scatter > 0.1);
     ARAP_energy energy(map.mesh.rings(), map.mesh.points(), Execution());
     const double value = energy.fit(map.u), radius = energy.radius();
-    EXPECT_GT(value, 0.);
     EXPECT_NEAR(value, energy_of(map.mesh, map.u, radius), 1e-12);
-  }
-}
-
-TEST(ARAP_energy, is_stationary_in_the_radius)
-{
-  // The rotations do not depend on the radius, so the energy is a parabola in it.
-  for(const double scatter : {0., 0.3})
-  {
-    const Scattered_map map(scatter);
-    ARAP_energy energy(map.mesh.rings(), map.mesh.points(), Execution());
-    const double value = energy.fit(map.u), radius = energy.radius();
+    // The rotations do not depend on the radius, so the energy is a parabola in it.
     const double below = energy_of(map.mesh, map.u, 0.99 * radius), above = energy_of(map.mesh, map.u, 1.01 * radius);
     EXPECT_GT(below, value);
     EXPECT_GT(above, value);
     EXPECT_NEAR(above, below, 1e-12);
-  }
-}
-
-TEST(ARAP_energy, of_an_isometry_is_0)
-{
-  for(const double scale : {1., 7.})
-  {
-    const Triangle_list sphere = icosphere(2), list = test_meshes::scaled(sphere, scale, scale, scale);
-    const Surface mesh = surface_of(list);
-    ARAP_energy energy(mesh.rings(), mesh.points(), Execution());
-    EXPECT_NEAR(energy.fit(mesh.in_own_order(sphere.points)), 0., 1e-14);
-    EXPECT_NEAR(energy.radius() * mesh.equal_area_radius(), scale, 1e-14 * scale);
-    // the mirror image is none
-    const std::vector<Coordinates> mirrored = test_meshes::scaled(sphere, 1., 1., -1.).points;
-    EXPECT_GT(energy.fit(mesh.in_own_order(mirrored)), 0.1);
   }
 }
 

@@ -12,24 +12,10 @@ using namespace test;
 
 namespace {
 
-namespace SP = CGAL::Spherical_parameterization;
-
-using SP::internal::cotangent_weights;
-using SP::internal::min_positive_weight;
-using SP::internal::Rest_limits;
-using SP::internal::Rest_triangle;
-using SP::internal::Vector_3d;
-using SP::internal::vertex_masses;
+using namespace SP::internal;
+using test::surface_of;
 
 constexpr double any_weight = std::numeric_limits<double>::lowest();
-
-// ---------------------------------------------------------------------------------------------------------------------
-// Surface
-
-SP::Error_code assign(Surface& mesh, const Triangle_list& list)
-{
-  return mesh.assign(list.points, SP::internal::link_triangles(index_triangles(list), list.points.size()));
-}
 
 TEST(Surface, keeps_the_triangles_and_their_orientation)
 {
@@ -96,33 +82,6 @@ TEST(Surface, counts_flat_faces)
   const Triangle_list point = scaled(icosphere(1), 0., 0., 0.);
   EXPECT_EQ(surface_of(point).number_of_flat_faces(), point.triangles.size());
 }
-
-TEST(Surface, refuses_what_is_no_sphere)
-{
-  Surface mesh;
-  const Triangle_list sphere = icosphere(1);
-  EXPECT_EQ(assign(mesh, disjoint_union(sphere, sphere)), SP::ERROR_SEVERAL_COMPONENTS);
-  // V - E + F = 2 does not prove a sphere
-  const Triangle_list ring = torus(7, 5);
-  EXPECT_EQ(assign(mesh, disjoint_union(sphere, ring)), SP::ERROR_SEVERAL_COMPONENTS);
-  EXPECT_EQ(assign(mesh, ring), SP::ERROR_NO_TOPOLOGICAL_SPHERE);
-
-  Triangle_list open = sphere;
-  open.triangles.pop_back();
-  EXPECT_EQ(assign(mesh, open), SP::ERROR_NO_SIMPLICIAL_COMPLEX);
-  Triangle_list touching = disjoint_union(sphere, sphere); // two spheres with a vertex in common
-  for(Triangle& t : touching.triangles)
-    for(std::size_t& v : t)
-      v = v == sphere.points.size() ? 0 : v > sphere.points.size() ? v - 1 : v;
-  touching.points.erase(touching.points.begin() + static_cast<std::ptrdiff_t>(sphere.points.size()));
-  EXPECT_EQ(assign(mesh, touching), SP::ERROR_NO_SIMPLICIAL_COMPLEX);
-
-  const auto two_triangles = SP::internal::link_triangles({{0, 1, 2}, {0, 2, 1}}, 3);
-  EXPECT_EQ(mesh.assign({{0., 0., 0.}, {1., 0., 0.}, {0., 1., 0.}}, two_triangles), SP::ERROR_TOO_FEW_VERTICES);
-}
-
-// ---------------------------------------------------------------------------------------------------------------------
-// Rest_triangle
 
 // the sum of the squares of the singular values, and their product
 struct Reference
@@ -200,22 +159,6 @@ TEST(Rest_triangle, lifts_a_flat_face_to_the_minimum_height)
   }
 }
 
-TEST(Rest_triangle, does_not_jump_at_the_minimum_height)
-{
-  for(const double foot : {0.1, 0.5, 0.9})
-  {
-    const double h = Rest_limits().min_height;
-    const Vector_3d a = {0., 0., 0.}, b = {1., 0., 0.}, below = {foot, 0.9999 * h, 0.}, above = {foot, 1.0001 * h, 0.};
-    EXPECT_TRUE(Rest_triangle::is_too_flat(a, b, below));
-    EXPECT_FALSE(Rest_triangle::is_too_flat(a, b, above));
-    const Rest_triangle r = Rest_triangle::from_points(a, b, below), s = Rest_triangle::from_points(a, b, above);
-    EXPECT_NEAR(r.opposite_0 / s.opposite_0, 1., 1e-3);
-    EXPECT_NEAR(r.opposite_1 / s.opposite_1, 1., 1e-3);
-    EXPECT_NEAR(r.opposite_2 / s.opposite_2, 1., 1e-3);
-    EXPECT_NEAR(r.inverse_doubled_area / s.inverse_doubled_area, 1., 1e-3);
-  }
-}
-
 // The sums of cotangents that make I a positive definite function of the edges, for the worst of faces.
 TEST(Rest_triangle, is_a_triangle_whatever_the_face)
 {
@@ -250,6 +193,9 @@ TEST(Rest_triangle, keeps_to_the_limits_given)
   const Rest_limits limits = {0.3, 1e-4, false};
   expect_invariants(Rest_triangle::from_points(a, b, c), {a, b, c}, {2.L, 1.L}, 1e-8);
   expect_invariants(Rest_triangle::from_points(a, b, c, limits), {a, b, lifted}, {2.L, 1.L}, 1e-8);
+  const double h = Rest_limits().min_height;
+  EXPECT_TRUE(Rest_triangle::is_too_flat({0., 0., 0.}, {1., 0., 0.}, {0.3, 0.9999 * h, 0.}));
+  EXPECT_FALSE(Rest_triangle::is_too_flat({0., 0., 0.}, {1., 0., 0.}, {0.3, 1.0001 * h, 0.}));
   const Vector_3d apex = {0.4e-3, 0.31e-3, 0.};
   expect_invariants(Rest_triangle::from_points(a, b, apex, limits), {a, b, apex}, {2.L, 1.L}, 1e-8);
   const double edge = 2e-3;
@@ -264,9 +210,6 @@ TEST(Rest_triangle, keeps_to_the_limits_given)
   EXPECT_EQ(uniform.opposite_0, of_another.opposite_1);
   EXPECT_EQ(uniform.opposite_0, uniform.opposite_2);
 }
-
-// ---------------------------------------------------------------------------------------------------------------------
-// Areas and weights
 
 TEST(Vertex_masses, are_there_without_an_area)
 {

@@ -5,6 +5,8 @@
 
 #include <CGAL/Spherical_parameterization/Repair/find_handles.h>
 
+#include <CGAL/Polygon_mesh_processing/connected_components.h>
+
 using namespace test;
 
 namespace {
@@ -13,12 +15,12 @@ using Handles = std::vector<SP::Handle<Mesh>>;
 
 Handles expect_handles(const Triangle_list& list, std::size_t genus)
 {
-  const Mesh mesh = make(list);
+  Mesh mesh = make(list);
   EXPECT_EQ(SP::find_defect(mesh).count, genus);
   Handles handles;
   EXPECT_EQ(SP::find_handles(mesh, handles), SP::OK);
   EXPECT_EQ(handles.size(), genus);
-  std::set<std::pair<std::size_t, std::size_t>> cuts;
+  const auto is_cut = mesh.add_property_map<Mesh::Edge_index, bool>("e:cut", false).first;
   for(const auto& handle : handles)
   {
     EXPECT_GE(handle.path.size(), 3u);
@@ -27,30 +29,18 @@ Handles expect_handles(const Triangle_list& list, std::size_t genus)
     for(std::size_t k = 0; k < handle.path.size(); ++k)
     {
       const Mesh::Vertex_index v = handle.path[k], w = handle.path[(k + 1) % handle.path.size()];
-      EXPECT_TRUE(halfedge(v, w, mesh).second);
-      cuts.insert(std::minmax(std::size_t(v), std::size_t(w)));
+      const auto [h, is_edge] = halfedge(v, w, mesh);
+      EXPECT_TRUE(is_edge);
+      is_cut[edge(h, mesh)] = true;
       length += distance(list.points[v], list.points[w]);
     }
     EXPECT_NEAR(handle.length, length, 1e-12 * length);
   }
-  // from face to face, across edges that are on no path
-  std::vector<char> is_reached(mesh.number_of_faces(), 0);
-  std::vector<Mesh::Face_index> stack = {Mesh::Face_index(0)};
-  is_reached[0] = 1;
-  while(!stack.empty())
-  {
-    const Mesh::Halfedge_index first = mesh.halfedge(stack.back());
-    stack.pop_back();
-    for(const Mesh::Halfedge_index h : halfedges_around_face(first, mesh))
-    {
-      const Mesh::Face_index f = mesh.face(mesh.opposite(h));
-      if(is_reached[f] || cuts.count(std::minmax(std::size_t(mesh.source(h)), std::size_t(mesh.target(h)))) > 0)
-        continue;
-      is_reached[f] = 1;
-      stack.push_back(f);
-    }
-  }
-  EXPECT_EQ(std::count(is_reached.begin(), is_reached.end(), 0), 0) << "the paths separate the surface";
+  const auto component = mesh.add_property_map<Mesh::Face_index, std::size_t>("f:component").first;
+  EXPECT_EQ(CGAL::Polygon_mesh_processing::connected_components(mesh, component,
+                                                                CGAL::parameters::edge_is_constrained_map(is_cut)),
+            1u)
+      << "the paths separate the surface";
   return handles;
 }
 

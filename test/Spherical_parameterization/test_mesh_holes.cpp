@@ -115,14 +115,8 @@ TEST(Fill_holes, closes_what_is_all_hole)
   EXPECT_EQ(expect_filled({{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {{0, 1, 2}, {0, 2, 3}}}).size(), 1u);
   for(const std::size_t n : std::vector<std::size_t>{3, 4, 50, 1000})
   {
-    Triangle_list fan;
-    for(std::size_t k = 0; k < n; ++k)
-    {
-      const double angle = 2. * pi * static_cast<double>(k) / static_cast<double>(n);
-      fan.points.push_back({std::cos(angle), std::sin(angle), 0.});
-      fan.triangles.push_back({k, (k + 1) % n, n});
-    }
-    fan.points.push_back({0., 0., 0.});
+    Triangle_list fan = without_stars(test_meshes::scaled(suspension(n), 1., 1., 0.), {n + 1});
+    fan.points.pop_back();
     const Holes holes = expect_filled(fan);
     ASSERT_EQ(holes.size(), 1u);
     EXPECT_EQ(holes[0].number_of_edges, n);

@@ -83,21 +83,6 @@ TYPED_TEST(Mesh_type, is_mapped_and_not_changed)
   EXPECT_EQ(after.second, before.second);
 }
 
-TEST(Surface_mesh, keeps_its_properties)
-{
-  Mesh mesh = make(list());
-  auto map = mesh.add_property_map<Mesh::Vertex_index, Point_3>("v:sphere").first;
-  const auto properties = [&] {
-    return std::vector<std::vector<std::string>>{
-        mesh.properties<Mesh::Vertex_index>(), mesh.properties<Mesh::Halfedge_index>(),
-        mesh.properties<Mesh::Edge_index>(), mesh.properties<Mesh::Face_index>()};
-  };
-  const std::vector<std::vector<std::string>> before = properties();
-  ASSERT_EQ(SP::parameterize(mesh, map), SP::OK);
-  EXPECT_EQ(properties(), before);
-  expect_reference(mesh, map);
-}
-
 // The points may be replaced in place: everything has been read before anything is written.
 TEST(Surface_mesh, may_be_mapped_onto_its_own_points)
 {

@@ -42,34 +42,27 @@ TEST(Error_code, invalid_initial_parameterization)
 {
   const Mesh mesh = make(bumpy_sphere(1));
   const Images sphere = icosphere(1).points;
-  const auto expect = [&](const Images& start, SP::Error_code error) {
-    if(error != SP::OK)
-    {
-      expect_error(mesh, precomputed(mesh, start), error);
-      expect_error(mesh, bijective_from(mesh, start), error);
-      return;
-    }
-    EXPECT_EQ(precomputed(mesh, start).run(mesh).error, SP::OK);
-    EXPECT_EQ(precomputed(mesh, start).run(mesh).report.stop_reason, SP::CONVERGED);
-    EXPECT_EQ(bijective_from(mesh, start).run(mesh).error, SP::OK);
+  const auto expect = [](const Mesh& surface, const Images& start, SP::Error_code error) {
+    for(const Method& method : {precomputed(surface, start), bijective_from(surface, start)})
+      if(error == SP::OK)
+        EXPECT_EQ(method.run(surface).error, SP::OK);
+      else
+        expect_error(surface, method, error);
   };
-  expect(sphere, SP::OK);
-  expect(scaled(sphere, 1e200), SP::OK);
-  expect(scaled(sphere, 1e-300), SP::OK);
-  expect(scaled(sphere, -1.), SP::ERROR_INVALID_INITIAL_PARAMETERIZATION);
-  Images points = sphere;
-  std::swap(points[3], points[20]);
-  expect(points, SP::ERROR_INVALID_INITIAL_PARAMETERIZATION);
-  for(const Coordinates& p : {Coordinates{0., 0., 0.}, {nan, 0., 0.}, {inf, 0., 0.}})
-  {
-    points = sphere;
-    points[5] = p;
-    expect(points, SP::ERROR_INVALID_INITIAL_PARAMETERIZATION);
-  }
+  expect(mesh, sphere, SP::OK);
+  expect(mesh, scaled(sphere, 1e200), SP::OK);
+  expect(mesh, scaled(sphere, 1e-300), SP::OK);
+  EXPECT_EQ(precomputed(mesh, sphere).run(mesh).report.stop_reason, SP::CONVERGED);
+  std::vector<Images> invalid(5, sphere);
+  invalid[0] = scaled(sphere, -1.);
+  std::swap(invalid[1][3], invalid[1][20]);
+  invalid[2][5] = {0., 0., 0.};
+  invalid[3][5] = {nan, 0., 0.};
+  invalid[4][5] = {inf, 0., 0.};
+  for(const Images& start : invalid)
+    expect(mesh, start, SP::ERROR_INVALID_INITIAL_PARAMETERIZATION);
   // all faces positive, but the sphere is covered twice
-  const Mesh pyramid = make(suspension(7));
-  expect_error(pyramid, precomputed(pyramid, suspension(7, 2).points), SP::ERROR_INVALID_INITIAL_PARAMETERIZATION);
-  expect_error(pyramid, bijective_from(pyramid, suspension(7, 2).points), SP::ERROR_INVALID_INITIAL_PARAMETERIZATION);
+  expect(make(suspension(7)), suspension(7, 2).points, SP::ERROR_INVALID_INITIAL_PARAMETERIZATION);
 }
 
 // A face that is positive by less than the sweeps can compute: a bijection, but nothing to start from.
@@ -127,9 +120,9 @@ TEST(Error_code, wrong_parameter)
     expect_wrong(Bld().tolerances(1e-5, tolerance));
   }
   EXPECT_TRUE(Bld().tolerances(0., 0.).is_valid());
-  for(const SP::Sharpness& sharpness :
-      {SP::Sharpness::relative(-1e-9), SP::Sharpness::relative(inf), SP::Sharpness::relative(nan)})
+  for(const double beta : {-1e-9, inf, nan})
   {
+    const SP::Sharpness sharpness = SP::Sharpness::relative(beta);
     expect_wrong(Bld().sharpness(sharpness));
     expect_wrong(SP::Hierarchical_parameterizer_3().sharpness(sharpness));
     expect_wrong(SP::Published_low_distortion_parameterizer_3().sharpness(sharpness));
@@ -184,21 +177,6 @@ TEST(Error_code, cannot_solve_linear_system)
                         10);
 }
 
-// After a refusal the same object works on another mesh, and the report is that of the last run.
-TEST(Error_code, does_not_stick)
-{
-  const Method method = bijective();
-  const Mesh sphere = make(icosphere(1));
-  EXPECT_EQ(method.run(sphere).error, SP::OK);
-  expect_error(make(torus(7, 5)), method, SP::ERROR_NO_TOPOLOGICAL_SPHERE);
-  const Result result = method.run(sphere);
-  EXPECT_EQ(result.error, SP::OK);
-  EXPECT_EQ(result.report.number_of_vertices, num_vertices(sphere));
-}
-
-// ---------------------------------------------------------------------------------------------------------------------
-// Maps that store other values than they are given.
-
 double single(double x)
 {
   return static_cast<double>(static_cast<float>(x));
@@ -213,23 +191,18 @@ Point_3 in_single_precision(const Point_3& p)
 Triangle_list with_a_tiny_face()
 {
   Triangle_list list = icosphere(1);
-  const Triangle t = list.triangles[0];
-  const Coordinates &a = list.points[t[0]], &b = list.points[t[1]], &c = list.points[t[2]];
-  for(int k = 0; k < 3; ++k) // a tiny triangle in the middle of a face
-  {
-    const double s = 1. / 3. + (k == 0 ? 1e-12 : 0.), u = 1. / 3. + (k == 1 ? 1e-12 : 0.);
-    list.points.push_back(combination(1., combination(s, a, u, b), 1. - s - u, c));
-  }
   const std::size_t n = list.points.size();
-  list.triangles.erase(list.triangles.begin());
-  for(const Triangle& triangle : {Triangle{n - 3, n - 2, n - 1},
-                                  {t[0], t[1], n - 3},
-                                  {t[1], n - 2, n - 3},
-                                  {t[1], t[2], n - 2},
-                                  {t[2], n - 1, n - 2},
-                                  {t[2], t[0], n - 1},
-                                  {t[0], n - 3, n - 1}})
-    list.triangles.push_back(triangle);
+  const Triangle t = list.triangles[0];
+  const Coordinates middle = centroid(list, t);
+  for(const std::size_t v : t) // a tiny triangle in the middle of a face
+    list.points.push_back(combination(1. - 1e-12, middle, 1e-12, list.points[v]));
+  list.triangles[0] = {n, n + 1, n + 2};
+  for(std::size_t i = 0; i < 3; ++i)
+  {
+    const std::size_t j = (i + 1) % 3;
+    list.triangles.push_back({t[i], t[j], n + i});
+    list.triangles.push_back({t[j], n + j, n + i});
+  }
   return list;
 }
 

@@ -13,7 +13,6 @@
 
 using namespace test;
 
-// ---------------------------------------------------------------------------------------------------------------------
 // Memory that can be had to run out. All of this program goes through here.
 
 namespace allocation {
@@ -62,6 +61,15 @@ public:
   Shortage(const Shortage&) = delete;
   Shortage& operator=(const Shortage&) = delete;
 };
+
+// How often a run asks for memory.
+template <class Run>
+std::size_t number_of_requests_of(const Run& run)
+{
+  const Shortage none(0, 0);
+  static_cast<void>(run());
+  return number_of_requests;
+}
 
 } // namespace allocation
 
@@ -205,6 +213,22 @@ protected:
     }
   }
 
+  // Lets the caller's function throw at its calls, every `step`th of them; returns how many there are.
+  std::size_t throw_everywhere(const Method& method, const Options& options, Countdown& countdown, std::size_t step)
+  {
+    countdown = Countdown();
+    method.run(subject.mesh, options);
+    const std::size_t n = countdown.n_calls;
+    for(std::size_t k = 1; k <= n; k += step)
+    {
+      countdown = Countdown{k};
+      subject.expect_no_trace_of<Interruption>([&] { return method.parameterize(subject.mesh, subject.map, options); });
+      EXPECT_EQ(countdown.n_calls, k); // it is not called again
+    }
+    countdown = Countdown();
+    return n;
+  }
+
   Images run(const Method& method) const { return method.run(subject.mesh, options()).images; }
 
   static Options options() { return Options().iterations(3).sequential(); }
@@ -212,19 +236,11 @@ protected:
 
 TEST_F(Exception_safety, of_the_visitor)
 {
+  Countdown countdown;
+  Failing_visitor visitor(countdown);
   for_each_method([&](const Method& method) {
-    Countdown countdown;
-    Failing_visitor visitor(countdown);
-    method.run(subject.mesh, options().visitor(visitor));
-    const std::size_t n = countdown.n_calls;
+    const std::size_t n = throw_everywhere(method, options().visitor(visitor), countdown, stride);
     EXPECT_EQ(n >= 2, method.name() != "precomputed"); // it has none
-    for(std::size_t k = 1; k <= n; k += stride)
-    {
-      countdown = Countdown{k};
-      subject.expect_no_trace_of<Interruption>(
-          [&] { return method.parameterize(subject.mesh, subject.map, options().visitor(visitor)); });
-      EXPECT_EQ(countdown.n_calls, k); // it is not called again
-    }
   });
 }
 
@@ -234,30 +250,16 @@ TEST_F(Exception_safety, of_the_points)
   Countdown countdown;
   surface.on_get() = std::ref(countdown);
   for_each_method([&](const Method& method) {
-    countdown = Countdown();
-    method.run(subject.mesh, options().points(surface));
-    const std::size_t n = countdown.n_calls;
-    EXPECT_GE(n, subject.mesh.num_vertices());
-    for(std::size_t k = 1; k <= n; k += 7 * stride)
-    {
-      countdown = Countdown{k};
-      subject.expect_no_trace_of<Interruption>(
-          [&] { return method.parameterize(subject.mesh, subject.map, options().points(surface)); });
-    }
+    EXPECT_GE(throw_everywhere(method, options().points(surface), countdown, 7 * stride), subject.mesh.num_vertices());
   });
 }
 
 TEST_F(Exception_safety, of_every_allocation)
 {
   for_each_method([&](const Method& method) {
-    const auto parameterize = [&] { return method.parameterize(subject.mesh, subject.map, options()); };
-    std::size_t n = 0;
-    {
-      const Point_map other(subject.mesh, subject.untouched);
-      const allocation::Shortage none(0, 0);
-      static_cast<void>(method.parameterize(subject.mesh, other, options()));
-      n = allocation::number_of_requests;
-    }
+    const Point_map other(subject.mesh, subject.untouched);
+    const std::size_t n =
+        allocation::number_of_requests_of([&] { return method.parameterize(subject.mesh, other, options()); });
     EXPECT_GT(n, 30u);
     // One request that fails, and memory that has run out for good: then the way back must not need any either.
     for(const bool is_for_good : {false, true})
@@ -266,13 +268,12 @@ TEST_F(Exception_safety, of_every_allocation)
         SCOPED_TRACE(k);
         subject.expect_no_trace_of<std::bad_alloc>([&] {
           const allocation::Shortage shortage(k, is_for_good ? n : k);
-          return parameterize();
+          return method.parameterize(subject.mesh, subject.map, options());
         });
       }
   });
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
 // Maps that throw when they are written, or read back: what has been written by then stays. The method does not matter but
 // for what it promises.
 
@@ -318,9 +319,6 @@ TEST_F(Exception_safety, of_get_leaves_the_map_as_written)
   }
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
-// The functions that only measure.
-
 TEST_F(Exception_safety, of_measuring)
 {
   const Mesh& mesh = subject.mesh;
@@ -334,12 +332,7 @@ TEST_F(Exception_safety, of_measuring)
   for(const std::function<void()>& function : functions)
   {
     countdown = Countdown();
-    std::size_t n_allocations = 0;
-    {
-      const allocation::Shortage none(0, 0);
-      function();
-      n_allocations = allocation::number_of_requests;
-    }
+    const std::size_t n_allocations = allocation::number_of_requests_of(function);
     const std::size_t n_calls = countdown.n_calls;
     EXPECT_GE(n_calls, mesh.num_vertices());
     for(std::size_t k = 1; k <= n_calls; k += stride)
@@ -359,8 +352,6 @@ TEST_F(Exception_safety, of_measuring)
   }
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
-
 #ifdef CGAL_LINKED_WITH_TBB
 class Exception_safety_in_parallel : public ::testing::Test
 {
@@ -378,12 +369,9 @@ protected:
 
   void forget_images()
   {
-    auto p = subject.untouched.begin();
+    const Point_map untouched(subject.mesh, subject.untouched);
     for(const auto v : subject.mesh.vertices())
-    {
-      put(subject.map, v, Point_3((*p)[0], (*p)[1], (*p)[2]));
-      ++p;
-    }
+      put(subject.map, v, get(untouched, v));
   }
 
   Subject subject{bumpy_sphere(4)};
@@ -399,12 +387,7 @@ TEST_F(Exception_safety_in_parallel, of_allocations)
   const Method method = bijective();
   EXPECT_EQ(run(method, 1), SP::OK);
   const Images expected = images(subject.mesh, subject.map);
-  std::size_t n = 0;
-  {
-    const allocation::Shortage none(0, 0);
-    EXPECT_EQ(run(method, 1), SP::OK);
-    n = allocation::number_of_requests;
-  }
+  const std::size_t n = allocation::number_of_requests_of([&] { return run(method, 1); });
   for(std::size_t i = 0; i < test_scale::reduced(30); ++i)
   {
     const std::size_t k = 1 + i * i * i * n / 50000; // most of them early, none so late that there is no such request

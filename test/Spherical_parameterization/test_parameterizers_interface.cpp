@@ -61,9 +61,6 @@ using archetypes::Distortion_energy;
 
 constexpr Copy_constructible::Maker maker = Copy_constructible::MADE_BY_TEST;
 
-// ---------------------------------------------------------------------------------------------------------------------
-// Settings.
-
 TEST(Setting, leaves_the_parameterizer_that_it_is_asked_of)
 {
   const Bld bld;
@@ -120,9 +117,6 @@ TEST(Setting, of_each_kind_matters)
   EXPECT_FALSE(
       have_same_bits(run(published.initial_parameterizer(SP::Stereographic_parameterizer_3()), 120), of_published));
 }
-
-// ---------------------------------------------------------------------------------------------------------------------
-// Energies.
 
 TEST(Concept, distortion_energy)
 {
@@ -184,27 +178,9 @@ TEST(Concept, distortion_energy_may_return_any_scale)
   }
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
-// Radius policies.
-
-// such that the average of the ratios of the areas is 1
-struct My_radius
-{
-  double initial_radius(double equal_area_radius) const { return 2. * equal_area_radius; }
-
-  template <class Energy>
-  double operator()(const Energy&, const SP::Face_range_3& faces, double radius)
-  {
-    double sum = 0.;
-    for(const SP::Face_invariants_3& face : faces)
-      sum += face.flat_d;
-    return radius * std::sqrt(static_cast<double>(faces.size()) / sum);
-  }
-};
-
 TEST(Concept, sphere_radius_policy)
 {
-  const Images result = run(Bld().radius(My_radius()));
+  const Images result = run(Bld().radius(archetypes::Sphere_radius_policy(maker)));
   double sum = 0.;
   const Images surface = points(mesh());
   for(const Triangle& t : triangles(mesh()))
@@ -294,9 +270,6 @@ TEST(Concept, sphere_radius_policy_may_return_anything)
   EXPECT_NEAR(bld.report().radius, std::sqrt(sum / (4. * pi)), 1e-9);
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
-// Linear solvers.
-
 // SparseLinearAlgebraWithFactorTraits_d, with nothing but a dense matrix.
 class My_solver
 {
@@ -362,9 +335,6 @@ TEST(Concept, sparse_linear_algebra_traits)
   expect_close(SP::ARAP_parameterizer_3<Start, My_solver>(), SP::ARAP_parameterizer_3<Start>());
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
-// Parameterizers.
-
 // Projects a surface from the origin, which is a bijection if it is star-shaped about it, or gives up.
 struct Radial_projection
 {
@@ -424,24 +394,6 @@ TEST(Concept, spherical_parameterizer_is_checked_and_may_fail)
   // A map that folds is nothing to start from; the caller's own map has not been written then.
   expect_error(mesh(), {SP::ERROR_NO_1_TO_1_MAPPING}, SP::ERROR_INVALID_INITIAL_PARAMETERIZATION);
 }
-
-TEST(Concept, spherical_parameterizer_of_the_package_starts_another)
-{
-  const Result one_go = bijective().run(mesh());
-  // A map from a run that was stopped, carried on, is as good as one in one go.
-  const Result short_run = bijective().run(mesh(), Options().iterations(3));
-  const Result rest = bijective_from(mesh(), short_run.images).run(mesh());
-  EXPECT_NEAR(rest.report.initial_energy / short_run.report.average_energy, 1., 0.15); // at another radius
-  EXPECT_NEAR(rest.report.largest_energy / one_go.report.largest_energy, 1., 0.02);
-
-  auto twice = Bld().initial_parameterizer(Bld());
-  run(twice, 90);
-  EXPECT_NEAR(twice.report().initial_energy / one_go.report.average_energy, 1., 0.05);
-  EXPECT_LT(twice.report().largest_energy, one_go.report.largest_energy * 1.01);
-}
-
-// ---------------------------------------------------------------------------------------------------------------------
-// Archetypes.
 
 using Vertex_point_map = archetypes::Vertex_point_map<Mesh, Mesh::Vertex_index, Point_3>;
 using Vertex_sphere_map = archetypes::Vertex_sphere_map<Mesh::Vertex_index, Point_3>;

@@ -1,92 +1,28 @@
 // A surface is mapped onto another one: certified always, exact onto a copy, near to the identity onto a remesh, through its
 // landmarks wherever straight edges allow it.
 
-#include "judge.h"
-#include "methods.h"
-#include "random_meshes.h"
+#include "random_stars.h"
 #include "recording_control.h"
 #include "surfaces.h"
-#include "test_meshes.h"
 
-#include <CGAL/Spherical_parameterization/Surface_maps/internal/alignment/Surface_descriptor.h>
 #include <CGAL/Spherical_parameterization/Surface_maps/internal/target/Sphere_image.h>
+#include <CGAL/Spherical_parameterization/Surface_maps/internal/target/Target_star.h>
 #include <CGAL/Spherical_parameterization/internal/certificate/is_safely_positive.h>
 #include <CGAL/Spherical_parameterization/internal/hierarchy/Mesh_hierarchy.h>
-#include <CGAL/Spherical_parameterization/internal/surface/Linked_triangle.h>
-#include <CGAL/Spherical_parameterization/Surface_maps/internal/target/Target_metric.h>
-#include <CGAL/Spherical_parameterization/Surface_maps/internal/target/Target_star.h>
-#include <CGAL/Spherical_parameterization/is_bijective.h>
-#include <CGAL/Spherical_parameterization/Surface_maps/map_surface.h>
-#include <CGAL/Spherical_parameterization/Surface_maps/measure_distortion_between.h>
-#include <CGAL/Spherical_parameterization/Surface_maps/overlay.h>
-#include <CGAL/Spherical_parameterization/Sampling/remesh_through_sphere.h>
-#include <CGAL/Spherical_parameterization/Surface_maps/split_bent_faces.h>
-#include <CGAL/Spherical_parameterization/Surface_maps/split_blocking_edges.h>
 
 #include <CGAL/Polygon_mesh_processing/measure.h>
 #include <CGAL/Polyhedron_3.h>
 #include <CGAL/Simple_cartesian.h>
-#include <CGAL/Surface_mesh.h>
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <cstdint>
-#include <iterator>
-#include <functional>
-#include <limits>
-#include <optional>
-#include <stdexcept>
-#include <string>
-#include <thread>
-#include <utility>
-#include <vector>
 
 using namespace test;
 
 namespace {
-
-// What a test changes before the surfaces are mapped.
-template <class TriangleMesh1, class TriangleMesh2>
-struct Settings_of
-{
-  using Mapper = SP::Surface_mapper_3<TriangleMesh1, TriangleMesh2>;
-
-  std::vector<typename Mapper::Landmark> landmarks;
-  std::optional<double> landmark_weight;
-  std::vector<typename Mapper::Feature> features;
-  double feature_weight = 4.;
-  std::vector<double> feature_weights;
-  bool compares_values = false;
-  typename Mapper::Masks masks;
-  std::function<bool()> go_further;
-  double max_seconds = 0.;
-
-  Mapper mapper() const
-  {
-    const Mapper result = Mapper()
-                              .landmarks(landmarks)
-                              .features(features)
-                              .feature_weight(feature_weight)
-                              .feature_weights(feature_weights)
-                              .compare_values(compares_values)
-                              .masks(masks);
-    return landmark_weight ? result.landmark_weight(*landmark_weight) : result;
-  }
-};
-using Settings = Settings_of<Mesh, Mesh>;
 
 struct Asking_visitor : SP::Default_visitor
 {
   std::function<bool()> ask;
   bool go_further(std::size_t, double) { return !ask || ask(); }
 };
-
-using Image_map = Mesh::Property_map<Vertex_index, Point_3>;
-using Vector_3d = SP::internal::Vector_3d;
 
 // The map of one surface onto another one, and what is told of it.
 struct Match
@@ -97,18 +33,18 @@ struct Match
   double energy = 0.;
 
   template <class ConcurrencyTag = CGAL::Parallel_if_available_tag>
-  static Match make(Mapped_mesh& a, const Mapped_mesh& b, const Settings& settings = {}, ConcurrencyTag = {})
+  static Match make(Mapped_mesh& a, const Mapped_mesh& b, Mapper mapper = {},
+                    const std::function<bool()>& ask = nullptr, double max_seconds = 0., ConcurrencyTag = {})
   {
     Match result;
-    const Image_map images = a.mesh.add_property_map<Vertex_index, Point_3>("v:images").first;
+    const Image_map images = a.add_map();
     for(const Vertex_index v : a.mesh.vertices())
       images[v] = Point_3(7., 7., 7.);
-    auto mapper = settings.mapper();
     Asking_visitor visitor;
-    visitor.ask = settings.go_further;
-    result.error = SP::map_surface<ConcurrencyTag>(
-        a.mesh, a.sphere, b.mesh, b.sphere, mapper, images,
-        CGAL::parameters::visitor(std::ref(visitor)).maximum_running_time(settings.max_seconds));
+    visitor.ask = ask;
+    result.error =
+        SP::map_surface<ConcurrencyTag>(a.mesh, a.sphere, b.mesh, b.sphere, mapper, images,
+                                        CGAL::parameters::visitor(std::ref(visitor)).maximum_running_time(max_seconds));
     result.report = mapper.report();
     for(const Vertex_index v : a.mesh.vertices())
       result.directions.push_back(images[v]);
@@ -141,25 +77,15 @@ struct Match
   }
 };
 
-double distance(const Point_3& p, const Point_3& q)
-{
-  return std::sqrt(CGAL::squared_distance(p, q));
-}
-
-Point_3 as_it_is(const Point_3& p)
-{
-  return p;
-}
-
 // The hubs of two double pyramids have millions of edges that cross each other: they are not needed.
 TEST(Map_surface, between_hubs_is_measured_by_samples)
 {
   const Triangle_list list = suspension(3000);
   const auto stretched = [](const Point_3& p) { return Point_3(p.x(), p.y(), 1.5 * p.z()); };
-  Mapped_mesh first(list, as_it_is, Rotation_3(CGAL::IDENTITY));
-  const Mapped_mesh second(list, stretched, Rotation_3(CGAL::IDENTITY));
-  auto mapper = SP::Surface_mapper_3<Mesh>();
-  const Image_map images = first.mesh.add_property_map<Vertex_index, Point_3>("v:images").first;
+  Mapped_mesh first(list);
+  const Mapped_mesh second(list, stretched);
+  Mapper mapper;
+  const Image_map images = first.add_map();
   ASSERT_EQ(SP::map_surface(first.mesh, first.sphere, second.mesh, second.sphere, mapper, images), SP::OK);
   EXPECT_TRUE(SP::is_bijective(first.mesh, images));
   EXPECT_TRUE(mapper.report().is_energy_sampled);
@@ -167,61 +93,38 @@ TEST(Map_surface, between_hubs_is_measured_by_samples)
   EXPECT_LT(mapper.report().energy, 2.35); // 2.17 to 2.29 for other rotations and numbers of corners, by rounding alone
 }
 
-TEST(Map_surface, is_exact_onto_the_surface_itself)
+TEST(Map_surface, is_exact_onto_the_surface_itself_and_a_turned_copy)
 {
-  Mapped_mesh a(icosphere(3), on_body, rotation(turns[0]));
-  const Match match = Match::make(a, a);
-  ASSERT_EQ(match.error, SP::OK);
-  EXPECT_NEAR(match.report.energy, 2., 1e-12);
-  EXPECT_NEAR(match.report.agreement, 1., 1e-3);
-  EXPECT_GT(match.report.margin, 0.1);
-  EXPECT_TRUE(match.report.landmark_distances.empty());
-  for(const Vertex_index v : a.mesh.vertices())
-    EXPECT_LT(distance(match.directions[v], a.sphere[v]), 1e-12);
-}
-
-TEST(Map_surface, is_exact_onto_a_turned_copy)
-{
-  Mapped_mesh a(icosphere(4), on_body, rotation(turns[0]));
-  const Mapped_mesh b(
-      icosphere(4),
-      [](const Point_3& p) {
-        const Point_3 q = on_body(p);
-        return Point_3(3. * q.z() + 9., 3. * q.x(), 3. * q.y());
-      },
-      rotation(turns[2]));
-  const Match match = Match::make(a, b);
-  ASSERT_EQ(match.error, SP::OK);
-  EXPECT_NEAR(match.report.energy, 2., 1e-9);
-  EXPECT_GT(match.report.agreement, 0.97);
-  EXPECT_GT(match.report.margin, 0.1);
-  EXPECT_FALSE(match.report.is_uncertain);
-  for(const Vertex_index v : a.mesh.vertices())
-    EXPECT_LT(distance(match.directions[v], b.sphere[v]), 1e-9);
-}
-
-TEST(Map_surface, is_near_to_an_isometry_onto_the_surface_as_it_is_sampled_through_its_sphere)
-{
-  Mapped_mesh a(icosphere(4), on_body, rotation(turns[0]));
-  Mapped_mesh b(tetrahedron(), as_it_is, rotation(turns[0]));
-  b.mesh.clear_without_removing_property_maps();
-  ASSERT_EQ(SP::remesh_through_sphere(a.mesh, a.sphere, SP::Sphere_domain_3::octahedron(25), b.mesh, b.sphere), SP::OK);
-  const Match match = Match::make(a, b);
-  ASSERT_EQ(match.error, SP::OK);
-  EXPECT_LT(match.report.energy, 2.1);
+  Mapped_mesh a(icosphere(4), on_body);
+  const auto turned_body = [](const Point_3& p) {
+    const Point_3 q = on_body(p);
+    return Point_3(3. * q.z() + 9., 3. * q.x(), 3. * q.y());
+  };
+  const Mapped_mesh itself(icosphere(4), on_body), copy(icosphere(4), turned_body, turns[2]);
+  for(const Mapped_mesh* const b : {&itself, &copy})
+  {
+    const Match match = Match::make(a, *b);
+    ASSERT_EQ(match.error, SP::OK);
+    EXPECT_NEAR(match.report.energy, 2., 1e-9);
+    EXPECT_GT(match.report.agreement, 0.97);
+    EXPECT_GT(match.report.margin, 0.1);
+    EXPECT_FALSE(match.report.is_uncertain);
+    EXPECT_TRUE(match.report.landmark_distances.empty());
+    for(const Vertex_index v : a.mesh.vertices())
+      EXPECT_LT(distance(match.directions[v], b->sphere[v]), 1e-9);
+  }
 }
 
 TEST(Map_surface, finds_the_identity_onto_a_remesh)
 {
-  Mapped_mesh a(icosphere(4), on_body, rotation(turns[0]));
-  const Mapped_mesh b(octahedron_of(25), on_body, rotation(turns[1]));
-  const Match match = Match::make(a, b);
+  Mapped_mesh a(icosphere(4), on_body);
+  const Match match = Match::make(a, Mapped_mesh(octahedron_of(25), on_body, turns[1]));
   ASSERT_EQ(match.error, SP::OK);
   EXPECT_LT(match.report.energy, 2.05);
-  double sum = 0.;
-  for(const Vertex_index v : a.mesh.vertices())
-    sum += distance(match.directions[v], rotation(turns[1]).transform(a.sphere[v]));
-  EXPECT_LT(sum / a.mesh.number_of_vertices(), 0.03); // the edges are 0.07 long
+  const auto error = [&](Vertex_index v) {
+    return distance(match.directions[v], rotation(turns[1]).transform(a.sphere[v]));
+  };
+  EXPECT_LT(mean_over_vertices(a.mesh, error), 0.03); // the edges are 0.07 long
 }
 
 // A flat tube with bumps, bent by the curvature `bend`: both faces and both ends would look the same but for a bump in front of one
@@ -243,19 +146,16 @@ Point_3 on_tube(const Point_3& p, double bend, double side)
 TEST(Map_surface, tells_front_from_back_and_left_from_right_of_a_tube_that_bends)
 {
   const auto map_from = [](double side) {
-    Mapped_mesh a(
-        icosphere(4), [&](const Point_3& p) { return on_tube(p, 0., side); }, rotation(turns[0]));
+    Mapped_mesh a(icosphere(4), [&](const Point_3& p) { return on_tube(p, 0., side); });
     const Mapped_mesh b(
-        octahedron_of(25), [](const Point_3& p) { return on_tube(p, 0.35, 1.); }, rotation(turns[1]));
+        octahedron_of(25), [](const Point_3& p) { return on_tube(p, 0.35, 1.); }, turns[1]);
     const Match match = Match::make(a, b);
     EXPECT_EQ(match.error, SP::OK);
-    const auto turned_back = [](const Point_3& p, std::size_t k) { return rotation(turns[k]).inverse().transform(p); };
-    double sum = 0.;
-    for(const Vertex_index v : a.mesh.vertices())
-      sum += distance(on_tube(turned_back(match.directions[v], 1), 0.35, 1.),
-                      on_tube(turned_back(a.sphere[v], 0), 0.35, 1.));
-    const double area = CGAL::Polygon_mesh_processing::area(b.mesh);
-    return std::make_pair(match, 100. * sum / (static_cast<double>(a.mesh.number_of_vertices()) * std::sqrt(area)));
+    const double error = mean_over_vertices(a.mesh, [&](Vertex_index v) {
+      return distance(on_tube(rotation(turns[1]).inverse().transform(match.directions[v]), 0.35, 1.),
+                      on_tube(a.sphere[v], 0.35, 1.));
+    });
+    return std::make_pair(match, 100. * error / std::sqrt(CGAL::Polygon_mesh_processing::area(b.mesh)));
   };
   const auto [same, error] = map_from(1.);
   const Match mirrored = map_from(-1.).first;
@@ -270,66 +170,52 @@ TEST(Map_surface, tells_front_from_back_and_left_from_right_of_a_tube_that_bends
 // A sphere that another map of the same surface has bent: the descent straightens it.
 TEST(Map_surface, lowers_the_distortion_of_spheres_that_differ_by_more_than_a_rotation)
 {
-  Mapped_mesh a(icosphere(4), on_body, rotation(turns[0]));
-  Mapped_mesh b(octahedron_of(25), on_body, rotation(turns[0]));
+  Mapped_mesh a(icosphere(4), on_body), b(octahedron_of(25), on_body);
   const auto bent = [](const Point_3& p) {
     const double x = p.x() + 0.6 * p.y() * p.z(), y = p.y() - 0.4 * p.x() * p.x(), z = p.z() + 0.3 * p.x() * p.y();
     const double l = std::sqrt(x * x + y * y + z * z);
     return Point_3(x / l, y / l, z / l);
   };
-  double off = 0., left = 0.;
   for(const Vertex_index v : b.mesh.vertices())
     b.sphere[v] = bent(b.sphere[v]);
   const Match match = Match::make(a, b);
   ASSERT_EQ(match.error, SP::OK);
-  for(const Vertex_index v : a.mesh.vertices())
-  {
-    off += distance(a.sphere[v], bent(a.sphere[v]));
-    left += distance(match.directions[v], bent(a.sphere[v]));
-  }
-  EXPECT_LT(left, 0.3 * off);
+  const auto off = [&](Vertex_index v) { return distance(a.sphere[v], bent(a.sphere[v])); };
+  const auto left = [&](Vertex_index v) { return distance(match.directions[v], bent(a.sphere[v])); };
+  EXPECT_LT(mean_over_vertices(a.mesh, left), 0.3 * mean_over_vertices(a.mesh, off));
   EXPECT_LT(match.report.energy, 2.3);
 }
 
 TEST(Map_surface, meets_hard_landmarks_and_comes_nearer_to_soft_ones_of_more_weight)
 {
-  Mapped_mesh a(icosphere(3), as_it_is, rotation(turns[0]));
-  const Mapped_mesh b(octahedron_of(12), as_it_is, rotation(turns[1]));
-  Settings settings;
+  Mapped_mesh a(icosphere(3));
+  const Mapped_mesh b(octahedron_of(12), as_it_is, turns[1]);
+  Vertex_pairs landmarks;
   for(std::uint32_t k = 0; k < 6; ++k) // the corners of the octahedron, but some of them elsewhere
   {
     const Point_3& p = b.mesh.point(Vertex_index(k));
-    Vertex_index nearest(0);
-    for(const Vertex_index v : a.mesh.vertices())
-      if(distance(a.mesh.point(v), Point_3(p.x() + 0.3 * p.y(), p.y() - 0.2 * p.z(), p.z())) <
-         distance(a.mesh.point(nearest), Point_3(p.x() + 0.3 * p.y(), p.y() - 0.2 * p.z(), p.z())))
-        nearest = v;
-    settings.landmarks.emplace_back(nearest, Vertex_index(k));
+    const Point_3 moved(p.x() + 0.3 * p.y(), p.y() - 0.2 * p.z(), p.z());
+    landmarks.emplace_back(least_vertex(a.mesh, [&](Vertex_index v) { return distance(a.mesh.point(v), moved); }),
+                           Vertex_index(k));
   }
-  const Match hard = Match::make(a, b, settings);
+  const Match hard = Match::make(a, b, Mapper().landmarks(landmarks));
   ASSERT_EQ(hard.error, SP::OK);
   EXPECT_EQ(hard.report.number_of_missed_landmarks, 0u);
   EXPECT_EQ(hard.report.agreement, 0.);
-  ASSERT_EQ(hard.report.landmark_distances.size(), settings.landmarks.size());
-  for(std::size_t k = 0; k < settings.landmarks.size(); ++k)
-  {
-    EXPECT_EQ(hard.report.landmark_distances[k], 0.);
-    EXPECT_LT(distance(hard.directions[settings.landmarks[k].first], b.sphere[settings.landmarks[k].second]), 1e-15);
-  }
+  EXPECT_EQ(hard.report.landmark_distances, std::vector<double>(landmarks.size(), 0.));
+  for(const auto& [v, w] : landmarks)
+    EXPECT_LT(distance(hard.directions[v], b.sphere[w]), 1e-15);
   double last = 1., last_energy = 0.;
   for(const double weight : {0.01, 1., 100.})
   {
-    settings.landmark_weight = weight;
-    const Match soft = Match::make(a, b, settings);
-    ASSERT_EQ(soft.error, SP::OK);
-    EXPECT_EQ(soft.report.number_of_missed_landmarks, 0u);
-    double sum = 0.;
-    for(const double d : soft.report.landmark_distances)
-      sum += d;
+    const SP::Surface_map_report report =
+        Match::make(a, b, Mapper().landmarks(landmarks).landmark_weight(weight)).report;
+    EXPECT_EQ(report.number_of_missed_landmarks, 0u);
+    const double sum = std::accumulate(report.landmark_distances.begin(), report.landmark_distances.end(), 0.);
     EXPECT_LT(sum, last);
-    EXPECT_GT(soft.report.energy, last_energy);
+    EXPECT_GT(report.energy, last_energy);
     last = sum;
-    last_energy = soft.report.energy;
+    last_energy = report.energy;
   }
   EXPECT_GT(hard.report.energy, last_energy);
 }
@@ -338,38 +224,34 @@ TEST(Map_surface, meets_hard_landmarks_and_comes_nearer_to_soft_ones_of_more_wei
 TEST(Split_blocking_edges, meets_landmarks_that_straight_edges_keep_away)
 {
   const auto body = [](const Point_3& p) { return Point_3(p.x(), 1.3 * p.y(), 0.8 * p.z()); };
-  const Mapped_mesh b(octahedron_of(20), body, rotation(turns[0]));
+  const Mapped_mesh b(octahedron_of(20), body);
   std::size_t n_missed = 0, n_left = 0;
   Random random(7);
   for(int trial = 0; trial < 30; ++trial)
   {
-    Mapped_mesh a(octahedron_of(3), body, rotation(turns[0]));
+    Mapped_mesh a(octahedron_of(3), body);
     const double area = CGAL::to_double(CGAL::Polygon_mesh_processing::area(a.mesh));
-    Settings settings;
+    Vertex_pairs landmarks;
+    std::set<Vertex_index> taken;
     for(std::uint32_t k = 0; k < 14; ++k)
     {
       const Vertex_index v(2 * k + static_cast<std::uint32_t>(trial) % 2);
       const Point_3& p = a.sphere[v];
       const Point_3 goal(p.x() + random.between(-0.6, 0.6), p.y() + random.between(-0.6, 0.6),
                          p.z() + random.between(-0.6, 0.6));
-      Vertex_index nearest = *vertices(b.mesh).begin();
-      for(const Vertex_index w : vertices(b.mesh))
-      {
-        const bool is_taken = std::any_of(settings.landmarks.begin(), settings.landmarks.end(),
-                                          [&](const auto& landmark) { return landmark.second == w; });
-        if(!is_taken && distance(b.sphere[w], goal) < distance(b.sphere[nearest], goal))
-          nearest = w;
-      }
-      settings.landmarks.emplace_back(v, nearest);
+      landmarks.emplace_back(v, least_vertex(b.mesh, [&](Vertex_index w) {
+                               return taken.count(w) > 0 ? HUGE_VAL : distance(b.sphere[w], goal);
+                             }));
+      taken.insert(landmarks.back().second);
     }
-    const auto directions = a.mesh.add_property_map<Vertex_index, Point_3>("v:directions").first;
-    auto mapper = settings.mapper().keep_alignment(); // which features would mend
+    const Image_map directions = a.add_map();
+    auto mapper = Mapper().landmarks(landmarks).keep_alignment(); // which features would mend
     ASSERT_EQ(SP::map_surface(a.mesh, a.sphere, b.mesh, b.sphere, mapper, directions), SP::OK);
     n_missed += mapper.report().number_of_missed_landmarks;
     for(int round = 0; round < 5 && mapper.report().number_of_missed_landmarks > 0; ++round)
     {
       std::size_t n_split = 0;
-      ASSERT_EQ(SP::split_blocking_edges(a.mesh, a.sphere, directions, b.sphere, settings.landmarks, n_split), SP::OK);
+      ASSERT_EQ(SP::split_blocking_edges(a.mesh, a.sphere, directions, b.sphere, landmarks, n_split), SP::OK);
       if(n_split == 0)
         break;
       ASSERT_TRUE(CGAL::is_triangle_mesh(a.mesh) && CGAL::is_closed(a.mesh));
@@ -385,20 +267,22 @@ TEST(Split_blocking_edges, meets_landmarks_that_straight_edges_keep_away)
 
 TEST(Map_surface, stops_when_it_is_told_to)
 {
-  Mapped_mesh a(icosphere(3), as_it_is, rotation(turns[0]));
-  const Mapped_mesh b(octahedron_of(12), on_body, rotation(turns[1]));
+  Mapped_mesh a(icosphere(3));
+  const Mapped_mesh b(octahedron_of(12), on_body, turns[1]);
+  // soft landmarks, which make for more levels
+  const Mapper mapper = Mapper()
+                            .landmarks({{Vertex_index(0), Vertex_index(0)},
+                                        {Vertex_index(1), Vertex_index(1)},
+                                        {Vertex_index(2), Vertex_index(2)}})
+                            .landmark_weight(0.1);
   std::size_t n_calls = 0;
   const auto energy_after = [&](std::size_t n_sweeps) {
-    Settings settings;
-    for(std::uint32_t k = 0; k < 3; ++k) // which make for more levels
-      settings.landmarks.emplace_back(k, k);
-    settings.landmark_weight = 0.1;
     n_calls = 0;
-    settings.go_further = [&, thread = std::this_thread::get_id()] {
+    const auto go_further = [&, thread = std::this_thread::get_id()] {
       EXPECT_EQ(std::this_thread::get_id(), thread);
       return n_calls++ < n_sweeps;
     };
-    const Match match = Match::make(a, b, settings);
+    const Match match = Match::make(a, b, mapper, go_further);
     EXPECT_EQ(match.error, SP::OK); // and certified
     EXPECT_EQ(match.report.stop_reason == SP::STOPPED, n_calls > n_sweeps);
     return match.energy;
@@ -413,14 +297,11 @@ TEST(Map_surface, stops_when_it_is_told_to)
 
 TEST(Map_surface, keeps_a_time_limit)
 {
-  Mapped_mesh a(octahedron_of(30), as_it_is, rotation(turns[0]));
-  const Mapped_mesh b(octahedron_of(32), on_body, rotation(turns[1]));
-  Settings settings;
-  settings.max_seconds = 1e-9;
-  const Match match = Match::make(a, b, settings);
+  Mapped_mesh a(octahedron_of(30));
+  const Mapped_mesh b(octahedron_of(32), on_body, turns[1]);
+  const Match match = Match::make(a, b, {}, nullptr, 1e-9), whole = Match::make(a, b);
   EXPECT_EQ(match.error, SP::OK); // and certified
   EXPECT_EQ(match.report.stop_reason, SP::TIME_LIMIT);
-  const Match whole = Match::make(a, b);
   EXPECT_EQ(whole.report.stop_reason, SP::CONVERGED);
   EXPECT_LT(whole.energy, match.energy);
   EXPECT_LT(match.report.number_of_sweeps, whole.report.number_of_sweeps);
@@ -429,8 +310,8 @@ TEST(Map_surface, keeps_a_time_limit)
 // What concerns the start comes between its two events, levels and the overlay follow.
 TEST(Map_surface, tells_the_visitor_of_its_parts)
 {
-  Mapped_mesh a(icosphere(3), as_it_is, rotation(turns[0]));
-  const Mapped_mesh b(octahedron_of(12), on_body, rotation(turns[1]));
+  Mapped_mesh a(icosphere(3));
+  const Mapped_mesh b(octahedron_of(12), on_body, turns[1]);
   struct Visitor : SP::Default_visitor
   {
     std::vector<std::string> events;
@@ -444,9 +325,9 @@ TEST(Map_surface, tells_the_visitor_of_its_parts)
     }
     void on_optimization_end() { events.push_back("optimization end"); }
   } visitor;
-  const Image_map images = a.mesh.add_property_map<Vertex_index, Point_3>("v:images").first;
-  ASSERT_EQ(SP::map_surface(a.mesh, a.sphere, b.mesh, b.sphere, images, CGAL::parameters::visitor(std::ref(visitor))),
-            SP::OK);
+  ASSERT_EQ(
+      SP::map_surface(a.mesh, a.sphere, b.mesh, b.sphere, a.add_map(), CGAL::parameters::visitor(std::ref(visitor))),
+      SP::OK);
   EXPECT_EQ(visitor.events, (std::vector<std::string>{"begin 642", "end", "optimization end"}));
   ASSERT_FALSE(visitor.levels.empty());
   EXPECT_EQ(visitor.levels.back(), 642u);
@@ -456,9 +337,8 @@ TEST(Map_surface, tells_the_visitor_of_its_parts)
 TEST(Split_blocking_edges, takes_spheres_of_any_size)
 {
   const auto number_of_split_edges = [](double scale) {
-    Mapped_mesh a(octahedron_of(3), as_it_is, rotation(turns[0]));
-    Mapped_mesh b(octahedron_of(3), as_it_is, rotation(turns[0]));
-    std::vector<std::pair<Vertex_index, Vertex_index>> landmarks;
+    Mapped_mesh a(octahedron_of(3)), b(octahedron_of(3));
+    Vertex_pairs landmarks;
     for(std::uint32_t k = 0; k < 6; ++k)
       landmarks.emplace_back(k, (7 * k + 11) % 38);
     for(const Vertex_index v : b.mesh.vertices())
@@ -476,23 +356,24 @@ TEST(Split_blocking_edges, takes_spheres_of_any_size)
 
 TEST(Split_blocking_edges, refuses_what_is_no_surface)
 {
-  Mapped_mesh a(octahedron_of(1), as_it_is, rotation(turns[0]));
-  const Mapped_mesh b(octahedron_of(1), as_it_is, rotation(turns[0]));
+  Mapped_mesh a(octahedron_of(1));
+  const Mapped_mesh b(octahedron_of(1));
   CGAL::Euler::remove_face(halfedge(*faces(a.mesh).begin(), a.mesh), a.mesh);
-  const std::vector<std::pair<Vertex_index, Vertex_index>> landmarks = {{Vertex_index(0), Vertex_index(1)}};
   std::size_t n = 7;
-  EXPECT_EQ(SP::split_blocking_edges(a.mesh, a.sphere, a.sphere, b.sphere, landmarks, n), SP::ERROR_NON_CLOSED_MESH);
+  EXPECT_EQ(SP::split_blocking_edges(a.mesh, a.sphere, a.sphere, b.sphere,
+                                     Vertex_pairs{{Vertex_index(0), Vertex_index(1)}}, n),
+            SP::ERROR_NON_CLOSED_MESH);
 }
 
 // The surface stays the same set of points, each edge is told, and the map goes on from where it is.
 TEST(Split_bent_faces, lowers_the_energy)
 {
-  Mapped_mesh a(icosphere(3), as_it_is, rotation(turns[0]));
-  const Mapped_mesh b(octahedron_of(30), on_body, rotation(turns[1]));
+  Mapped_mesh a(icosphere(3));
+  const Mapped_mesh b(octahedron_of(30), on_body, turns[1]);
   const double area = CGAL::to_double(CGAL::Polygon_mesh_processing::area(a.mesh));
   const std::size_t n_vertices = a.mesh.number_of_vertices(), n_faces = a.mesh.number_of_faces();
-  const Image_map directions = a.mesh.add_property_map<Vertex_index, Point_3>("v:directions").first;
-  auto mapper = SP::Surface_mapper_3<Mesh>();
+  const Image_map directions = a.add_map();
+  Mapper mapper;
   ASSERT_EQ(SP::map_surface(a.mesh, a.sphere, b.mesh, b.sphere, mapper, directions), SP::OK);
   const double before = mapper.report().energy;
 
@@ -528,8 +409,8 @@ TEST(Split_bent_faces, lowers_the_energy)
 
 TEST(Split_bent_faces, leaves_what_is_no_map_or_needs_nothing)
 {
-  Mapped_mesh a(icosphere(1), as_it_is, rotation(turns[0]));
-  const Mapped_mesh b(icosphere(1), as_it_is, rotation(turns[0]));
+  Mapped_mesh a(icosphere(1));
+  const Mapped_mesh b(icosphere(1));
   std::vector<SP::Split_edge<Mesh>> split(1);
   const std::size_t n = a.mesh.number_of_vertices();
   EXPECT_EQ(SP::split_bent_faces(a.mesh, a.sphere, b.mesh, b.sphere, 0, split), SP::OK);
@@ -541,45 +422,22 @@ TEST(Split_bent_faces, leaves_what_is_no_map_or_needs_nothing)
   EXPECT_EQ(a.mesh.number_of_vertices(), n);
 }
 
-TEST(Map_surface, tells_of_landmarks_that_cannot_be_met)
-{
-  Mapped_mesh a(icosphere(1), as_it_is, rotation(turns[0]));
-  const Mapped_mesh b(icosphere(1), as_it_is, rotation(turns[0]));
-  Settings settings; // the corners of two faces, one of them turned over
-  const auto f = *faces(a.mesh).begin();
-  std::vector<Vertex_index> corners;
-  for(const Vertex_index v : CGAL::vertices_around_face(a.mesh.halfedge(f), a.mesh))
-    corners.push_back(v);
-  settings.landmarks = {{corners[0], corners[1]}, {corners[1], corners[0]}, {corners[2], corners[2]}};
-  const Match match = Match::make(a, b, settings);
-  ASSERT_EQ(match.error, SP::OK); // and certified
-  EXPECT_GT(match.report.number_of_missed_landmarks, 0u);
-  EXPECT_GT(*std::max_element(match.report.landmark_distances.begin(), match.report.landmark_distances.end()), 0.01);
-
-  settings.landmarks = {{corners[0], corners[1]}}; // which leaves the rotation to features
-  const Match one = Match::make(a, b, settings);
-  ASSERT_EQ(one.error, SP::OK);
-  EXPECT_EQ(one.report.number_of_missed_landmarks, 0u);
-  EXPECT_LT(distance(one.directions[corners[0]], b.sphere[corners[1]]), 1e-15);
-}
-
 // All vertices but two neighbours can stay where they are, and these cannot change places.
 TEST(Map_surface, tells_how_far_two_neighbours_are_from_each_others_places)
 {
-  Mapped_mesh a(icosphere(2), on_body, rotation(turns[0]));
-  const Vertex_index v(0), w = a.mesh.target(a.mesh.halfedge(v)) == v ? a.mesh.source(a.mesh.halfedge(v))
-                                                                      : a.mesh.target(a.mesh.halfedge(v));
-  Settings settings;
+  Mapped_mesh a(icosphere(2), on_body);
+  const Mesh::Halfedge_index h = *a.mesh.halfedges().begin();
+  const Vertex_index v = a.mesh.source(h), w = a.mesh.target(h);
+  Vertex_pairs landmarks;
   for(const Vertex_index u : a.mesh.vertices())
-    settings.landmarks.emplace_back(u, u == v ? w : u == w ? v : u);
-  const Match match = Match::make(a, a, settings);
+    landmarks.emplace_back(u, u == v ? w : u == w ? v : u);
+  const Match match = Match::make(a, a, Mapper().landmarks(landmarks));
   ASSERT_EQ(match.error, SP::OK);
   EXPECT_GE(match.report.number_of_missed_landmarks, 1u);
   std::size_t n_missed = 0;
-  for(std::size_t k = 0; k < settings.landmarks.size(); ++k)
+  for(std::size_t k = 0; k < landmarks.size(); ++k)
   {
-    const auto [from, to] = settings.landmarks[k];
-    const bool is_missed = distance(match.directions[from], a.sphere[to]) > 1e-12;
+    const bool is_missed = distance(match.directions[landmarks[k].first], a.sphere[landmarks[k].second]) > 1e-12;
     EXPECT_EQ(match.report.landmark_distances[k] > 0., is_missed) << k;
     n_missed += is_missed;
   }
@@ -588,13 +446,13 @@ TEST(Map_surface, tells_how_far_two_neighbours_are_from_each_others_places)
 
 TEST(Map_surface, permutes_the_corners_of_a_tetrahedron_where_orientation_allows_it)
 {
-  Mapped_mesh a(tetrahedron(), as_it_is, rotation(turns[0]));
-  const Mapped_mesh b(scaled(tetrahedron(), 1., 1., 3.), as_it_is, rotation(turns[0]));
+  Mapped_mesh a(tetrahedron());
+  const Mapped_mesh b(scaled(tetrahedron(), 1., 1., 3.));
   const auto n_missed = [&](const std::array<std::uint32_t, 4>& corners) {
-    Settings settings;
+    Vertex_pairs landmarks;
     for(std::uint32_t k = 0; k < 4; ++k)
-      settings.landmarks.emplace_back(Vertex_index(k), Vertex_index(corners[k]));
-    const Match match = Match::make(a, b, settings);
+      landmarks.emplace_back(Vertex_index(k), Vertex_index(corners[k]));
+    const Match match = Match::make(a, b, Mapper().landmarks(landmarks));
     EXPECT_EQ(match.error, SP::OK);
     return match.report.number_of_missed_landmarks;
   };
@@ -604,57 +462,46 @@ TEST(Map_surface, permutes_the_corners_of_a_tetrahedron_where_orientation_allows
   EXPECT_GT(n_missed({1, 0, 2, 3}), 0u); // the mirror image
 }
 
-TEST(Map_surface, with_landmarks_does_not_depend_on_threads)
-{
-  Mapped_mesh a(icosphere(3), on_body, rotation(turns[0]));
-  const Mapped_mesh b(octahedron_of(12), on_body, rotation(turns[1]));
-  Settings settings;
-  for(const std::uint32_t k : {0u, 1u, 2u})
-    settings.landmarks.emplace_back(Vertex_index(37 * k), Vertex_index(k));
-  for(const double weight : {0., 5.})
-  {
-    if(weight > 0.)
-      settings.landmark_weight = weight;
-    EXPECT_EQ(Match::make(a, b, settings, CGAL::Sequential_tag()).directions,
-              Match::make(a, b, settings, CGAL::Parallel_if_available_tag()).directions);
-  }
-}
-
+// With hard landmarks: test_surfaces_threads.
 TEST(Map_surface, depends_neither_on_threads_nor_on_the_unit)
 {
-  const auto map_onto = [](double scale, auto tag) {
-    Mapped_mesh a(icosphere(3), on_body, rotation(turns[0]));
-    const Mapped_mesh b(
-        octahedron_of(12),
-        [&](const Point_3& p) {
-          const Point_3 q = on_body(p);
-          return Point_3(scale * q.x(), scale * (q.y() + 0.2 * q.x() * q.x()), scale * q.z());
-        },
-        rotation(turns[1]));
-    return Match::make(a, b, {}, tag).directions;
-  };
-  const std::vector<Point_3> expected = map_onto(1., CGAL::Parallel_if_available_tag());
-  EXPECT_EQ(map_onto(1., CGAL::Sequential_tag()), expected);
-  EXPECT_EQ(map_onto(0x1p-500, CGAL::Sequential_tag()), expected);
+  const Mapper by_landmarks = Mapper()
+                                  .landmarks({{Vertex_index(0), Vertex_index(0)},
+                                              {Vertex_index(37), Vertex_index(1)},
+                                              {Vertex_index(74), Vertex_index(2)}})
+                                  .landmark_weight(5.);
+  for(const Mapper& mapper : {Mapper(), by_landmarks})
+  {
+    const auto map_onto = [&](double scale, auto tag) {
+      Mapped_mesh a(icosphere(3), on_body);
+      const auto body = [&](const Point_3& p) {
+        const Point_3 q = on_body(p);
+        return Point_3(scale * q.x(), scale * (q.y() + 0.2 * q.x() * q.x()), scale * q.z());
+      };
+      return Match::make(a, Mapped_mesh(octahedron_of(12), body, turns[1]), mapper, nullptr, 0., tag).directions;
+    };
+    const std::vector<Point_3> expected = map_onto(1., CGAL::Parallel_if_available_tag());
+    EXPECT_EQ(map_onto(1., CGAL::Sequential_tag()), expected);
+    EXPECT_EQ(map_onto(0x1p-500, CGAL::Sequential_tag()), expected);
+  }
 }
 
 TEST(Map_surface, maps_the_smallest_the_flattest_and_those_without_any_area)
 {
   const auto map_onto = [](const Triangle_list& first, double height, const Triangle_list& second,
                            double other_height) {
-    const auto flat = [](double z) { return [z](const Point_3& p) { return Point_3(p.x(), p.y(), z * p.z()); }; };
-    Mapped_mesh a(first, flat(height), rotation(turns[0]));
-    const Mapped_mesh b(second, flat(other_height), rotation(turns[1]));
+    Mapped_mesh a(first);
+    Mapped_mesh b(second, as_it_is, turns[1]);
+    for(const auto& [m, z] : {std::pair(&a, height), std::pair(&b, other_height)})
+      for(Point_3& p : m->mesh.points())
+        p = Point_3(p.x(), p.y(), z * p.z());
     EXPECT_EQ(Match::make(a, b).error, SP::OK);
   };
   map_onto(tetrahedron(), 1., octahedron_of(1), 1.);
   map_onto(octahedron_of(5), 1e-9, tetrahedron(), 1.);
   map_onto(icosphere(1), 1., octahedron_of(5), 0.);
-  Mapped_mesh a(
-      icosphere(1), [](const Point_3&) { return Point_3(1., 2., 3.); }, rotation(turns[0]));
-  const Mapped_mesh b(icosphere(2), as_it_is, rotation(turns[0]));
-  Mapped_mesh c(icosphere(2), as_it_is, rotation(turns[0]));
-  for(const Match& match : {Match::make(a, b), Match::make(c, a)})
+  Mapped_mesh point(icosphere(1), [](const Point_3&) { return Point_3(1., 2., 3.); }), sphere(icosphere(2));
+  for(const Match& match : {Match::make(point, sphere), Match::make(sphere, point)})
   {
     EXPECT_EQ(match.error, SP::OK);
     EXPECT_EQ(match.report.energy, std::numeric_limits<double>::infinity()); // and not less than that of a copy
@@ -668,14 +515,13 @@ TEST(Map_surface, maps_needles_and_slivers)
     return Point_3(300. * q.x(), q.y(), q.z());
   };
   const Triangle_list slivers = with_slivers(icosphere(1), 5, 1e-9);
-  Mapped_mesh a(slivers, as_needle, rotation(turns[0]));
-  const Mapped_mesh b(octahedron_of(8), as_needle, rotation(turns[1])), c(slivers, as_it_is, rotation(turns[1]));
+  Mapped_mesh a(slivers, as_needle), d(slivers, on_body);
+  const Mapped_mesh b(octahedron_of(8), as_needle, turns[1]), c(slivers, as_it_is, turns[1]);
   EXPECT_EQ(Match::make(a, b).error, SP::OK);
-  Settings settings; // the second one is the end of a short edge
-  settings.landmarks = {{Vertex_index(5), Vertex_index(5)}, {Vertex_index(45), Vertex_index(45)}};
-  EXPECT_EQ(Match::make(a, c, settings).error, SP::OK);
-  Mapped_mesh d(slivers, on_body, rotation(turns[0]));
-  const Match match = Match::make(d, c, settings);
+  const Mapper mapper = // the second one is the end of a short edge
+      Mapper().landmarks({{Vertex_index(5), Vertex_index(5)}, {Vertex_index(45), Vertex_index(45)}});
+  EXPECT_EQ(Match::make(a, c, mapper).error, SP::OK);
+  const Match match = Match::make(d, c, mapper);
   EXPECT_EQ(match.error, SP::OK);
   EXPECT_EQ(match.report.number_of_missed_landmarks, 0u);
 }
@@ -689,19 +535,18 @@ TEST(Map_surface, takes_images_at_any_distance_from_the_origin)
       m.sphere[v] = Point_3(s * m.sphere[v].x(), s * m.sphere[v].y(), s * m.sphere[v].z());
     }
   };
-  Mapped_mesh a(icosphere(1), on_body, rotation(turns[0])), b(icosphere(1), on_body, rotation(turns[1]));
-  Settings settings;
-  settings.landmarks = {{Vertex_index(0), Vertex_index(5)}, {Vertex_index(5), Vertex_index(0)}};
-  const std::vector<Point_3> without = Match::make(a, b).directions, with = Match::make(a, b, settings).directions;
+  Mapped_mesh a(icosphere(1), on_body), b(icosphere(1), on_body, turns[1]);
+  const Mapper mapper = Mapper().landmarks({{Vertex_index(0), Vertex_index(5)}, {Vertex_index(5), Vertex_index(0)}});
+  const std::vector<Point_3> without = Match::make(a, b).directions, with = Match::make(a, b, mapper).directions;
   scale(a, [] { return -800; });
   scale(b, [] { return 800; });
   EXPECT_EQ(Match::make(a, b).directions, without);
-  EXPECT_EQ(Match::make(a, b, settings).directions, with);
+  EXPECT_EQ(Match::make(a, b, mapper).directions, with);
   // How far each image is along its ray says how a face is spread out, so that the result is another one.
   Random random(1);
   scale(a, [&] { return random.integer(780, 820); });
   scale(b, [&] { return random.integer(-820, -780); });
-  EXPECT_EQ(Match::make(a, b, settings).error, SP::OK);
+  EXPECT_EQ(Match::make(a, b, mapper).error, SP::OK);
 }
 
 // Handles of vertices that are no numbers, and numbers of single precision in both surfaces and in all maps.
@@ -738,57 +583,30 @@ TEST(Map_surface, takes_other_types_of_meshes_and_numbers)
 // Landmarks keep the rotation; the features want it otherwise in between.
 TEST(Map_surface, brings_features_nearer_by_more_weight)
 {
-  Mapped_mesh a(icosphere(3), as_it_is, rotation(turns[0]));
-  const Mapped_mesh b(octahedron_of(12), as_it_is, rotation(turns[0]));
-  Settings settings;
-  settings.landmarks = {{Vertex_index(0), Vertex_index(0)}, {Vertex_index(1), Vertex_index(1)}};
-  for(auto& [v, w] : settings.landmarks) // where they are
-    for(const Vertex_index u : b.mesh.vertices())
-      if(distance(b.mesh.point(u), a.mesh.point(v)) < distance(b.mesh.point(w), a.mesh.point(v)))
-        w = u;
+  Mapped_mesh a(icosphere(3));
+  const Mapped_mesh b(octahedron_of(12));
+  Vertex_pairs landmarks;
+  for(const Vertex_index v : {Vertex_index(0), Vertex_index(1)}) // where they are
+    landmarks.emplace_back(
+        v, least_vertex(b.mesh, [&](Vertex_index w) { return distance(b.mesh.point(w), a.mesh.point(v)); }));
   const auto second = [](const Point_3& p) { return p.z() + 0.3 * p.x() * p.y(); };
-  settings.features.emplace_back([&a](Vertex_index v) { return a.mesh.point(v).z(); },
-                                 [&](Vertex_index w) { return second(b.mesh.point(w)); });
+  const Mapper mapper = Mapper().landmarks(landmarks).features(
+      {{[&](Vertex_index v) { return a.mesh.point(v).z(); }, [&](Vertex_index w) { return second(b.mesh.point(w)); }}});
   double last = 1., last_energy = 0.;
   for(const double weight : {0., 1., 10.})
   {
-    settings.feature_weight = weight;
-    const Match match = Match::make(a, b, settings);
+    const Match match = Match::make(a, b, mapper.feature_weight(weight));
     ASSERT_EQ(match.error, SP::OK);
     EXPECT_EQ(match.report.number_of_missed_landmarks, 0u);
-    double sum = 0.; // The second surface is its sphere.
-    for(const Vertex_index v : a.mesh.vertices())
-      sum += std::abs(second(match.directions[v]) - a.mesh.point(v).z());
-    EXPECT_LT(sum, last * a.mesh.number_of_vertices());
+    const double error = mean_over_vertices(a.mesh, [&](Vertex_index v) { // The second surface is its sphere.
+      return std::abs(second(match.directions[v]) - a.mesh.point(v).z());
+    });
+    EXPECT_LT(error, last);
     EXPECT_GT(match.report.energy, last_energy);
-    last = sum / a.mesh.number_of_vertices();
+    last = error;
     last_energy = match.report.energy;
   }
   EXPECT_LT(last, 0.03); // from 0.06; the spheres have vertices 0.1 apart
-}
-
-TEST(Map_surface, writes_over_the_sphere_and_follows_features_of_the_caller)
-{
-  // The features are where the points are; the surfaces are spheres, which have none.
-  Mapped_mesh a(icosphere(3), as_it_is, rotation(turns[0]));
-  const Mapped_mesh b(octahedron_of(15), as_it_is, rotation(turns[3]));
-  Settings settings;
-  for(int k = 0; k < 2; ++k)
-    settings.features.emplace_back(
-        [&a, k](Vertex_index v) {
-          const Point_3& p = a.mesh.point(v);
-          return std::exp(p[k] + 0.3 * p[0] * p[2]);
-        },
-        [&b, k](Vertex_index v) {
-          const Point_3& p = b.mesh.point(v);
-          return std::exp(p[k] + 0.3 * p[0] * p[2]);
-        });
-  const auto spheres = a.sphere;
-  ASSERT_EQ(SP::map_surface(a.mesh, a.sphere, b.mesh, b.sphere, settings.mapper(), spheres), SP::OK);
-  double sum = 0.;
-  for(const Vertex_index v : a.mesh.vertices())
-    sum += distance(a.sphere[v], rotation(turns[3]).transform(a.mesh.point(v)));
-  EXPECT_LT(sum / a.mesh.number_of_vertices(), 0.1);
 }
 
 // Surfaces that are round: all that tells places apart are features, functions of the points.
@@ -797,21 +615,29 @@ class Round_surfaces
 public:
   using Function = std::function<double(const Point_3&)>;
 
-  Mapped_mesh a{icosphere(3), as_it_is, rotation(turns[0])}, b{octahedron_of(15), as_it_is, rotation(turns[3])};
-  Settings settings;
+  Mapped_mesh a{icosphere(3)}, b{octahedron_of(15), as_it_is, turns[3]};
+  Mapper mapper;
 
   void add(const Function& on_a, const Function& on_b)
   {
-    settings.features.emplace_back([this, on_a](Vertex_index v) { return on_a(a.mesh.point(v)); },
-                                   [this, on_b](Vertex_index v) { return on_b(b.mesh.point(v)); });
+    m_features.emplace_back([this, on_a](Vertex_index v) { return on_a(a.mesh.point(v)); },
+                            [this, on_b](Vertex_index v) { return on_b(b.mesh.point(v)); });
+    mapper = mapper.features(m_features);
   }
 
   void add(const Function& function) { add(function, function); }
 
+  // The vertices of either surface that count.
+  void set_mask(const std::function<bool(const Point_3&)>& counts)
+  {
+    mapper = mapper.masks({[this, counts](Vertex_index v) { return counts(a.mesh.point(v)); },
+                           [this, counts](Vertex_index v) { return counts(b.mesh.point(v)); }});
+  }
+
   // How far places are in the mean from where they should be.
   double error(const std::function<bool(const Point_3&)>& counts = [](const Point_3&) { return true; })
   {
-    const Match match = Match::make(a, b, settings);
+    const Match match = Match::make(a, b, mapper);
     EXPECT_EQ(match.error, SP::OK);
     double sum = 0.;
     std::size_t n = 0;
@@ -823,6 +649,9 @@ public:
       }
     return sum / static_cast<double>(n);
   }
+
+private:
+  std::vector<Mapper::Feature> m_features;
 };
 
 double first_wave(const Point_3& p)
@@ -840,10 +669,21 @@ TEST(Map_surface, weighs_features_against_each_other)
   surfaces.add(first_wave);
   surfaces.add(second_wave);
   surfaces.add([](const Point_3& p) { return p.x(); }, [](const Point_3& p) { return -p.z(); }); // which is wrong
-  surfaces.settings.feature_weights = {1., 1., 0.};
+  surfaces.mapper = surfaces.mapper.feature_weights({1., 1., 0.});
   EXPECT_LT(surfaces.error(), 0.1);
-  surfaces.settings.feature_weights = {0., 0., 3.};
+  surfaces.mapper = surfaces.mapper.feature_weights({0., 0., 3.});
   EXPECT_GT(surfaces.error(), 0.5);
+}
+
+TEST(Map_surface, may_write_over_the_sphere)
+{
+  Round_surfaces surfaces;
+  surfaces.add(first_wave);
+  surfaces.add(second_wave);
+  Mapped_mesh &a = surfaces.a, &b = surfaces.b;
+  const std::vector<Point_3> expected = Match::make(a, b, surfaces.mapper).directions;
+  ASSERT_EQ(SP::map_surface(a.mesh, a.sphere, b.mesh, b.sphere, surfaces.mapper, a.sphere), SP::OK);
+  EXPECT_EQ(std::vector<Point_3>(a.sphere.begin(), a.sphere.end()), expected);
 }
 
 // Ranks do not see that a scale is another one; values do, and outliers as well.
@@ -853,15 +693,15 @@ TEST(Map_surface, compares_values_or_ranks)
   Round_surfaces surfaces;
   surfaces.add(first_wave, [](const Point_3& p) { return std::exp(3. * first_wave(p)); }); // of another scale
   surfaces.add(second_wave, [](const Point_3& p) { return std::exp(3. * second_wave(p)); });
-  EXPECT_LT(surfaces.error(), 0.1);
   const double by_ranks = surfaces.error();
-  surfaces.settings.compares_values = true;
+  EXPECT_LT(by_ranks, 0.1);
+  surfaces.mapper = surfaces.mapper.compare_values();
   EXPECT_GT(surfaces.error(), 2. * by_ranks);
 
   Round_surfaces same;
   same.add([&](const Point_3& p) { return first_wave(p) + 10. * step(p.z() - 0.5); });
   same.add(second_wave);
-  same.settings.compares_values = true;
+  same.mapper = same.mapper.compare_values();
   EXPECT_LT(same.error(), 0.1);
 }
 
@@ -872,139 +712,60 @@ TEST(Map_surface, leaves_out_where_surfaces_do_not_count)
   const auto spoilt = [&](double (*f)(const Point_3&), double sign) {
     return [=](const Point_3& p) { return counts(p) ? f(p) : 2. + sign * std::cos(9. * p.x() * p.y()); };
   };
-  const auto spoil = [&](Round_surfaces& surfaces) {
-    surfaces.add(spoilt(first_wave, 1.), spoilt(first_wave, -1.));
-    surfaces.add(spoilt(second_wave, 1.), spoilt(second_wave, -1.));
-  };
-  Round_surfaces with, without;
-  spoil(with);
-  spoil(without);
-  with.settings.masks = {[&](Vertex_index v) { return counts(with.a.mesh.point(v)); },
-                         [&](Vertex_index v) { return counts(with.b.mesh.point(v)); }};
-  const double error = with.error(counts);
+  Round_surfaces surfaces;
+  surfaces.add(spoilt(first_wave, 1.), spoilt(first_wave, -1.));
+  surfaces.add(spoilt(second_wave, 1.), spoilt(second_wave, -1.));
+  const double without_mask = surfaces.error(counts);
+  surfaces.set_mask(counts);
+  const double error = surfaces.error(counts);
   EXPECT_LT(error, 0.1);
-  EXPECT_GT(without.error(counts), 1.2 * error);
+  EXPECT_GT(without_mask, 1.2 * error);
+  surfaces.set_mask([](const Point_3&) { return false; }); // which leaves nothing
+  EXPECT_EQ(Match::make(surfaces.a, surfaces.b, surfaces.mapper).error, SP::ERROR_WRONG_PARAMETER);
 
   // As values they are compared as well, whatever stands for none there.
   Round_surfaces sentinel;
   for(double (*f)(const Point_3&) : {first_wave, second_wave})
     sentinel.add([&, f](const Point_3& p) { return counts(p) ? f(p) : -1e30; });
-  sentinel.settings.compares_values = true;
-  sentinel.settings.masks = {[&](Vertex_index v) { return counts(sentinel.a.mesh.point(v)); },
-                             [&](Vertex_index v) { return counts(sentinel.b.mesh.point(v)); }};
+  sentinel.mapper = sentinel.mapper.compare_values();
+  sentinel.set_mask(counts);
   EXPECT_LT(sentinel.error(counts), 0.1);
-  with.settings.masks.first = [](Vertex_index) { return false; }; // which leaves nothing
-  EXPECT_EQ(Match::make(with.a, with.b, with.settings).error, SP::ERROR_WRONG_PARAMETER);
 }
 
 TEST(Map_surface, tells_what_is_wrong)
 {
-  Mapped_mesh a(icosphere(1), as_it_is, rotation(turns[0]));
-  Mapped_mesh b(icosphere(1), as_it_is, rotation(turns[0]));
-  const Vertex_index v(0), w(1);
-  const auto error = [&](const Settings& settings) { return Match::make(a, b, settings).error; };
-  Settings settings;
-  settings.landmarks = {{v, v}, {v, w}};
-  EXPECT_EQ(error(settings), SP::ERROR_INVALID_LANDMARK);
-  settings.landmarks = {{v, v}, {w, v}};
-  EXPECT_EQ(error(settings), SP::ERROR_INVALID_LANDMARK);
-  settings.landmarks = {{v, Vertex_index(1000)}};
-  EXPECT_EQ(error(settings), SP::ERROR_INVALID_LANDMARK);
-  settings.landmarks = {{a.mesh.add_vertex(), v}};
-  EXPECT_EQ(error(settings), SP::ERROR_INVALID_LANDMARK);
-  settings.landmarks = {{v, v}};
-  for(const double weight :
-      {0., -1., std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN()})
-  {
-    settings.landmark_weight = weight;
-    EXPECT_EQ(error(settings), SP::ERROR_WRONG_PARAMETER);
-  }
-  settings = {};
-  for(const double weight : {-1., std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN()})
-  {
-    settings = {};
-    settings.feature_weight = weight;
-    EXPECT_EQ(error(settings), SP::ERROR_WRONG_PARAMETER);
-  }
-  settings = {};
-  settings.features.emplace_back([](Vertex_index) { return 1.; }, [](Vertex_index) { return 1.; });
-  for(const std::vector<double>& weights : {std::vector<double>{0.}, {-1.}, {1., 1.}, {std::nan("")}})
-  {
-    settings.feature_weights = weights;
-    EXPECT_EQ(error(settings), SP::ERROR_WRONG_PARAMETER);
-  }
-  settings = {};
-  settings.features.emplace_back([](Vertex_index) { return 1.; },
-                                 [](Vertex_index) { return std::numeric_limits<double>::quiet_NaN(); });
-  EXPECT_EQ(error(settings), SP::ERROR_WRONG_PARAMETER);
-  settings = {};
-  const Point_3 image = b.sphere[v], point = b.mesh.point(v);
-  b.sphere[v] = Point_3(-image.x(), -image.y(), -image.z());
-  EXPECT_EQ(error(settings), SP::ERROR_NO_1_TO_1_MAPPING);
-  b.sphere[v] = image;
-  b.mesh.point(v) = Point_3(std::numeric_limits<double>::infinity(), 0., 0.);
-  EXPECT_EQ(error(settings), SP::ERROR_NON_FINITE_COORDINATE);
-  b.mesh.point(v) = point;
-  CGAL::Euler::remove_face(halfedge(*faces(b.mesh).begin(), b.mesh), b.mesh);
-  EXPECT_EQ(error(settings), SP::ERROR_NON_CLOSED_MESH);
-}
+  Mapped_mesh a(icosphere(1)), b(icosphere(1));
+  const Vertex_index v(0), w(1), isolated = a.mesh.add_vertex();
+  const double infinity = std::numeric_limits<double>::infinity(), nan = std::nan("");
+  const auto expect = [&](SP::Error_code error, const Mapper& mapper) {
+    EXPECT_EQ(Match::make(a, b, mapper).error, error);
+  };
+  for(const Vertex_pairs& landmarks :
+      {Vertex_pairs{{v, v}, {v, w}}, {{v, v}, {w, v}}, {{v, Vertex_index(1000)}}, {{isolated, v}}})
+    expect(SP::ERROR_INVALID_LANDMARK, Mapper().landmarks(landmarks));
+  for(const double weight : {0., -1., infinity, nan})
+    expect(SP::ERROR_WRONG_PARAMETER, Mapper().landmarks({{v, v}}).landmark_weight(weight));
+  expect(SP::OK, Mapper().landmark_weight(1.)); // of no landmark
+  for(const double weight : {-1., infinity, nan})
+    expect(SP::ERROR_WRONG_PARAMETER, Mapper().feature_weight(weight));
+  const auto constants = [](double first, double second) -> std::vector<Mapper::Feature> {
+    return {{[=](Vertex_index) { return first; }, [=](Vertex_index) { return second; }}};
+  };
+  for(const std::vector<double>& weights : {std::vector<double>{0.}, {-1.}, {1., 1.}, {nan}})
+    expect(SP::ERROR_WRONG_PARAMETER, Mapper().features(constants(1., 1.)).feature_weights(weights));
+  expect(SP::ERROR_WRONG_PARAMETER, Mapper().features(constants(1., nan)));
+  expect(SP::ERROR_WRONG_PARAMETER, Mapper().features(constants(infinity, 1.)));
+  for_each_broken_surface([&](Mapped_mesh& broken, SP::Error_code error) {
+    EXPECT_EQ(Match::make(a, broken).error, error);
+    EXPECT_EQ(Match::make(broken, b).error, error);
+  });
 
-TEST(Map_surface, tells_what_is_wrong_with_the_first_surface)
-{
-  Mapped_mesh a(icosphere(1), as_it_is, rotation(turns[0]));
-  const Mapped_mesh b(icosphere(1), as_it_is, rotation(turns[0]));
-  const Vertex_index v(0);
-  Settings settings;
-  settings.landmark_weight = 1.; // of no landmark
-  EXPECT_EQ(Match::make(a, b, settings).error, SP::OK);
-  settings = {};
-  settings.features.emplace_back([](Vertex_index) { return std::numeric_limits<double>::infinity(); },
-                                 [](Vertex_index) { return 1.; });
-  EXPECT_EQ(Match::make(a, b, settings).error, SP::ERROR_WRONG_PARAMETER);
-  settings.features[0].first = [](Vertex_index) -> double { throw std::runtime_error("feature"); };
-  const Point_3 image = a.sphere[v], point = a.mesh.point(v);
-  const auto sphere = a.sphere;
-  EXPECT_THROW((void)SP::map_surface(a.mesh, a.sphere, b.mesh, b.sphere, settings.mapper(), sphere),
-               std::runtime_error);
-  for(const Vertex_index u : a.mesh.vertices())
-    EXPECT_EQ(a.sphere[u], b.sphere[u]);
-  a.sphere[v] = Point_3(-image.x(), -image.y(), -image.z());
-  EXPECT_EQ(Match::make(a, b).error, SP::ERROR_NO_1_TO_1_MAPPING);
-  a.sphere[v] = image;
-  a.mesh.point(v) = Point_3(0., 0., std::numeric_limits<double>::quiet_NaN());
-  EXPECT_EQ(Match::make(a, b).error, SP::ERROR_NON_FINITE_COORDINATE);
-  a.mesh.point(v) = point;
-  CGAL::Euler::remove_face(halfedge(*faces(a.mesh).begin(), a.mesh), a.mesh);
-  EXPECT_EQ(Match::make(a, b).error, SP::ERROR_NON_CLOSED_MESH);
-}
-
-SP::internal::Sphere_mesh located(const Mapped_mesh& m, std::vector<Vector_3d>& points)
-{
-  std::vector<Point_3> images;
-  std::vector<std::array<std::uint32_t, 3>> triangles;
-  for(const Vertex_index v : m.mesh.vertices())
-  {
-    images.push_back(m.sphere[v]);
-    points.push_back({m.mesh.point(v).x(), m.mesh.point(v).y(), m.mesh.point(v).z()});
-  }
-  for(const auto f : m.mesh.faces())
-  {
-    triangles.emplace_back();
-    std::size_t i = 0;
-    for(const Vertex_index v : CGAL::vertices_around_face(m.mesh.halfedge(f), m.mesh))
-      triangles.back()[i++] = v;
-  }
-  SP::internal::Sphere_mesh result;
-  result.assign(images, SP::internal::link_triangles(triangles, images.size()));
-  result.make_grid();
-  return result;
-}
-
-SP::internal::Surface indexed(const SP::internal::Sphere_mesh& images, const std::vector<Vector_3d>& points)
-{
-  SP::internal::Surface mesh;
-  EXPECT_EQ(mesh.assign(points, images.triangles()), SP::OK);
-  return mesh;
+  const auto throwing = [](Vertex_index) -> double { throw std::runtime_error("feature"); };
+  EXPECT_THROW(
+      (void)SP::map_surface(b.mesh, b.sphere, b.mesh, b.sphere, Mapper().features({{throwing, throwing}}), b.sphere),
+      std::runtime_error);
+  for(const Vertex_index u : b.mesh.vertices())
+    EXPECT_EQ(b.sphere[u], b.mesh.point(u));
 }
 
 // The squared length of a vector on a surface, in a direction of its sphere.
@@ -1019,10 +780,8 @@ double squared_length_on(const SP::internal::Target_metric& metric, const Vector
 // On a sphere that is mapped to itself, lengths and areas are what they are.
 TEST(Target_metric, of_a_sphere_is_that_of_its_tangent_planes)
 {
-  const Mapped_mesh sphere(icosphere(5), as_it_is, rotation(turns[0]));
-  std::vector<Vector_3d> points;
-  const auto images = located(sphere, points);
-  const SP::internal::Target_metric metric(images, points, {});
+  const Located_mesh sphere(Mapped_mesh(icosphere(5)));
+  const SP::internal::Target_metric metric(sphere.sphere, sphere.points, {});
   Random random(1);
   for(int k = 0; k < 100; ++k)
   {
@@ -1044,14 +803,15 @@ TEST(Target_metric, of_a_sphere_is_that_of_its_tangent_planes)
 TEST(Target_metric, sees_the_lengths_of_images)
 {
   using namespace SP::internal;
-  Mapped_mesh surface(octahedron_of(1), as_it_is, rotation(turns[0]));
+  Mapped_mesh surface(octahedron_of(1));
   const Vertex_index far_vertex(0);
-  const Point_3 image = surface.sphere[far_vertex];
-  surface.sphere[far_vertex] = Point_3(4. * image.x(), 4. * image.y(), 4. * image.z());
-  std::vector<Vector_3d> points;
-  const auto images = located(surface, points);
-  const Target_metric metric(images, points, {});
-  const double scale = std::sqrt(4. * pi / (4. * std::sqrt(3.))); // to the area of the unit sphere
+  surface.sphere[far_vertex] = CGAL::ORIGIN + 4. * (surface.sphere[far_vertex] - CGAL::ORIGIN);
+  const Located_mesh located(surface);
+  const Sphere_mesh& images = located.sphere;
+  const Target_metric metric(images, located.points, {});
+  const Coordinates& corner = located.points[0];
+  const double scale =
+      std::sqrt(4. * pi / (4. * std::sqrt(3.) * dot(corner, corner))); // to the area of the unit sphere
   for(const auto& t : images.triangles())
   {
     const Vector_3d p = normalized(images.direction(t[0]) + images.direction(t[1]) + images.direction(t[2]));
@@ -1059,7 +819,7 @@ TEST(Target_metric, sees_the_lengths_of_images)
     const auto place = [&](double x) {
       const Vector_3d q = p + x * frame.vector_of(0.6, 0.8);
       Sphere_mesh::Hint hint;
-      return interpolated(points, images.triangles(), images.locate(Point_3(q[0], q[1], q[2]), hint));
+      return interpolated(located.points, images.triangles(), images.locate(Point_3(q[0], q[1], q[2]), hint));
     };
     constexpr double h = 1e-4;
     const double stretch = scale * length(place(h) - place(-h)) / (2. * h);
@@ -1068,42 +828,12 @@ TEST(Target_metric, sees_the_lengths_of_images)
   }
 }
 
-// The stars of all vertices of a surface, as the engine lays them out.
-SP::internal::Star_packets stars_of(const SP::internal::Surface& mesh)
+// The stars of all vertices of a surface, in one set.
+SP::internal::Star_packets all_stars_of(const SP::internal::Surface& mesh)
 {
-  struct Star
-  {
-    const SP::internal::Surface& mesh;
-    std::uint32_t v;
-
-    std::size_t size() const { return mesh.rings().degree(v); }
-    std::uint32_t neighbor(std::size_t j) const { return mesh.rings().ring(v)[j]; }
-    SP::internal::Rest_triangle rest(std::size_t j) const
-    {
-      const auto ring = mesh.rings().ring(v);
-      return SP::internal::Rest_triangle::from_points(mesh.points()[v], mesh.points()[ring[j]],
-                                                      mesh.points()[ring.around(j + 1)]);
-    }
-    bool is_at_sliver(std::size_t) const { return false; }
-  };
   std::vector<std::uint32_t> vertices(mesh.number_of_vertices());
   std::iota(vertices.begin(), vertices.end(), 0);
-  SP::internal::Star_packets result;
-  result.assign(
-      vertices, {0, vertices.size()}, [&](std::uint32_t v) { return mesh.rings().degree(v); }, false);
-  for(std::size_t k = 0; k < result.number_of_packets(); ++k)
-    result.fill(k, [&](std::uint32_t v) { return Star{mesh, v}; });
-  return result;
-}
-
-// The images of the vertices, in the order of the surface.
-template <class Triangulation>
-std::vector<Vector_3d> directions_in(const SP::internal::Surface& mesh, const Triangulation& images)
-{
-  std::vector<Vector_3d> result;
-  for(const Point_3& p : mesh.in_own_order(images.points()))
-    result.push_back(SP::internal::normalized(Vector_3d{p.x(), p.y(), p.z()}));
-  return result;
+  return stars_of(mesh, vertices, {0, vertices.size()});
 }
 
 // Features of a sphere.
@@ -1122,19 +852,16 @@ SP::internal::Sphere_image features_of(const SP::internal::Sphere_mesh& images)
 // The gradient is the derivative of the value, wherever the metric has one.
 TEST(Target_star, has_the_gradient_of_its_value)
 {
-  const Mapped_mesh target(octahedron_of(20), on_body, rotation(turns[1])),
-      source(icosphere(2), on_body, rotation(turns[2]));
-  std::vector<Vector_3d> points, source_points;
-  const auto images = located(target, points), source_images = located(source, source_points);
-  const SP::internal::Target_metric metric(images, points, {});
-  const SP::internal::Surface mesh = indexed(source_images, source_points);
-  const std::vector<Vector_3d> positions = directions_in(mesh, source_images);
+  const Located_mesh target(Mapped_mesh(octahedron_of(20), on_body, turns[1])),
+      source(Mapped_mesh(icosphere(2), on_body, turns[2]));
+  const SP::internal::Target_metric metric(target.sphere, target.points, {});
+  const std::vector<Vector_3d> positions = source.positions();
   SP::internal::Target_star star(metric);
   const std::size_t level = metric.level_for(200);
   const Vector_3d goal = SP::internal::normalized(Vector_3d{1., 2., 3.});
-  const SP::internal::Sphere_image features = features_of(images);
+  const SP::internal::Sphere_image features = features_of(target.sphere);
   const std::array<double, 4> feature_values = {0.2, -0.3, 0., 0.}; // a row of the image
-  const SP::internal::Star_packets stars = stars_of(mesh);
+  const SP::internal::Star_packets stars = all_stars_of(source.mesh);
   std::size_t n_right = 0;
   for(std::size_t v = 0; v < stars.number_of_places(); ++v)
   {
@@ -1158,21 +885,15 @@ TEST(Target_star, has_the_gradient_of_its_value)
 // out, is that of the value.
 TEST(Target_star, has_positive_curvature_where_the_metric_is_nearly_constant)
 {
-  const Mapped_mesh sphere(icosphere(4), as_it_is, rotation(turns[0]));
-  std::vector<Vector_3d> points;
-  const auto images = located(sphere, points);
-  const SP::internal::Target_metric metric(images, points, {});
-  const SP::internal::Surface mesh = indexed(images, points);
-  std::vector<Vector_3d> positions = mesh.points();
+  const Located_mesh sphere(Mapped_mesh(icosphere(4)));
+  const SP::internal::Target_metric metric(sphere.sphere, sphere.points, {});
+  std::vector<Vector_3d> positions = sphere.positions();
   Random random(2);
   for(Vector_3d& p : positions)
-    for(double& x : p)
-      x += random.between(-0.005, 0.005);
-  for(Vector_3d& p : positions)
-    p = SP::internal::normalized(p);
+    p = SP::internal::normalized(combination(1., p, 0.005, random.in_cube()));
   SP::internal::Target_star star(metric);
   const std::size_t level = metric.level_for(positions.size());
-  const SP::internal::Star_packets stars = stars_of(mesh);
+  const SP::internal::Star_packets stars = all_stars_of(sphere.mesh);
   for(std::size_t v = 0; v < stars.number_of_places(); ++v)
   {
     star.load(stars.star(v), positions.data(), level);
@@ -1194,18 +915,15 @@ TEST(Target_star, is_the_same_beside_others)
 {
   using Lanes = SP::internal::Lanes<SP::internal::Four_lanes>;
   using FT = SP::internal::Four_lanes;
-  const Mapped_mesh target(octahedron_of(20), on_body, rotation(turns[1])),
-      source(octahedron_of(4), on_body, rotation(turns[2])); // of degrees 4 and 6
-  std::vector<Vector_3d> points, source_points;
-  const auto images = located(target, points), source_images = located(source, source_points);
-  const SP::internal::Target_metric metric(images, points, {});
-  const SP::internal::Surface mesh = indexed(source_images, source_points);
-  const std::vector<Vector_3d> positions = directions_in(mesh, source_images);
-  const SP::internal::Sphere_image features = features_of(images);
+  const Located_mesh target(Mapped_mesh(octahedron_of(20), on_body, turns[1])),
+      source(Mapped_mesh(octahedron_of(4), on_body, turns[2])); // of degrees 4 and 6
+  const SP::internal::Target_metric metric(target.sphere, target.points, {});
+  const std::vector<Vector_3d> positions = source.positions();
+  const SP::internal::Sphere_image features = features_of(target.sphere);
   const std::array<std::array<double, 4>, 2> values = {{{0.2, -0.3, 0., 0.}, {-0.1, 0.4, 0., 0.}}};
   const Vector_3d goal = SP::internal::normalized(Vector_3d{1., 2., 3.});
   const auto weight = [](std::size_t k, std::size_t modulus) { return k % modulus == 0 ? 3. : 0.; };
-  const SP::internal::Star_packets stars = stars_of(mesh);
+  const SP::internal::Star_packets stars = all_stars_of(source.mesh);
   const std::size_t level = metric.level_for(200);
   SP::internal::Target_star<FT> together(metric);
   SP::internal::Target_star<double> alone(metric);
@@ -1240,7 +958,7 @@ TEST(Target_star, is_the_same_beside_others)
         ++n_compared;
       }
     }
-  EXPECT_GE(n_compared, mesh.number_of_vertices());
+  EXPECT_GE(n_compared, source.mesh.number_of_vertices());
 }
 
 TEST(Hierarchy_on_the_sphere, keeps_all_faces_positive_and_all_fixed_vertices)
@@ -1248,16 +966,14 @@ TEST(Hierarchy_on_the_sphere, keeps_all_faces_positive_and_all_fixed_vertices)
   Random random(3);
   for(int k = 0; k < 10; ++k)
   {
-    const Mapped_mesh source(icosphere(3), on_body, rotation(turns[0]));
-    std::vector<Vector_3d> points;
-    const auto images = located(source, points);
-    const SP::internal::Surface mesh = indexed(images, points);
-    std::vector<Vector_3d> positions;
+    const Located_mesh source(Mapped_mesh(icosphere(3), on_body));
+    const SP::internal::Surface& mesh = source.mesh;
+    std::vector<Vector_3d> positions = source.positions();
     std::vector<char> is_fixed;
-    for(const Point_3& p : mesh.in_own_order(images.points()))
+    for(Vector_3d& p : positions)
     {
       // A linear map turns no face over.
-      positions.push_back(SP::internal::normalized(Vector_3d{(1. + k) * p.x(), p.y() + 0.5 * p.x(), p.z()}));
+      p = SP::internal::normalized(Vector_3d{(1. + k) * p[0], p[1] + 0.5 * p[0], p[2]});
       is_fixed.push_back(random.between(0., 1.) < 0.02);
     }
     Recording_control control;

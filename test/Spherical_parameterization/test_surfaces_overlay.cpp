@@ -3,35 +3,13 @@
 
 #include "Counting_kernel.h"
 #include "judge.h"
-#include "methods.h"
-#include "random_meshes.h"
 #include "recording_control.h"
 #include "surfaces.h"
 
-#include <CGAL/Exact_rational.h>
-#include <CGAL/Spherical_parameterization/Sampling/Sphere_domain_3.h>
 #include <CGAL/Spherical_parameterization/Surface_maps/internal/measure_map.h>
 #include <CGAL/Spherical_parameterization/Surface_maps/internal/overlay/Edge_traces.h>
 #include <CGAL/Spherical_parameterization/Surface_maps/internal/overlay/Perturbed_orientation.h>
 #include <CGAL/Spherical_parameterization/Surface_maps/internal/overlay/Sphere_overlay.h>
-#include <CGAL/Spherical_parameterization/internal/numbers/Vector_3.h>
-#include <CGAL/Spherical_parameterization/internal/surface/Linked_triangle.h>
-#include <CGAL/Spherical_parameterization/Surface_maps/measure_distortion_between.h>
-#include <CGAL/Spherical_parameterization/Surface_maps/overlay.h>
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <cstdint>
-#include <limits>
-#include <map>
-#include <set>
-#include <string>
-#include <utility>
-#include <vector>
 
 using namespace test;
 
@@ -306,28 +284,19 @@ TEST(Overlay, that_is_too_large_is_refused)
   EXPECT_EQ(large.assign(small, small, control, {}), SP::ERROR_TOO_LARGE_OVERLAY);
   EXPECT_EQ(fitting.assign(small, small, control, {}), SP::OK);
 
-  const Triangle_list list = octahedron();
-  const Mesh mesh = make(list);
-  const Point_map sphere(mesh, list.points);
+  Mapped_mesh mesh(octahedron());
   Overlay result;
   const auto with_bound = [&](std::size_t bound) {
-    return SP::overlay(mesh, sphere, mesh, sphere, result, CGAL::parameters::maximum_number(bound));
+    return SP::overlay(mesh.mesh, mesh.sphere, mesh.mesh, mesh.sphere, result, CGAL::parameters::maximum_number(bound));
   };
   EXPECT_EQ(with_bound(n - 1), SP::ERROR_TOO_LARGE_OVERLAY);
   EXPECT_TRUE(result.triangles.empty());
   EXPECT_EQ(with_bound(n), SP::OK);
   EXPECT_EQ(result.points.size(), n);
-}
-
-// Two hubs would fill the memory: 20,000 vertices have 200 million crossings.
-TEST(Overlay, of_hubs_is_refused_before_memory_is_taken)
-{
-  const Triangle_list list = suspension(20000);
-  const Mesh mesh = make(list);
-  const Point_map sphere(mesh, list.points);
-  Overlay result;
-  EXPECT_EQ(SP::overlay(mesh, sphere, mesh, sphere, result), SP::ERROR_TOO_LARGE_OVERLAY);
-  EXPECT_TRUE(result.triangles.empty());
+  // Two hubs would fill the memory: 20,000 vertices have 200 million crossings.
+  const Mapped_mesh hubs(suspension(20000));
+  EXPECT_EQ(SP::overlay(hubs.mesh, hubs.sphere, hubs.mesh, hubs.sphere, result), SP::ERROR_TOO_LARGE_OVERLAY);
+  EXPECT_EQ(result.points.size(), n);
 }
 
 TEST(Overlay, may_be_stopped_at_any_question)
@@ -349,14 +318,15 @@ TEST(Overlay, may_be_stopped_at_any_question)
 TEST(Overlay, keeps_a_time_limit_and_its_result_then)
 {
   const Triangle_list list = icosphere(2);
-  const Mesh mesh = make(list);
-  const Point_map sphere(mesh, list.points);
-  Overlay overlay = overlay_of(mesh, list, mesh, tilted(list));
+  const Mapped_mesh m(list);
+  const auto overlay_within = [&](double seconds, Overlay& overlay) {
+    return SP::overlay(m.mesh, m.sphere, m.mesh, m.sphere, overlay, CGAL::parameters::maximum_running_time(seconds));
+  };
+  Overlay overlay = overlay_of(m.mesh, list, m.mesh, tilted(list));
   const std::size_t n = overlay.triangles.size();
-  EXPECT_EQ(SP::overlay(mesh, sphere, mesh, sphere, overlay, CGAL::parameters::maximum_running_time(1e-9)),
-            SP::ERROR_STOPPED);
+  EXPECT_EQ(overlay_within(1e-9, overlay), SP::ERROR_STOPPED);
   EXPECT_EQ(overlay.triangles.size(), n);
-  EXPECT_EQ(SP::overlay(mesh, sphere, mesh, sphere, overlay, CGAL::parameters::maximum_running_time(1e9)), SP::OK);
+  EXPECT_EQ(overlay_within(1e9, overlay), SP::OK);
 }
 
 TEST(Overlay, does_not_depend_on_the_length_of_directions)
@@ -377,18 +347,12 @@ TEST(Overlay, does_not_depend_on_the_length_of_directions)
 
 TEST(Overlay, of_what_is_no_bijection_is_refused)
 {
-  Triangle_list folded = icosphere(1);
-  std::swap(folded.points[0], folded.points[1]);
-  const Mesh good = make(icosphere(1)), bad = make(folded), torus_mesh = make(torus(5, 5));
+  const Mapped_mesh good(icosphere(1));
   Overlay overlay;
-  EXPECT_EQ(SP::overlay(good, good.points(), bad, bad.points(), overlay), SP::ERROR_NO_1_TO_1_MAPPING);
-  EXPECT_EQ(SP::overlay(bad, bad.points(), good, good.points(), overlay), SP::ERROR_NO_1_TO_1_MAPPING);
-  EXPECT_EQ(SP::overlay(good, good.points(), torus_mesh, torus_mesh.points(), overlay),
-            SP::ERROR_NO_TOPOLOGICAL_SPHERE);
-  Mesh infinite = good;
-  infinite.point(Mesh::Vertex_index(3)) = Point_3(0., std::numeric_limits<double>::infinity(), 0.);
-  EXPECT_EQ(SP::overlay(good, good.points(), infinite, Point_map(infinite, icosphere(1).points), overlay),
-            SP::ERROR_NON_FINITE_COORDINATE);
+  for_each_broken_surface([&](const Mapped_mesh& broken, SP::Error_code error) {
+    EXPECT_EQ(SP::overlay(good.mesh, good.sphere, broken.mesh, broken.sphere, overlay), error);
+    EXPECT_EQ(SP::overlay(broken.mesh, broken.sphere, good.mesh, good.sphere, overlay), error);
+  });
   EXPECT_TRUE(overlay.points.empty());
 }
 
@@ -443,14 +407,8 @@ TEST(Distortion_between, nothing_is_refused)
 // One surface, stretched: all triangles have the same distortion, as the mesh is mapped by one affinity.
 TEST(Distortion_between, affine_images_is_that_of_the_affinity)
 {
-  const Triangle_list list = octahedron();
-  Mesh flat1 = make(list), flat2 = make(list);
-  for(const auto v : flat1.vertices()) // faces on two sides of the plane z = 0, all of the same area
-  {
-    const Coordinates p = list.points[v];
-    flat1.point(v) = Point_3(p[0], p[1], 0.);
-    flat2.point(v) = Point_3(2. * p[0], 0.5 * p[1], 0.);
-  }
+  const Triangle_list list = octahedron(); // faces on two sides of the plane z = 0, all of the same area
+  const Mesh flat1 = make(scaled(list, 1., 1., 0.)), flat2 = make(scaled(list, 2., 0.5, 0.));
   const SP::Distortion_between distortion = distortion_of(overlay_of(flat1, list, flat2, list));
   EXPECT_NEAR(distortion.isometric.maximum, 2., 1e-12);
   EXPECT_NEAR(distortion.area.average_over_first, 2., 1e-12);
@@ -461,17 +419,11 @@ TEST(Distortion_between, affine_images_is_that_of_the_affinity)
 
 double sampled_energy(const Mesh& mesh1, const Triangle_list& list1, const Mesh& mesh2, const Triangle_list& list2)
 {
-  const auto vectors = [](const Mesh& mesh) {
-    std::vector<SP::internal::Vector_3d> result;
-    for(const auto& p : points(mesh))
-      result.push_back({p[0], p[1], p[2]});
-    return result;
-  };
   const auto sphere1 = triangulation_of<Kernel>(list1);
   auto sphere2 = triangulation_of<Kernel>(list2);
   sphere2.make_grid();
   Recording_control control;
-  return SP::internal::mean_energy_over_first(sphere1, vectors(mesh1), sphere2, vectors(mesh2), control, {});
+  return SP::internal::mean_energy_over_first(sphere1, points(mesh1), sphere2, points(mesh2), control, {});
 }
 
 // Samples of a map find its energy: exactly where it is affine, and elsewhere near to that on the common refinement, whose
@@ -479,13 +431,8 @@ double sampled_energy(const Mesh& mesh1, const Triangle_list& list1, const Mesh&
 TEST(Distortion_between, is_found_by_samples)
 {
   const Triangle_list list = octahedron();
-  Mesh flat1 = make(list), flat2 = make(list);
-  for(const auto v : flat1.vertices())
-  {
-    const Coordinates p = list.points[v];
-    flat1.point(v) = Point_3(p[0], p[1], 0.);
-    flat2.point(v) = Point_3(6. * p[0], 1.5 * p[1], 0.); // three times the size, which does not count
-  }
+  const Mesh flat1 = make(scaled(list, 1., 1., 0.)),
+             flat2 = make(scaled(list, 6., 1.5, 0.)); // three times the size, which does not count
   EXPECT_NEAR(sampled_energy(flat1, list, flat2, list), 4.25, 1e-12);
 
   for(const double angle : {0., 0.4, 2.})

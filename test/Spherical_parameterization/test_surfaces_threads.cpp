@@ -1,36 +1,17 @@
 // What is found between two surfaces is the same sequentially and in parallel, and in calls at the same time for the same
 // const meshes. scripts/test_sanitizers.sh runs this file under the sanitizer of threads.
 
-#include "methods.h"
-#include "random_meshes.h"
 #include "surfaces.h"
-
-#include <CGAL/Spherical_parameterization/Sphere_locator_3.h>
-#include <CGAL/Spherical_parameterization/Surface_maps/map_surface.h>
-#include <CGAL/Spherical_parameterization/Sampling/measure_distance.h>
-#include <CGAL/Spherical_parameterization/Surface_maps/overlay.h>
-#include <CGAL/Spherical_parameterization/Sampling/remesh_through_sphere.h>
-#include <CGAL/Spherical_parameterization/Sampling/transfer.h>
-
-#include <gtest/gtest.h>
-
-#include <cstddef>
-#include <iterator>
-#include <thread>
-#include <utility>
-#include <vector>
 
 using namespace test;
 
 namespace {
 
-using Direction_map = Mesh::Property_map<Vertex_index, Point_3>;
-
 // Two surfaces, one of them so large that loops over it are cut into many blocks.
 struct Two_surfaces
 {
-  Mapped_mesh large{icosphere(4), on_body, rotation(turns[0])};
-  Mapped_mesh small{octahedron_of(12), on_body, rotation(turns[1])};
+  Mapped_mesh large{icosphere(4), on_body};
+  Mapped_mesh small{octahedron_of(12), on_body, turns[1]};
 };
 
 // All that is found between the two.
@@ -42,7 +23,7 @@ struct Findings
     Findings result;
     const auto& [large, small] = surfaces;
 
-    using Locator = SP::Sphere_locator_3<Mesh, Direction_map, ConcurrencyTag>;
+    using Locator = SP::Sphere_locator_3<Mesh, Image_map, ConcurrencyTag>;
     const std::vector<Point_3> directions = SP::Sphere_domain_3::octahedron(40).directions();
     std::vector<typename Locator::Face_location> locations;
     EXPECT_EQ(Locator(small.mesh, small.sphere).locate(directions, std::back_inserter(locations)), SP::OK);
@@ -60,7 +41,7 @@ struct Findings
       result.points.insert(result.points.end(), places.begin(), places.end());
 
     Mesh remesh;
-    const Direction_map sphere = remesh.add_property_map<Vertex_index, Point_3>("v:sphere").first;
+    const Image_map sphere = remesh.add_property_map<Vertex_index, Point_3>("v:sphere").first;
     EXPECT_EQ(SP::remesh_through_sphere<ConcurrencyTag>(large.mesh, large.sphere, SP::Sphere_domain_3::octahedron(24),
                                                         remesh, sphere),
               SP::OK);
@@ -80,17 +61,14 @@ struct Findings
     result.numbers.insert(result.numbers.end(), heights_of_target.begin(), heights_of_target.end());
 
     Mesh mapped = small.mesh;
-    for(const std::size_t n_landmarks : {0u, 3u})
+    const Mapper by_landmarks = Mapper().landmarks(
+        {{Vertex_index(0), Vertex_index(0)}, {Vertex_index(37), Vertex_index(1)}, {Vertex_index(74), Vertex_index(2)}});
+    for(const Mapper& mapper : {Mapper(), by_landmarks})
     {
-      SP::Surface_mapper_3<Mesh> mapper;
-      std::vector<SP::Surface_mapper_3<Mesh>::Landmark> landmarks;
-      for(std::size_t k = 0; k < n_landmarks; ++k)
-        landmarks.emplace_back(Vertex_index(static_cast<Mesh::size_type>(37 * k)),
-                               Vertex_index(static_cast<Mesh::size_type>(k)));
-      mapper = mapper.landmarks(landmarks);
-      const Direction_map images = mapped.add_property_map<Vertex_index, Point_3>("v:images").first;
-      EXPECT_EQ(SP::map_surface<ConcurrencyTag>(small.mesh, small.sphere, large.mesh, large.sphere, mapper, images),
-                SP::OK);
+      const Image_map images = mapped.add_property_map<Vertex_index, Point_3>("v:images").first;
+      EXPECT_EQ(
+          SP::map_surface<ConcurrencyTag>(small.mesh, small.sphere, large.mesh, large.sphere, Mapper(mapper), images),
+          SP::OK);
       result.points.insert(result.points.end(), images.begin(), images.end());
     }
     return result;

@@ -12,6 +12,7 @@
 
 #include <boost/property_map/property_map.hpp>
 
+#include <cmath>
 #include <cstddef>
 #include <map>
 
@@ -90,15 +91,16 @@ class Sphere_radius_policy : public Copy_constructible
 public:
   using Copy_constructible::Copy_constructible;
 
-  double initial_radius(double equal_area_radius) const { return equal_area_radius; }
+  double initial_radius(double equal_area_radius) const { return 2. * equal_area_radius; }
 
+  // such that the average of the ratios of the areas is 1
   template <class Energy>
   double operator()(const Energy& energy, const SP::Face_range_3& faces, double radius)
   {
     double sum = 0.;
     for(const SP::Face_invariants_3& face : faces)
-      sum += energy(face.i, face.d) > 0. ? face.d : 0.;
-    return sum > 0. ? radius * static_cast<double>(faces.size()) / sum : radius;
+      sum += energy(face.i, face.d) > 0. ? face.flat_d : 0.;
+    return radius * std::sqrt(static_cast<double>(faces.size()) / sum);
   }
 };
 

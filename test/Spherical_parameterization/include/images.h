@@ -50,36 +50,34 @@ inline double area(const Coordinates& a, const Coordinates& b, const Coordinates
   return 0.5 * norm(cross(difference(b, a), difference(c, a)));
 }
 
+inline Images scaled(Images images, double factor)
+{
+  for(Coordinates& p : images)
+    p = {factor * p[0], factor * p[1], factor * p[2]};
+  return images;
+}
+
+inline Images directions_of(Images points)
+{
+  for(Coordinates& p : points)
+    p = test_meshes::normalized(p);
+  return points;
+}
+
 // Rings of n points around a direction, each nearer to it by the factor `ratio` than the one before, m of them, with its opposite on
 // the other side: a map of a tube. The direction is that of no axis, next to which floats are dense.
 inline Triangle_list tube(std::size_t n, std::size_t m, double ratio, double radius)
 {
   const Coordinates u = test_meshes::normalized({0.6, -0.5, 0.8}), s = test_meshes::normalized(cross(u, {1., 0., 0.})),
                     t = cross(u, s);
-  Triangle_list result;
-  for(std::size_t k = 0; k < m; ++k)
-    for(std::size_t i = 0; i < n; ++i)
-    {
-      const double angle = 2. * std::atan(2. * std::pow(ratio, static_cast<double>(k))),
-                   turn = 2. * pi * (static_cast<double>(i) + 0.5 * static_cast<double>(k)) / static_cast<double>(n);
-      const Coordinates side = combination(std::cos(turn), s, std::sin(turn), t);
-      result.points.push_back(combination(radius * std::cos(angle), u, radius * std::sin(angle), side));
-    }
-  const std::size_t first = n * m, last = first + 1;
-  result.points.push_back(combination(-radius, u, 0., u));
-  result.points.push_back(combination(radius, u, 0., u));
-  for(std::size_t i = 0; i < n; ++i)
-  {
-    const std::size_t j = (i + 1) % n;
-    result.triangles.push_back({first, j, i});
-    result.triangles.push_back({last, n * (m - 1) + i, n * (m - 1) + j});
-    for(std::size_t k = 0; k + 1 < m; ++k)
-    {
-      result.triangles.push_back({n * k + i, n * k + j, n * (k + 1) + i});
-      result.triangles.push_back({n * k + j, n * (k + 1) + j, n * (k + 1) + i});
-    }
-  }
-  return result;
+  return surface_of_rings(
+      scaled({u}, -radius)[0], m, n,
+      [&](std::size_t k, double turn) {
+        const double angle = 2. * std::atan(2. * std::pow(ratio, static_cast<double>(k)));
+        const Coordinates side = combination(std::cos(turn), s, std::sin(turn), t);
+        return combination(radius * std::cos(angle), u, radius * std::sin(angle), side);
+      },
+      scaled({u}, radius)[0]);
 }
 
 // The images of all vertices in the order of the mesh.
@@ -117,13 +115,6 @@ auto make_sentinel_map(const Mesh& mesh)
 inline bool have_same_bits(const Images& a, const Images& b)
 {
   return a.size() == b.size() && (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(Coordinates)) == 0);
-}
-
-inline Images scaled(Images images, double factor)
-{
-  for(Coordinates& p : images)
-    p = {factor * p[0], factor * p[1], factor * p[2]};
-  return images;
 }
 
 // The largest distance between the images of a vertex under two maps.

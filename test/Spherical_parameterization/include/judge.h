@@ -63,6 +63,18 @@ inline std::vector<std::vector<Triangle>> stars(const std::vector<Triangle>& tri
   return result;
 }
 
+// The neighbours of the vertex whose star this is, counterclockwise.
+inline std::vector<std::size_t> ring(const std::vector<Triangle>& faces)
+{
+  std::map<std::size_t, std::size_t> successor;
+  for(const Triangle& t : faces)
+    successor[t[1]] = t[2];
+  std::vector<std::size_t> result = {successor.begin()->first};
+  while(result.size() < successor.size())
+    result.push_back(successor[result.back()]);
+  return result;
+}
+
 template <class Number>
 bool is_positive(const std::vector<Image<Number>>& images, const Triangle& t)
 {

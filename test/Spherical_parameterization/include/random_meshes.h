@@ -232,15 +232,9 @@ inline void grow_low_degree(Growing_triangulation& t, std::size_t n, Random& ran
   }
 }
 
-inline void grow_hub(Growing_triangulation& t, std::size_t n, Random& random)
-{
-  while(t.size() < n)
-    t.split(t.random_corner_at(0, random), 0);
-}
-
 inline void grow_hubs(Growing_triangulation& t, std::size_t n, Random& random)
 {
-  const std::size_t n_hubs = 2 + random.below(5);
+  const std::size_t n_hubs = 1 + random.below(6);
   grow_split(t, (std::min)(n, n_hubs + 4), random);
   while(t.size() < n)
     t.split(t.random_corner_at(random.below(n_hubs), random), 0);
@@ -270,12 +264,11 @@ inline void flip_edges(Growing_triangulation& t, std::size_t n_flips, Random& ra
 inline void grow_mixture(Growing_triangulation& t, std::size_t n, Random& random)
 {
   using Grow = void (*)(Growing_triangulation&, std::size_t, Random&);
-  static constexpr Grow ways[] = {grow_stacked,    grow_nested, grow_tube, grow_split,
-                                  grow_low_degree, grow_hub,    grow_hubs};
+  static constexpr Grow ways[] = {grow_stacked, grow_nested, grow_tube, grow_split, grow_low_degree, grow_hubs};
   while(t.size() < n)
   {
     const std::size_t step = 1 + random.below(30);
-    ways[random.below(7)](t, (std::min)(n, t.size() + step), random);
+    ways[random.below(6)](t, (std::min)(n, t.size() + step), random);
     if(random.one_in(4))
       flip_edges(t, random.below(2 * t.size()), random);
   }
@@ -293,16 +286,15 @@ inline void grow_flipped(Growing_triangulation& t, std::size_t n, Random& random
   flip_edges(t, 5 * n, random);
 }
 
-constexpr std::array<Connectivity, 10> connectivities = {{{"stacked", grow_stacked}, // each new vertex in a random face
-                                                          {"nested", grow_nested},   // next to the last one
-                                                          {"tube", grow_tube},       // triangles within triangles
-                                                          {"flipped", grow_flipped}, // random edges flipped
-                                                          {"split", grow_split},     // random vertices split in two
-                                                          {"low degree", grow_low_degree}, // many of degree 3 and 4
-                                                          {"hub", grow_hub},               // one joined to all others
-                                                          {"hubs", grow_hubs}, // a few joined to most others
-                                                          {"double wheel", grow_double_wheel}, // two joined to all
-                                                          {"mixture", grow_mixture}}};         // a bit of each
+constexpr std::array<Connectivity, 9> connectivities = {{{"stacked", grow_stacked}, // each vertex in a random face
+                                                         {"nested", grow_nested},   // next to the last one
+                                                         {"tube", grow_tube},       // triangles within triangles
+                                                         {"flipped", grow_flipped}, // random edges flipped
+                                                         {"split", grow_split},     // random vertices split in two
+                                                         {"low degree", grow_low_degree}, // many of degree 3 and 4
+                                                         {"hubs", grow_hubs}, // one or a few joined to most others
+                                                         {"double wheel", grow_double_wheel}, // two joined to all
+                                                         {"mixture", grow_mixture}}};         // a bit of each
 
 // Moves the vertices of a random sphere to the means of their neighbours, again and again.
 inline Images smoothed_sphere(std::size_t n, const std::vector<Triangle>& triangles, Random& random)
@@ -310,26 +302,19 @@ inline Images smoothed_sphere(std::size_t n, const std::vector<Triangle>& triang
   Images points(n);
   for(Coordinates& p : points)
     p = random.direction();
-  const std::size_t n_steps = random.below(20);
-  for(std::size_t i = 0; i < n_steps; ++i)
+  for(std::size_t n_steps = random.below(20); n_steps > 0; --n_steps)
   {
-    Images sums(n, Coordinates{0., 0., 0.});
+    Images sums = points;
     Coordinates center = {0., 0., 0.};
     for(const Triangle& t : triangles)
       for(std::size_t k = 0; k < 3; ++k)
-        sums[t[k]] =
-            combination(1., sums[t[k]], 1., combination(1., points[t[(k + 1) % 3]], 1., points[t[(k + 2) % 3]]));
+        sums[t[k]] = combination(1., sums[t[k]], 1., points[t[(k + 1) % 3]]);
+    for(const Coordinates& p : sums)
+      center = combination(1., center, 1. / (static_cast<double>(n) * norm(p)), p);
     for(std::size_t v = 0; v < n; ++v)
     {
-      const double length = std::sqrt(dot(sums[v], sums[v]));
-      points[v] = length > 0. ? combination(1., points[v], 1. / length, sums[v]) : points[v];
-      center = combination(1., center, 1. / static_cast<double>(n), points[v]);
-    }
-    for(Coordinates& p : points)
-    {
-      const Coordinates q = difference(p, center);
-      const double length = std::sqrt(dot(q, q));
-      p = length > 0. ? Coordinates{q[0] / length, q[1] / length, q[2] / length} : random.direction();
+      const Coordinates p = combination(1. / norm(sums[v]), sums[v], -1., center);
+      points[v] = norm(p) > 0. ? test_meshes::normalized(p) : random.direction();
     }
   }
   return points;
@@ -422,129 +407,82 @@ inline std::size_t random_size(Random& random)
   return random.one_in(2) ? n : (std::min)(n, draw());
 }
 
-// A surface around the origin that gets deformed.
-class Deformation
+constexpr std::array<const char*, 7> deformations = {
+    {"scaled",    // along the axes, each by its own factor: a needle or a disc
+     "noisy",     // each vertex by 1e-6 to 10 lengths of an edge
+     "stretched", // by 1e-6 to 1e6 along any direction
+     "sheared",
+     "twisted",     // around the z-axis, by up to 30 turns
+     "spiked",      // some vertices far away from the centre
+     "collapsed"}}; // a region to a point or a line, or nearly so
+
+// Deforms a surface around the origin.
+inline void deform(Triangle_list& list, std::size_t deformation, Random& random)
 {
-public:
-  Deformation(const Triangle_list& list, Random& random)
-    : m_list(list)
-    , m_random(random)
-  {
-    Coordinates center = {0., 0., 0.};
-    for(const Coordinates& p : m_list.points)
-      center = combination(1., center, 1. / static_cast<double>(m_list.points.size()), p);
-    for(Coordinates& p : m_list.points)
-    {
-      p = difference(p, center);
-      m_extent = (std::max)(m_extent, norm(p));
-    }
-    for(const Triangle& t : m_list.triangles)
-      m_edge += distance(m_list.points[t[0]], m_list.points[t[1]]) / static_cast<double>(m_list.triangles.size());
-  }
-
-  const Triangle_list& result() const { return m_list; }
-
-  // along the axes, each by its own factor: a needle or a disc
-  void scale()
-  {
-    std::array<double, 3> factors;
-    for(double& f : factors)
-      f = m_random.one_in(3) ? 1. : m_random.magnitude(-20, 0);
-    m_list = test_meshes::scaled(m_list, factors[0], factors[1], factors[2]);
-  }
-
-  // each vertex by a vector of its own, of 1e-6 to 10 lengths of an edge
-  void add_noise()
-  {
-    const double length = m_edge * m_random.magnitude(-20, 3) * 1.25;
-    for(Coordinates& p : m_list.points)
-      p = combination(1., p, length, m_random.in_ball());
-  }
-
-  // by 1e-6 to 1e6 along any direction
-  void stretch()
-  {
-    const Coordinates d = m_random.direction();
-    const double factor = m_random.magnitude(-20, 20);
-    for(Coordinates& p : m_list.points)
-      p = combination(1., p, (factor - 1.) * dot(p, d), d);
-  }
-
-  void shear()
-  {
-    const Coordinates d = m_random.direction(), e = m_random.direction();
-    const double factor = m_random.magnitude(-1, 14);
-    for(Coordinates& p : m_list.points)
-      p = combination(1., p, factor * dot(p, d), e);
-  }
-
-  // around the z-axis, by up to 30 turns
-  void twist()
-  {
-    const double turns = m_random.between(0.1, 30.);
-    for(Coordinates& p : m_list.points)
-    {
-      const double angle = pi * turns * p[2] / m_extent, c = std::cos(angle), s = std::sin(angle);
-      p = {c * p[0] - s * p[1], s * p[0] + c * p[1], p[2]};
-    }
-  }
-
-  // some vertices far away from the centre
-  void add_spikes()
-  {
-    const std::size_t n_spikes = 1 + m_random.below(50);
-    const double factor = m_random.magnitude(1, 13);
-    for(std::size_t i = 0; i < n_spikes; ++i)
-    {
-      Coordinates& p = m_list.points[m_random.below(m_list.points.size())];
-      p = combination(1., p, factor * m_random.unit(), p);
-    }
-  }
-
-  // a region, from a few vertices up to all of them, to a point or a line, or nearly so
-  void collapse()
-  {
-    const Coordinates c = m_list.points[m_random.below(m_list.points.size())], d = m_random.direction();
-    const double radius = (std::max)(m_extent * m_random.between(0.05, 2.), 2. * m_edge);
-    const double rest = m_random.one_in(2) ? 0. : m_random.magnitude(-50, -4);
-    const bool is_line = m_random.one_in(2);
-    for(Coordinates& p : m_list.points)
-      if(distance(p, c) < radius)
-      {
-        const Coordinates q = is_line ? combination(1., c, dot(p, d) - dot(c, d), d) : c;
-        p = combination(1., q, rest, difference(p, q));
-      }
-  }
-
-private:
-  Triangle_list m_list;
-  Random& m_random;
-  double m_extent = 0., m_edge = 0.; // the largest distance from the origin, the average length of an edge
-};
-
-// Deforms a surface in one or two ways, and says which.
-inline Triangle_list deformed(const Triangle_list& list, Random& random, std::string& kind)
-{
-  struct Way
-  {
-    const char* name;
-    void (Deformation::*deform)();
+  double extent = 0., edge = 0.; // the largest distance from the origin, the average length of an edge
+  for(const Coordinates& p : list.points)
+    extent = (std::max)(extent, norm(p));
+  for(const Triangle& t : list.triangles)
+    edge += distance(list.points[t[0]], list.points[t[1]]) / static_cast<double>(list.triangles.size());
+  const auto for_each_point = [&](const auto& move) {
+    for(Coordinates& p : list.points)
+      move(p);
   };
-  static constexpr std::array<Way, 7> ways = {{{"scaled", &Deformation::scale},
-                                               {"noisy", &Deformation::add_noise},
-                                               {"stretched", &Deformation::stretch},
-                                               {"sheared", &Deformation::shear},
-                                               {"twisted", &Deformation::twist},
-                                               {"spiked", &Deformation::add_spikes},
-                                               {"collapsed", &Deformation::collapse}}};
-  Deformation deformation(list, random);
-  for(std::size_t n = random.one_in(4) ? 2 : 1; n > 0; --n)
+  const Coordinates d = random.direction(), e = random.direction();
+  switch(deformation)
   {
-    const Way& way = ways[random.below(ways.size())];
-    (deformation.*way.deform)();
-    kind += kind.empty() ? way.name : std::string(" and ") + way.name;
+  case 0: {
+    Coordinates factors;
+    for(double& f : factors)
+      f = random.one_in(3) ? 1. : random.magnitude(-20, 0);
+    list = test_meshes::scaled(list, factors[0], factors[1], factors[2]);
+    break;
   }
-  return deformation.result();
+  case 1: {
+    const double length = edge * random.magnitude(-20, 3) * 1.25;
+    for_each_point([&](Coordinates& p) { p = combination(1., p, length, random.in_ball()); });
+    break;
+  }
+  case 2: {
+    const double factor = random.magnitude(-20, 20);
+    for_each_point([&](Coordinates& p) { p = combination(1., p, (factor - 1.) * dot(p, d), d); });
+    break;
+  }
+  case 3: {
+    const double factor = random.magnitude(-1, 14);
+    for_each_point([&](Coordinates& p) { p = combination(1., p, factor * dot(p, d), e); });
+    break;
+  }
+  case 4: {
+    const double turns = random.between(0.1, 30.);
+    for_each_point([&](Coordinates& p) {
+      const double angle = pi * turns * p[2] / extent, c = std::cos(angle), s = std::sin(angle);
+      p = {c * p[0] - s * p[1], s * p[0] + c * p[1], p[2]};
+    });
+    break;
+  }
+  case 5: {
+    const double factor = random.magnitude(1, 13);
+    for(std::size_t n = 1 + random.below(50); n > 0; --n)
+    {
+      Coordinates& p = list.points[random.below(list.points.size())];
+      p = combination(1., p, factor * random.unit(), p);
+    }
+    break;
+  }
+  default: { // from a few vertices up to all of them
+    const Coordinates c = list.points[random.below(list.points.size())];
+    const double radius = (std::max)(extent * random.between(0.05, 2.), 2. * edge);
+    const double rest = random.one_in(2) ? 0. : random.magnitude(-50, -4);
+    const bool is_line = random.one_in(2);
+    for_each_point([&](Coordinates& p) {
+      if(distance(p, c) >= radius)
+        return;
+      const Coordinates q = is_line ? combination(1., c, dot(p, d) - dot(c, d), d) : c;
+      p = combination(1., q, rest, difference(p, q));
+    });
+  }
+  }
 }
 
 struct Random_mesh
@@ -563,7 +501,18 @@ inline Random_mesh random_mesh(std::uint64_t seed)
   {
     static const std::array<Triangle_list, 3> surfaces = {bumpy_sphere(2), with_tentacle(20, 3.),
                                                           random_stacked_sphere(150, 1)};
-    list = deformed(surfaces[random.below(surfaces.size())], random, result.kind);
+    list = surfaces[random.below(surfaces.size())];
+    Coordinates center = {0., 0., 0.};
+    for(const Coordinates& p : list.points)
+      center = combination(1., center, 1. / static_cast<double>(list.points.size()), p);
+    for(Coordinates& p : list.points)
+      p = difference(p, center);
+    for(std::size_t n = random.one_in(4) ? 2 : 1; n > 0; --n)
+    {
+      const std::size_t k = random.below(deformations.size());
+      deform(list, k, random);
+      result.kind += (result.kind.empty() ? "" : " and ") + std::string(deformations[k]);
+    }
   }
   else
   {

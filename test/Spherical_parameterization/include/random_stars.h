@@ -8,6 +8,7 @@
 #include <CGAL/Spherical_parameterization/internal/surface/Rest_triangle.h>
 #include <CGAL/Spherical_parameterization/internal/numbers/Vector_3.h>
 
+#include "indexed_meshes.h"
 #include "random_meshes.h"
 
 namespace test {
@@ -81,6 +82,29 @@ public:
   std::vector<std::uint32_t> vertices;
   std::vector<Star> stars;
 };
+
+// The stars of these vertices of a surface, as the engine lays them out in sets.
+inline Random_stars::Star_packets stars_of(const Surface& mesh, const std::vector<std::uint32_t>& vertices,
+                                           const std::vector<std::size_t>& first_of_set)
+{
+  const auto& points = mesh.points();
+  Random_stars::Star_packets result;
+  result.assign(
+      vertices, first_of_set, [&](std::uint32_t v) { return mesh.rings().degree(v); }, false);
+  for(std::size_t k = 0; k < result.number_of_packets(); ++k)
+    result.fill(k, [&](std::uint32_t v) {
+      const Vertex_rings::Ring ring = mesh.rings().ring(v);
+      Random_stars::Star star;
+      for(std::size_t j = 0; j < ring.size(); ++j)
+      {
+        star.neighbors.push_back(ring[j]);
+        star.rests.push_back(
+            Random_stars::Rest_triangle::from_points(points[v], points[ring[j]], points[ring.around(j + 1)]));
+      }
+      return star;
+    });
+  return result;
+}
 
 } // namespace test
 

@@ -150,6 +150,24 @@ inline void split_face(Triangle_list& list, std::size_t face, Coordinates point)
   list.triangles.push_back({t[2], t[0], v});
 }
 
+inline Coordinates centroid(const Triangle_list& list, const Triangle& t)
+{
+  Coordinates sum = {0., 0., 0.};
+  for(const std::size_t v : t)
+    for(std::size_t i = 0; i < 3; ++i)
+      sum[i] += list.points[v][i] / 3.;
+  return sum;
+}
+
+// A tetrahedron, then n times a vertex in the middle of the newest face: triangles within triangles.
+inline Triangle_list nested_triangles(std::size_t n)
+{
+  Triangle_list list = tetrahedron();
+  for(std::size_t k = 0; k < n; ++k)
+    split_face(list, list.triangles.size() - 1, centroid(list, list.triangles.back()));
+  return list;
+}
+
 // A tetrahedron, then n times a vertex in the middle of a face, put onto the unit sphere: vertices of degree 3 and
 // of very high degree, big faces next to small ones. The engine is specified by the standard, and its numbers are used
 // as they are, so that the mesh does not depend on the standard library.
@@ -160,9 +178,7 @@ inline Triangle_list random_stacked_sphere(std::size_t n, std::uint32_t seed)
   for(std::size_t i = 0; i < n; ++i)
   {
     const std::size_t face = random() % list.triangles.size();
-    const Triangle t = list.triangles[face];
-    const Coordinates a = list.points[t[0]], b = list.points[t[1]], c = list.points[t[2]];
-    split_face(list, face, normalized({a[0] + b[0] + c[0], a[1] + b[1] + c[1], a[2] + b[2] + c[2]}));
+    split_face(list, face, normalized(centroid(list, list.triangles[face])));
   }
   return list;
 }
@@ -186,51 +202,38 @@ inline Triangle_list bumpy_sphere(unsigned int subdivisions)
   return list;
 }
 
+// A surface from the point `first` through m rings of n points each, point(k, angle), to the point `last`. Each ring is turned by half
+// a step against the one before.
+template <class Function>
+Triangle_list surface_of_rings(const Coordinates& first, std::size_t m, std::size_t n, const Function& point,
+                               const Coordinates& last)
+{
+  Triangle_list list;
+  for(std::size_t k = 0; k < m; ++k)
+    for(std::size_t i = 0; i < n; ++i)
+    {
+      const std::size_t j = (i + 1) % n, a = n * k, b = a + n;
+      const double turn = static_cast<double>(i) + 0.5 * static_cast<double>(k);
+      list.points.push_back(point(k, 2. * pi * turn / static_cast<double>(n)));
+      list.triangles.push_back({a + i, a + j, k + 1 < m ? b + i : n * m + 1});
+      list.triangles.push_back(k + 1 < m ? Triangle{a + j, b + j, b + i} : Triangle{n * m, j, i});
+    }
+  list.points.push_back(first);
+  list.points.push_back(last);
+  return list;
+}
+
 // A sphere with a tentacle of `n_rings` rings of 8 vertices, `length` long and 0.2 thick. A conformal map shrinks it
 // like exp(-2 pi length / circumference): beyond what doubles resolve.
 inline Triangle_list with_tentacle(std::size_t n_rings, double length)
 {
-  const std::size_t d = 8;
-  Triangle_list list;
-  const auto at = [&](double r, double z, std::size_t j, bool is_odd) {
-    const double angle = 2. * pi * (static_cast<double>(j) + (is_odd ? 0.5 : 0.)) / static_cast<double>(d);
-    list.points.push_back({r * std::cos(angle), r * std::sin(angle), z});
+  const auto point = [&](std::size_t k, double angle) -> Coordinates {
+    const double latitude = pi * (static_cast<double>(k + 1) / 12. - 0.5),
+                 share = (static_cast<double>(k) - 11.) / static_cast<double>(n_rings),
+                 r = k < 11 ? std::cos(latitude) : 0.1, z = k < 11 ? std::sin(latitude) : 1. + length * share;
+    return {r * std::cos(angle), r * std::sin(angle), z};
   };
-  std::vector<std::pair<double, double>> profile; // radius and height of the rings
-  for(int k = 1; k < 12; ++k)
-  {
-    const double angle = pi * static_cast<double>(k) / 12.;
-    profile.emplace_back(std::sin(angle), -std::cos(angle));
-  }
-  for(std::size_t k = 0; k < n_rings; ++k)
-    profile.emplace_back(0.1, 1. + length * static_cast<double>(k) / static_cast<double>(n_rings));
-  for(std::size_t k = 0; k < profile.size(); ++k)
-    for(std::size_t j = 0; j < d; ++j)
-      at(profile[k].first, profile[k].second, j, k % 2 == 1);
-  const std::size_t n = list.points.size();
-  list.points.push_back({0., 0., -1.});
-  list.points.push_back({0., 0., 1. + length});
-  for(std::size_t j = 0; j < d; ++j)
-  {
-    const std::size_t i = (j + 1) % d;
-    list.triangles.push_back({n, i, j});
-    list.triangles.push_back({n + 1, n - d + j, n - d + i});
-    for(std::size_t k = 0; k + 1 < profile.size(); ++k)
-    {
-      const std::size_t a = k * d, b = a + d;
-      if(k % 2 == 0)
-      {
-        list.triangles.push_back({a + j, a + i, b + j});
-        list.triangles.push_back({a + i, b + i, b + j});
-      }
-      else
-      {
-        list.triangles.push_back({a + j, a + i, b + i});
-        list.triangles.push_back({a + j, b + i, b + j});
-      }
-    }
-  }
-  return list;
+  return surface_of_rings({0., 0., -1.}, 11 + n_rings, 8, point, {0., 0., 1. + length});
 }
 
 // The mesh with `n` slivers, spread over it: as many new vertices on edges, at this share of their length from an end, which
