@@ -16,6 +16,14 @@ Binary_file& operator<<(Binary_file& file, std::int32_t x)
   return file << static_cast<std::uint32_t>(x);
 }
 
+template <class... Parts>
+std::string file_of(const Parts&... parts)
+{
+  Binary_file file(true);
+  (file << ... << parts);
+  return file.content;
+}
+
 const std::string first_line = "created by somebody on some day";
 const std::string geometry =
     "valid = 1  # volume info valid\nfilename = ../mri/filled-pretess255.mgz\nvolume = 256 256 256\n"
@@ -25,9 +33,7 @@ const std::string geometry =
 // the tag of real coordinates, the geometry of the volume, and a command
 std::string footer()
 {
-  Binary_file file(true);
-  file << 2 << 0 << 20 << geometry << 3 << 0 << 9 << std::string("mris_warp");
-  return file.content;
+  return file_of(2, 0, 20, geometry, 3, 0, 9, std::string("mris_warp"));
 }
 
 // A tetrahedron
@@ -108,6 +114,14 @@ std::string write_annotation(const Surface_file& file)
   return written([&](std::ostream& out) { return SP::IO::write_FreeSurfer_annotation(out, file); });
 }
 
+using Refusals = std::vector<std::pair<std::string, const char*>>;
+
+void expect_all_refused(const Reader& reader, const Refusals& table)
+{
+  for(const auto& [content, message] : table)
+    expect_refused(reader, content, message);
+}
+
 const Reader read_surface = SP::IO::read_FreeSurfer_surface, read_curv = SP::IO::read_FreeSurfer_curv,
              read_annotation = SP::IO::read_FreeSurfer_annotation, read_label = SP::IO::read_FreeSurfer_label;
 
@@ -140,12 +154,7 @@ TEST(FreeSurfer_surface, reads_variants)
   const Surface_file again = read(read_surface, write_surface(file));
   EXPECT_TRUE(std::isnan(again.points[0][0]) && again.points[0][1] == HUGE_VAL);
   EXPECT_EQ(again.origin.created_by, "created by Spherical_parameterization");
-}
-
-TEST(FreeSurfer_surface, writes_one_first_line_only)
-{
-  Surface_file file = read(read_surface, surface());
-  file.origin.created_by = "one\ntwo";
+  file.origin.created_by = "one\ntwo"; // one first line only
   EXPECT_EQ(read(read_surface, write_surface(file)).origin.created_by, "one");
   file.points[0][0] = 1e39;
   std::ostringstream out;
@@ -155,26 +164,22 @@ TEST(FreeSurfer_surface, writes_one_first_line_only)
 
 TEST(FreeSurfer_surface, refuses_what_is_wrong)
 {
-  const std::string start = surface("").substr(0, 3 + first_line.size());
-  expect_refused(read_surface, "", "ends within the magic number, at byte 0: it is truncated");
-  expect_refused(read_surface, "OFF\n4 4 0\n", "does not begin with the bytes FF FF FE");
-  expect_refused(read_surface, "\xFF\xFF\xFD" + surface().substr(3),
-                 "an old quadrangle file of FreeSurfer, which is not read");
-  expect_refused(read_surface, curv({1.f}, 1), "no surface but values of vertices, or an old quadrangle file");
-  expect_refused(read_surface, start, "ends within its first line");
-  expect_refused(read_surface, surface(footer(), -1), "Byte 36: the number of vertices is negative, -1");
-  expect_refused(read_surface, surface(footer(), 4, -5), "Byte 40: the number of triangles is negative, -5");
-  expect_refused(read_surface, surface(footer(), 2000000000), "too short for 2000000000 vertices");
-  expect_refused(read_surface, surface(footer(), 4, 2000000000), "too short for 2000000000 triangles");
-  expect_refused(read_surface, surface(footer(), 4, 4, 4), "Triangle 3 has the corner 4, but there are 4 vertices");
-  expect_refused(read_surface, surface(footer(), 4, 4, -2), "Triangle 3 has the corner -2");
-  expect_refused(read_surface, surface("rubbish"),
-                 "goes on after its data, at byte 140 of 143, with what is no footer");
-  expect_refused(read_surface, surface(std::string(3, '\0')), "goes on after its data");
-  expect_refused(read_surface, surface(footer() + "abc"), "goes on after its data");
-  Binary_file endless(true);
-  endless << 3 << 0x7FFFFFFF << -1;
-  expect_refused(read_surface, surface(endless.content), "bytes of the footer");
+  expect_all_refused(read_surface,
+                     {{"", "ends within the magic number, at byte 0: it is truncated"},
+                      {"OFF\n4 4 0\n", "does not begin with the bytes FF FF FE"},
+                      {"\xFF\xFF\xFD" + surface().substr(3), "an old quadrangle file of FreeSurfer, which is not read"},
+                      {curv({1.f}, 1), "no surface but values of vertices, or an old quadrangle file"},
+                      {surface("").substr(0, 3 + first_line.size()), "ends within its first line"},
+                      {surface(footer(), -1), "Byte 36: the number of vertices is negative, -1"},
+                      {surface(footer(), 4, -5), "Byte 40: the number of triangles is negative, -5"},
+                      {surface(footer(), 2000000000), "too short for 2000000000 vertices"},
+                      {surface(footer(), 4, 2000000000), "too short for 2000000000 triangles"},
+                      {surface(footer(), 4, 4, 4), "Triangle 3 has the corner 4, but there are 4 vertices"},
+                      {surface(footer(), 4, 4, -2), "Triangle 3 has the corner -2"},
+                      {surface("rubbish"), "goes on after its data, at byte 140 of 143, with what is no footer"},
+                      {surface(std::string(3, '\0')), "goes on after its data"},
+                      {surface(footer() + "abc"), "goes on after its data"},
+                      {surface(file_of(3, 0x7FFFFFFF, -1)), "bytes of the footer"}});
 }
 
 TEST(FreeSurfer_surface, is_robust)
@@ -203,22 +208,21 @@ TEST(FreeSurfer_curv, reads_and_writes_values)
 
 TEST(FreeSurfer_curv, reads_the_old_format)
 {
-  Binary_file file(true);
-  file << std::string("\0\0\3\0\0\2", 6);
-  file << std::int16_t(123) << std::int16_t(-1) << std::int16_t(-32768);
-  EXPECT_TRUE(are_same(read(read_curv, file.content).columns[0].values, {1.23, -0.01, -327.68}));
-  expect_robust(read_curv, file.content);
+  const std::string content =
+      file_of(std::string("\0\0\3\0\0\2", 6), std::int16_t(123), std::int16_t(-1), std::int16_t(-32768));
+  EXPECT_TRUE(are_same(read(read_curv, content).columns[0].values, {1.23, -0.01, -327.68}));
+  expect_robust(read_curv, content);
 }
 
 TEST(FreeSurfer_curv, refuses_what_is_wrong)
 {
-  expect_refused(read_curv, "", "ends within the magic number");
-  expect_refused(read_curv, surface(), "This is a surface of FreeSurfer, not a file of values");
-  expect_refused(read_curv, curv({1.f}, 1, 2), "has 2 values for each vertex, not 1");
-  expect_refused(read_curv, curv({1.f}, 2000000000), "too short for 2000000000 vertices");
-  expect_refused(read_curv, curv({1.f}, -3), "the number of vertices is negative, -3");
-  expect_refused(read_curv, curv({1.f, 2.f, 3.f}, 2), "goes on for 4 bytes after its 2 values");
-  expect_refused(read_curv, "OFF\n4 4 0\n0 0 0\n", "too short for 5195334 values"); // O, F, F
+  expect_all_refused(read_curv, {{"", "ends within the magic number"},
+                                 {surface(), "This is a surface of FreeSurfer, not a file of values"},
+                                 {curv({1.f}, 1, 2), "has 2 values for each vertex, not 1"},
+                                 {curv({1.f}, 2000000000), "too short for 2000000000 vertices"},
+                                 {curv({1.f}, -3), "the number of vertices is negative, -3"},
+                                 {curv({1.f, 2.f, 3.f}, 2), "goes on for 4 bytes after its 2 values"},
+                                 {"OFF\n4 4 0\n0 0 0\n", "too short for 5195334 values"}}); // O, F, F
 }
 
 TEST(FreeSurfer_annotation, reads_both_versions)
@@ -266,45 +270,40 @@ TEST(FreeSurfer_annotation, keeps_colors_without_name)
 TEST(FreeSurfer_annotation, refuses_what_is_wrong)
 {
   const auto with = [](std::int32_t key, std::int32_t green) {
-    return std::vector<Entry>{{3, "a", {}}, {key, "b", {{0, green, 0, 0}}}};
+    return annotation(2, {{3, "a", {}}, {key, "b", {{0, green, 0, 0}}}});
   };
-  expect_refused(read_annotation, "", "ends within vertices");
-  expect_refused(read_annotation, std::string("\x7F\0\0\0", 4), "too short for 2130706432 vertices");
-  expect_refused(read_annotation, annotation(2, entries, {{0, 1}, {2, 1}}), "vertex 2 of 2 does not exist");
-  expect_refused(read_annotation, annotation(2, entries, {{1, 1}, {-1, 1}}), "vertex -1 of 2 does not exist");
-  expect_refused(read_annotation, annotation(2, entries, {{1, 1}, {1, 1}}), "vertex 1 of 2 is there twice");
-  expect_refused(read_annotation, annotation(3), "the colour table has the version 3, but 1 and 2 are known");
-  expect_refused(read_annotation, annotation(2, with(3, 0)),
-                 "entry 1 of the colour table has the number 3, as another one has");
-  expect_refused(read_annotation, annotation(2, with(-3, 0)), "the number -3, which is out of range");
-  expect_refused(read_annotation, annotation(2, with(1, 256)), "entry 1 of the colour table has a component 256");
-  expect_refused(read_annotation, annotation(2) + "rest", "goes on after its data");
-  Binary_file two(true);
-  two << 0 << 2;
-  expect_refused(read_annotation, two.content, "the number of colour tables is 2, not 0 or 1");
-  Binary_file many(true);
-  many << 0 << 1 << -2 << 4 << 1 << std::string(1, '\0') << 100000000;
-  expect_refused(read_annotation, many.content, "too short for 100000000 entries of the colour table");
-  Binary_file long_name(true);
-  long_name << 0 << 1 << -2 << 4 << 0x7FFFFFFF;
-  expect_refused(read_annotation, long_name.content, "the name of the colour table has 2147483647 bytes, but 0 follow");
+  expect_all_refused(read_annotation, {{"", "ends within vertices"},
+                                       {std::string("\x7F\0\0\0", 4), "too short for 2130706432 vertices"},
+                                       {annotation(2, entries, {{0, 1}, {2, 1}}), "vertex 2 of 2 does not exist"},
+                                       {annotation(2, entries, {{1, 1}, {-1, 1}}), "vertex -1 of 2 does not exist"},
+                                       {annotation(2, entries, {{1, 1}, {1, 1}}), "vertex 1 of 2 is there twice"},
+                                       {annotation(3), "the colour table has the version 3, but 1 and 2 are known"},
+                                       {with(3, 0), "entry 1 of the colour table has the number 3, as another one has"},
+                                       {with(-3, 0), "the number -3, which is out of range"},
+                                       {with(1, 256), "entry 1 of the colour table has a component 256"},
+                                       {annotation(2) + "rest", "goes on after its data"},
+                                       {file_of(0, 2), "the number of colour tables is 2, not 0 or 1"},
+                                       {file_of(0, 1, -2, 4, 1, std::string(1, '\0'), 100000000),
+                                        "too short for 100000000 entries of the colour table"},
+                                       {file_of(0, 1, -2, 4, 0x7FFFFFFF),
+                                        "the name of the colour table has 2147483647 bytes, but 0 follow"}});
 }
 
 TEST(FreeSurfer_annotation, is_not_written_if_labels_would_be_lost)
 {
   std::ostringstream out;
-  const auto write = [&](const Surface_file& file) { return SP::IO::write_FreeSurfer_annotation(out, file); };
-  EXPECT_EQ(write({}), SP::ERROR_WRONG_PARAMETER);
+  EXPECT_EQ(SP::IO::write_FreeSurfer_annotation(out, {}), SP::ERROR_WRONG_PARAMETER);
   Surface_file file = read(read_annotation, annotation(2));
   file.labels.push_back({7, "as the first", file.labels[0].color});
-  EXPECT_EQ(write(file), SP::OK);
-  file.columns[0].values[0] = 7.;
-  EXPECT_EQ(write(file), SP::ERROR_WRONG_PARAMETER);
-  file.columns[0].values[0] = 8.;
-  EXPECT_EQ(write(file), SP::ERROR_WRONG_PARAMETER);
+  for(const auto& [first_value, error] :
+      {std::pair(0., SP::OK), {7., SP::ERROR_WRONG_PARAMETER}, {8., SP::ERROR_WRONG_PARAMETER}})
+  {
+    file.columns[0].values[0] = first_value;
+    EXPECT_EQ(SP::IO::write_FreeSurfer_annotation(out, file), error) << first_value;
+  }
   file.columns[0].values[0] = 0.;
   file.labels[1].key = -1;
-  EXPECT_EQ(write(file), SP::ERROR_WRONG_PARAMETER);
+  EXPECT_EQ(SP::IO::write_FreeSurfer_annotation(out, file), SP::ERROR_WRONG_PARAMETER);
 }
 
 TEST(FreeSurfer_label, reads_some_of_the_vertices)
@@ -316,16 +315,17 @@ TEST(FreeSurfer_label, reads_some_of_the_vertices)
   EXPECT_TRUE(std::isnan(file.columns[0].values.at(1)));
   EXPECT_EQ(read(read_label, "0\n").columns.at(0).values.size(), 0u);
 
-  expect_refused(read_label, "", "ends before the number of vertices of line 1");
-  expect_refused(read_label, "#!ascii label\nmany\n", "Line 2: the number of vertices is 'many'");
-  expect_refused(read_label, "#!ascii label\n-2\n", "Line 2: the number of vertices is '-2'");
-  expect_refused(read_label, "2000000000\n1 0 0 0 0\n", "too short for 2e+09 vertices");
-  expect_refused(read_label, "1\n1.5 0 0 0 0 \n", "Line 2: the vertex is '1.5', which is no whole number from 0 on");
-  expect_refused(read_label, "1\n-1 0 0 0 0 \n", "Line 2: the vertex is '-1'");
-  expect_refused(read_label, "1\n1 0 x 0 0 \n", "Line 2: coordinate y is 'x', which is no number");
-  expect_refused(read_label, "1\n1 0 1e999 0 \n", "coordinate y is '1e999'");
-  expect_refused(read_label, "1\n1 0 0 0  \n", "ends before the value of line 2");
-  expect_refused(read_label, content + "5 0 0 0 0\n", "goes on after 2 vertices with '5'");
+  expect_all_refused(read_label,
+                     {{"", "ends before the number of vertices of line 1"},
+                      {"#!ascii label\nmany\n", "Line 2: the number of vertices is 'many'"},
+                      {"#!ascii label\n-2\n", "Line 2: the number of vertices is '-2'"},
+                      {"2000000000\n1 0 0 0 0\n", "too short for 2e+09 vertices"},
+                      {"1\n1.5 0 0 0 0 \n", "Line 2: the vertex is '1.5', which is no whole number from 0 on"},
+                      {"1\n-1 0 0 0 0 \n", "Line 2: the vertex is '-1'"},
+                      {"1\n1 0 x 0 0 \n", "Line 2: coordinate y is 'x', which is no number"},
+                      {"1\n1 0 1e999 0 \n", "coordinate y is '1e999'"},
+                      {"1\n1 0 0 0  \n", "ends before the value of line 2"},
+                      {content + "5 0 0 0 0\n", "goes on after 2 vertices with '5'"}});
 }
 
 #ifdef TEST_MGH
@@ -336,21 +336,14 @@ const Reader read_mgh = SP::IO::read_MGH;
 
 std::string mgh_header(std::int32_t type, const std::array<std::int32_t, 4>& dimensions, std::int32_t version = 1)
 {
-  Binary_file file(true);
-  file << version;
-  for(const std::int32_t d : dimensions)
-    file << d;
-  file << type;
-  file.content.resize(284);
-  return file.content;
+  std::string header = file_of(version, dimensions[0], dimensions[1], dimensions[2], dimensions[3], type);
+  header.resize(284);
+  return header;
 }
 
 Vertex_values column(Vertex_values::Type type, const std::vector<double>& values)
 {
-  Vertex_values result;
-  result.type = type;
-  result.values = values;
-  return result;
+  return {"", "", type, values, {}};
 }
 
 std::string write_mgh(const Surface_file& file, bool is_packed)
@@ -388,66 +381,65 @@ TEST(MGH, reads_and_writes_frames_of_each_type)
 
 TEST(MGH, reads_short_numbers_and_what_follows)
 {
-  Binary_file file(true);
-  file << mgh_header(4, {{1, 3, 1, 2}});
+  std::string content = mgh_header(4, {{1, 3, 1, 2}});
   for(const std::int16_t x : std::array<std::int16_t, 6>{1, -2, 3, 4, 5, -32768})
-    file << x;
-  const std::string data = file.content;
-  file << 1.f << 2.f << 3.f << 4.f << 5.f; // the parameters of the scan
-  const std::size_t end_of_parameters = file.content.size();
-  file << 3 << 0 << 4 << std::string("exit");
-  const Surface_file found = read(read_mgh, file.content);
+    content += file_of(x);
+  const std::size_t end_of_data = content.size();
+  content += file_of(1.f, 2.f, 3.f, 4.f, 5.f); // the parameters of the scan
+  const std::size_t end_of_parameters = content.size();
+  content += file_of(3, 0, 4, std::string("exit"));
+  const Surface_file found = read(read_mgh, content);
   ASSERT_EQ(found.columns.size(), 2u);
   EXPECT_TRUE(are_same(found.columns[0].values, {1., -2., 3.}));
   EXPECT_TRUE(are_same(found.columns[1].values, {4., 5., -32768.}));
   EXPECT_EQ(found.columns[0].type, Vertex_values::Type::int32);
-  expect_robust(read_mgh, file.content, {data.size(), end_of_parameters});
+  expect_robust(read_mgh, content, {end_of_data, end_of_parameters});
 }
 
 TEST(MGH, refuses_what_is_wrong)
 {
-  const std::string values(4, '\0');
-  expect_refused(read_mgh, "", "ends within the header");
-  expect_refused(read_mgh, mgh_header(3, {{1, 1, 1, 1}}, 2), "its version is 2, not 1");
-  expect_refused(read_mgh, mgh_header(3, {{0, 1, 1, 1}}) + values, "Byte 4: a dimension is 0");
-  expect_refused(read_mgh, mgh_header(3, {{1, -7, 1, 1}}) + values, "Byte 8: a dimension is -7");
-  expect_refused(read_mgh, mgh_header(3, {{2147483647, 2147483647, 2, 1}}) + values, "a dimension is 2147483647");
-  expect_refused(read_mgh, mgh_header(0, {{1, 1, 1, 70000}}) + std::string(70000, '\0'),
-                 "has 70000 values for each vertex");
-  expect_refused(read_mgh, mgh_header(6, {{1, 1, 1, 1}}) + values, "the type of the values is number 6");
-  expect_refused(read_mgh, mgh_header(3, {{1, 1, 1, 1}}), "too short for 1 vertices and 1 frames");
-  expect_refused(read_mgh, mgh_header(3, {{2000000000, 1, 1, 1}}) + values, "too short for 2000000000 vertices");
-  expect_refused(read_mgh, mgh_header(3, {{1, 1, 1, 1}}) + values + std::string(7, '\0'), "goes on after its data");
   using CGAL::Spherical_parameterization::internal::pack;
-  const std::string bomb = mgh_header(3, {{100000000, 1, 1, 1}}) + std::string(100000, '\0');
-  expect_refused(read_mgh, pack(bomb, true), "are to be unpacked to 400000284, which no measurements are");
-  const std::string longer = mgh_header(3, {{1, 1, 1, 1}}) + std::string(5000000, '\0');
-  expect_refused(read_mgh, pack(longer, true), "The data are longer than the header says");
-  const std::string packed = pack(mgh_header(3, {{1, 1, 1, 1}}) + values, true);
+  const std::string one = mgh_header(3, {{1, 1, 1, 1}}), value(4, '\0'), packed = pack(one + value, true);
   EXPECT_EQ(read(read_mgh, packed).columns.size(), 1u);
-  expect_refused(read_mgh, packed.substr(0, packed.size() - 1), "The packed data end too early");
-  expect_refused(read_mgh, packed + "rest", "The packed data are damaged");
   std::string damaged = packed;
   damaged[damaged.size() - 6] = static_cast<char>(damaged[damaged.size() - 6] ^ 1); // of the checksum
-  expect_refused(read_mgh, damaged, "The packed data are damaged");
+  const std::string bomb = mgh_header(3, {{100000000, 1, 1, 1}}) + std::string(100000, '\0');
+  expect_all_refused(
+      read_mgh, {{"", "ends within the header"},
+                 {mgh_header(3, {{1, 1, 1, 1}}, 2), "its version is 2, not 1"},
+                 {mgh_header(3, {{0, 1, 1, 1}}) + value, "Byte 4: a dimension is 0"},
+                 {mgh_header(3, {{1, -7, 1, 1}}) + value, "Byte 8: a dimension is -7"},
+                 {mgh_header(3, {{2147483647, 2147483647, 2, 1}}) + value, "a dimension is 2147483647"},
+                 {mgh_header(0, {{1, 1, 1, 70000}}) + std::string(70000, '\0'), "has 70000 values for each vertex"},
+                 {mgh_header(6, {{1, 1, 1, 1}}) + value, "the type of the values is number 6"},
+                 {one, "too short for 1 vertices and 1 frames"},
+                 {mgh_header(3, {{2000000000, 1, 1, 1}}) + value, "too short for 2000000000 vertices"},
+                 {one + value + std::string(7, '\0'), "goes on after its data"},
+                 {pack(bomb, true), "are to be unpacked to 400000284, which no measurements are"},
+                 {pack(one + std::string(5000000, '\0'), true), "The data are longer than the header says"},
+                 {packed.substr(0, packed.size() - 1), "The packed data end too early"},
+                 {packed + "rest", "The packed data are damaged"},
+                 {damaged, "The packed data are damaged"}});
 }
 
 TEST(MGH, is_not_written_if_values_would_be_lost)
 {
   using Type = Vertex_values::Type;
-  const auto write = [](const std::vector<Vertex_values>& columns) {
+  const std::vector<std::pair<std::vector<Vertex_values>, SP::Error_code>> cases = {
+      {{}, SP::ERROR_WRONG_PARAMETER},
+      {{column(Type::float32, {})}, SP::ERROR_WRONG_PARAMETER},
+      {{column(Type::float32, {1.}), column(Type::float32, {1., 2.})}, SP::ERROR_WRONG_PARAMETER},
+      {{column(Type::uint8, {256.})}, SP::ERROR_WRONG_PARAMETER},
+      {{column(Type::int32, {0.5})}, SP::ERROR_WRONG_PARAMETER},
+      {{column(Type::int32, {NAN})}, SP::ERROR_WRONG_PARAMETER},
+      {{column(Type::float32, {1e39})}, SP::ERROR_OUT_OF_FLOAT_RANGE}};
+  for(const auto& [columns, error] : cases)
+  {
     Surface_file file;
     file.columns = columns;
     std::ostringstream out;
-    return SP::IO::write_MGH(out, file, false);
-  };
-  EXPECT_EQ(write({}), SP::ERROR_WRONG_PARAMETER);
-  EXPECT_EQ(write({column(Type::float32, {})}), SP::ERROR_WRONG_PARAMETER);
-  EXPECT_EQ(write({column(Type::float32, {1.}), column(Type::float32, {1., 2.})}), SP::ERROR_WRONG_PARAMETER);
-  EXPECT_EQ(write({column(Type::uint8, {256.})}), SP::ERROR_WRONG_PARAMETER);
-  EXPECT_EQ(write({column(Type::int32, {0.5})}), SP::ERROR_WRONG_PARAMETER);
-  EXPECT_EQ(write({column(Type::int32, {NAN})}), SP::ERROR_WRONG_PARAMETER);
-  EXPECT_EQ(write({column(Type::float32, {1e39})}), SP::ERROR_OUT_OF_FLOAT_RANGE);
+    EXPECT_EQ(SP::IO::write_MGH(out, file, false), error);
+  }
 }
 
 #endif

@@ -130,8 +130,7 @@ TEST(GIFTI, reads_each_encoding_type_and_order)
 
 TEST(GIFTI, reads_a_surface)
 {
-  const std::string content = gifti(triangles() + points(), 2); // in any order
-  const Surface_file file = read(read_gifti, content);
+  const Surface_file file = read(read_gifti, gifti(triangles() + points(), 2)); // in any order
   ASSERT_EQ(file.points.size(), 4u);
   EXPECT_EQ(file.points[3], (std::array<double, 3>{0., 0., 1.}));
   EXPECT_EQ(file.triangles.at(3), (std::array<std::uint32_t, 3>{2, 0, 3}));
@@ -236,7 +235,12 @@ TEST(GIFTI, refuses_what_is_wrong)
                      const std::string& data = "1 2 3 4", const std::string& encoding = "ASCII") {
     return gifti(array("SHAPE", type, dimensions, encoding, data));
   };
-  const std::string& four = values_dimensions;
+  const auto dimension = [](const std::string& n) { return "Dimensionality=\"1\" Dim0=\"" + n + '"'; };
+  const auto in_base64 = [&](const std::string& data, const std::string& encoding = "Base64Binary") {
+    return of(values_dimensions, "UINT8", data, encoding);
+  };
+  const auto in_zlib = [&](const std::string& bytes) { return in_base64(to_base64(bytes), "GZipBase64Binary"); };
+  const std::string &four = values_dimensions, two_values = array("SHAPE", "UINT8", dimension("2"), "ASCII", "1 2");
   expect("", "this is no XML that can be read: no element found");
   expect("OFF\n4 4 0\n", "Line 1, column 0: this is no XML");
   expect("<html></html>", "This is an XML file, but no GIFTI file");
@@ -254,17 +258,15 @@ TEST(GIFTI, refuses_what_is_wrong)
   expect(gifti(points() + points(), 2), "Array 1 ('NIFTI_INTENT_POINTSET', line 6): the file has two of them");
   expect(gifti(array("POINTSET", "FLOAT32", four, "ASCII", "1 2 3 4")), "it has 1 columns, not 3");
   expect(gifti(array("NODE_INDEX", "FLOAT32", four, "ASCII", "1 2 3 4.5")), "it has the index 4.5");
-  expect(gifti(points() + array("SHAPE", "UINT8", R"(Dimensionality="1" Dim0="2")", "ASCII", "1 2"), 2),
-         "The values '' are those of 2 vertices, but other arrays of the file are of 4");
-  expect(
-      gifti(values("UINT8", "1 2 3 4") + array("SHAPE", "UINT8", R"(Dimensionality="1" Dim0="2")", "ASCII", "1 2"), 2),
-      "are those of 2 vertices, but other arrays of the file are of 4");
+  for(const std::string& others : {points(), values("UINT8", "1 2 3 4")})
+    expect(gifti(others + two_values, 2),
+           "The values '' are those of 2 vertices, but other arrays of the file are of 4");
   // attributes
   expect(of(R"(Dimensionality="0")"), "Dimensionality is 0, not 1 to 6");
   expect(of(R"(Dimensionality="1")"), "Dim0 is ''");
-  expect(of(R"(Dimensionality="1" Dim0="-4")"), "Dim0 is '-4', which is no number of things");
-  expect(of(R"(Dimensionality="1" Dim0="4.5")"), "Dim0 is '4.5'");
-  expect(of(R"(Dimensionality="1" Dim0="1e300")"), "Dim0 is '1e300'");
+  expect(of(dimension("-4")), "Dim0 is '-4', which is no number of things");
+  expect(of(dimension("4.5")), "Dim0 is '4.5'");
+  expect(of(dimension("1e300")), "Dim0 is '1e300'");
   expect(of(R"(Dimensionality="2" Dim0="1000000000" Dim1="1000000000")"), "the dimensions are too large");
   expect(of(R"(Dimensionality="3" Dim0="1" Dim1="2" Dim2="2")"), "it has 3 dimensions");
   expect(of(R"(Dimensionality="2" Dim0="0" Dim1="1000000000000")", "UINT8", ""),
@@ -283,26 +285,22 @@ TEST(GIFTI, refuses_what_is_wrong)
   expect(of(four, "INT32", "1 2 3 4.5"), "number 3 is '4.5'");
   expect(of(four, "FLOAT32", "1 2 3 1e39"), "number 3 is '1e39'");
   expect(of(four, "FLOAT32", "1 2 3 0x4"), "number 3 is '0x4'");
-  expect(of(R"(Dimensionality="1" Dim0="1000000000000")"), "the text is too short for 1000000000000 numbers");
+  expect(of(dimension("1000000000000")), "the text is too short for 1000000000000 numbers");
   // base 64 and packed data
   const std::string packed = pack(std::string(4, 'x'), false);
-  expect(of(four, "UINT8", "AAE*AA==", "Base64Binary"), "the data have '*' where a digit of base 64 is expected");
-  expect(of(four, "UINT8", "AA=AAA==", "Base64Binary"), "where a digit of base 64 is expected");
-  expect(of(four, "UINT8", "AAAAAAA", "Base64Binary"), "the data in base 64 end too early");
-  expect(of(four, "UINT8", "AAAA", "Base64Binary"), "the data are 3 bytes, but the dimensions tell of 4");
-  expect(of(four, "UINT8", to_base64("12345"), "Base64Binary"), "the data are more than 4 bytes");
-  expect(of(R"(Dimensionality="1" Dim0="1000000000000")", "UINT8", "AAAA", "Base64Binary"),
-         "the data are 3 bytes, but");
-  expect(of(four, "UINT8", to_base64(pack("123", false)), "GZipBase64Binary"), "the data are 3 bytes, but");
-  expect(of(four, "UINT8", to_base64(pack(std::string(1000000, '\0'), false)), "GZipBase64Binary"),
-         "more than 4 bytes");
-  expect(of(R"(Dimensionality="1" Dim0="100000000")", "UINT8", to_base64(pack(std::string(100000, '\0'), false)),
-            "GZipBase64Binary"),
+  expect(in_base64("AAE*AA=="), "the data have '*' where a digit of base 64 is expected");
+  expect(in_base64("AA=AAA=="), "where a digit of base 64 is expected");
+  expect(in_base64("AAAAAAA"), "the data in base 64 end too early");
+  expect(in_base64("AAAA"), "the data are 3 bytes, but the dimensions tell of 4");
+  expect(in_base64(to_base64("12345")), "the data are more than 4 bytes");
+  expect(of(dimension("1000000000000"), "UINT8", "AAAA", "Base64Binary"), "the data are 3 bytes, but");
+  expect(in_zlib(pack("123", false)), "the data are 3 bytes, but");
+  expect(in_zlib(pack(std::string(1000000, '\0'), false)), "more than 4 bytes");
+  expect(of(dimension("100000000"), "UINT8", to_base64(pack(std::string(100000, '\0'), false)), "GZipBase64Binary"),
          "are to be unpacked to 100000000, which no measurements are");
-  expect(of(four, "UINT8", to_base64(packed.substr(0, packed.size() - 2)), "GZipBase64Binary"),
-         "packed data end too early");
-  expect(of(four, "UINT8", to_base64(packed + "rest"), "GZipBase64Binary"), "4 bytes follow the packed data");
-  expect(of(four, "UINT8", to_base64("no data of zlib"), "GZipBase64Binary"), "packed data are damaged");
+  expect(in_zlib(packed.substr(0, packed.size() - 2)), "packed data end too early");
+  expect(in_zlib(packed + "rest"), "4 bytes follow the packed data");
+  expect(in_zlib("no data of zlib"), "packed data are damaged");
   // each array is in order, all of them fill the memory
   const std::string zeros = to_base64(pack(std::string(20000000, '\0'), false));
   std::string many;
@@ -335,11 +333,9 @@ TEST(GIFTI, refuses_what_is_wrong)
       laughs += "&a" + std::to_string(k - 1) + ";";
     laughs += "\">";
   }
-  expect(gifti("<MetaData><MD><Name>&a11;</Name></MD></MetaData>", 0, laughs + "]>"),
-         "the document type has declarations of its own");
-  expect(gifti("<MetaData><MD><Name>&a;</Name></MD></MetaData>", 0,
-               "<!DOCTYPE GIFTI [<!ENTITY a SYSTEM \"/etc/passwd\">]>"),
-         "the document type has declarations of its own");
+  for(const std::string& type : {laughs + "]>", std::string("<!DOCTYPE GIFTI [<!ENTITY a11 SYSTEM \"/etc/passwd\">]>")})
+    expect(gifti("<MetaData><MD><Name>&a11;</Name></MD></MetaData>", 0, type),
+           "the document type has declarations of its own");
 }
 
 TEST(GIFTI, is_robust)

@@ -7,14 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include <array>
 #include <cctype>
-#include <cmath>
-#include <cstddef>
-#include <cstdint>
-#include <string>
-#include <utility>
-#include <vector>
 
 namespace {
 

@@ -12,6 +12,7 @@
 #include <CGAL/Spherical_parameterization/Harmonics/reconstruct_from_spherical_harmonics.h>
 #include <CGAL/Spherical_parameterization/Harmonics/rotate_spherical_harmonics.h>
 
+#include "broken_maps.h"
 #include "test_meshes.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -295,9 +296,8 @@ TEST(Expansion, does_not_depend_on_the_unit)
   const Triangle_list surface = bumpy_sphere(2);
   const std::vector<Coordinates> images = icosphere(2).points;
   const Harmonics expected = Expanded(surface, images, 4).harmonics;
-  for(const int exponent : {-900, 900})
+  for(const double unit : {0x1p-900, 0x1p900})
   {
-    const double unit = std::scalbn(1., exponent);
     const Expanded e(scaled(surface, unit, unit, unit), images, 4);
     ASSERT_EQ(e.error, SP::OK);
     for_each_place(expected, [&](std::size_t k, std::size_t l, std::ptrdiff_t m) {
@@ -330,31 +330,34 @@ TEST(Expansion, of_values_is_that_of_each)
   const Triangle_list sphere = icosphere(3);
   const Surface mesh = make_mesh<Surface>(sphere);
   const auto images = make_vertex_map<Point_3>(mesh, sphere.points);
-  Harmonics of_points, of_four, of_one;
+  Harmonics result;
+  const auto expand = [&](const auto& value_of_vertex) {
+    return SP::expand_in_spherical_harmonics(
+        mesh, images, boost::make_function_property_map<Vertex_index>(value_of_vertex), 6, result);
+  };
+  const auto infinite = [](Vertex_index v) { return std::size_t(v) == 7 ? infinity : 0.; };
+  const auto unequal = [](Vertex_index v) { return std::vector<double>(std::size_t(v) == 7 ? 1 : 2, 0.); };
+  EXPECT_EQ(expand(infinite), SP::ERROR_NON_FINITE_COORDINATE);
+  EXPECT_EQ(expand(unequal), SP::ERROR_WRONG_PARAMETER);
+  EXPECT_EQ(result.degree(), Harmonics().degree()); // as it was
+
+  Harmonics of_points;
   ASSERT_EQ(SP::expand_in_spherical_harmonics(mesh, images, 6, of_points), SP::OK);
-  const auto four = boost::make_function_property_map<Vertex_index>([&](Vertex_index v) {
-    const Point_3& p = mesh.point(v);
-    return std::array<double, 4>{{p.z(), p.x(), 5., p.y()}};
-  });
-  ASSERT_EQ(SP::expand_in_spherical_harmonics(mesh, images, four, 6, of_four), SP::OK);
-  ASSERT_EQ(of_four.number_of_functions(), 4u);
-  const auto one = boost::make_function_property_map<Vertex_index>([&](Vertex_index v) { return mesh.point(v).y(); });
-  ASSERT_EQ(SP::expand_in_spherical_harmonics(mesh, images, one, 6, of_one), SP::OK);
-  ASSERT_EQ(of_one.number_of_functions(), 1u);
+  ASSERT_EQ(expand([&](Vertex_index v) { return mesh.point(v).y(); }), SP::OK);
+  ASSERT_EQ(result.number_of_functions(), 1u);
+  const Harmonics of_one = result;
+  ASSERT_EQ(expand([&](Vertex_index v) {
+              const Point_3& p = mesh.point(v);
+              return std::array<double, 4>{{p.z(), p.x(), 5., p.y()}};
+            }),
+            SP::OK);
+  ASSERT_EQ(result.number_of_functions(), 4u);
   const std::array<std::size_t, 3> places = {1, 3, 0}; // of x, y and z
   for_each_place(of_points, [&](std::size_t k, std::size_t l, std::ptrdiff_t m) {
-    EXPECT_NEAR(of_four.coefficient(places[k], l, m), of_points.coefficient(k, l, m), 1e-5);
+    EXPECT_NEAR(result.coefficient(places[k], l, m), of_points.coefficient(k, l, m), 1e-5);
     EXPECT_NEAR(of_one.coefficient(0, l, m), of_points.coefficient(1, l, m), 1e-5);
-    EXPECT_NEAR(of_four.coefficient(2, l, m), l == 0 ? 5. : 0., 1e-12);
+    EXPECT_NEAR(result.coefficient(2, l, m), l == 0 ? 5. : 0., 1e-12);
   });
-
-  const auto unequal = boost::make_function_property_map<Vertex_index>(
-      [](Vertex_index v) { return std::vector<double>(std::size_t(v) == 7 ? 1 : 2, 0.); });
-  EXPECT_EQ(SP::expand_in_spherical_harmonics(mesh, images, unequal, 6, of_one), SP::ERROR_WRONG_PARAMETER);
-  const auto broken = boost::make_function_property_map<Vertex_index>(
-      [](Vertex_index v) { return std::size_t(v) == 7 ? infinity : 0.; });
-  EXPECT_EQ(SP::expand_in_spherical_harmonics(mesh, images, broken, 6, of_one), SP::ERROR_NON_FINITE_COORDINATE);
-  EXPECT_EQ(of_one.degree(), 6u);
 }
 
 TEST(Expansion, tells_what_the_vertices_hold)
@@ -375,14 +378,10 @@ TEST(Expansion, tells_what_the_vertices_hold)
 
 TEST(Expansion, refuses_what_is_no_map)
 {
-  Triangle_list sphere = icosphere(1);
-  std::vector<Coordinates> images = sphere.points;
-  std::swap(images[0], images[20]);
-  EXPECT_EQ(Expanded(sphere, images, 3).error, SP::ERROR_NO_1_TO_1_MAPPING);
-  sphere.triangles.pop_back();
-  EXPECT_EQ(Expanded(sphere, sphere.points, 3).error, SP::ERROR_NON_CLOSED_MESH);
-  const Triangle_list broken = scaled(icosphere(1), 1., infinity, 1.);
-  EXPECT_EQ(Expanded(broken, icosphere(1).points, 3).error, SP::ERROR_NON_FINITE_COORDINATE);
+  for(const auto& [list, error] : test::broken_maps())
+    EXPECT_EQ(Expanded(list, list.points, 3).error, error);
+  const Triangle_list infinite = scaled(icosphere(1), 1., infinity, 1.);
+  EXPECT_EQ(Expanded(infinite, icosphere(1).points, 3).error, SP::ERROR_NON_FINITE_COORDINATE);
 }
 
 TEST(Expansion, is_as_it_was_once_it_is_stopped)
@@ -503,22 +502,25 @@ TEST(Position, does_not_depend_on_where_the_surface_was)
 
 TEST(Position, tells_of_symmetries)
 {
-  const auto move = [](Harmonics harmonics) {
-    SP::Standard_position position;
-    EXPECT_EQ(SP::move_to_standard_position(harmonics, position), SP::OK);
-    return position;
+  struct Case
+  {
+    Harmonics surface;
+    std::array<double, 3> semi_axes;
+    bool axes_are_determined;
   };
-  const SP::Standard_position ellipsoid = move(ellipsoid_of(1., 3., 2., 2));
-  EXPECT_TRUE(ellipsoid.axes_are_determined);
-  EXPECT_FALSE(ellipsoid.signs_are_determined);
-  EXPECT_NEAR(ellipsoid.semi_axes[0], 3., 1e-14);
-  EXPECT_NEAR(ellipsoid.semi_axes[1], 2., 1e-14);
-  EXPECT_NEAR(ellipsoid.semi_axes[2], 1., 1e-14);
-  EXPECT_FALSE(move(ellipsoid_of(1., 1., 1., 1)).axes_are_determined);
-  EXPECT_FALSE(move(ellipsoid_of(3., 1., 1., 1)).axes_are_determined);
-  EXPECT_FALSE(move(ellipsoid_of(3., 3., 1., 1)).axes_are_determined);
-  EXPECT_TRUE(move(ellipsoid_of(3., 2., 0., 1)).axes_are_determined);
-  EXPECT_LT(move(ellipsoid_of(3., 2., -1., 1)).semi_axes[2], 0.); // inside out
+  for(Case c :
+      {Case{ellipsoid_of(1., 3., 2., 2), {3., 2., 1.}, true}, Case{ellipsoid_of(1., 1., 1., 1), {1., 1., 1.}, false},
+       Case{ellipsoid_of(3., 1., 1., 1), {3., 1., 1.}, false}, Case{ellipsoid_of(3., 3., 1., 1), {3., 3., 1.}, false},
+       Case{ellipsoid_of(3., 2., 0., 1), {3., 2., 0.}, true},
+       Case{ellipsoid_of(3., 2., -1., 1), {3., 2., -1.}, true}}) // inside out
+  {
+    SP::Standard_position position;
+    EXPECT_EQ(SP::move_to_standard_position(c.surface, position), SP::OK);
+    EXPECT_EQ(position.axes_are_determined, c.axes_are_determined);
+    EXPECT_FALSE(position.signs_are_determined);
+    for(std::size_t k = 0; k < 3; ++k)
+      EXPECT_NEAR(position.semi_axes[k], c.semi_axes[k], 1e-14);
+  }
 }
 
 TEST(Position, refuses_what_has_none)

@@ -145,19 +145,23 @@ TEST(Coef_files, with_any_bytes_come_to_an_end)
   }
 }
 
+// Each with a part of what is told.
+void expect_refusals(Reader read, const std::vector<std::pair<std::string, const char*>>& table)
+{
+  for(const auto& [content, words] : table)
+    EXPECT_NE(refusal(read, content).find(words), std::string::npos) << content;
+}
+
 TEST(Coef_files, are_refused_with_the_line)
 {
-  const auto told = [](const std::string& content) { return refusal(SP::IO::read_SPHARM_PDM, content); };
-  const auto has = [](const std::string& text, const std::string& word) {
-    return text.find(word) != std::string::npos;
-  };
-  EXPECT_TRUE(has(told("degree,order,x,y,z,normalization,csphase\n0,0,1,2,3,4pi,1\n"), "Line 1: 'd'"));
-  EXPECT_TRUE(has(told("{ 3,{0,0,0},{0,0,0},{0,0,0}}"), "(L + 1)^2"));
-  EXPECT_TRUE(has(told("{ 4,{0,0,0},\n{0,0,0},\n{0,nan,0},\n{0,0,0}}"), "Line 3: 'nan'"));
-  EXPECT_TRUE(has(told("{ 1,{0,0}}"), "','"));
-  EXPECT_TRUE(has(told("{ 1,{0,0,0}} 1"), "more"));
-  EXPECT_TRUE(has(told("{ 1e300,{0,0,0}}"), "coefficients"));
-  EXPECT_TRUE(has(told("{ -4,{0,0,0}}"), "coefficients"));
+  expect_refusals(SP::IO::read_SPHARM_PDM,
+                  {{"degree,order,x,y,z,normalization,csphase\n0,0,1,2,3,4pi,1\n", "Line 1: 'd'"},
+                   {"{ 3,{0,0,0},{0,0,0},{0,0,0}}", "(L + 1)^2"},
+                   {"{ 4,{0,0,0},\n{0,0,0},\n{0,nan,0},\n{0,0,0}}", "Line 3: 'nan'"},
+                   {"{ 1,{0,0}}", "','"},
+                   {"{ 1,{0,0,0}} 1", "more"},
+                   {"{ 1e300,{0,0,0}}", "coefficients"},
+                   {"{ -4,{0,0,0}}", "coefficients"}});
 }
 
 TEST(Harmonics_tables, are_read_as_they_were_written)
@@ -190,21 +194,19 @@ TEST(Harmonics_tables, are_refused_with_the_line)
 {
   const std::string names = "degree,order,f1,normalization,csphase\n",
                     rows = "0,0,1,4pi,1\n1,-1,2,4pi,1\n1,0,3,4pi,1\n";
-  const std::pair<std::string, const char*> tables[] = {{"", "Line 1"},
-                                                        {coef_of(numbered(3, 1)), "Line 1"},
-                                                        {names, "(L + 1)^2"},
-                                                        {names + rows, "(L + 1)^2"},
-                                                        {names + rows + "1,1,4,4pi", "Line 5"},
-                                                        {names + rows + "1,0,4,4pi,1\n", "before"},
-                                                        {names + rows + "1,2,4,4pi,1\n", "order 2"},
-                                                        {names + rows + "1,1,4,unnorm,1\n", "'unnorm'"},
-                                                        {names + rows + "1,1,4,ortho,1\n", "line 2"},
-                                                        {names + rows + "1,1,4,4pi,-1\n", "line 2"},
-                                                        {names + rows + "1,1,4,4pi,2\n", "csphase"},
-                                                        {names + rows + "1,1,inf,4pi,1\n", "'inf'"},
-                                                        {names + rows + "1,1,four,4pi,1\n", "'four'"}};
-  for(const auto& [content, word] : tables)
-    EXPECT_NE(refusal(SP::IO::read_harmonics_table, content).find(word), std::string::npos) << content;
+  expect_refusals(SP::IO::read_harmonics_table, {{"", "Line 1"},
+                                                 {coef_of(numbered(3, 1)), "Line 1"},
+                                                 {names, "(L + 1)^2"},
+                                                 {names + rows, "(L + 1)^2"},
+                                                 {names + rows + "1,1,4,4pi", "Line 5"},
+                                                 {names + rows + "1,0,4,4pi,1\n", "before"},
+                                                 {names + rows + "1,2,4,4pi,1\n", "order 2"},
+                                                 {names + rows + "1,1,4,unnorm,1\n", "'unnorm'"},
+                                                 {names + rows + "1,1,4,ortho,1\n", "line 2"},
+                                                 {names + rows + "1,1,4,4pi,-1\n", "line 2"},
+                                                 {names + rows + "1,1,4,4pi,2\n", "csphase"},
+                                                 {names + rows + "1,1,inf,4pi,1\n", "'inf'"},
+                                                 {names + rows + "1,1,four,4pi,1\n", "'four'"}});
 }
 
 } // namespace

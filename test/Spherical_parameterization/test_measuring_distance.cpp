@@ -31,6 +31,7 @@ TEST(Distance, between_spheres_is_that_of_their_radii)
   EXPECT_NEAR(d.from_second.maximum, 0.1, 1e-3);
   EXPECT_NEAR(d.diagonal, std::sqrt(12.), 1e-2);
   EXPECT_NEAR(d.psnr(), 20. * std::log10(std::sqrt(12.) / 0.1), 0.1);
+  EXPECT_EQ(SP::Surface_distance().psnr(), std::numeric_limits<double>::infinity());
 }
 
 // Of the larger surface, only a part is near the smaller one: it takes both ways to see that.
@@ -54,42 +55,27 @@ TEST(Distance, with_flat_faces)
   EXPECT_NEAR(d.from_second.maximum, 1., 0.1);
 }
 
-TEST(Distance, refuses_what_is_no_surface_of_triangles)
-{
-  const Mesh sphere = make(icosphere(1));
-  const auto expect = [&](const Mesh& mesh, SP::Error_code error) {
-    SP::Surface_distance d;
-    d.diagonal = 7.;
-    EXPECT_EQ(SP::measure_distance(sphere, mesh, d), error);
-    EXPECT_EQ(SP::measure_distance(mesh, sphere, d), error);
-    EXPECT_EQ(d.diagonal, 7.);
-  };
-  expect(cube(), SP::ERROR_NON_TRIANGULAR_MESH);
-  expect(Mesh(), SP::ERROR_EMPTY_MESH);
-  for(const double x : {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()})
-  {
-    Mesh broken = sphere;
-    broken.point(Vertex_index(7)) = Point_3(0., x, 0.);
-    expect(broken, SP::ERROR_NON_FINITE_COORDINATE);
-  }
-  SP::Surface_distance d;
-  EXPECT_EQ(SP::measure_distance(sphere, sphere, d, number_of_points_on_faces(0)), SP::ERROR_WRONG_PARAMETER);
-  EXPECT_EQ(SP::measure_distance(sphere, sphere, d, CGAL::parameters::default_values(), number_of_points_on_faces(-1)),
-            SP::ERROR_WRONG_PARAMETER);
-}
-
-TEST(Distance, is_as_it_was_once_it_is_stopped)
+TEST(Distance, refuses_what_is_no_surface_of_triangles_and_may_be_stopped)
 {
   const Mesh sphere = make(icosphere(1));
   SP::Surface_distance d;
   d.diagonal = 7.;
+  Mesh nan = sphere, infinite = sphere;
+  nan.point(Vertex_index(7)) = Point_3(0., std::nan(""), 0.);
+  infinite.point(Vertex_index(7)) = Point_3(0., std::numeric_limits<double>::infinity(), 0.);
+  for(const auto& [mesh, error] : {std::pair(cube(), SP::ERROR_NON_TRIANGULAR_MESH),
+                                   {Mesh(), SP::ERROR_EMPTY_MESH},
+                                   {nan, SP::ERROR_NON_FINITE_COORDINATE},
+                                   {infinite, SP::ERROR_NON_FINITE_COORDINATE}})
+  {
+    EXPECT_EQ(SP::measure_distance(sphere, mesh, d), error);
+    EXPECT_EQ(SP::measure_distance(mesh, sphere, d), error);
+  }
+  EXPECT_EQ(SP::measure_distance(sphere, sphere, d, number_of_points_on_faces(0)), SP::ERROR_WRONG_PARAMETER);
+  EXPECT_EQ(SP::measure_distance(sphere, sphere, d, CGAL::parameters::default_values(), number_of_points_on_faces(-1)),
+            SP::ERROR_WRONG_PARAMETER);
   EXPECT_EQ(SP::measure_distance(sphere, sphere, d, CGAL::parameters::maximum_running_time(1e-9)), SP::ERROR_STOPPED);
   EXPECT_EQ(d.diagonal, 7.);
-}
-
-TEST(Distance, of_none_is_an_infinite_ratio)
-{
-  EXPECT_EQ(SP::Surface_distance().psnr(), std::numeric_limits<double>::infinity());
 }
 
 TEST(Distance, does_not_depend_on_the_unit)

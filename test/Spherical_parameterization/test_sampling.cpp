@@ -1,6 +1,7 @@
 // Each direction has the location that an exact brute force finds, whatever the mesh and the map, however it is asked for.
 
 #include "Counting_kernel.h"
+#include "broken_maps.h"
 #include "judge.h"
 #include "methods.h"
 #include "random_meshes.h"
@@ -10,7 +11,6 @@
 #include <CGAL/Polygon_mesh_processing/locate.h>
 #include <CGAL/Polyhedron_3.h>
 #include <CGAL/Simple_cartesian.h>
-#include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 
 #ifdef CGAL_LINKED_WITH_TBB
 #include <tbb/global_control.h>
@@ -42,14 +42,7 @@ public:
     , images(i)
     , triangles(test::triangles(mesh))
     , map(mesh, images)
-  {
-    for(const Triangle& t : triangles)
-    {
-      normals.emplace_back();
-      for(std::size_t k = 0; k < 3; ++k)
-        normals.back()[k] = normalized(cross(images[t[(k + 1) % 3]], images[t[(k + 2) % 3]]));
-    }
-  }
+  {}
 
   auto locator() const { return SP::Sphere_locator_3(mesh, map); }
 
@@ -64,16 +57,11 @@ public:
   // the first face that contains the direction
   std::size_t face(const Coordinates& q) const
   {
-    for(std::size_t f = 0; f < triangles.size(); ++f)
-    {
-      const double margin = -1e-6 * norm(q);
-      if(dot(normals[f][0], q) < margin || dot(normals[f][1], q) < margin || dot(normals[f][2], q) < margin)
-        continue;
-      const std::array<int, 3> s = sides(triangles[f], q);
-      if(s[0] >= 0 && s[1] >= 0 && s[2] >= 0)
-        return f;
-    }
-    return triangles.size();
+    const auto contains = [&](const Triangle& t) {
+      const std::array<int, 3> s = sides(t, q);
+      return s[0] >= 0 && s[1] >= 0 && s[2] >= 0;
+    };
+    return static_cast<std::size_t>(std::find_if(triangles.begin(), triangles.end(), contains) - triangles.begin());
   }
 
   std::array<Rational, 3> coordinates(const Triangle& t, const Coordinates& q) const
@@ -91,7 +79,6 @@ public:
   Mesh mesh;
   Images images;
   std::vector<Triangle> triangles;
-  std::vector<std::array<Coordinates, 3>> normals; // of the planes through the edges
   Point_map map;
 };
 
@@ -102,9 +89,8 @@ Point_3 point(const Coordinates& q)
 
 std::vector<Point_3> points_of(const Images& directions)
 {
-  std::vector<Point_3> result;
-  for(const Coordinates& q : directions)
-    result.push_back(point(q));
+  std::vector<Point_3> result(directions.size());
+  std::transform(directions.begin(), directions.end(), result.begin(), point);
   return result;
 }
 
@@ -182,6 +168,13 @@ Images special_directions(const Sphere_map& map, std::size_t n)
   return result;
 }
 
+// Checks directions anywhere, and those around the features of so many faces.
+void expect_right(const Sphere_map& map, std::size_t n_random, std::uint64_t seed, std::size_t n_special)
+{
+  expect_right(map, random_directions(n_random, seed));
+  expect_right(map, special_directions(map, n_special));
+}
+
 // With coordinates of single precision, sums of two points are exact, so that they are on edges.
 Triangle_list rounded_to_float(Triangle_list list)
 {
@@ -213,8 +206,7 @@ TEST(Locations, are_those_of_a_brute_force)
   {
     SCOPED_TRACE(list.points.size());
     const Sphere_map map(list);
-    expect_right(map, random_directions(n, 1));
-    expect_right(map, special_directions(map, n));
+    expect_right(map, n, 1, n);
   }
 }
 
@@ -226,26 +218,7 @@ TEST(Locations, are_those_of_a_brute_force_in_maps_of_random_meshes)
     SCOPED_TRACE(seed);
     const Mesh mesh = make(random_mesh(seed).list);
     const Sphere_map map(mesh, hierarchical().run(mesh).images);
-    expect_right(map, random_directions(100, seed));
-    expect_right(map, special_directions(map, 50));
-  }
-}
-
-TEST(Locations, are_those_of_a_brute_force_in_maps_of_shared_meshes)
-{
-  const std::filesystem::path folder = std::filesystem::path(SPHERICAL_PARAMETERIZATION_SHARED_DATA_DIR) / "meshes";
-  if(!test_scale::is_long() || !std::filesystem::exists(folder))
-    GTEST_SKIP() << "of long tests with meshes in " << folder;
-  for(const char* name :
-      {"blub_7106.off", "brain_fsaverage5_lh_pial.off", "bunny_3485.off", "buste_8160.off", "camel_9770.off",
-       "cow_2904.off", "fandisk_6475.off", "hand_10345.off", "spot_2930.off", "triceratops_2832.off"})
-  {
-    SCOPED_TRACE(name);
-    Mesh mesh;
-    ASSERT_TRUE(CGAL::IO::read_polygon_mesh((folder / name).string(), mesh));
-    const Sphere_map map(mesh, bijective().run(mesh).images);
-    expect_right(map, random_directions(test_scale::reduced(100000), 1));
-    expect_right(map, special_directions(map, map.triangles.size()));
+    expect_right(map, 100, seed, 50);
   }
 }
 
@@ -253,20 +226,21 @@ TEST(Locations, at_a_vertex_or_edge_are_in_its_first_face)
 {
   const Sphere_map map(octahedron());
   const auto locator = map.locator();
-  // the face, and the coordinates of two vertices of it, which are all but 0
-  const auto expect = [&](const Point_3& q, std::size_t face, std::size_t v, double at_v, std::size_t w, double at_w) {
+  // the face, and the coordinates of its vertices that are not 0
+  using Weights = std::map<std::size_t, double>;
+  const auto expect = [&](const Point_3& q, std::size_t face, const Weights& expected) {
     const auto location = locator.locate(q);
     EXPECT_EQ(location.first, Mesh::Face_index(static_cast<Mesh::size_type>(face)));
+    Weights weights;
     for(std::size_t k = 0; k < 3; ++k)
-    {
-      const std::size_t corner = map.triangles[face][k];
-      EXPECT_EQ(location.second[k], corner == v ? at_v : corner == w ? at_w : 0.);
-    }
+      if(location.second[k] != 0.)
+        weights[map.triangles[face][k]] = location.second[k];
+    EXPECT_EQ(weights, expected);
   };
-  expect(Point_3(0., 0., 7.), 0, 4, 1., 0, 0.);
-  expect(Point_3(0., 0., -7.), 4, 5, 1., 0, 0.);
-  expect(Point_3(-3., 1., 0.), 1, 1, 0.75, 2, 0.25);
-  expect(Point_3(0., -3., -1.), 6, 3, 0.75, 5, 0.25);
+  expect(Point_3(0., 0., 7.), 0, {{4, 1.}});
+  expect(Point_3(0., 0., -7.), 4, {{5, 1.}});
+  expect(Point_3(-3., 1., 0.), 1, {{1, 0.75}, {2, 0.25}});
+  expect(Point_3(0., -3., -1.), 6, {{3, 0.75}, {5, 0.25}});
 }
 
 // The mesh is so large that directions are sorted.
@@ -304,47 +278,29 @@ TEST(Locations, take_as_many_side_tests_in_a_large_mesh_as_in_a_small_one)
   EXPECT_LT(n_side_tests(5), 1.1 * n_side_tests(2));
 }
 
-template <class Locations>
-void expect_same_up_to_rounding(const Locations& locations, const Locations& expected)
+TEST(Locations, do_not_depend_on_the_length_of_a_direction_and_the_size_of_the_map)
 {
-  for(std::size_t k = 0; k < locations.size(); ++k)
-  {
-    EXPECT_EQ(locations[k].first, expected[k].first);
-    for(std::size_t i = 0; i < 3; ++i)
-      EXPECT_NEAR(locations[k].second[i], expected[k].second[i], 1e-6 * expected[k].second[i]);
-  }
-}
-
-TEST(Locations, do_not_depend_on_the_length_of_a_direction)
-{
-  const Sphere_map map(random_stacked_sphere(300, 2));
+  const Triangle_list list = random_stacked_sphere(300, 2);
+  const Sphere_map map(list);
   Images directions = random_directions(50, 3);
   const Images special = special_directions(map, 10);
   directions.insert(directions.end(), special.begin(), special.end());
   const auto expected = locate_all(map.locator(), directions);
-  for(const int exponent : {-996, -500, 30, 500, 1020})
+  for(const auto& [of_map, of_directions] :
+      {std::pair(0, -996), {0, -500}, {0, 30}, {0, 500}, {0, 1020}, {-900, 0}, {-100, 0}, {100, 0}, {900, 0}})
   {
-    SCOPED_TRACE(exponent);
-    Images scaled = directions;
-    for(Coordinates& q : scaled)
-      for(double& x : q)
-        x = std::ldexp(x, exponent);
-    expect_same_up_to_rounding(locate_all(map.locator(), scaled), expected);
+    SCOPED_TRACE(std::to_string(of_map) + ' ' + std::to_string(of_directions));
+    const double factor = std::ldexp(1., of_map);
+    const auto locations = locate_all(Sphere_map(scaled(list, factor, factor, factor)).locator(),
+                                      scaled(directions, std::ldexp(1., of_directions)));
+    for(std::size_t k = 0; k < locations.size(); ++k)
+    {
+      EXPECT_EQ(locations[k].first, expected[k].first);
+      for(std::size_t i = 0; i < 3; ++i)
+        EXPECT_NEAR(locations[k].second[i], expected[k].second[i], 1e-6 * expected[k].second[i]);
+    }
   }
   expect_right(map, {{1e300, 1e-5, 0.}, {1e-300, 0., 2e-300}, {5e-324, -5e-324, 5e-324}, {1., 1e-300, -1e-200}});
-}
-
-TEST(Locations, do_not_depend_on_the_size_of_the_map)
-{
-  const Triangle_list list = random_stacked_sphere(300, 2);
-  const Images directions = random_directions(50, 3);
-  const auto expected = locate_all(Sphere_map(list).locator(), directions);
-  for(const int exponent : {-900, -100, 100, 900})
-  {
-    const double factor = std::ldexp(1., exponent);
-    expect_same_up_to_rounding(locate_all(Sphere_map(scaled(list, factor, factor, factor)).locator(), directions),
-                               expected);
-  }
 }
 
 TEST(Locations, do_not_depend_on_order_hints_and_threads)
@@ -370,14 +326,10 @@ TEST(Locations, do_not_depend_on_order_hints_and_threads)
   }
 }
 
-TEST(Locations, of_no_directions)
-{
-  EXPECT_TRUE(locate_all(Sphere_map(octahedron()).locator(), {}).empty());
-}
-
 TEST(Locations, of_invalid_directions_have_no_face)
 {
   const auto locator = Sphere_map(icosphere(1)).locator();
+  EXPECT_TRUE(locate_all(locator, {}).empty());
   constexpr double infinity = std::numeric_limits<double>::infinity(), nan = std::numeric_limits<double>::quiet_NaN();
   Images directions = {{1., 2., 3.},  {0., 0., 0.},       {0., -0., 0.},        {nan, 1., 1.},
                        {1., nan, 0.}, {0., 0., infinity}, {-infinity, 1., nan}, {-1., 2., -3.}};
@@ -395,10 +347,12 @@ TEST(Locations, of_invalid_directions_have_no_face)
 }
 
 // The point of the surface is that of the face, by the coordinates in the order of CGAL, whatever the types.
-template <class Any_mesh, class Map>
-void expect_consistent_points(const Any_mesh& mesh, const Map& map)
+template <class Any_mesh>
+void expect_consistent_points()
 {
-  using Image_3 = typename boost::property_traits<Map>::value_type;
+  const Any_mesh mesh = make_mesh<Any_mesh>(bumpy_sphere(1));
+  const auto map = get(CGAL::vertex_point, mesh);
+  using Image_3 = typename boost::property_traits<std::decay_t<decltype(map)>>::value_type;
   using FT = typename CGAL::Kernel_traits<Image_3>::Kernel::FT;
   const double epsilon = CGAL::to_double(std::numeric_limits<FT>::epsilon()); // 0 for exact numbers
   const SP::Sphere_locator_3 locator(mesh, map);
@@ -406,27 +360,20 @@ void expect_consistent_points(const Any_mesh& mesh, const Map& map)
   for(const Coordinates& q : random_directions(20, 5))
   {
     const Image_3 direction{FT(q[0]), FT(q[1]), FT(q[2])};
-    const auto location = locator.locate(direction);
-    const auto p = PMP::construct_point(location, mesh, CGAL::parameters::vertex_point_map(map));
+    const auto p = PMP::construct_point(locator.locate(direction), mesh, CGAL::parameters::vertex_point_map(map));
     const auto difference = CGAL::cross_product(p - CGAL::ORIGIN, direction - CGAL::ORIGIN);
     EXPECT_LE(CGAL::to_double(difference.squared_length()), 64. * epsilon * epsilon);
     EXPECT_GT(CGAL::scalar_product(p - CGAL::ORIGIN, direction - CGAL::ORIGIN), FT(0));
   }
 }
 
-template <class Any_mesh>
-class Locator_of : public ::testing::Test
-{};
-
-using Mesh_types =
-    ::testing::Types<Mesh, CGAL::Polyhedron_3<Kernel>, CGAL::Surface_mesh<Float::Point_3>,
-                     CGAL::Surface_mesh<Epeck::Point_3>, CGAL::Surface_mesh<CGAL::Simple_cartesian<Rational>::Point_3>>;
-TYPED_TEST_SUITE(Locator_of, Mesh_types, ); // without the last comma, Clang is pedantic about the macro
-
-TYPED_TEST(Locator_of, any_mesh_and_kernel)
+TEST(Locator, of_any_mesh_and_kernel)
 {
-  const TypeParam mesh = make_mesh<TypeParam>(bumpy_sphere(1));
-  expect_consistent_points(mesh, get(CGAL::vertex_point, mesh));
+  expect_consistent_points<Mesh>();
+  expect_consistent_points<CGAL::Polyhedron_3<Kernel>>();
+  expect_consistent_points<CGAL::Surface_mesh<Float::Point_3>>();
+  expect_consistent_points<CGAL::Surface_mesh<Epeck::Point_3>>();
+  expect_consistent_points<CGAL::Surface_mesh<CGAL::Simple_cartesian<Rational>::Point_3>>();
 }
 
 // Directions of double are located in a map of float as they are, not rounded.
@@ -455,40 +402,24 @@ TEST(Locator, leaves_out_vertices_without_faces)
   expect_right(map, special_directions(map, 80));
 }
 
-template <class Any_mesh, class Map>
-void expect_refusal(const Any_mesh& mesh, const Map& map, SP::Error_code error, bool is_known_to_be_bijective = false)
+void expect_refusal(const Triangle_list& list, SP::Error_code error, bool is_known_to_be_bijective)
 {
-  const SP::Sphere_locator_3 locator(mesh, map, is_known_to_be_bijective);
+  const Mesh mesh = make(list);
+  const SP::Sphere_locator_3 locator(mesh, mesh.points(), is_known_to_be_bijective);
   EXPECT_EQ(locator.error_code(), error);
   expect_no_face(locator.locate(Point_3(1., 2., 3.)));
-  std::vector<typename decltype(locator)::Face_location> locations;
+  std::vector<decltype(locator)::Face_location> locations;
   EXPECT_EQ(locator.locate(std::vector<Point_3>(3, Point_3(1., 2., 3.)), std::back_inserter(locations)), error);
   EXPECT_TRUE(locations.empty());
 }
 
-void expect_refusal(const Triangle_list& list, SP::Error_code error, bool is_known_to_be_bijective = false)
-{
-  const Mesh mesh = make(list);
-  expect_refusal(mesh, Point_map(mesh, list.points), error, is_known_to_be_bijective);
-}
-
 TEST(Locator, refuses_what_is_no_bijection)
 {
-  Triangle_list list = icosphere(1);
-  std::swap(list.points[0], list.points[1]);
-  expect_refusal(list, SP::ERROR_NO_1_TO_1_MAPPING);
-  expect_refusal(suspension(5, 2), SP::ERROR_NO_1_TO_1_MAPPING);
-  list = icosphere(1);
-  list.points[3][1] = std::numeric_limits<double>::infinity();
-  expect_refusal(list, SP::ERROR_NON_FINITE_COORDINATE);
-  expect_refusal(torus(5, 5), SP::ERROR_NO_TOPOLOGICAL_SPHERE);
-  expect_refusal(disjoint_union(icosphere(0), icosphere(0)), SP::ERROR_SEVERAL_COMPONENTS);
-  list = icosphere(1);
-  list.triangles.pop_back();
-  for(const bool is_known_to_be_bijective : {false, true})
+  for(const auto& [list, error] : broken_maps())
   {
-    expect_refusal(Triangle_list(), SP::ERROR_EMPTY_MESH, is_known_to_be_bijective);
-    expect_refusal(list, SP::ERROR_NON_CLOSED_MESH, is_known_to_be_bijective);
+    expect_refusal(list, error, false);
+    if(error == SP::ERROR_EMPTY_MESH || error == SP::ERROR_NON_CLOSED_MESH)
+      expect_refusal(list, error, true);
   }
 }
 

@@ -1,16 +1,23 @@
 // A geometry image has the layout of its documentation, other programs see the values in it, and it gives the mesh back that
 // it was made of; what is damaged gives an error and no mesh.
 
-#include "decoded_images.h"
 #include "methods.h"
 
 #include <CGAL/Spherical_parameterization/Sampling/remesh_through_sphere.h>
 
 #ifdef TEST_PNG
 #include <CGAL/Spherical_parameterization/Sampling/PNG_geometry_image.h>
+
+#include <png.h>
 #endif
 #ifdef TEST_EXR
 #include <CGAL/Spherical_parameterization/Sampling/EXR_geometry_image.h>
+
+#include <ImathBox.h>
+#include <ImfChannelList.h>
+#include <ImfFrameBuffer.h>
+#include <ImfHeader.h>
+#include <ImfInputFile.h>
 #endif
 #include <CGAL/Spherical_parameterization/Sampling/internal/Geometry_image.h>
 
@@ -154,6 +161,14 @@ void expect_round_trip(const F& format)
   }
 }
 
+// What others see in an image: decoded by the libraries of the formats, without the reader of the package.
+// The channels are one by one, row by row.
+struct Decoded_image
+{
+  std::size_t width = 0, height = 0;
+  std::vector<std::vector<double>> channels;
+};
+
 // Each channel has its component of the value of the vertex that the pixel shows, up to a tolerance.
 template <class Value>
 void expect_values(const Decoded_image& image, const Layout& layout, const Mesh& mesh, const Value& value_of,
@@ -177,20 +192,20 @@ void expect_decoded(const F& format, const Decode& decode, double tolerance_of_n
   {
     const Sampled sampled(is_cube ? SP::Sphere_domain_3::cube(3) : SP::Sphere_domain_3::octahedron(4));
     const Layout layout = is_cube ? Layout::of_cube(3) : Layout::of_octahedron(4);
-    std::stringstream points, normals, heights;
-    ASSERT_EQ(format.write(points, sampled.remesh, sampled.remesh.points()), SP::OK);
-    ASSERT_EQ(format.write(normals, sampled.remesh, sampled.normals), SP::OK);
-    ASSERT_EQ(format.write(heights, sampled.remesh, sampled.heights), SP::OK);
+    const Mesh& mesh = sampled.remesh;
+    const auto expect = [&](const auto& map, const auto& value_of, std::size_t n, const Coordinates& tolerance) {
+      std::stringstream file;
+      ASSERT_EQ(format.write(file, mesh, map), SP::OK);
+      expect_values(decode(file.str()), layout, mesh, value_of, n, tolerance);
+    };
     const double t = tolerance_of_normals;
-    expect_values(
-        decode(points.str()), layout, sampled.remesh,
-        [&](Vertex_index v, std::size_t c) { return sampled.remesh.point(v)[static_cast<int>(c)]; }, 3,
+    expect(
+        mesh.points(), [&](Vertex_index v, std::size_t c) { return mesh.point(v)[static_cast<int>(c)]; }, 3,
         format.tolerance);
-    expect_values(decode(normals.str()), layout, sampled.remesh,
-                  [&](Vertex_index v, std::size_t c) { return sampled.normals[v][static_cast<int>(c)]; }, 3, {t, t, t});
-    expect_values(decode(heights.str()), layout, sampled.remesh,
-                  [&](Vertex_index v, std::size_t) { return static_cast<double>(sampled.heights[v]); }, 1,
-                  {format.tolerance[1], 0., 0.});
+    expect(sampled.normals, [&](Vertex_index v, std::size_t c) { return sampled.normals[v][static_cast<int>(c)]; }, 3,
+           {t, t, t});
+    expect(sampled.heights, [&](Vertex_index v, std::size_t) { return static_cast<double>(sampled.heights[v]); }, 1,
+           {format.tolerance[1], 0., 0.});
   }
 }
 
@@ -254,6 +269,43 @@ void expect_errors_of_images(const F& format, const Write_image& write_image)
 }
 
 #ifdef TEST_PNG
+// A PNG file, with the functions of libpng that read a file at once
+Decoded_image decode_png(const std::string& content)
+{
+  Decoded_image result;
+  png_structp reader = png_create_read_struct(PNG_LIBPNG_VER_STRING, nullptr, nullptr, nullptr);
+  png_infop info = png_create_info_struct(reader);
+  std::istringstream in(content);
+  png_set_read_fn(reader, &in, [](png_structp p, png_bytep data, std::size_t n) {
+    static_cast<std::istream*>(png_get_io_ptr(p))->read(reinterpret_cast<char*>(data), static_cast<std::streamsize>(n));
+  });
+  png_read_png(reader, info, PNG_TRANSFORM_IDENTITY, nullptr);
+  EXPECT_EQ(png_get_bit_depth(reader, info), 16);
+  result.width = png_get_image_width(reader, info);
+  result.height = png_get_image_height(reader, info);
+  result.channels.resize(png_get_channels(reader, info));
+
+  std::map<std::string, std::vector<double>> ranges;
+  png_textp texts = nullptr;
+  const int n_texts = png_get_text(reader, info, &texts, nullptr);
+  for(int i = 0; i < n_texts; ++i)
+  {
+    std::istringstream text(texts[i].text);
+    for(double x = 0.; text >> x;)
+      ranges[texts[i].key].push_back(x);
+  }
+  for(std::size_t c = 0; c < result.channels.size(); ++c)
+    for(std::size_t row = 0; row < result.height; ++row)
+      for(std::size_t column = 0; column < result.width; ++column)
+      {
+        const png_bytep bytes = png_get_rows(reader, info)[row] + 2 * (column * result.channels.size() + c);
+        const double code = 256. * bytes[0] + bytes[1], min = ranges["Minimum"].at(c), max = ranges["Maximum"].at(c);
+        result.channels[c].push_back(min + (max - min) * code / 65535.);
+      }
+  png_destroy_read_struct(&reader, &info, nullptr);
+  return result;
+}
+
 const Format png = {
     [](auto& out, const auto&... arguments) { return SP::IO::write_PNG_geometry_image(out, arguments...); },
     [](auto& in, Mesh& mesh) { return SP::IO::read_PNG_geometry_image(in, mesh); },
@@ -366,6 +418,30 @@ TEST(Png_image, holds_the_largest_numbers)
 #endif
 
 #ifdef TEST_EXR
+// An OpenEXR file, with the channels and the order of the rows that the file says
+Decoded_image decode_exr(const std::string& content)
+{
+  const char* const name = "decoded.exr";
+  std::ofstream(name, std::ios::binary) << content;
+  Imf::InputFile file(name);
+  const Imath::Box2i window = file.header().dataWindow();
+  Decoded_image result;
+  result.width = static_cast<std::size_t>(window.max.x - window.min.x + 1);
+  result.height = static_cast<std::size_t>(window.max.y - window.min.y + 1);
+  const bool is_grey = file.header().channels().findChannel("Y") != nullptr;
+  for(const char* const channel : is_grey ? std::vector<const char*>{"Y"} : std::vector<const char*>{"R", "G", "B"})
+  {
+    EXPECT_NE(file.header().channels().findChannel(channel), nullptr);
+    std::vector<float> pixels(result.width * result.height);
+    Imf::FrameBuffer buffer;
+    buffer.insert(channel, Imf::Slice::Make(Imf::FLOAT, pixels.data(), window));
+    file.setFrameBuffer(buffer);
+    file.readPixels(window.min.y, window.max.y);
+    result.channels.emplace_back(pixels.begin(), pixels.end());
+  }
+  return result;
+}
+
 // How many more bytes of memory the program has had at once by the end of f() than before it, in rough
 template <class F>
 double additional_memory(const F& f)

@@ -3,6 +3,7 @@
 #include <CGAL/Spherical_parameterization/Sampling/compute_texture_coordinates.h>
 #include <CGAL/Spherical_parameterization/Sampling/write_OBJ.h>
 
+#include "broken_maps.h"
 #include "methods.h"
 #include "random_meshes.h"
 #include "test_scale.h"
@@ -197,19 +198,16 @@ TEST(Texture_coordinates, of_an_octahedron_that_is_cut_along_its_edges)
 // Each is exact: the seam through a vertex, across an edge and along one, the poles in faces, on edges and at vertices.
 TEST(Texture_coordinates, of_an_octahedron_that_is_cut_across)
 {
-  struct Case
+  const Mesh mesh = make(octahedron());
+  for(const auto& [axes, n_vertices] : {std::pair(Axes{{0., 0., 1.}, {1., 1., 0.}}, 7u),
+                                        {Axes{{0., 0., 1.}, {1., 2., 5.}}, 7u},
+                                        {Axes{{1., 0., 1.}, {0., 1., 0.}}, 8u},
+                                        {Axes{{1., 0., 1.}, {1., 0., 0.}}, 8u},
+                                        {Axes{{1., 1., 1.}, {1., 0., 0.}}, 9u},
+                                        {Axes{{1., 1., 1.}, {-1., 0., 0.}}, 9u}})
   {
-    Axes axes;
-    std::size_t n_vertices;
-  };
-  for(const Case& c : {Case{{{0., 0., 1.}, {1., 1., 0.}}, 7}, Case{{{0., 0., 1.}, {1., 2., 5.}}, 7},
-                       Case{{{1., 0., 1.}, {0., 1., 0.}}, 8}, Case{{{1., 0., 1.}, {1., 0., 0.}}, 8},
-                       Case{{{1., 1., 1.}, {1., 0., 0.}}, 9}, Case{{{1., 1., 1.}, {-1., 0., 0.}}, 9}})
-  {
-    const Mesh mesh = make(octahedron());
-    const Textured<Mesh> textured(mesh, mesh.points(), c.axes);
-    EXPECT_EQ(num_vertices(textured.mesh), c.n_vertices);
-    expect_right(octahedron(), octahedron().points, c.axes);
+    EXPECT_EQ(num_vertices(Textured<Mesh>(mesh, mesh.points(), axes).mesh), n_vertices);
+    expect_right(octahedron(), octahedron().points, axes);
   }
 }
 
@@ -345,22 +343,13 @@ TEST(Texture_coordinates, are_refused_with_a_reason)
       {Axes{{0., 0., 0.}, {1., 0., 0.}}, Axes{{0., 0., 1.}, {0., -0., 0.}}, Axes{{0., nan, 1.}, {1., 0., 0.}},
        Axes{{0., 0., 1.}, {-infinity, 0., 0.}}, Axes{{1., 2., 3.}, {2., 4., 6.}}, Axes{{1., 2., 3.}, {-1., -2., -3.}}})
     expect_refusal(icosphere(1), axes, SP::ERROR_INVALID_DIRECTION);
-  Triangle_list list = icosphere(1);
-  std::swap(list.points[0], list.points[1]);
-  expect_refusal(list, Axes(), SP::ERROR_NO_1_TO_1_MAPPING);
-  list.triangles.pop_back();
-  expect_refusal(list, Axes(), SP::ERROR_NON_CLOSED_MESH);
-  expect_refusal(Triangle_list(), Axes(), SP::ERROR_EMPTY_MESH);
-
-  const Mesh mesh = make(icosphere(1));
-  Images surface = icosphere(1).points;
-  surface[3][1] = nan;
-  Mesh result;
-  auto uv = result.add_property_map<Mesh::Halfedge_index, Point_2>("h:uv").first;
-  EXPECT_EQ(SP::compute_texture_coordinates(mesh, mesh.points(), result, uv, {0, 0, 1}, {1, 0, 0},
-                                            CGAL::parameters::vertex_point_map(Point_map(mesh, surface))),
-            SP::ERROR_NON_FINITE_COORDINATE);
-  EXPECT_TRUE(is_empty(result));
+  for(const auto& [list, error] : broken_maps())
+    expect_refusal(list, Axes(), error);
+  Mesh infinite = make(icosphere(1));
+  infinite.point(Mesh::Vertex_index(3)) = Point_3(0., nan, 0.);
+  const Textured<Mesh> textured(infinite, Point_map(infinite, icosphere(1).points), Axes());
+  EXPECT_EQ(textured.error, SP::ERROR_NON_FINITE_COORDINATE);
+  EXPECT_TRUE(is_empty(textured.mesh));
 }
 
 TEST(Obj_file, holds_the_mesh_and_each_coordinate_once)

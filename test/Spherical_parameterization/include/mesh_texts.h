@@ -1,27 +1,10 @@
-// Copyright (c) 2026  The Spherical_parameterization authors.
-// All rights reserved.
-//
-// This file is part of the Spherical_parameterization package for CGAL (www.cgal.org).
-//
-// SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Author(s)     : The Spherical_parameterization authors
-
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_TEST_MESH_TEXTS_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_TEST_MESH_TEXTS_H
 
 // Mesh files as texts.
 
+#include "standard_library.h"
 #include "Binary_file.h"
-
-#include <cstddef>
-#include <cstdint>
-#include <istream>
-#include <iterator>
-#include <map>
-#include <sstream>
-#include <string>
-#include <vector>
 
 // A tetrahedron with a right angle, as text.
 inline const std::string corner_off = "OFF\n4 4 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n";
