@@ -1,5 +1,6 @@
-// The core of the package, but for the descents, of which each energy has a source of its own.
+// The core of the package, but for the descents.
 
 #include <CGAL/Spherical_parameterization/internal/certificate/Orientation_about_origin_3_impl.h>
 #include <CGAL/Spherical_parameterization/internal/execution/parallel_impl.h>
+#include <CGAL/Spherical_parameterization/internal/run/first_map_impl.h>
 #include <CGAL/Spherical_parameterization/internal/surface/Surface_impl.h>

@@ -15,6 +15,7 @@
 #include <CGAL/license/Spherical_parameterization.h>
 
 #include <CGAL/Spherical_parameterization/Conformal_energy_3.h>
+#include <CGAL/Spherical_parameterization/Isometric_energy_3.h>
 #include <CGAL/Spherical_parameterization/Stretch_energy_3.h>
 #include <CGAL/Spherical_parameterization/Symmetric_Dirichlet_energy_3.h>
 #include <CGAL/Spherical_parameterization/Parameterization_report.h>
@@ -23,8 +24,8 @@
 #include <CGAL/Spherical_parameterization/internal/descent/Descent_loop.h>
 #include <CGAL/Spherical_parameterization/internal/descent/Hierarchical_embedding.h>
 #include <CGAL/Spherical_parameterization/internal/descent/Vertex_step.h>
+#include <CGAL/Spherical_parameterization/internal/run/first_map.h>
 #include <CGAL/Spherical_parameterization/internal/run/run_descent.h>
-#include <CGAL/Spherical_parameterization/internal/run/run_parameterization.h>
 #include <CGAL/Spherical_parameterization/internal/surface/Run.h>
 #include <CGAL/Spherical_parameterization/internal/surface/mesh_measures.h>
 

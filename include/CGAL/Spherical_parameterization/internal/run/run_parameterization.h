@@ -19,11 +19,10 @@
 #include <CGAL/Spherical_parameterization/Parameterization_report.h>
 #include <CGAL/Spherical_parameterization/internal/certificate/is_safely_positive.h>
 #include <CGAL/Spherical_parameterization/internal/execution/parallel.h>
-#include <CGAL/Spherical_parameterization/internal/initializers/Schnyder_drawing.h>
-#include <CGAL/Spherical_parameterization/internal/numbers/Vector_3.h>
 #include <CGAL/Spherical_parameterization/internal/run/Visitor_control.h>
-#include <CGAL/Spherical_parameterization/internal/run/check_run.h>
 #include <CGAL/Spherical_parameterization/internal/run/check_arguments.h>
+#include <CGAL/Spherical_parameterization/internal/run/check_run.h>
+#include <CGAL/Spherical_parameterization/internal/run/first_map.h>
 #include <CGAL/Spherical_parameterization/internal/run/write_map.h>
 #include <CGAL/Spherical_parameterization/internal/surface/Run.h>
 #include <CGAL/Spherical_parameterization/internal/surface/read_mesh.h>
@@ -34,8 +33,6 @@
 
 #include <boost/graph/graph_traits.hpp>
 
-#include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <functional>
 #include <optional>
@@ -44,26 +41,6 @@
 #include <vector>
 
 namespace CGAL::Spherical_parameterization::internal {
-
-// Makes a map of the connectivity alone, which never fails.
-inline void draw_surface(Run& run)
-{
-  run.positions = Schnyder_drawing(run.surface.rings()).positions();
-  run.control.report().seconds_for_embedding += run.control.lap();
-}
-
-// Takes images of the vertices, in the caller's order, projected to the unit sphere. Returns whether they make a bijection there.
-inline bool take_map(std::vector<Vector_3d> images, Run& run)
-{
-  for(Vector_3d& x : images)
-  {
-    const double size = (std::max)({std::abs(x[0]), std::abs(x[1]), std::abs(x[2])}); // squares could overflow
-    x = normalized({x[0] / size, x[1] / size, x[2] / size});
-  }
-  const bool is_bijective = are_bijective(run.surface.callers_triangles(), images, run.execution);
-  run.positions = run.surface.in_own_order(images);
-  return is_bijective;
-}
 
 // A run from the caller's mesh to the caller's map, as every parameterizer makes it: read(), the work of its method on the
 // members of Run, and write(). The caller's types end here.

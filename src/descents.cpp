@@ -1,9 +1,9 @@
-// The descent by `Stretch_energy_3`.
+// The descents by the energies of the package: together, as what does not depend on the energy is compiled once.
 
 #include <CGAL/Spherical_parameterization/internal/run/run_descent_impl.h>
 
 namespace CGAL::Spherical_parameterization::internal {
 
-CGAL_SPHERICAL_PARAMETERIZATION_DESCENTS_BY(, Stretch_energy_3)
+CGAL_SPHERICAL_PARAMETERIZATION_DESCENTS()
 
 } // namespace CGAL::Spherical_parameterization::internal
