@@ -1,9 +1,4 @@
-#include "Command_options.h"
-
-#include "text.h"
-
-#include <algorithm>
-#include <cstddef>
+#include "command_line.h"
 
 namespace Program {
 
@@ -153,14 +148,9 @@ const std::vector<Command> commands = {
      "surface with handles, where these are. Without SPHERE, the surface is mapped.",
      1, 2}};
 
-const std::map<std::string, std::vector<const char*>> needed_options = {
-    {"--soft-landmarks", {"--landmarks"}}, {"--feature-weights", {"--features"}},  {"--compare", {"--features"}},
-    {"--values-sphere", {"--transfer"}},   {"--image-size", {"--geometry-image"}}, {"--overwrite", {"--surfaces"}}};
-
-int Command_option::number_of_values() const
-{
-  return 1 + static_cast<int>(std::count(values.begin(), values.end(), ' '));
-}
+const std::map<std::string, std::string> needed_options = {
+    {"--soft-landmarks", "--landmarks"}, {"--feature-weights", "--features"},  {"--compare", "--features"},
+    {"--values-sphere", "--transfer"},   {"--image-size", "--geometry-image"}, {"--overwrite", "--surfaces"}};
 
 std::vector<Command_option> options_of(const std::string& command)
 {

@@ -1,10 +1,8 @@
 #include "Input_mesh.h"
 
-#include "read_file.h"
 #include "write_mesh.h"
 
 #include <CGAL/Spherical_parameterization/Repair/fill_holes.h>
-#include <CGAL/Spherical_parameterization/Repair/find_handles.h>
 #include <CGAL/Spherical_parameterization/internal/files/Soup_defect.h>
 
 #include <CGAL/Surface_mesh/IO/PLY.h>
@@ -12,12 +10,11 @@
 #include <CGAL/boost/graph/iterator.h>
 
 #include <boost/container/small_vector.hpp>
+#include <boost/pending/disjoint_sets.hpp>
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <sstream>
-#include <utility>
 
 namespace Program {
 
@@ -38,6 +35,19 @@ void add_to(Mesh& mesh, const std::vector<Point_3>& points, const std::vector<Po
   CGAL::Euler::add_faces(faces, mesh);
 }
 
+bool is_finite(const Point_3& p)
+{
+  return std::isfinite(p.x()) && std::isfinite(p.y()) && std::isfinite(p.z());
+}
+
+// Returns whether both polygons are the same triangle, from any of its corners on.
+bool is_same(Polygon polygon, const Polygon& triangle)
+{
+  for(std::size_t k = 0; k < 3 && polygon != triangle; ++k)
+    std::rotate(polygon.begin(), polygon.begin() + (polygon.empty() ? 0 : 1), polygon.end());
+  return polygon == triangle;
+}
+
 } // namespace
 
 SP::Distortion_summary measured_distortion(const Mesh& mesh, const Sphere_map& map, Distortion_map distortions)
@@ -49,6 +59,35 @@ SP::Distortion_summary measured_distortion(const Mesh& mesh, const Sphere_map& m
   return summary;
 }
 
+std::vector<std::vector<Polygon>> parts_of(std::vector<Polygon> polygons)
+{
+  std::vector<std::pair<std::uint64_t, std::size_t>> sides; // both vertices of an edge, and a face
+  for(std::size_t f = 0; f < polygons.size(); ++f)
+    SP::internal::for_each_side(polygons[f], [&](std::size_t from, std::size_t to) {
+      const auto [v, w] = std::minmax(from, to);
+      sides.emplace_back(std::uint64_t(v) << 32 | w, f);
+    });
+  std::sort(sides.begin(), sides.end());
+  boost::disjoint_sets_with_storage<> sets(polygons.size());
+  for(std::size_t k = 1; k < sides.size(); ++k)
+    if(sides[k].first == sides[k - 1].first)
+      sets.union_set(sides[k].second, sides[k - 1].second);
+  std::vector<std::vector<Polygon>> parts;
+  std::vector<std::size_t> part_of(polygons.size(), polygons.size()); // by the face that stands for it
+  for(std::size_t f = 0; f < polygons.size(); ++f)
+  {
+    std::size_t& part = part_of[sets.find_set(f)];
+    if(part == polygons.size())
+    {
+      part = parts.size();
+      parts.emplace_back();
+    }
+    parts[part].push_back(std::move(polygons[f]));
+  }
+  std::stable_sort(parts.begin(), parts.end(), [](const auto& a, const auto& b) { return a.size() > b.size(); });
+  return parts;
+}
+
 Input_mesh::Input_mesh(const std::string& path, File_content soup)
   : m_name(printable(path))
   , m_is_of_cortical_format(!is_among(file_format(path), input_formats))
@@ -57,10 +96,10 @@ Input_mesh::Input_mesh(const std::string& path, File_content soup)
   , m_polygons(std::move(soup.polygons))
 {
   if(m_polygons.empty())
-    throw Program_error(m_name + ": the mesh has no faces.\nPerhaps the file is truncated, or a point cloud, which has "
-                                 "to be turned into a surface first.");
+    throw Program_error(m_name, ": the mesh has no faces.\nPerhaps the file is truncated, or a point cloud, which has "
+                                "to be turned into a surface first.");
   if(const auto defect = SP::internal::find_defect_of_soup(soup.points.size(), m_polygons))
-    throw Program_error(m_name + ": " + defect->message);
+    throw Program_error(m_name, ": ", defect->message);
   add_to(m_mesh, soup.points, m_polygons);
 }
 
@@ -77,22 +116,24 @@ std::string Input_mesh::find_defect() const
          (defect->error == SP::ERROR_NO_TOPOLOGICAL_SPHERE ? describe_handles() : "");
 }
 
+void Input_mesh::check() const
+{
+  if(const std::string defect = find_defect(); !defect.empty())
+    throw Program_error(defect);
+}
+
 std::vector<Input_mesh::Handle> Input_mesh::find_handles(std::size_t max_handles) const
 {
-  std::vector<SP::Handle<Mesh>> handles;
-  std::vector<Handle> result;
-  if(SP::find_handles(m_mesh, handles, CGAL::parameters::maximum_number(max_handles)) == SP::OK)
-    for(const SP::Handle<Mesh>& handle : handles)
-      result.push_back({{handle.path.begin(), handle.path.end()}, handle.length});
-  return result;
+  std::vector<Handle> handles;
+  if(SP::find_handles(m_mesh, handles, CGAL::parameters::maximum_number(max_handles)) != SP::OK)
+    handles.clear();
+  return handles;
 }
 
 std::string Input_mesh::describe(const Handle& handle)
 {
-  std::ostringstream text;
-  text << handle.path.size() << " edges around a handle, of length " << handle.length << ", at vertex "
-       << handle.path.front().idx();
-  return text.str();
+  return joined(handle.path.size(), " edges around a handle, of length ", handle.length, ", at vertex ",
+                handle.path.front().idx());
 }
 
 void Input_mesh::write_handles(std::ostream& out, const std::vector<Handle>& handles) const
@@ -124,14 +165,14 @@ std::vector<Input_mesh::Hole> Input_mesh::fill_holes(std::size_t max_edges)
   const SP::Error_code error = SP::fill_holes(m_mesh, holes, CGAL::parameters::maximum_number(max_edges));
   if(error == SP::ERROR_NO_SIMPLICIAL_COMPLEX)
     throw Program_error(
-        m_name + ": the border touches itself in vertex " + std::to_string(holes.back().vertex) +
+        m_name, ": the border touches itself in vertex ", holes.back().vertex.idx(),
         ", so that it is not clear what its holes are.\nSplit the vertex, for example with "
         "CGAL::Polygon_mesh_processing::duplicate_non_manifold_vertices(). (Vertices are counted from 0.)");
   if(error == SP::ERROR_NON_FINITE_COORDINATE)
   {
     const auto is_wrong = [&](Vertex_index v) { return !m_mesh.is_isolated(v) && !is_finite(m_mesh.point(v)); };
     const Vertex_index v = *std::find_if(m_mesh.vertices().begin(), m_mesh.vertices().end(), is_wrong);
-    throw Program_error(m_name + ": vertex " + std::to_string(v) +
+    throw Program_error(m_name, ": vertex ", v.idx(),
                         " has a coordinate that is infinite or not a number. (Vertices are counted from 0.)");
   }
   std::vector<Hole> result;
@@ -185,9 +226,7 @@ void Input_mesh::write_filled(std::ostream& out, const std::string& format) cons
 
 Sphere_map Input_mesh::read_images(const std::string& path)
 {
-  const std::string defect = find_defect();
-  if(!defect.empty())
-    throw Program_error(defect);
+  check();
   const File_content soup = read_file_content(path);
   check_faces_of(path, "is no map of this mesh", soup.points.size(), soup.polygons);
   const Sphere_map map = m_mesh.add_property_map<Vertex_index, Point_3>("v:initial").first;
@@ -195,8 +234,8 @@ Sphere_map Input_mesh::read_images(const std::string& path)
   {
     map[v] = soup.points[v];
     if(!m_mesh.is_isolated(v) && !is_finite(map[v]))
-      throw error_in(path, "is no map: vertex " + std::to_string(v) +
-                               " has a coordinate that is infinite or not a number. (Vertices are counted from 0.)");
+      throw error_in(path, "is no map: vertex ", v.idx(),
+                     " has a coordinate that is infinite or not a number. (Vertices are counted from 0.)");
   }
   return map;
 }
@@ -208,11 +247,10 @@ Sphere_map Input_mesh::read_map(const std::string& path)
   const std::size_t n_inverted = measured_distortion(m_mesh, map, distortions).number_of_inverted_faces;
   for(const Mesh::Face_index f : m_mesh.faces())
     if(distortions[f].is_inverted)
-      throw error_in(path,
-                     "is no one-to-one map: face " + std::to_string(std::size_t(f)) +
-                         " is not positively oriented as seen from the origin (" + std::to_string(n_inverted) +
-                         " such faces in total).\nTake another start, such as --initial harmonic. (Faces are counted "
-                         "from 0.)");
+      throw error_in(path, "is no one-to-one map: face ", f.idx(),
+                     " is not positively oriented as seen from the origin (", n_inverted,
+                     " such faces in total).\nTake another start, such as --initial harmonic. (Faces are counted "
+                     "from 0.)");
   return map;
 }
 
@@ -221,38 +259,23 @@ void Input_mesh::check_faces_of(const std::string& path, const std::string& is, 
 {
   const auto compare = [&](const std::string& what, std::size_t count, std::size_t expected) {
     if(count != expected)
-      throw error_in(path, is + ": it has " + std::to_string(count) + " " + what + ", the mesh has " +
-                               std::to_string(expected));
+      throw error_in(path, is, ": it has ", count, " ", what, ", the mesh has ", expected);
   };
   compare("vertices", n_vertices, (m_unfilled ? *m_unfilled : m_mesh).number_of_vertices());
   compare("faces", polygons.size(), m_polygons.size());
   for(std::size_t f = 0; f < m_polygons.size(); ++f)
     if(!is_same(polygons[f], m_polygons[f]))
-      throw error_in(path, is + ": face " + std::to_string(f) +
-                               " has other corners, or another orientation. (Faces are counted from 0.)");
+      throw error_in(path, is, ": face ", f, " has other corners, or another orientation. (Faces are counted from 0.)");
 }
 
 std::string Input_mesh::describe_handles() const
 {
   constexpr std::size_t max_named = 5; // each takes time
-  std::ostringstream text;
+  std::string text;
   for(const Handle& handle : find_handles(max_named))
-    text << "\nA path of " << describe(handle) << '.';
-  text << "\nrepair SURFACE --handles FILE writes such a path for each, show shows where they are. (Vertices are "
-          "counted "
-          "from 0.)";
-  return text.str();
+    text += "\nA path of " + describe(handle) + '.';
+  return text + "\nrepair SURFACE --handles FILE writes such a path for each, show shows where they are. (Vertices are "
+                "counted from 0.)";
 }
 
-bool Input_mesh::is_finite(const Point_3& p)
-{
-  return std::isfinite(p.x()) && std::isfinite(p.y()) && std::isfinite(p.z());
-}
-
-bool Input_mesh::is_same(Polygon polygon, const Polygon& triangle)
-{
-  for(std::size_t k = 0; k < 3 && polygon != triangle; ++k)
-    std::rotate(polygon.begin(), polygon.begin() + (polygon.empty() ? 0 : 1), polygon.end());
-  return polygon == triangle;
-}
 } // namespace Program

@@ -1,17 +1,15 @@
 #ifndef PROGRAM_INPUT_MESH_H
 #define PROGRAM_INPUT_MESH_H
 
-#include "File_content.h"
+#include "read_file.h"
 
+#include <CGAL/Spherical_parameterization/Repair/find_handles.h>
 #include <CGAL/Spherical_parameterization/measure_distortion.h>
 
 #include <CGAL/Surface_mesh.h>
 
-#include <cstddef>
 #include <optional>
 #include <ostream>
-#include <string>
-#include <vector>
 
 namespace Program {
 
@@ -21,9 +19,11 @@ using Sphere_map = Mesh::Property_map<Vertex_index, Point_3>;
 using Distortion_map = Mesh::Property_map<Mesh::Face_index, SP::Face_distortion>;
 
 /// measures a map to the sphere, each face and all together.
-///
-/// \throws Program_error if that cannot be measured
 SP::Distortion_summary measured_distortion(const Mesh& mesh, const Sphere_map& map, Distortion_map distortions);
+
+/// returns the faces of each part of a surface: those that are connected by edges. The largest part comes first, of several as large
+/// that with the first face.
+std::vector<std::vector<Polygon>> parts_of(std::vector<Polygon> polygons);
 
 /// The mesh of a file, if a halfedge data structure can hold it. It keeps the faces as they were in the file, whose first
 /// corners `Surface_mesh` forgets.
@@ -37,21 +37,17 @@ public:
     double perimeter, share; ///< of all of the area
   };
 
-  /// A closed path around a handle.
-  struct Handle
-  {
-    std::vector<Vertex_index> path;
-    double length;
-  };
+  using Handle = SP::Handle<Mesh>;
 
   /// turns the content of the file `path` into a mesh. The indices of vertices and faces are those of the file.
-  ///
-  /// \throws Program_error with what is wrong, where, and what helps
   Input_mesh(const std::string& path, File_content soup);
 
   /// returns why the mesh has no map, where, and what helps; empty if the mesh is in order. A parameterizer asks the same
   /// before it begins.
   std::string find_defect() const;
+
+  /// throws what keeps the mesh from having a map, as a `Program_error`.
+  void check() const;
 
   /// returns a closed path around each handle, at most so many; see `SP::find_handles()`. There are none if anything else is wrong.
   std::vector<Handle> find_handles(std::size_t max_handles) const;
@@ -64,8 +60,6 @@ public:
   void write_handles(std::ostream& out, const std::vector<Handle>& handles) const;
 
   /// fills the holes with at most so many edges; see `SP::fill_holes()`. New vertices and faces come behind those of the file.
-  ///
-  /// \throws Program_error if a border touches itself or another one, or a coordinate is not finite
   std::vector<Hole> fill_holes(std::size_t max_edges);
 
   /// returns the name of the file for a message.
@@ -103,23 +97,14 @@ public:
   Sphere_map read_images(const std::string& path);
 
   /// reads a map of this mesh from a file.
-  ///
-  /// \throws Program_error if this mesh has no map, or the file cannot be read, is of another mesh, or turns faces over
   Sphere_map read_map(const std::string& path);
 
   /// checks that the file `path` has as many vertices as this mesh, and the same faces.
-  ///
-  /// \throws Program_error with what the file `is`, and why
   void check_faces_of(const std::string& path, const std::string& is, std::size_t n_vertices,
                       const std::vector<Polygon>& polygons) const;
 
 private:
   std::string describe_handles() const;
-
-  static bool is_finite(const Point_3& p);
-
-  // returns whether both polygons are the same triangle, from any of its corners on
-  static bool is_same(Polygon polygon, const Polygon& triangle);
 
   std::string m_name;
   bool m_is_of_cortical_format;

@@ -1,19 +1,14 @@
 #include "Mesh_run.h"
 
-#include "Colored_mesh.h"
-#include "Components.h"
 #include "Interrupt_guard.h"
-#include "read_file.h"
-#include "write_sphere.h"
+#include "write_mesh.h"
 
 #include <CGAL/Spherical_parameterization/Cortex/rotate_to_surface.h>
 #include <CGAL/Spherical_parameterization/is_bijective.h>
 
 #include <algorithm>
 #include <chrono>
-#include <cmath>
 #include <limits>
-#include <ostream>
 
 namespace Program {
 
@@ -55,12 +50,12 @@ void Mesh_run::read()
   if(!m_options.start_or_template().empty())
     m_report.start_stamp = File_stamp(m_options.start_or_template());
   File_content soup = read_file_content(m_names.input);
-  if(m_options.picks_component)
+  if(m_options.has("components"))
   {
-    const Components components(soup.polygons);
-    m_report.components = components.sizes();
-    if(m_component < components.sizes().size())
-      components.keep(m_component, soup.polygons);
+    std::vector<std::vector<Polygon>> parts = parts_of(std::move(soup.polygons));
+    for(const std::vector<Polygon>& part : parts)
+      m_report.components.push_back(part.size());
+    soup.polygons = m_component < parts.size() ? std::move(parts[m_component]) : std::vector<Polygon>();
     m_report.component = m_component;
   }
   m_input.emplace(m_names.input, std::move(soup));
@@ -115,13 +110,7 @@ void Mesh_run::repair()
   count_surface();
   m_files.write(m_names.filled,
                 [&](std::ostream& out) { m_input->write_filled(out, m_options.format_of(m_names.filled)); });
-  m_report.files = m_files.names();
-  m_files.commit();
-}
-
-std::string Mesh_run::find_defect() const
-{
-  return m_input->find_defect();
+  commit();
 }
 
 void Mesh_run::sample()
@@ -129,15 +118,13 @@ void Mesh_run::sample()
   if(m_options.domain.empty() && m_options.image_size == 0)
     return;
   const double start = seconds_now();
-  if(!m_report.result.is_one_to_one)
-    throw error_in(m_names.input,
-                   "the map is not one-to-one: the surface cannot be sampled by it.\n--method bld excludes that.");
+  check_map("the surface cannot be sampled by it");
   if(!m_options.domain.empty())
   {
     m_remesh.emplace(*m_input, m_sphere, m_options.domain, m_options.domain_size);
     if(m_options.max_hole_edges > 0)
       m_remesh->mark_filler(*m_input, m_sphere);
-    if(!m_options.values_file.empty())
+    if(m_options.has("transfer"))
       m_remesh->carry_values(m_options, *m_input, m_sphere);
     m_report.remesh = m_remesh->figures(*m_input);
   }
@@ -154,9 +141,7 @@ void Mesh_run::match(const Mapped_mesh* model)
   std::optional<Interrupt_guard> guard;
   if(!m_options.is_batch()) // which has one for all
     guard.emplace();
-  if(!m_report.result.is_one_to_one)
-    throw error_in(m_names.input,
-                   "the map is not one-to-one: no surface can be mapped by it.\n--method bld excludes that.");
+  check_map("no surface can be mapped by it");
   const bool needs_overlay = !m_names.overlay.empty() || !m_names.morph.empty() || !m_names.page.empty();
   if(model != nullptr)
   {
@@ -171,19 +156,27 @@ void Mesh_run::match(const Mapped_mesh* model)
       m_report.written_radius =
           m_options.follows_convention(m_names.onto) ? SP::cortical_sphere_radius : m_other->radius;
   }
-  if(!m_match->distortion && needs_overlay)
-    throw error_in(m_names.input, std::string("no --overlay, --morph or --page can be made. ") +
-                                      SP::get_error_message(SP::ERROR_TOO_LARGE_OVERLAY));
-  m_report.match = Run_report::Match_figures{model != nullptr ? m_options.template_file : m_options.onto,
-                                             model != nullptr,
-                                             m_other->input.mesh().number_of_vertices(),
-                                             m_match->report,
-                                             m_match->distortion,
-                                             m_match->warnings(),
-                                             m_match->energy_before,
-                                             m_match->number_of_new_vertices,
-                                             m_match->parents};
+  if(!m_match->figures.distortion && needs_overlay)
+    throw error_in(m_names.input, std::string("no --overlay, --morph or --page can be made. "),
+                   SP::get_error_message(SP::ERROR_TOO_LARGE_OVERLAY));
+  m_report.match = m_match->figures;
+  m_report.match->other = model != nullptr ? m_options.text("template") : m_options.onto;
+  m_report.match->is_template = model != nullptr;
+  m_report.match->number_of_vertices = m_other->input.mesh().number_of_vertices();
   m_report.seconds_for_matching = seconds_now() - start;
+}
+
+void Mesh_run::check_map(const std::string& what) const
+{
+  if(!m_report.result.is_one_to_one)
+    throw error_in(m_names.input, "the map is not one-to-one: ", what, ".\n--method bld excludes that.");
+}
+
+void Mesh_run::commit()
+{
+  m_report.files = m_files.names();
+  m_files.write(m_names.json, [&](std::ostream& out) { out << m_report.json(); });
+  m_files.commit();
 }
 
 void Mesh_run::write()
@@ -194,79 +187,70 @@ void Mesh_run::write()
   if(!m_options.sphere_file.empty())
     m_report.result.report.radius = m_report.distortion.radius;
   if(m_options.is_unit_sphere)
-    m_report.balanced = measure_balanced(m_report.distortion.radius);
+    measure_balanced();
   m_report.seconds_for_measuring = seconds_now() - start;
   write_surfaces();
-  m_files.write(m_names.image, [&](std::ostream& out) { m_image->write_image(out, m_names.image, false); });
-  m_files.write(m_names.image_of_normals(), [&](std::ostream& out) { m_image->write_image(out, m_names.image, true); });
   if(!m_names.colored.empty())
     write_colors();
   if(!m_names.page.empty())
-    write_page_of(page_of_maps());
+    write_page_of(m_match ? page_of_match(m_match->overlay(), m_report)
+                          : page_of_sphere(*m_input, m_sphere, m_distortions, m_report));
   m_report.seconds_for_output = seconds_now() - start - m_report.seconds_for_measuring;
-  m_report.files = m_files.names();
-  m_files.write(m_names.json, [&](std::ostream& out) { out << m_report.json(); });
-  m_files.commit();
+  commit();
 }
 
 void Mesh_run::write_surfaces()
 {
-  const auto format_of = [&](const std::string& name) { return m_options.format_of(name); };
-  m_files.write(m_names.sphere, [&](std::ostream& out) {
-    const std::string format = format_of(m_names.sphere);
-    if(m_match && m_options.onto.empty())
-      m_match->write_positions(out, format);
-    else if(m_match && !m_options.is_onto_atlas)
-      m_match->write_directions(out, m_names.sphere, format, radius_of(m_names.sphere));
-    else
-      write_sphere(out, m_names.sphere, format, *m_input, m_sphere, radius_of(m_names.sphere));
-  });
+  using Out = std::ostream&;
+  const auto write = [&](const std::string& name, const auto& write_to) {
+    m_files.write(name, [&](Out out) { write_to(out, m_options.format_of(name)); });
+  };
+  const auto write_map = [&](const std::string& name, Input_mesh& input, const Sphere_map& map,
+                             const std::optional<double>& radius) {
+    write(name, [&](Out out, const std::string& format) { write_sphere(out, name, format, input, map, radius); });
+  };
+  const bool has_template = m_match && m_options.onto.empty();
+  if(m_match)
+    write(has_template              ? m_names.sphere
+          : m_options.is_onto_atlas ? ""
+                                    : m_names.onto,
+          [&](Out out, const std::string& format) { m_match->write_positions(out, format); });
+  if(m_match && !has_template)
+    write_map(m_options.is_onto_atlas ? m_names.onto : m_names.sphere, m_match->input(), m_match->directions(),
+              m_options.is_onto_atlas ? m_report.written_radius : radius_of(m_names.sphere));
+  if(!m_match || m_options.is_onto_atlas)
+    write_map(m_names.sphere, *m_input, m_sphere, radius_of(m_names.sphere));
+  if(m_other)
+    write_map(m_names.target_sphere, m_other->input, m_other->sphere, radius_of(m_names.target_sphere));
   if(!m_names.sphere.empty())
     m_report.sphere_checksum = m_files.checksum(m_names.sphere);
-  m_files.write(m_names.remesh, [&](std::ostream& out) { m_remesh->write(out, format_of(m_names.remesh)); });
-  m_files.write(m_names.values, [&](std::ostream& out) { m_remesh->write_values(out, file_format(m_names.values)); });
-  m_files.write(m_names.onto, [&](std::ostream& out) {
-    if(m_options.is_onto_atlas)
-      m_match->write_directions(out, m_names.onto, format_of(m_names.onto), m_report.written_radius);
-    else
-      m_match->write_positions(out, format_of(m_names.onto));
-  });
-  m_files.write(m_names.target_sphere, [&](std::ostream& out) {
-    write_sphere(out, m_names.target_sphere, format_of(m_names.target_sphere), m_other->input, m_other->sphere,
-                 radius_of(m_names.target_sphere));
-  });
-  m_files.write(m_names.overlay, [&](std::ostream& out) { m_match->write_overlay(out); });
-  m_files.write(m_names.morph,
-                [&](std::ostream& out) { m_match->write_morph(out, format_of(m_names.morph), m_options.morph_time); });
-}
-
-Page Mesh_run::page_of_maps()
-{
-  return m_match ? page_of_match(m_match->overlay(), m_report)
-                 : page_of_sphere(*m_input, m_sphere, m_distortions, m_report);
+  write(m_names.remesh, [&](Out out, const std::string& format) { m_remesh->write(out, format); });
+  write(m_names.morph, [&](Out out, const std::string& f) { m_match->write_morph(out, f, m_options.morph_time); });
+  m_files.write(m_names.values, [&](Out out) { m_remesh->write_values(out, file_format(m_names.values)); });
+  m_files.write(m_names.overlay, [&](Out out) { m_match->write_overlay(out); });
+  m_files.write(m_names.image, [&](Out out) { m_image->write_image(out, m_names.image, false); });
+  m_files.write(m_names.image_of_normals(), [&](Out out) { m_image->write_image(out, m_names.image, true); });
 }
 
 void Mesh_run::write_page_of(Page page)
 {
-  if(m_input->is_of_cortical_format() || m_options.convention == "cortex" || !m_options.labels_file.empty())
-    add_anatomy(page, *m_input, m_options.labels_file);
+  if(m_input->is_of_cortical_format() || m_options.text("convention") == "cortex" || m_options.has("labels"))
+    add_anatomy(page, *m_input, m_options.text("labels"));
   m_files.write(m_names.page, [&](std::ostream& out) { write_page(out, page); });
 }
 
 void Mesh_run::show_beside()
 {
-  if(const std::string defect = find_defect(); !defect.empty())
-    throw Program_error(defect);
-  Input_mesh other(m_options.beside, read_file_content(m_options.beside));
+  m_input->check();
+  Input_mesh other(m_options.text("beside"), read_file_content(m_options.text("beside")));
   write_page_of(page_of_same_faces(*m_input, other));
   count_surface();
-  m_report.files = m_files.names();
-  m_files.commit();
+  commit();
 }
 
 std::optional<double> Mesh_run::radius_of(const std::string& name) const
 {
-  return !name.empty() && m_options.follows_convention(name) && !m_options.keeps_radius
+  return !name.empty() && m_options.follows_convention(name) && !m_options.has("radius")
              ? std::optional<double>(SP::cortical_sphere_radius)
              : std::nullopt;
 }
@@ -285,47 +269,19 @@ void Mesh_run::show_handles()
     m_files.commit(m_names.page);
 }
 
-// Measures the map, and each face, with the radius that balances the areas (eq. 11), at which maps are usually compared;
-// does nothing if no number holds that radius. Faces where distortions are infinite are left out.
-std::optional<SP::Distortion_summary> Mesh_run::measure_balanced(double radius)
+// Measures the map, and each face, with the radius that balances the areas, at which maps are usually compared; does nothing if
+// no number holds that radius.
+void Mesh_run::measure_balanced()
 {
-  // Scaling by a power of two is exact, and keeps all products away from infinity and 0.
-  const auto exponent_of = [&](const auto& points) {
-    double max = 0.;
-    for(const Vertex_index v : mesh_of_file().vertices())
-      if(!mesh_of_file().is_isolated(v))
-        for(int k = 0; k < 3; ++k)
-          max = (std::max)(max, std::abs(points[v][k]));
-    return max > 0. ? std::ilogb(max) : 0;
-  };
-  const auto area = [&](const auto& points, Mesh::Face_index f, int exponent) {
-    const auto point = [&](Mesh::Halfedge_index h) {
-      const Point_3& p = points[mesh_of_file().target(h)];
-      return Point_3(std::scalbn(p.x(), -exponent), std::scalbn(p.y(), -exponent), std::scalbn(p.z(), -exponent));
-    };
-    const Mesh::Halfedge_index h = mesh_of_file().halfedge(f);
-    return std::sqrt(CGAL::squared_area(point(h), point(mesh_of_file().next(h)), point(mesh_of_file().prev(h))));
-  };
-  const int exponent = exponent_of(mesh_of_file().points()), exponent_of_sphere = exponent_of(m_sphere);
-  double sum = 0., sum_of_inverses = 0.;
-  for(const Mesh::Face_index f : mesh_of_file().faces())
-    if(std::isfinite(m_distortions[f].isometric))
-    {
-      const double d = area(m_sphere, f, exponent_of_sphere) / area(mesh_of_file().points(), f, exponent);
-      sum += d;
-      sum_of_inverses += 1. / d;
-    }
-  const double balanced =
-      std::scalbn(std::scalbn(radius, -exponent_of_sphere) * std::pow(sum_of_inverses / sum, 0.25), exponent);
+  const double radius = m_report.distortion.radius, balanced = m_report.distortion.balanced_radius;
   if(!(balanced > 0. && std::isfinite(balanced)))
-    return std::nullopt;
-
+    return;
   const Sphere_map scaled =
       mesh_of_file().add_property_map<Vertex_index, Point_3>("v:balanced", Point_3(0, 0, 0)).first;
   for(const Vertex_index v : mesh_of_file().vertices())
     scaled[v] = Point_3(balanced * (m_sphere[v].x() / radius), balanced * (m_sphere[v].y() / radius),
                         balanced * (m_sphere[v].z() / radius));
-  return measured_distortion(mesh_of_file(), scaled, m_distortions);
+  m_report.balanced = measured_distortion(mesh_of_file(), scaled, m_distortions);
 }
 
 void Mesh_run::write_colors()
@@ -334,11 +290,14 @@ void Mesh_run::write_colors()
   std::vector<double> values;
   for(const SP::Face_distortion& distortion : m_distortions)
     values.push_back(is_conformal ? distortion.angle : distortion.isometric);
-  const Colored_mesh colored(mesh_of_file().number_of_vertices(), m_input->triangles(), values, is_conformal ? 2. : 1.);
-  m_report.color_range = colored.range();
-  m_files.write(m_names.colored_surface(),
-                [&](std::ostream& out) { colored.write(out, m_input->points_of(mesh_of_file().points())); });
-  m_files.write(m_names.colored_sphere(), [&](std::ostream& out) { colored.write(out, m_input->points_of(m_sphere)); });
+  const std::vector<Polygon>& faces = m_input->triangles();
+  const Colored_distortion colored(mesh_of_file().number_of_vertices(), faces, values, is_conformal ? 2. : 1.);
+  m_report.color_range = colored.range;
+  for(const auto& [name, points] :
+      {std::pair(m_names.colored_surface(), mesh_of_file().points()), std::pair(m_names.colored_sphere(), m_sphere)})
+    m_files.write(name, [&, points = points](std::ostream& out) {
+      write_colored_mesh(out, m_input->points_of(points), faces, colored);
+    });
 }
 
 } // namespace Program

@@ -1,7 +1,5 @@
 #include "Page.h"
 
-#include "read_file.h"
-
 #include <CGAL/Bbox_3.h>
 #include <CGAL/Spherical_parameterization/Cortex/compute_sulcal_measures.h>
 #include <CGAL/Spherical_parameterization/Surface_maps/align_spheres.h>
@@ -9,12 +7,7 @@
 #include <CGAL/property_map.h>
 
 #include <algorithm>
-#include <cmath>
-#include <filesystem>
 #include <limits>
-#include <map>
-#include <numeric>
-#include <utility>
 
 namespace Program {
 
@@ -70,25 +63,22 @@ void place(const Page& page, const std::vector<Page::Side*>& sides)
   double extent = 0., radius = 0.;
   for(std::size_t k = 0; k < 3; ++k)
   {
-    const int i = static_cast<int>(k);
-    const double low = (box.min)(i), high = (box.max)(i);
+    const double low = (box.min)(static_cast<int>(k)), high = (box.max)(static_cast<int>(k));
     centre[k] = 0.5 * low + 0.5 * high; // their sum may be infinite
     extent = (std::max)(extent, 0.5 * high - 0.5 * low);
   }
-  if(extent == 0.)
-    extent = 1.;
+  const auto shrink = [&](const Point_3& origin, double& size) {
+    size = size > 0. ? size : 1.;
+    for(Page::Side* side : sides)
+      for(Point_3& p : side->points)
+        p = CGAL::ORIGIN + (p - origin) / size;
+  };
+  shrink(Point_3(centre[0], centre[1], centre[2]), extent);
   for(Page::Side* side : sides)
-  {
-    for(Point_3& p : side->points)
-      p = Point_3((p.x() - centre[0]) / extent, (p.y() - centre[1]) / extent, (p.z() - centre[2]) / extent);
     for_each_corner(page, [&](std::size_t v) { radius = (std::max)(radius, length_of(side->points[v])); });
-  }
-  if(radius == 0.)
-    radius = 1.;
+  shrink(Point_3(0., 0., 0.), radius);
   for(Page::Side* side : sides)
   {
-    for(Point_3& p : side->points)
-      p = Point_3(p.x() / radius, p.y() / radius, p.z() / radius);
     side->centre = centre;
     side->scale = extent * radius;
   }
@@ -168,33 +158,26 @@ void tell(Page& page, const Run_report& report)
   page.is_one_to_one = report.result.is_one_to_one;
   page.verdict = report.verdict();
   page.summary = report.summary();
-  page.shown = report.shows_angles() ? 2 : 0;
+  page.shown = report.shows_angles() ? "D_angle" : "D_iso";
 }
 
 // How far the middle of each face moves between two sides of one frame.
 void add_displacements(Page& page)
 {
-  Page::Measure measure{
-      "displacement", "how far a place moves from one surface to the other, in the unit of the files", 0., {}, {}};
-  std::vector<double> lengths; // in the unit of the page, in which squares are numbers
+  std::vector<float> values;
+  SP::internal::Statistics_accumulator lengths; // in the unit of the page, in which squares are numbers
   for(const auto& triangle : page.triangles)
   {
     CGAL::Vector_3<Kernel> moved(0., 0., 0.);
     for(const std::uint32_t v : triangle)
       moved = moved + (page.right.points[v] - page.left.points[v]) / 3.;
-    lengths.push_back(length_of(CGAL::ORIGIN + moved));
-    measure.values.push_back(to_float(page.left.scale * lengths.back()));
+    const double length = length_of(CGAL::ORIGIN + moved);
+    lengths.add(length);
+    values.push_back(to_float(page.left.scale * length));
   }
-  const double n = static_cast<double>(lengths.size());
-  const double average = std::accumulate(lengths.begin(), lengths.end(), 0.) / n;
-  double variance = 0.;
-  for(const double length : lengths)
-    variance += (length - average) * (length - average) / n;
-  measure.statistics = Json_object()
-                           .add("maximum", page.left.scale * *std::max_element(lengths.begin(), lengths.end()))
-                           .add("average", page.left.scale * average)
-                           .add("deviation", page.left.scale * std::sqrt(variance));
-  page.measures.push_back(std::move(measure));
+  const double unit = page.left.scale;
+  page.add_measure("displacement", "how far a place moves from one surface to the other, in the unit of the files", 0.,
+                   json_of({unit * lengths.maximum(), unit * lengths.average(), unit * lengths.deviation()}), values);
 }
 
 // `statistics_of` tells those of a measure, by its members of both summaries.
@@ -202,11 +185,11 @@ template <class Statistics>
 void add_distortions(Page& page, const std::vector<SP::Face_distortion>& distortions, const Statistics& statistics_of)
 {
   const auto add = [&](const char* name, const char* meaning, double minimum, double SP::Face_distortion::*of_face,
-                       const Json_object& statistics) {
-    Page::Measure measure{name, meaning, minimum, statistics, {}};
+                       const Json& statistics) {
+    std::vector<float> values;
     for(const SP::Face_distortion& distortion : distortions)
-      measure.values.push_back(to_float(distortion.*of_face));
-    page.measures.push_back(std::move(measure));
+      values.push_back(to_float(distortion.*of_face));
+    page.add_measure(name, meaning, minimum, statistics, values);
   };
   add("D_iso", "the largest factor by which a length is wrong", 1., &SP::Face_distortion::isometric,
       statistics_of(&SP::Distortion_summary::isometric, &SP::Distortion_between::isometric));
@@ -214,19 +197,6 @@ void add_distortions(Page& page, const std::vector<SP::Face_distortion>& distort
       statistics_of(&SP::Distortion_summary::area, &SP::Distortion_between::area));
   add("D_angle", "how angles change; 2 is best", 2., &SP::Face_distortion::angle,
       statistics_of(&SP::Distortion_summary::angle, &SP::Distortion_between::angle));
-}
-
-// Of two surfaces, what is shown are parts of the faces of the first one.
-void add_classes(Page& page, Page::Classes classes)
-{
-  if(page.has_numbers)
-  {
-    std::vector<std::uint16_t> of_parts;
-    for(const std::uint32_t f : page.left.faces)
-      of_parts.push_back(classes.values[f]);
-    classes.values.swap(of_parts);
-  }
-  page.classes.push_back(std::move(classes));
 }
 
 // Gives each face the label that most of its corners have, if they have one.
@@ -238,8 +208,7 @@ void add_labels(const File_content& soup, const Mesh& mesh, const std::vector<Po
         "has no labels with names and colours, as the annotations of FreeSurfer and .label.gii files have");
   const std::vector<double>& keys = soup.values_of_vertices.front().numbers;
   if(keys.size() != mesh.number_of_vertices())
-    throw Program_error("has labels of " + std::to_string(keys.size()) + " vertices, but the surface has " +
-                        std::to_string(mesh.number_of_vertices()));
+    throw Program_error("has labels of ", keys.size(), " vertices, but the surface has ", mesh.number_of_vertices());
   std::map<double, std::uint16_t> class_of;
   for(const SP::IO::Label& label : soup.labels)
     if(!is_among(label.name, {"", "???", "unknown", "Unknown"}) &&
@@ -318,9 +287,9 @@ Page page_of_same_faces(Input_mesh& input, Input_mesh& other)
   page.right.points.assign(second.points().begin(), second.points().end());
   place(page, {&page.left, &page.right});
   page.has_one_frame = true;
+  page.shown = "displacement";
   page.verdict = "The same faces: each vertex is mapped to that of the same number.";
-  page.summary.add("Mesh", std::to_string(mesh.number_of_vertices()) + " vertices, " +
-                               std::to_string(mesh.number_of_faces()) + " faces");
+  page.summary.add("Mesh", sizes_of(mesh.number_of_vertices(), mesh.number_of_faces()));
   add_displacements(page);
   SP::Distortion_summary summary;
   const std::vector<SP::Face_distortion> distortions = distortions_between(page, &summary);
@@ -337,22 +306,19 @@ Page page_of_handles(Input_mesh& input, const std::vector<Input_mesh::Handle>& h
   show_surface(page, input, mesh);
   place(page, {&page.left});
   page.right = page.left;
+  page.shown = "near handles";
   page.right.title = "from behind";
   page.right.rotation = {-1., 0., 0., 0., 1., 0., 0., 0., -1.};
   page.verdict = handles.size() == 1 ? "A handle keeps the surface from being mapped."
                                      : std::to_string(handles.size()) + " handles keep the surface from being mapped.";
-  page.summary.add("Mesh", std::to_string(mesh.number_of_vertices()) + " vertices, " +
-                               std::to_string(mesh.number_of_faces()) + " faces");
+  page.summary.add("Mesh", sizes_of(mesh.number_of_vertices(), mesh.number_of_faces()));
   for(std::size_t k = 0; k < handles.size(); ++k)
     page.summary.add("Handle " + std::to_string(k + 1), Input_mesh::describe(handles[k]));
-  Page::Measure measure{"near handles",
-                        "1 at a short path around a handle; grows by 1 for each face between",
-                        1.,
-                        Json_object().add("handles", handles.size()),
-                        {}};
+  std::vector<float> values;
   for(const std::size_t steps : steps_from(mesh, handles))
-    measure.values.push_back(1.f + static_cast<float>(steps));
-  page.measures.push_back(std::move(measure));
+    values.push_back(1.f + static_cast<float>(steps));
+  page.add_measure("near handles", "1 at a short path around a handle; grows by 1 for each face between", 1.,
+                   {{"handles", handles.size()}}, values);
   return page;
 }
 
@@ -360,8 +326,7 @@ void add_anatomy(Page& page, Input_mesh& input, const std::string& labels)
 {
   const Mesh& mesh = input.mesh_of_file();
   SP::Sulcal_measures folding;
-  if(const SP::Error_code error = SP::compute_sulcal_measures(input.mesh(), folding); error != SP::OK)
-    throw Program_error(input.name() + ": " + SP::get_error_message(error));
+  check(SP::compute_sulcal_measures(input.mesh(), folding), input.name());
   std::vector<std::uint16_t> folds, areas;
   for(const Polygon& t : input.triangles())
     folds.push_back(folding.curvature[t[0]] + folding.curvature[t[1]] + folding.curvature[t[2]] > 0. ? 1 : 0);
@@ -373,10 +338,10 @@ void add_anatomy(Page& page, Input_mesh& input, const std::string& labels)
     for(Page::Class& one : classes)
       one.name = "no label";
     read_named(labels, [&] { add_labels(read_file_of_values(labels), mesh, input.triangles(), classes, areas); });
-    add_classes(page, {"labels", name_of(labels), std::move(classes), std::move(areas)});
-    page.shown = page.measures.size() + page.classes.size() - 1;
+    page.add_classes("labels", name_of(labels), classes, areas);
+    page.shown = "labels";
   }
-  add_classes(page, {"folds", "ridges and furrows, by the sign of the mean curvature", grey, std::move(folds)});
+  page.add_classes("folds", "ridges and furrows, by the sign of the mean curvature", grey, folds);
 }
 
 } // namespace Program

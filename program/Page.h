@@ -1,17 +1,7 @@
 #ifndef PROGRAM_PAGE_H
 #define PROGRAM_PAGE_H
 
-#include "Input_mesh.h"
-#include "Json_object.h"
-#include "Run_report.h"
 #include "Surface_match.h"
-
-#include <array>
-#include <cstddef>
-#include <cstdint>
-#include <ostream>
-#include <string>
-#include <vector>
 
 namespace Program {
 
@@ -33,36 +23,30 @@ struct Page
     std::array<double, 9> rotation = identity; ///< for the page; the numbers that are told are those of the file
   };
 
-  struct Measure
-  {
-    std::string name, meaning;
-    double minimum;         ///< colours are for ratios to it, or for differences if it is 0
-    Json_object statistics; ///< numbers by their names
-    std::vector<float> values;
-  };
-
   struct Class
   {
     std::string name;
     std::array<double, 3> colour; ///< red, green and blue, to 255
   };
 
-  /// A class for each face
-  struct Classes
-  {
-    std::string name, meaning;
-    std::vector<Class> classes;
-    std::vector<std::uint16_t> values;
-  };
+  /// adds a number for each face. The colours are for their ratios to the minimum, or for differences if that is 0.
+  ///
+  /// \param statistics numbers by their names
+  void add_measure(const std::string& name, const std::string& meaning, double minimum, const Json& statistics,
+                   const std::vector<float>& values);
+
+  /// adds a class for each face.
+  void add_classes(const std::string& name, const std::string& meaning, const std::vector<Class>& names,
+                   const std::vector<std::uint16_t>& values);
 
   std::vector<std::array<std::uint32_t, 3>> triangles;
   Side left, right;
-  std::vector<Measure> measures;
-  std::vector<Classes> classes;
-  std::size_t shown = 0; ///< the number of the measure, or behind them of the classes, that is shown first
+  Json measures, classes;
+  std::string arrays; ///< the values of the measures and of the classes, as elements of the page
+  std::string shown;  ///< the name of the measure, or of the classes, that is shown first
   std::vector<std::uint32_t> folded;
   std::string verdict;
-  Json_object summary;
+  Json summary;
   bool is_one_to_one = true;
   bool has_sphere = false;    // on the right side
   bool has_one_frame = false; ///< for both sides, so that sizes can be compared
@@ -71,8 +55,6 @@ struct Page
 };
 
 /// checks that the program can write pages.
-///
-/// \throws Program_error if it was built without what that takes
 void check_pages();
 
 /// writes a page.
@@ -90,8 +72,6 @@ Page page_of_match(const Overlay& overlay, const Run_report& report);
 /// shows two surfaces with the same faces: the map between them takes each vertex to that of the same number.
 ///
 /// Places and sizes are compared as well as shapes: both stay where they are in the space of their files.
-///
-/// \throws Program_error if the faces differ
 Page page_of_same_faces(Input_mesh& input, Input_mesh& other);
 
 /// shows a surface that has no map from two sides, and how far each face is from the handles.
@@ -100,8 +80,6 @@ Page page_of_handles(Input_mesh& input, const std::vector<Input_mesh::Handle>& h
 /// offers to colour what is shown by how the first surface is folded, and by its labels, if there are any.
 ///
 /// \param labels a file, empty if there is none
-///
-/// \throws Program_error if the labels are not those of the surface
 void add_anatomy(Page& page, Input_mesh& input, const std::string& labels);
 
 } // namespace Program

@@ -12,7 +12,6 @@
 #include <iostream>
 #include <sstream>
 #include <string>
-#include <vector>
 
 #include <unistd.h>
 
@@ -35,9 +34,24 @@ public:
 
   void on_initialization_begin(std::size_t number_of_vertices) { m_number_of_vertices = number_of_vertices; }
 
-  void on_level(std::size_t number_of_vertices);
+  void on_level(std::size_t number_of_vertices)
+  {
+    show("Initial map: ", number_of_vertices, " of ", m_number_of_vertices, " vertices");
+  }
 
-  void after_iteration(std::size_t iteration, double energy, double radius);
+  void after_iteration(std::size_t iteration, double energy, double radius)
+  {
+    if((iteration - 1) % m_stride == 0)
+      m_history.push_back({static_cast<double>(iteration), energy, radius});
+    if(m_history.size() > max_history)
+    {
+      for(std::size_t k = 0; 2 * k < m_history.size(); ++k)
+        m_history[k] = m_history[2 * k];
+      m_history.resize((m_history.size() + 1) / 2);
+      m_stride *= 2;
+    }
+    show("Sweep ", iteration, ": energy ", std::setprecision(6), energy, ", radius ", radius);
+  }
 
   bool go_further(std::size_t, double) { return !Interrupt_guard::is_interrupted(); }
 
@@ -68,7 +82,12 @@ private:
     std::cerr << '\r' << line.str() << std::flush;
   }
 
-  void erase();
+  void erase()
+  {
+    if(m_length > 0)
+      std::cerr << '\r' << std::string(m_length, ' ') << '\r' << std::flush;
+    m_length = 0;
+  }
 
   bool m_is_shown;
   std::size_t m_number_of_vertices = 0;

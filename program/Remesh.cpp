@@ -1,7 +1,5 @@
 #include "Remesh.h"
 
-#include "add_values.h"
-#include "read_file.h"
 #include "write_mesh.h"
 
 #ifdef PROGRAM_WRITES_EXR
@@ -19,9 +17,6 @@
 #include <CGAL/Spherical_parameterization/Sampling/transfer.h>
 
 #include <algorithm>
-#include <cstdint>
-#include <iterator>
-#include <utility>
 #include <variant>
 
 namespace Program {
@@ -44,7 +39,7 @@ SP::Sphere_domain_3 find_domain(const std::string& solid_or_file, unsigned int n
     throw error_in(solid_or_file, "is no mesh of the sphere to sample by: not all of its faces are positively "
                                   "oriented as seen from the origin, or they do not cover the sphere once");
   if(error != SP::OK)
-    throw Program_error(mesh.find_defect());
+    mesh.check();
   return domain;
 }
 
@@ -60,28 +55,102 @@ SP::Error_code write_image_of([[maybe_unused]] std::ostream& out, const std::str
   if(format == ".png")
     return SP::IO::write_PNG_geometry_image(out, mesh, map);
 #endif
-  throw Program_error("this program was built without the library that writes " + format + " files");
+  throw Program_error("this program was built without the library that writes ", format, " files");
+}
+
+// Returns 1 to 4 for the bytes red, green, blue and alpha of a colour, 0 for all else.
+std::ptrdiff_t channel_of(const Values& values)
+{
+  const Words channels = {"red", "green", "blue", "alpha"};
+  const auto found = std::find(channels.begin(), channels.end(), values.name);
+  return found != channels.end() && std::holds_alternative<std::uint8_t>(values.type) ? 1 + (found - channels.begin())
+                                                                                      : 0;
+}
+
+template <class Index>
+void add_values(Mesh& mesh, const std::string& prefix, const std::vector<Values>& all)
+{
+  for(const Values& values : all)
+    std::visit(
+        [&](auto number) {
+          const auto map = mesh.add_property_map<Index, decltype(number)>(prefix + values.name).first;
+          for(std::size_t i = 0; i < values.numbers.size(); ++i)
+            map[Index(static_cast<Mesh::size_type>(i))] = static_cast<decltype(number)>(values.numbers[i]);
+        },
+        values.type);
+}
+
+// Gives values the surface that they are of, if their file has none.
+void add_surface(File_content& values, const Options& options, Input_mesh& input)
+{
+  if(!values.points.empty())
+    return;
+  File_content surface;
+  if(options.has("values-sphere"))
+    surface = read_file_content(options.text("values-sphere"));
+  else
+  {
+    surface.points = input.points_of(input.mesh_of_file().points());
+    surface.polygons = input.triangles();
+  }
+  if(values.number_of_vertices() != surface.points.size())
+    throw error_in(options.text("transfer"), "has values of ", values.number_of_vertices(), " vertices, but ",
+                   (!options.has("values-sphere") ? input.name() : printable(options.text("values-sphere"))), " has ",
+                   surface.points.size());
+  values.hemispheres.insert(values.hemispheres.end(), surface.hemispheres.begin(), surface.hemispheres.end());
+  values.points = std::move(surface.points);
+  values.polygons = std::move(surface.polygons);
 }
 
 } // namespace
+
+Words leave_out_taken_names(std::vector<Values>& all, bool are_of_vertices)
+{
+  const auto number_of = [&](const auto& is_it) { return std::count_if(all.begin(), all.end(), is_it); };
+  const auto is_of_normal = [](const Values& values) { return is_among(values.name, {"nx", "ny", "nz"}); };
+  const bool has_normals = are_of_vertices && number_of(is_of_normal) == 3;
+  const bool has_color = number_of([](const Values& values) { return channel_of(values) % 4 != 0; }) == 3;
+  const bool lacks_alpha = has_color && number_of([](const Values& values) { return channel_of(values) == 4; }) == 0;
+  Words left_out, taken = are_of_vertices ? Words{"nx", "ny", "nz", "point", "normal", "removed", "connectivity"}
+                                          : Words{"vertex_indices", "vertex_index", "removed", "connectivity"};
+  if(has_color)
+    taken.push_back("color");
+  if(lacks_alpha)
+    taken.push_back("alpha");
+  std::vector<Values> kept;
+  for(Values& values : all)
+    if(!is_among(values.name, taken))
+      kept.push_back(std::move(values));
+    else if(!has_normals || !is_of_normal(values))
+      left_out.push_back(values.name);
+  if(lacks_alpha)
+    kept.push_back({"alpha", std::uint8_t(), std::vector<double>(kept.front().numbers.size(), 255.)});
+  const auto rank = [](const Values& values) { return (channel_of(values) + 4) % 5; }; // colours come first
+  std::stable_sort(kept.begin(), kept.end(), [&](const Values& a, const Values& b) { return rank(a) < rank(b); });
+  all = std::move(kept);
+  return left_out;
+}
+
+void add_values(Mesh& mesh, const std::vector<Values>& of_vertices, const std::vector<Values>& of_faces)
+{
+  add_values<Vertex_index>(mesh, "v:", of_vertices);
+  add_values<Mesh::Face_index>(mesh, "f:", of_faces);
+}
 
 Remesh::Remesh(Input_mesh& input, const Sphere_map& sphere, const std::string& domain, unsigned int n)
   : m_origin(inherited(input.origin(), false))
   , m_images(m_mesh.add_property_map<Vertex_index, Point_3>("images of vertices").first) // no name in a PLY file
   , m_normals(m_mesh.add_property_map<Vertex_index, Kernel::Vector_3>("v:normal").first)
 {
-  const SP::Error_code error =
-      SP::remesh_through_sphere(input.mesh(), sphere, find_domain(domain, n), m_mesh, m_images,
-                                CGAL::parameters::default_values(), CGAL::parameters::vertex_normal_map(m_normals));
-  if(error != SP::OK)
-    throw Program_error(input.name() + ": " + SP::get_error_message(error));
+  check(SP::remesh_through_sphere(input.mesh(), sphere, find_domain(domain, n), m_mesh, m_images,
+                                  CGAL::parameters::default_values(), CGAL::parameters::vertex_normal_map(m_normals)),
+        input.name());
 }
 
 Run_report::Remesh_figures Remesh::figures(Input_mesh& input) const
 {
   SP::Surface_distance distance;
-  if(const SP::Error_code error = SP::measure_distance(input.mesh(), m_mesh, distance); error != SP::OK)
-    throw error_in(input.name(), SP::get_error_message(error));
+  check(SP::measure_distance(input.mesh(), m_mesh, distance), input.name());
   const auto& [from, to] = std::pair(distance.from_first, distance.from_second);
   return {m_mesh.number_of_vertices(),
           m_mesh.number_of_faces(),
@@ -112,52 +181,45 @@ void Remesh::write(std::ostream& out, const std::string& format) const
   write_mesh(out, format, std::vector<Point_3>(m_mesh.points().begin(), m_mesh.points().end()), triangles, m_origin);
 }
 
-void Remesh::write_values(std::ostream& out, const std::string& format)
+void Remesh::write_values(std::ostream& out, const std::string& format) const
 {
   SP::IO::Surface_file file;
   file.labels = m_labels;
   for(const auto& pair : m_origin.metadata_of_points)
     if(pair.first == "AnatomicalStructurePrimary")
       file.origin.metadata.push_back(pair);
+  using Type = SP::IO::Vertex_values::Type;
   for(const Values& values : m_values)
-  {
-    SP::IO::Vertex_values& column = file.columns.emplace_back();
-    column.name = values.name;
-    const bool is_label = !m_labels.empty() && std::holds_alternative<std::int32_t>(values.type);
-    column.intent = is_label ? "NIFTI_INTENT_LABEL" : "NIFTI_INTENT_SHAPE";
-    if(is_label)
-      column.type = SP::IO::Vertex_values::Type::int32;
-    std::visit(
-        [&](auto number) {
-          const auto map = m_mesh.add_property_map<Vertex_index, decltype(number)>("v:" + values.name).first;
-          for(const Vertex_index v : m_mesh.vertices())
-            column.values.push_back(static_cast<double>(map[v]));
-        },
-        values.type);
-  }
+    if(!is_among(values.name, {"red", "green", "blue", "alpha", "nx", "ny", "nz"}))
+    {
+      const bool is_label = !m_labels.empty() && std::holds_alternative<std::int32_t>(values.type);
+      file.columns.push_back({values.name,
+                              is_label ? "NIFTI_INTENT_LABEL" : "NIFTI_INTENT_SHAPE",
+                              is_label ? Type::int32 : Type::float32,
+                              values.numbers,
+                              {}});
+    }
   write_surface_file(out, format, file);
 }
 
 void Remesh::write_image(std::ostream& out, const std::string& name, bool shows_normals) const
 {
   const std::string format = file_format(name);
-  const SP::Error_code error = shows_normals ? write_image_of(out, format, m_mesh, m_normals)
-                                             : write_image_of(out, format, m_mesh, m_mesh.points());
-  if(error != SP::OK)
-    throw error_in(name, SP::get_error_message(error));
+  check(shows_normals ? write_image_of(out, format, m_mesh, m_normals)
+                      : write_image_of(out, format, m_mesh, m_mesh.points()),
+        name);
 }
 
 void Remesh::carry_values(const Options& options, Input_mesh& input, const Sphere_map& sphere)
 {
-  const std::string& name = options.values_file;
-  const bool is_of_input = options.values_sphere.empty();
+  const std::string& name = options.text("transfer");
+  const bool is_of_input = !options.has("values-sphere");
   File_content soup = read_values(name);
   add_surface(soup, options, input);
   Hemispheres files = input.hemispheres();
   files.insert(files.end(), soup.hemispheres.begin(), soup.hemispheres.end());
   m_warnings += mixed_hemispheres(files);
-  const std::vector<Values> of_vertices = std::move(soup.values_of_vertices),
-                            of_faces = std::move(soup.values_of_faces);
+  std::vector<Values> of_vertices = std::move(soup.values_of_vertices), of_faces = std::move(soup.values_of_faces);
   Words left_out = std::move(soup.left_out);
   if(!options.file_names.values.empty())
     m_labels = std::move(soup.labels);
@@ -166,53 +228,62 @@ void Remesh::carry_values(const Options& options, Input_mesh& input, const Spher
   Input_mesh values(name, std::move(soup));
   if(is_of_input)
     input.check_faces_of(name, "has no values for this mesh", values.mesh().number_of_vertices(), values.triangles());
-  for(const std::string& property : add_values_of_vertices(values.mesh(), of_vertices))
+  for(const std::string& property : leave_out_taken_names(of_vertices, true))
     left_out.push_back("the property '" + printable(property) + "' of the vertices, whose name is taken");
-  for(const std::string& property : add_values_of_faces(values.mesh(), of_faces))
+  for(const std::string& property : leave_out_taken_names(of_faces, false))
     left_out.push_back("the property '" + printable(property) + "' of the faces, whose name is taken");
-  const auto is_number = [](const Values& all) {
-    return !is_among(all.name, {"red", "green", "blue", "alpha", "nx", "ny", "nz"});
-  };
-  std::copy_if(of_vertices.begin(), of_vertices.end(), std::back_inserter(m_values), is_number);
   for(const std::string& what : left_out)
     m_warnings += printable(name) + ": not carried over: " + what + '\n';
-
-  const Sphere_map values_sphere = is_of_input ? sphere : values.read_map(options.values_sphere);
-  const SP::Error_code error = SP::transfer(values.mesh(), values_sphere, m_mesh, m_images);
-  if(error != SP::OK)
-    throw error_in(name, SP::get_error_message(error));
+  carry(values, is_of_input ? sphere : values.read_map(options.text("values-sphere")), std::move(of_vertices),
+        std::move(of_faces));
 }
 
 void Remesh::mark_filler(Input_mesh& input, const Sphere_map& sphere)
 {
-  const auto of_input = input.mesh().add_property_map<Mesh::Face_index, std::uint8_t>("f:filler", 0).first,
-             of_remesh = m_mesh.add_property_map<Mesh::Face_index, std::uint8_t>("f:filler", 0).first;
+  Values filler = {"filler", std::uint8_t(), {}};
   for(const Mesh::Face_index f : input.mesh().faces())
-    of_input[f] = input.is_filler(f) ? 1 : 0;
-  const SP::Error_code error = SP::transfer(input.mesh(), sphere, m_mesh, m_images, std::pair(of_input, of_remesh));
-  if(error != SP::OK)
-    throw Program_error(input.name() + ": " + SP::get_error_message(error));
+    filler.numbers.push_back(input.is_filler(f) ? 1. : 0.);
+  carry(input, sphere, {}, {filler});
 }
 
-void Remesh::add_surface(File_content& values, const Options& options, Input_mesh& input)
+// Two types are enough: doubles are averaged, whole numbers are not.
+void Remesh::carry(Input_mesh& source, const Sphere_map& sphere, std::vector<Values> of_vertices,
+                   std::vector<Values> of_faces)
 {
-  if(!values.points.empty())
-    return;
-  File_content surface;
-  if(!options.values_sphere.empty())
-    surface = read_file_content(options.values_sphere);
-  else
-  {
-    surface.points = input.points_of(input.mesh_of_file().points());
-    surface.polygons = input.triangles();
-  }
-  if(values.number_of_vertices() != surface.points.size())
-    throw error_in(options.values_file,
-                   "has values of " + std::to_string(values.number_of_vertices()) + " vertices, but " +
-                       (options.values_sphere.empty() ? input.name() : printable(options.values_sphere)) + " has " +
-                       std::to_string(surface.points.size()));
-  values.hemispheres.insert(values.hemispheres.end(), surface.hemispheres.begin(), surface.hemispheres.end());
-  values.points = std::move(surface.points);
-  values.polygons = std::move(surface.polygons);
+  const auto carry_all = [&](auto& carrier, auto index, std::vector<Values>& all) {
+    using Index = decltype(index);
+    for(Values& values : all)
+    {
+      const auto carry_as = [&](auto number) {
+        auto from = source.mesh().add_property_map<Index, decltype(number)>().first,
+             to = m_mesh.add_property_map<Index, decltype(number)>().first;
+        std::copy(values.numbers.begin(), values.numbers.end(), from.begin());
+        carrier.carry(from, to);
+        values.numbers.assign(to.begin(), to.end());
+        source.mesh().remove_property_map(from);
+        m_mesh.remove_property_map(to);
+      };
+      if(std::holds_alternative<float>(values.type))
+        for(double& x : values.numbers)
+          x = static_cast<float>(x); // a text may have more digits
+      if(values.has_fractions() || channel_of(values) > 0)
+        carry_as(double());
+      else
+        carry_as(std::int64_t());
+      if(channel_of(values) > 0)
+        for(double& x : values.numbers)
+          x = std::round(x);
+    }
+  };
+  check(SP::internal::carry_properties<CGAL::Parallel_if_available_tag>(
+            source.mesh(), sphere, m_mesh, m_images, CGAL::parameters::default_values(),
+            [&](auto& carrier) {
+              carry_all(carrier, Vertex_index(), of_vertices);
+              carry_all(carrier, Mesh::Face_index(), of_faces);
+            }),
+        source.name());
+  add_values(m_mesh, of_vertices, of_faces);
+  m_values = std::move(of_vertices);
 }
+
 } // namespace Program

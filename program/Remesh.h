@@ -1,62 +1,53 @@
 #ifndef PROGRAM_REMESH_H
 #define PROGRAM_REMESH_H
 
-#include "Input_mesh.h"
-#include "Options.h"
 #include "Run_report.h"
 
-#include <cstddef>
-#include <ostream>
-#include <string>
-#include <vector>
-
 namespace Program {
+
+/// leaves out the properties of vertices, or of faces, that a remesh cannot have: normals, as it has its own, and names that CGAL's
+/// writer of PLY files uses itself, or forgets. The bytes red, green and blue are a colour, which gets an alpha if there is none.
+///
+/// \returns the names that are left out, but for normals
+Words leave_out_taken_names(std::vector<Values>& all, bool are_of_vertices);
+
+/// gives a mesh properties of its vertices and faces.
+void add_values(Mesh& mesh, const std::vector<Values>& of_vertices, const std::vector<Values>& of_faces);
 
 /// The surface, sampled through its map to the sphere.
 class Remesh
 {
 public:
   /// \param domain,n a solid and what its edges are divided into; or a file, and 0
-  ///
-  /// \throws Program_error if the domain is not in order
   Remesh(Input_mesh& input, const Sphere_map& sphere, const std::string& domain, unsigned int n);
 
   /// returns what is told of it, with its distances from the surface.
-  ///
-  /// \throws Program_error if they cannot be measured
   Run_report::Remesh_figures figures(Input_mesh& input) const;
 
   /// writes the mesh; normals and properties are for PLY files only.
   void write(std::ostream& out, const std::string& format) const;
 
   /// writes the values that have been carried over to the vertices as a GIFTI file.
-  ///
-  /// \throws Program_error if a number is too large for it
-  void write_values(std::ostream& out, const std::string& format);
+  void write_values(std::ostream& out, const std::string& format) const;
 
   /// writes a geometry image of the points, or of the normals; as an OpenEXR file or a PNG file, as its name says.
-  ///
-  /// \throws Program_error if that fails
   void write_image(std::ostream& out, const std::string& name, bool shows_normals) const;
 
   /// carries over the properties of a file.
-  ///
-  /// \throws Program_error if the file, or the sphere of its surface, is not in order
   void carry_values(const Options& options, Input_mesh& input, const Sphere_map& sphere);
 
   /// gives the faces the property `filler`: 1 where most of a face is what a hole has been filled with.
-  ///
-  /// \throws Program_error if that fails
   void mark_filler(Input_mesh& input, const Sphere_map& sphere);
 
 private:
-  // Gives values the surface that they are of, if their file has none.
-  static void add_surface(File_content& values, const Options& options, Input_mesh& input);
+  // Carries properties over from a mesh that has a map to the same sphere.
+  void carry(Input_mesh& source, const Sphere_map& sphere, std::vector<Values> of_vertices,
+             std::vector<Values> of_faces);
 
   Mesh m_mesh;
   SP::IO::Surface_origin m_origin;
   Sphere_map m_images;
-  std::vector<Values> m_values; // of vertices, without the numbers
+  std::vector<Values> m_values; // of vertices, as they have been carried over
   std::vector<SP::IO::Label> m_labels;
   Mesh::Property_map<Vertex_index, Kernel::Vector_3> m_normals;
   std::string m_warnings;

@@ -2,21 +2,68 @@
 
 #include <algorithm>
 #include <iomanip>
+#include <numeric>
 #include <sstream>
-#include <utility>
 
 namespace Program {
 
 namespace {
 
+constexpr std::size_t max_listed = 5; // of holes, and of components
+
 void print_line(std::ostream& out, const std::string& name, const SP::Distortion_statistics& statistics)
 {
   constexpr double too_long = 1e6;
-  constexpr int width = 12, digits = 4;
   out << name;
   for(const double x : {statistics.maximum, statistics.average, statistics.deviation})
-    out << std::setw(width) << fixed_text(x, digits, x < too_long);
+    out << std::setw(12) << fixed_text(x, 4, x < too_long);
   out << '\n';
+}
+
+double share_of_filler(const std::vector<Input_mesh::Hole>& holes)
+{
+  return std::accumulate(holes.begin(), holes.end(), 0.,
+                         [](double sum, const Input_mesh::Hole& hole) { return sum + hole.share; });
+}
+
+std::string sizes_of_others(const std::vector<std::size_t>& components, std::size_t component)
+{
+  Words sizes;
+  for(std::size_t k = 0; k < components.size() && sizes.size() < max_listed; ++k)
+    if(k != component)
+      sizes.push_back(std::to_string(components[k]));
+  const std::size_t n_rest = components.size() - 1 - sizes.size();
+  return sizes.empty() ? ""
+                       : joined("; the others have ", list_of(sizes, " and "),
+                                n_rest > 0 ? joined(", and ", n_rest, " less") : "");
+}
+
+std::string describe_holes(std::vector<Input_mesh::Hole> holes)
+{
+  std::stable_sort(holes.begin(), holes.end(),
+                   [](const auto& a, const auto& b) { return a.number_of_edges > b.number_of_edges; });
+  const auto n_filled =
+      std::count_if(holes.begin(), holes.end(), [](const auto& hole) { return hole.number_of_faces > 0; });
+  const auto percent = [](double share) { return fixed_text(100. * share, 2) + " %"; };
+  std::ostringstream text;
+  text << n_filled << " filled, " << percent(share_of_filler(holes)) << " of the area";
+  for(std::size_t k = 0; k < holes.size() && k < max_listed; ++k)
+    text << (k == 0 ? ": " : "; ") << holes[k].number_of_edges << " edges at vertex " << holes[k].vertex
+         << ", perimeter " << holes[k].perimeter << ", "
+         << (holes[k].number_of_faces == 0 ? "left open" : percent(holes[k].share));
+  if(holes.size() > max_listed)
+    text << "; and " << holes.size() - max_listed << " with fewer edges";
+  return text.str();
+}
+
+void print_remesh(std::ostream& out, const Run_report::Remesh_figures& remesh)
+{
+  const auto larger = [&](const std::array<double, 2>& distances) {
+    return fixed_text((std::max)(distances[0], distances[1]) / remesh.diagonal, 2, false);
+  };
+  out << "Remesh:    " << sizes_of(remesh.number_of_vertices, remesh.number_of_faces) << "; it is off the surface by "
+      << larger(remesh.root_mean_square) << " of its diagonal in the root mean square, " << fixed_text(remesh.psnr, 2)
+      << " dB, and by " << larger(remesh.maximum) << " at most\n";
 }
 
 } // namespace
@@ -58,8 +105,7 @@ std::string Run_report::verdict() const
 void Run_report::print_surface(std::ostream& out) const
 {
   const SP::Parameterization_report& run = result.report;
-  out << "Mesh      " << printable(m_input) << ": " << run.number_of_vertices << " vertices, " << run.number_of_faces
-      << " faces";
+  out << "Mesh      " << printable(m_input) << ": " << sizes_of(run.number_of_vertices, run.number_of_faces);
   if(run.number_of_isolated_vertices > 0)
     out << ", and " << run.number_of_isolated_vertices << " vertices without a face";
   if(run.number_of_flat_faces > 0)
@@ -68,9 +114,9 @@ void Run_report::print_surface(std::ostream& out) const
   out << '\n';
   if(!components.empty())
     out << "Part      " << component + 1 << " of " << components.size() << ", with " << components[component]
-        << " faces" << sizes_of_others() << '\n';
+        << " faces" << sizes_of_others(components, component) << '\n';
   if(!holes.empty())
-    out << "Holes     " << describe_holes() << '\n';
+    out << "Holes     " << describe_holes(holes) << '\n';
 }
 
 void Run_report::print(std::ostream& out) const
@@ -110,7 +156,7 @@ void Run_report::print(std::ostream& out) const
       << " degenerate faces" << (distortion.number_of_degenerate_faces > 0 ? ", which are left out" : "") << "\n\n"
       << verdict() << '\n';
   if(remesh)
-    print_remesh(out);
+    print_remesh(out, *remesh);
   if(match)
     print_match(out);
   for(const std::string& file : files)
@@ -123,20 +169,20 @@ void Run_report::print(std::ostream& out) const
 
 std::string Run_report::short_text() const
 {
-  constexpr int digits = 4;
   const SP::Distortion_statistics& isometric = (balanced ? *balanced : distortion).isometric;
-  return std::to_string(result.report.number_of_vertices) + " vertices, D_iso " +
-         fixed_text(isometric.maximum, digits, false) + " / " + fixed_text(isometric.average, digits, false) + ", " +
-         fixed_text(seconds(), 2) + " s" + (result.is_one_to_one ? "" : ", folds: " + fault());
+  return joined(result.report.number_of_vertices, " vertices, D_iso ", fixed_text(isometric.maximum, 4, false), " / ",
+                fixed_text(isometric.average, 4, false), ", ", fixed_text(seconds(), 2), " s",
+                result.is_one_to_one ? "" : ", folds: " + fault());
 }
 
 std::string Run_report::warnings() const
 {
   const std::string others = match ? match->warnings : remesh ? remesh->warnings : "";
-  return (share_of_filler() > 0.5 ? printable(m_input) + ": more than half of the area that is mapped is filler: the "
-                                                         "surface has little to say of its sphere\n"
-                                  : "") +
-         (others.find(mixed_hemispheres) == others.npos ? mixed_hemispheres : "") + others;
+  return joined(share_of_filler(holes) > 0.5
+                    ? printable(m_input) + ": more than half of the area that is mapped is filler: "
+                                           "the surface has little to say of its sphere\n"
+                    : "",
+                others.find(mixed_hemispheres) == others.npos ? mixed_hemispheres : "", others);
 }
 
 std::string Run_report::explain_fault() const
@@ -147,100 +193,41 @@ std::string Run_report::explain_fault() const
               : "");
 }
 
-double Run_report::share_of_filler() const
-{
-  double share = 0.;
-  for(const Input_mesh::Hole& hole : holes)
-    share += hole.share;
-  return share;
-}
-
-std::string Run_report::sizes_of_others() const
-{
-  constexpr std::size_t max_named = 5;
-  std::vector<std::string> sizes;
-  for(std::size_t k = 0; k < components.size() && sizes.size() < max_named; ++k)
-    if(k != component)
-      sizes.push_back(std::to_string(components[k]));
-  if(sizes.empty())
-    return "";
-  return std::string("; the others have ") + list_of(sizes, " and ") +
-         (components.size() > max_named + 1 ? ", and " + std::to_string(components.size() - 1 - max_named) + " less"
-                                            : "");
-}
-
-std::string Run_report::describe_holes() const
-{
-  constexpr std::size_t max_named = 5;
-  constexpr int digits = 2;
-  std::vector<Input_mesh::Hole> sorted = holes;
-  std::stable_sort(sorted.begin(), sorted.end(),
-                   [](const auto& a, const auto& b) { return a.number_of_edges > b.number_of_edges; });
-  std::size_t n_filled = 0;
-  for(const Input_mesh::Hole& hole : sorted)
-    n_filled += hole.number_of_faces > 0;
-  std::string text =
-      std::to_string(n_filled) + " filled, " + fixed_text(100. * share_of_filler(), digits) + " % of the area";
-  for(std::size_t k = 0; k < sorted.size() && k < max_named; ++k)
-    text += (k == 0 ? ": " : "; ") + std::to_string(sorted[k].number_of_edges) + " edges at vertex " +
-            std::to_string(sorted[k].vertex) + ", perimeter " + fixed_text(sorted[k].perimeter, 6, false) +
-            (sorted[k].number_of_faces == 0 ? ", left open" : ", " + fixed_text(100. * sorted[k].share, digits) + " %");
-  return text +
-         (sorted.size() > max_named ? "; and " + std::to_string(sorted.size() - max_named) + " with fewer edges" : "");
-}
-
 void Run_report::print_match(std::ostream& out) const
 {
-  constexpr int digits = 3;
+  const auto number = [](double x) { return fixed_text(x, 3); };
   const auto& [other, is_template, n, report, d, warnings, energy_before, n_new, parents] = *match;
   out << (is_template ? "Template:  " : "Onto:      ") << printable(other) << ": " << n
       << " vertices; symmetric Dirichlet energy ";
   if(d)
-    out << fixed_text(d->energy.average_over_first, digits) << " / "
-        << fixed_text(d->energy.average_over_second, digits) << " over both surfaces, D_iso "
-        << fixed_text(d->isometric.average_over_first, digits) << " / "
-        << fixed_text(d->isometric.average_over_second, digits) << ", " << fixed_text(d->isometric.maximum, digits)
-        << " at most";
+    out << number(d->energy.average_over_first) << " / " << number(d->energy.average_over_second)
+        << " over both surfaces, D_iso " << number(d->isometric.average_over_first) << " / "
+        << number(d->isometric.average_over_second) << ", " << number(d->isometric.maximum) << " at most";
   else
-    out << "about " << fixed_text(report.energy, digits)
-        << ", by samples: the common refinement has too many vertices to be made";
+    out << "about " << number(report.energy) << ", by samples: the common refinement has too many vertices to be made";
   if(energy_before)
-    out << "\nSplit:     " << n_new << " edges, with " << 2 * n_new << " more faces; energy "
-        << fixed_text(*energy_before, digits) << " before, " << fixed_text(report.energy, digits) << " now";
+    out << "\nSplit:     " << n_new << " edges, with " << 2 * n_new << " more faces; energy " << number(*energy_before)
+        << " before, " << number(report.energy) << " now";
   out << "\nAligned:   by ";
   const std::size_t n_landmarks = report.landmark_distances.size();
   if(n_landmarks == 0 || report.agreement != 0.)
-  {
-    out << "features, which agree by " << fixed_text(report.agreement, digits) << ", with a margin of "
-        << fixed_text(report.margin, digits) << (report.is_uncertain ? ": look whether the map is right" : "");
-  }
+    out << "features, which agree by " << number(report.agreement) << ", with a margin of " << number(report.margin)
+        << (report.is_uncertain ? ": look whether the map is right" : "");
   else
     out << "landmarks";
   if(n_landmarks > 0)
     out << "; " << n_landmarks - report.number_of_missed_landmarks << " of " << n_landmarks << " landmarks "
         << (m_options.landmark_weight > 0. ? "are soft" : "are met");
-  out << "; " << SP::get_stop_message(report.stop_reason);
-  out << "\nCertified: the map between the surfaces is one-to-one.\n";
-}
-
-void Run_report::print_remesh(std::ostream& out) const
-{
-  constexpr int digits = 2;
-  const auto larger = [&](const std::array<double, 2>& distances) {
-    return fixed_text((std::max)(distances[0], distances[1]) / remesh->diagonal, digits, false);
-  };
-  out << "Remesh:    " << remesh->number_of_vertices << " vertices, " << remesh->number_of_faces
-      << " faces; it is off the surface by " << larger(remesh->root_mean_square)
-      << " of its diagonal in the root mean square, " << fixed_text(remesh->psnr, digits) << " dB, and by "
-      << larger(remesh->maximum) << " at most\n";
+  out << "; " << SP::get_stop_message(report.stop_reason)
+      << "\nCertified: the map between the surfaces is one-to-one.\n";
 }
 
 std::string Run_report::fault() const
 {
   const std::size_t n = distortion.number_of_inverted_faces;
-  if(n == 0)
-    return "the faces cover the sphere more than once.";
-  return n == 1 ? "1 face is inverted." : std::to_string(n) + " faces are inverted.";
+  return n == 0   ? "the faces cover the sphere more than once."
+         : n == 1 ? "1 face is inverted."
+                  : joined(n, " faces are inverted.");
 }
 
 std::string Run_report::stop_reason() const

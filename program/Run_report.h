@@ -1,25 +1,33 @@
 #ifndef PROGRAM_RUN_REPORT_H
 #define PROGRAM_RUN_REPORT_H
 
-#include "Input_mesh.h"
-#include "Json_object.h"
-#include "Options.h"
+#include "Json.h"
 #include "output_files.h"
 #include "run_method.h"
 
 #include <CGAL/Spherical_parameterization/Surface_maps/Surface_map_report.h>
 
-#include <array>
-#include <cstddef>
-#include <optional>
-#include <ostream>
-#include <string>
-#include <utility>
-#include <vector>
-
 namespace Program {
 
-Json_object json_of(const SP::Distortion_statistics& of);
+Json json_of(const SP::Distortion_statistics& of);
+
+/// returns "12 vertices, 20 faces", say.
+std::string sizes_of(std::size_t number_of_vertices, std::size_t number_of_faces);
+
+/// The size of a file and when it was last changed: what tells, as for many build tools, whether it is as it was.
+struct File_stamp
+{
+  File_stamp() = default;
+
+  /// takes the stamp of a file; it is empty if there is no such file, or nothing is known of it.
+  explicit File_stamp(const std::string& name);
+
+  bool is_empty() const { return changed.empty(); }
+  Json json() const { return {{"bytes", bytes}, {"changed", changed}}; }
+
+  std::uintmax_t bytes = 0;
+  std::string changed; ///< in ticks of the clock of the file system, of which nothing but equality is meant
+};
 
 /// All that is told of a run: as a text for people, as JSON for programs.
 class Run_report
@@ -46,15 +54,15 @@ public:
   /// What is told of a map between two surfaces.
   struct Match_figures
   {
-    std::string other; ///< the file of the other surface
-    bool is_template;  ///< whether the other one is mapped onto the input
-    std::size_t number_of_vertices;
+    std::string other;        ///< the file of the other surface
+    bool is_template = false; ///< whether the other one is mapped onto the input
+    std::size_t number_of_vertices = 0;
     SP::Surface_map_report report;
-    std::optional<SP::Distortion_between> distortion; ///< as `Surface_match` has it
-    std::string warnings;                             ///< of landmarks that are missed
-    std::optional<double> energy_before;              ///< if the surface was refined
-    std::size_t number_of_new_vertices;
-    std::vector<std::size_t> parents; ///< of the faces of the refined surface, in the input
+    std::optional<SP::Distortion_between> distortion; ///< none if the common refinement is too large to be made
+    std::string warnings;                             ///< see `Surface_match`
+    std::optional<double> energy_before;              ///< if the first surface has been refined
+    std::size_t number_of_new_vertices = 0;           ///< that it has then
+    std::vector<std::size_t> parents;                 ///< what its faces are parts of, as numbers in the file
   };
 
   Run_result result;
@@ -94,11 +102,11 @@ public:
   std::string verdict() const;
 
   /// returns the statistics of a measure, by their names: between the surfaces, if there are two.
-  Json_object statistics(SP::Distortion_statistics SP::Distortion_summary::*of_sphere,
-                         SP::Distortion_between::Statistics SP::Distortion_between::*of_surfaces) const;
+  Json statistics(SP::Distortion_statistics SP::Distortion_summary::*of_sphere,
+                  SP::Distortion_between::Statistics SP::Distortion_between::*of_surfaces) const;
 
   /// returns what the run was, as texts.
-  Json_object summary() const;
+  Json summary() const;
 
   void print(std::ostream& out) const;
 
@@ -127,12 +135,8 @@ private:
   // The parts of the running time, by their names.
   std::vector<std::pair<std::string, double>> phases() const;
 
-  double share_of_filler() const;
-  std::string sizes_of_others() const;
-  std::string describe_holes() const;
   void print_match(std::ostream& out) const;
   void print_areas(std::ostream& out) const;
-  void print_remesh(std::ostream& out) const;
   std::string fault() const;
   std::string stop_reason() const;
   const char* color_name() const;

@@ -1,11 +1,7 @@
 #include "Surface_match.h"
 
-#include "Interrupt_guard.h"
 #include "Progress_visitor.h"
-#include "read_file.h"
-#include "run_method.h"
 #include "write_mesh.h"
-#include "write_sphere.h"
 
 #include <CGAL/Spherical_parameterization/Sphere_locator_3.h>
 #include <CGAL/Spherical_parameterization/Surface_maps/Surface_refinement_3.h>
@@ -15,14 +11,7 @@
 #include <CGAL/Spherical_parameterization/is_bijective.h>
 
 #include <algorithm>
-#include <array>
-#include <chrono>
-#include <cmath>
-#include <cstdint>
-#include <functional>
 #include <limits>
-#include <sstream>
-#include <utility>
 
 namespace Program {
 
@@ -55,10 +44,9 @@ Mapped_mesh::Mapped_mesh(const Mapped_mesh& other)
 // The mesh is a sphere itself, of any radius; it gets the radius 1.
 void Mapped_mesh::take_own_sphere()
 {
-  constexpr double max_ratio =
-      1.01; // Workbench refuses 1.001, and what is no sphere, such as an inflated surface, has 2 and more.
-  if(const std::string defect = input.find_defect(); !defect.empty())
-    throw Program_error(defect);
+  // Workbench refuses 1.001, and what is no sphere, such as an inflated surface, has 2 and more.
+  constexpr double max_ratio = 1.01;
+  input.check();
   double least = std::numeric_limits<double>::infinity(), largest = 0.;
   for(const Vertex_index v : input.mesh().vertices())
     if(const Point_3& p = input.mesh().point(v); !input.mesh().is_isolated(v))
@@ -69,11 +57,8 @@ void Mapped_mesh::take_own_sphere()
       input.mesh().point(v) = sphere[v] = Point_3(p.x() / distance, p.y() / distance, p.z() / distance);
     }
   if(largest > max_ratio * least)
-  {
-    std::ostringstream text;
-    text << "is no sphere around the origin: its vertices are from " << least << " to " << largest << " away from that";
-    throw error_in(input.name(), text.str());
-  }
+    throw error_in(input.name(), "is no sphere around the origin: its vertices are from ", least, " to ", largest,
+                   " away from that");
   radius = 0.5 * (least + largest);
   if(!SP::is_bijective(input.mesh(), sphere))
     throw error_in(input.name(), no_sphere);
@@ -87,14 +72,13 @@ Sphere_map Mapped_mesh::add_sphere()
 
 Surface_match::Surface_match(const Options& options, Input_mesh& first, const Sphere_map& sphere1, Input_mesh& second,
                              const Sphere_map& sphere2, bool needs_overlay)
-  : m_copy(options.splits ? std::optional<Input_mesh>(first) : std::nullopt)
+  : m_copy(options.has("split") ? std::optional<Input_mesh>(first) : std::nullopt)
   , m_input(m_copy ? *m_copy : first)
   , m_first(m_input.mesh())
   , m_second(second.mesh())
   , m_target_origin(second.origin())
   , m_sphere2(sphere2)
   , m_n_written(first.mesh_of_file().number_of_vertices())
-  , m_triangles(m_input.triangles())
   , m_directions(Refinement::directions_of(m_first))
   , m_refinement(std::make_unique<Refinement>())
   , m_hints(read_hints(options, m_input, second))
@@ -107,7 +91,7 @@ Surface_match::Surface_match(const Options& options, Input_mesh& first, const Sp
   if(m_hints.is_cortical)
     mapper = mapper.compare_values().feature_weight(2.);
   else if(!m_hints.features.empty())
-    mapper = mapper.compare_values(options.compares_values);
+    mapper = mapper.compare_values(options.text("compare") == "values");
   std::vector<Mapper::Feature> features;
   std::vector<double> weights;
   for(const auto& [values, weight] : m_hints.features) // What holes have been filled with is masked.
@@ -123,13 +107,13 @@ Surface_match::Surface_match(const Options& options, Input_mesh& first, const Sp
     return [this, k](Vertex_index v) { return m_refinement->counts_at(m_hints.masks[k], v); };
   };
   mapper = mapper.masks({counts(0), counts(1)});
-  Progress_visitor progress(!options.is_quiet && !options.is_batch());
+  Progress_visitor progress(!options.has("quiet") && !options.is_batch());
   const auto start = std::chrono::steady_clock::now();
   const auto seconds_left = [&] { // of the limit, which is that of all rounds; 0 if there is none
     const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - start;
     return options.max_seconds > 0. ? (std::max)(options.max_seconds - passed.count(), 1e-9) : 0.;
   };
-  const bool spheres = options.regularizes_spheres;
+  const bool spheres = options.text("regularize") == "spheres";
   const auto map = [&](const Mesh& mesh, const Sphere_map& sphere, const Sphere_map& directions, Mapper& by) {
     return SP::map_surface(mesh, sphere, m_second, m_sphere2, by, directions,
                            CGAL::parameters::visitor(std::ref(progress))
@@ -137,21 +121,22 @@ Surface_match::Surface_match(const Options& options, Input_mesh& first, const Sp
                                .vertex_point_map(spheres ? sphere : Sphere_map(mesh.points())),
                            CGAL::parameters::vertex_point_map(spheres ? m_sphere2 : Sphere_map(m_second.points())));
   };
+  SP::Surface_map_report& report = figures.report;
+  std::optional<SP::Distortion_between>& distortion = figures.distortion;
   SP::Error_code error = map(m_first, sphere1, m_directions, mapper);
   report = mapper.report();
-  if(error == SP::OK && options.splits)
+  if(error == SP::OK && options.has("split"))
   {
     error =
         m_refinement->refine(m_first, m_directions, m_second, m_sphere2, mapper, m_hints.landmarks, report,
                              [&](const Mesh& mesh, const Sphere_map& on, Mapper& by) { return map(mesh, on, on, by); });
     m_input.take_triangles_of_mesh();
     m_n_written = m_first.number_of_vertices();
-    energy_before = m_refinement->energy_before();
-    number_of_new_vertices = m_refinement->number_of_new_vertices();
-    parents.assign(m_refinement->parents().begin(), m_refinement->parents().end());
+    figures.energy_before = m_refinement->energy_before();
+    figures.number_of_new_vertices = m_refinement->number_of_new_vertices();
+    figures.parents.assign(m_refinement->parents().begin(), m_refinement->parents().end());
   }
-  if(error != SP::OK)
-    throw Program_error(first.name(), ": ", SP::get_error_message(error));
+  check(error, first.name());
   if(!spheres && !needs_overlay && (report.distortion || report.is_energy_sampled))
     distortion = report.distortion;
   else // The report of a run that was stopped has none, and that between spheres is not the one between surfaces.
@@ -159,31 +144,26 @@ Surface_match::Surface_match(const Options& options, Input_mesh& first, const Sp
     error = SP::overlay(m_first, m_directions, m_second, m_sphere2, *m_overlay);
     if(error == SP::OK)
       error = SP::measure_distortion_between(*m_overlay, distortion.emplace());
-    if(error != SP::OK && error != SP::ERROR_TOO_LARGE_OVERLAY)
-      throw Program_error(first.name() + ": " + SP::get_error_message(error));
+    if(error != SP::ERROR_TOO_LARGE_OVERLAY)
+      check(error, first.name());
   }
+  add_warnings();
 }
 
 Surface_match::~Surface_match() = default;
 
-std::string Surface_match::warnings() const
+void Surface_match::add_warnings()
 {
-  std::string text = m_hints.warnings;
-  if(report.is_uncertain)
-    text +=
-        "it is not clear that the surfaces lie well on each other: look at the map, for example with --page, or give "
-        "--landmarks\n";
-  if(m_is_soft)
-    return text;
-  for(std::size_t k = 0; k < report.landmark_distances.size(); ++k)
-    if(report.landmark_distances[k] > 0.)
-    {
-      std::ostringstream line;
-      line << "landmark " << k << " (" << m_hints.landmark_names[k] << ") is missed by " << report.landmark_distances[k]
-           << '\n';
-      text += line.str();
-    }
-  return text;
+  std::ostringstream text;
+  text << m_hints.warnings;
+  if(figures.report.is_uncertain)
+    text << "it is not clear that the surfaces lie well on each other: look at the map, for example with --page, or "
+            "give --landmarks\n";
+  const std::vector<double>& distances = figures.report.landmark_distances;
+  for(std::size_t k = 0; k < distances.size() && !m_is_soft; ++k)
+    if(distances[k] > 0.)
+      text << "landmark " << k << " (" << m_hints.landmark_names[k] << ") is missed by " << distances[k] << '\n';
+  figures.warnings = text.str();
 }
 
 void Surface_match::write_positions(std::ostream& out, const std::string& format) const
@@ -196,17 +176,11 @@ void Surface_match::write_positions(std::ostream& out, const std::string& format
     {
       const auto [face, weights] = locator.locate(m_directions[v], hint);
       const Mesh::Halfedge_index h = m_second.halfedge(face);
-      const std::array<Point_3, 3> corners = {m_second.point(m_second.source(h)), m_second.point(m_second.target(h)),
-                                              m_second.point(m_second.target(m_second.next(h)))};
-      points[v] = CGAL::barycenter(corners[0], weights[0], corners[1], weights[1], corners[2], weights[2]);
+      const auto corner = [&](Mesh::Halfedge_index to) { return m_second.point(m_second.target(to)); };
+      points[v] = CGAL::barycenter(corner(m_second.prev(h)), weights[0], corner(h), weights[1],
+                                   corner(m_second.next(h)), weights[2]);
     }
-  write_mesh(out, format, points, m_triangles, inherited(m_target_origin, false));
-}
-
-void Surface_match::write_directions(std::ostream& out, const std::string& path, const std::string& format,
-                                     std::optional<double> radius) const
-{
-  write_sphere(out, path, format, m_input, m_directions, radius);
+  write_mesh(out, format, points, m_input.triangles(), inherited(m_target_origin, false));
 }
 
 void Surface_match::write_overlay(std::ostream& out) const
@@ -227,7 +201,7 @@ void Surface_match::write_overlay(std::ostream& out) const
     for(const std::uint32_t v : m_overlay->triangles[k])
       bytes.write(v);
     const Mesh::Face_index f = m_overlay->faces[k].first;
-    bytes.write(static_cast<std::uint32_t>(parents.empty() ? std::size_t(f) : parents[f]));
+    bytes.write(static_cast<std::uint32_t>(figures.parents.empty() ? std::size_t(f) : figures.parents[f]));
     bytes.write(static_cast<std::uint32_t>(m_overlay->faces[k].second));
   }
   out << bytes.content;

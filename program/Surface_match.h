@@ -1,18 +1,8 @@
 #ifndef PROGRAM_SURFACE_MATCH_H
 #define PROGRAM_SURFACE_MATCH_H
 
-#include "Input_mesh.h"
-#include "Options.h"
+#include "Run_report.h"
 #include "surface_hints.h"
-
-#include <CGAL/Spherical_parameterization/Surface_maps/Surface_map_report.h>
-
-#include <cstddef>
-#include <memory>
-#include <optional>
-#include <ostream>
-#include <string>
-#include <vector>
 
 namespace CGAL::Spherical_parameterization {
 template <class TriangleMesh1, class TriangleMesh2>
@@ -29,8 +19,6 @@ using Overlay = SP::Surface_overlay_3<Mesh, Mesh>;
 struct Mapped_mesh
 {
   /// reads a mesh and maps it as the options say.
-  ///
-  /// \throws Program_error if there is no map, or it folds
   Mapped_mesh(const Options& options, const std::string& name);
 
   /// copies the mesh, so that several threads can use it at once.
@@ -51,32 +39,23 @@ class Surface_match
 {
 public:
   /// finds the map; `needs_overlay` says whether `overlay()` will be asked for.
-  ///
-  /// \throws Program_error if there is none, or what the options name is not in order
   Surface_match(const Options& options, Input_mesh& first, const Sphere_map& sphere1, Input_mesh& second,
                 const Sphere_map& sphere2, bool needs_overlay);
 
   ~Surface_match();
 
-  SP::Surface_map_report report;
-  std::optional<SP::Distortion_between> distortion; ///< There is none if the common refinement is too large to be made.
-
-  std::optional<double> energy_before;    ///< if the first surface has been refined
-  std::size_t number_of_new_vertices = 0; ///< that this has then
-  std::vector<std::size_t> parents;       ///< what its faces are parts of, as numbers in the file
+  /// What is told of the map. Its warnings are of files of different hemispheres, of properties that are no features, of a map that may
+  /// be wrong, and of landmarks that are missed, a line each.
+  Run_report::Match_figures figures;
 
   const Overlay& overlay() const { return *m_overlay; }
 
-  /// returns what is to be said of files of different hemispheres, of properties that are no features, of a map that may be wrong,
-  /// and of landmarks that are missed, a line each, empty if there is none.
-  std::string warnings() const;
+  /// returns the first surface, as it has been refined, and the directions of its vertices on the sphere of the second one.
+  Input_mesh& input() const { return m_input; }
+  const Sphere_map& directions() const { return m_directions; }
 
   /// writes the faces of the first surface, with its vertices where they are on the second one.
   void write_positions(std::ostream& out, const std::string& format) const;
-
-  /// writes the faces of the first surface, with the directions of its vertices, to the file `path`; see `write_sphere()`.
-  void write_directions(std::ostream& out, const std::string& path, const std::string& format,
-                        std::optional<double> radius) const;
 
   /// writes the common refinement as a PLY file: with the places on the first surface, and as properties those on the
   /// second one and the numbers of both faces.
@@ -86,6 +65,8 @@ public:
   void write_morph(std::ostream& out, const std::string& format, double t) const;
 
 private:
+  void add_warnings();
+
   std::optional<Input_mesh> m_copy; // of the first surface, if it is refined
   Input_mesh& m_input;              // the first surface
   Mesh& m_first;
@@ -93,7 +74,6 @@ private:
   SP::IO::Surface_origin m_target_origin;
   Sphere_map m_sphere2;
   std::size_t m_n_written; // vertices of the first surface, but those that holes have been filled with
-  const std::vector<Polygon>& m_triangles;
   Sphere_map m_directions;
   std::unique_ptr<SP::Surface_refinement_3<Mesh>> m_refinement;
   Surface_hints m_hints;

@@ -1,23 +1,98 @@
-#include "Earlier_report.h"
 #include "Interrupt_guard.h"
 #include "Mesh_run.h"
-#include "commands.h"
 #include "find_batch.h"
 #include "for_each_mesh.h"
 
-#include <algorithm>
-#include <cstdint>
-#include <cstdlib>
-#include <exception>
-#include <filesystem>
+#include <fstream>
 #include <iomanip>
 #include <iostream>
 #include <mutex>
-#include <system_error>
 
 namespace Program {
 
 namespace {
+
+// The report that an earlier run has left for a mesh, if there is one. As its checksum says that it is as `Run_report` has written
+// it, its members can be compared as texts.
+class Earlier_report
+{
+public:
+  explicit Earlier_report(const File_names& names)
+    : m_names(names)
+  {
+    constexpr std::uintmax_t max_size = std::uintmax_t(64) << 20;
+    try
+    {
+      if(std::filesystem::file_size(names.json) <= max_size)
+        m_text = read_file(names.json);
+    }
+    catch(const std::exception&) // what cannot be read is the report of no run
+    {}
+    if(m_text != Run_report::sealed(m_text.substr(0, m_text.rfind(Run_report::seal))))
+      m_text.clear();
+  }
+
+  // returns whether the mesh is done: its map is there as it was written, and made by this program with these options from the
+  // input as it is now. A map that was interrupted is not done.
+  bool tells_the_same_run(const Options& options) const
+  {
+    const std::string begin = "\n  \"input\": \"";
+    const std::size_t found = (std::min)(m_text.find(begin) + begin.size(), m_text.size());
+    const auto file_name = [](const std::string& path) { return std::filesystem::path(path).filename(); };
+    return tells("program", program_version()) && tells("method", options.description) &&
+           file_name(m_text.substr(found, m_text.find(",\n", found) - found)) ==
+               file_name(Json(m_names.input).text().substr(1)) &&
+           !tells("stop_reason", Run_report::stop_reason_interrupted) && tells_stamp("input_stamp", m_names.input) &&
+           (options.start_or_template().empty() || tells_stamp("start_stamp", options.start_or_template())) &&
+           tells_sphere();
+  }
+
+  // returns a file that the results of the mesh would replace, and that is of no run of this program; empty if there is none.
+  std::string foreign_file() const
+  {
+    const auto exists = [](const std::string& name) {
+      std::error_code error;
+      return std::filesystem::exists(std::filesystem::symlink_status(name, error));
+    };
+    return exists(m_names.sphere) && !tells_sphere() ? m_names.sphere
+           : exists(m_names.json) && m_text.empty()  ? m_names.json
+                                                     : "";
+  }
+
+  bool is_one_to_one() const { return tells("one_to_one", true); }
+
+private:
+  // Returns whether a member has this value.
+  bool tells(const std::string& name, const Json& value) const
+  {
+    std::string member = Json{{name, value}}.text();
+    member.replace(member.rfind('\n'), member.npos, ",\n"); // in place of the end of the object
+    return m_text.find(member.substr(1)) != m_text.npos;
+  }
+
+  bool tells_stamp(const std::string& name, const std::string& path) const
+  {
+    const File_stamp stamp(path);
+    return !stamp.is_empty() && tells(name, stamp.json());
+  }
+
+  bool tells_sphere() const
+  {
+    std::error_code error;
+    if(!std::filesystem::is_regular_file(m_names.sphere, error) ||
+       !tells("sphere_bytes", std::filesystem::file_size(m_names.sphere, error)))
+      return false;
+    Checksum checksum;
+    std::ifstream in(m_names.sphere, std::ios::binary);
+    std::array<char, 1 << 16> block;
+    while(in.read(block.data(), block.size()) || in.gcount() > 0)
+      checksum.add(block.data(), static_cast<std::size_t>(in.gcount()));
+    return tells("sphere_bytes", checksum.bytes) && tells("sphere_crc32", checksum.crc.checksum());
+  }
+
+  const File_names& m_names;
+  std::string m_text; // empty if there is none
+};
 
 // Many meshes, each of which is mapped as if it were the only one. A line tells of each as it ends, and a summary of all.
 class Batch
@@ -40,8 +115,8 @@ public:
       const std::uintmax_t size = std::filesystem::file_size(names.input, error);
       sizes.push_back(error ? 0 : size);
     }
-    if(!m_options.template_file.empty() && !m_meshes.empty())
-      m_template.emplace(m_options, m_options.template_file);
+    if(m_options.has("template") && !m_meshes.empty())
+      m_template.emplace(m_options, m_options.text("template"));
     {
       const Interrupt_guard guard;
       for_each_mesh(sizes, [&](std::size_t i) { run(m_meshes[i]); });
@@ -57,15 +132,15 @@ private:
   // replaced that this one has not written.
   void look_at_earlier_results()
   {
-    const bool is_careful = !m_options.surfaces.empty() && !m_options.overwrites;
-    if(!m_options.is_resumed && !is_careful)
+    const bool is_careful = !m_options.surfaces.empty() && !m_options.has("overwrite");
+    if(!m_options.has("resume") && !is_careful)
       return;
     Words foreign;
     const auto is_done = [&](const File_names& names) {
       const Earlier_report report(names);
       if(const std::string file = is_careful ? report.foreign_file() : ""; !file.empty())
         foreign.push_back(file);
-      if(!m_options.is_resumed || !report.tells_the_same_run(m_options))
+      if(!m_options.has("resume") || !report.tells_the_same_run(m_options))
         return false;
       ++m_left_out;
       if(!report.is_one_to_one())
@@ -78,9 +153,9 @@ private:
     m_meshes.erase(std::remove_if(m_meshes.begin(), m_meshes.end(), is_done), m_meshes.end());
     if(!foreign.empty())
       throw error_in(foreign.front(),
-                     "is there already, and no report beside it tells that this program has written it" +
-                         (foreign.size() > 1 ? "; so are " + std::to_string(foreign.size() - 1) + " other files" : "") +
-                         ".\nChoose another --output-folder, or replace such files by --overwrite.");
+                     "is there already, and no report beside it tells that this program has written it",
+                     (foreign.size() > 1 ? "; so are " + std::to_string(foreign.size() - 1) + " other files" : ""),
+                     ".\nChoose another --output-folder, or replace such files by --overwrite.");
   }
 
   // A mesh that is interrupted leaves nothing: whatever is in the output folder has all the sweeps that the options ask
@@ -94,7 +169,7 @@ private:
       const std::filesystem::path folder = std::filesystem::path(names.json).parent_path();
       std::error_code error;
       if(!std::filesystem::create_directories(folder, error) && error)
-        throw error_in(folder.string(), "cannot be made: " + error.message());
+        throw error_in(folder.string(), "cannot be made: ", error.message());
       Mesh_run run(m_options, names);
       run.remove_earlier_files();
       run.read();
@@ -144,7 +219,7 @@ private:
 
   void print_line(const std::string& input, const std::string& text)
   {
-    if(!m_options.is_quiet)
+    if(!m_options.has("quiet"))
       std::cout << '[' << m_mapped + m_failed << '/' << m_meshes.size() << "] " << input << ": " << text << std::endl;
   }
 
@@ -159,7 +234,7 @@ private:
     if(n_missed > 0)
       print_error("interrupted: " + std::to_string(n_missed) + " of " + std::to_string(m_meshes.size()) +
                   " meshes have not been mapped; --resume goes on with them");
-    if(m_options.is_quiet)
+    if(m_options.has("quiet"))
       return;
     constexpr double minute = 60.;
     const double seconds = seconds_now() - m_start;

@@ -1,14 +1,11 @@
 #include "command_line.h"
 
-#include "Command_options.h"
-
 #include <CLI/CLI.hpp>
 
 #include <CGAL/version_macros.h>
 
 #include <algorithm>
-#include <cstddef>
-#include <vector>
+#include <cmath>
 
 namespace Program {
 
@@ -28,89 +25,49 @@ const std::map<std::string, std::string> new_forms = {
     {"--s-last", "the second number of --schedule now: map SURFACE --schedule FIRST,LAST"},
     {"--average-sweeps", "the third number of --schedule now: map SURFACE --schedule FIRST,LAST,SWEEPS"}};
 
-// A command with its options as CLI11 has them.
-class Parser
+[[noreturn]] void fail_of(const std::string& command, const std::string& what)
 {
-public:
-  explicit Parser(const Command& command)
-  {
-    m_app.set_help_flag("-h,--help", "explain this command");
-    m_app.add_option("names", m_line.names)->expected(0, -1);
-    for(const Command_option& option : options_of(command.name))
-    {
-      const std::string name = option.name();
-      Words& words = m_line.options[name];
-      if(option.values.empty())
-        m_flags.emplace_back(name, m_app.add_flag(option.names, option.help));
-      else
-        m_app.add_option(option.names, words, option.help)
-            ->expected(option.number_of_values(), option.takes_more() ? -1 : option.number_of_values())
-            ->allow_extra_args(option.takes_more()); // what follows are names
-    }
-    m_line.command = command.name;
-    for(const auto& [option, others] : needed_options)
-      for(const char* other : others)
-        if(CLI::Option* first = m_app.get_option_no_throw(option), *second = m_app.get_option_no_throw(other);
-           first && second)
-          first->needs(second);
-  }
+  throw Program_error(what, "\nAll options are explained by: ", program, ' ', command, " --help");
+}
 
-  bool has(const std::string& option) const { return m_app.get_option_no_throw(option) != nullptr; }
-
-  // Returns what is given.
-  Command_line parse(Words words)
-  {
-    std::reverse(words.begin(), words.end());
-    m_app.parse(words);
-    for(const auto& [name, flag] : m_flags)
-      if(flag->count() > 0)
-        m_line.options[name] = {""};
-    for(auto entry = m_line.options.begin(); entry != m_line.options.end();)
-      entry = entry->second.empty() ? m_line.options.erase(entry) : std::next(entry);
-    return m_line;
-  }
-
-private:
-  CLI::App m_app;
-  Command_line m_line;
-  std::vector<std::pair<std::string, CLI::Option*>> m_flags;
-};
-
-[[noreturn]] void fail(const std::string& what, const std::string& command)
+bool has_option(const Command& command, const std::string& option)
 {
-  throw Program_error(what, "\nAll options are explained by: ", program, ' ', command, command.empty() ? "" : " ",
-                      "--help");
+  const std::vector<Command_option> options = options_of(command.name);
+  return option == "--help" || std::any_of(options.begin(), options.end(),
+                                           [&](const Command_option& other) { return "--" + other.name() == option; });
 }
 
 // Refuses an option that the command does not have, if it is known otherwise.
-void check_option(const std::string& word, const Parser& parser, const Command& command)
+void check_option(const std::string& word, const Command& command)
 {
   const std::string option = word.substr(0, word.find('='));
-  if(option.compare(0, 2, "--") != 0 || option == "--" || parser.has(option))
+  if(option.compare(0, 2, "--") != 0 || has_option(command, option))
     return;
   const auto form = new_forms.find(option);
   if(form != new_forms.end())
   {
     std::string text = form->second;
     text.insert(text.find(": ") + 2, std::string(program) + ' ');
-    fail(option + " is " + text + " ...", command.name);
+    fail_of(command.name, option + " is " + text + " ...");
   }
   Words others;
   for(const Command& other : commands)
-    if(Parser(other).has(option))
+    if(has_option(other, option))
       others.push_back(other.name);
   if(!others.empty())
-    fail(option + " is no option of " + command.name + ", but of " + list_of(others, " and "), command.name);
+    fail_of(command.name, option + " is no option of " + command.name + ", but of " + list_of(others, " and "));
 }
 
 std::string help_of(const Command& command)
 {
   constexpr std::size_t column = 27;
-  std::string text = "Example: " + std::string(program) + ' ' + command.name + ' ' + command.example +
-                     "\nUsage: " + program + ' ' + command.name + ' ' + command.usage + "\n\n" + command.text + "\n\n";
+  const std::string name = std::string(program) + ' ' + command.name + ' ';
+  std::string text =
+      "Example: " + name + command.example + "\nUsage: " + name + command.usage + "\n\n" + command.text + "\n\n";
   for(const Command_option& option : options_of(command.name))
   {
-    std::string line = "  " + option.shown() + (option.values.empty() ? "" : " " + option.values);
+    const std::string names = option.names.substr(0, option.names.find(',')); // `-o` of `-o,--output`
+    std::string line = "  " + names + (option.values.empty() ? "" : " " + option.values);
     line.resize((std::max)(line.size() + 1, column), ' ');
     text += line + option.help + '\n';
   }
@@ -148,26 +105,67 @@ have inverted faces.
 
 std::string completion()
 {
-  Words names;
-  std::string cases;
+  std::string names, cases;
   for(const Command& command : commands)
   {
-    names.push_back(command.name);
-    std::string options = "--help";
+    names += command.name + ' ';
+    cases += "    " + command.name + ") words=\"--help";
     for(const Command_option& option : options_of(command.name))
-      options += " --" + option.name();
-    cases += "    " + command.name + ") words=\"" + options + "\" ;;\n";
+      cases += " --" + option.name();
+    cases += "\" ;;\n";
   }
-  std::string all;
-  for(const std::string& name : names)
-    all += name + ' ';
   return std::string("# Completes commands and options of ") + program + " in bash, and names of files elsewhere.\n_" +
          program + "()\n{\n  local word=${COMP_WORDS[COMP_CWORD]} words=\n  case ${COMP_WORDS[1]} in\n" + cases +
-         "    *) words=\"--help --version --completion\" ;;\n  esac\n  [ \"$COMP_CWORD\" -gt 1 ] || words+=\" " + all +
+         "    *) words=\"--help --version --completion\" ;;\n  esac\n  [ \"$COMP_CWORD\" -gt 1 ] || words+=\" " +
+         names +
          "\"\n  [[ $word == -* || $COMP_CWORD == 1 ]] && mapfile -t COMPREPLY < <(compgen -W \"$words\" -- "
          "\"$word\")\n}\n"
          "complete -o default -F _" +
          program + ' ' + program + '\n';
+}
+
+// Parses the words behind a command.
+Command_line parse(const Command& command, Words words)
+{
+  for(const std::string& word : words)
+    check_option(word, command);
+  CLI::App app;
+  Command_line line;
+  line.command = command.name;
+  app.set_help_flag("-h,--help", "explain this command");
+  app.add_option("names", line.names)->expected(0, -1);
+  for(const Command_option& option : options_of(command.name))
+    if(option.values.empty())
+      app.add_flag(option.names, option.help);
+    else
+    {
+      const int n = 1 + static_cast<int>(std::count(option.values.begin(), option.values.end(), ' '));
+      const bool takes_more = option.values == "NAME...";
+      app.add_option(option.names, line.options[option.name()], option.help)
+          ->expected(n, takes_more ? -1 : n)
+          ->allow_extra_args(takes_more); // what follows are names
+    }
+  for(const auto& [option, other] : needed_options)
+    if(has_option(command, option))
+      app.get_option(option)->needs(app.get_option(other));
+  try
+  {
+    std::reverse(words.begin(), words.end());
+    app.parse(words);
+  }
+  catch(const CLI::CallForHelp&)
+  {
+    return {"", help_of(command), {}, {}};
+  }
+  catch(const CLI::ParseError& error)
+  {
+    line.fail(printable(error.what()));
+  }
+  line.options.clear();
+  for(const CLI::Option* option : app.get_options())
+    if(option->count() > 0 && !option->get_lnames().empty())
+      line.options[option->get_lnames().front()] = option->results();
+  return line;
 }
 
 } // namespace
@@ -182,47 +180,74 @@ std::string program_version()
   return std::string(program) + ' ' + version + ", built with CGAL " + CGAL_VERSION_STR;
 }
 
+void Command_line::fail(const std::string& what) const
+{
+  fail_of(command, what);
+}
+
+void Command_line::refuse(const std::string& option, const std::string& valid) const
+{
+  fail("--" + option + " has to be " + valid + ", not '" + printable(text(option)) + "'");
+}
+
+std::string Command_line::word(const std::string& option, const Words& words, const std::string& usual) const
+{
+  if(has(option) && !is_among(text(option), words))
+    refuse(option, list_of(words, " or "));
+  return has(option) ? text(option) : usual;
+}
+
+double Command_line::number(const std::string& option, double min, double max, const std::string& range,
+                            double usual) const
+{
+  double x = usual;
+  if(has(option) && (!is_number(text(option), x) || !(x >= min && x <= max)))
+    refuse(option, range);
+  return x;
+}
+
+unsigned int Command_line::count(const std::string& option, unsigned int min, unsigned int usual) const
+{
+  const std::string range = "a whole number from " + std::to_string(min) + " to 1e9";
+  const double x = number(option, min, 1e9, range, usual);
+  if(x != std::floor(x))
+    refuse(option, range);
+  return static_cast<unsigned int>(x);
+}
+
 Command_line parse_command_line(int argc, const char* const* argv)
 {
   Words words(argv + 1, argv + argc);
-  Command_line line;
   const std::string first = words.empty() ? "" : words.front();
-  if(is_among(first, {"-h", "--help"}))
-    line.printed = help();
-  else if(first == "--version")
-    line.printed = program_version() + '\n';
-  else if(first == "--completion")
-    line.printed = completion();
-  if(!line.printed.empty())
-    return line;
-
-  const auto is_named = [](const std::string& name) {
-    return [name](const Command& command) { return command.name == name; };
+  if(is_among(first, {"-h", "--help", "--version", "--completion"}))
+    return {"",
+            first == "--version"      ? program_version() + '\n'
+            : first == "--completion" ? completion()
+                                      : help(),
+            {},
+            {}};
+  const auto find = [](const std::string& name) {
+    return std::find_if(commands.begin(), commands.end(), [&](const Command& other) { return other.name == name; });
   };
-  auto command = std::find_if(commands.begin(), commands.end(), is_named(first));
+  auto command = find(first);
   if(command != commands.end())
     words.erase(words.begin());
   else
   {
     const auto is_folder = [](const std::string& word) { return word.compare(0, 15, "--output-folder") == 0; };
-    const bool is_batch = std::any_of(words.begin(), words.end(), is_folder);
-    command = std::find_if(commands.begin(), commands.end(), is_named(is_batch ? "batch" : "map"));
+    command = find(std::any_of(words.begin(), words.end(), is_folder) ? "batch" : "map");
   }
-  Parser parser(*command);
-  for(const std::string& word : words)
-    check_option(word, parser, *command);
-  try
-  {
-    line = parser.parse(words);
-  }
-  catch(const CLI::CallForHelp&)
-  {
-    return {"", {}, {}, help_of(*command)};
-  }
-  catch(const CLI::ParseError& error)
-  {
-    fail(printable(error.what()), command->name);
-  }
+  const Command_line line = parse(*command, words);
+  if(line.printed.empty() && line.names.empty())
+    line.fail(line.has("surfaces") ? "there is no INPUT; it comes before --surfaces and its names"
+                                   : "there is no INPUT");
+  if(line.printed.empty() && line.names.size() < command->min_names)
+    line.fail(command->name + " needs " + command->usage);
+  if(line.names.size() > command->max_names)
+    line.fail(
+        line.is("map")
+            ? "there is more than one INPUT; a name with blanks has to be quoted, and many meshes need --output-folder"
+            : command->name + " takes " + command->usage + "; a name with blanks has to be quoted");
   return line;
 }
 

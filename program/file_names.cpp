@@ -24,9 +24,10 @@ std::string file_format(const std::string& path)
   return extension == ".gz" && file_format(name.stem().string()) == ".gii" ? ".gii.gz" : extension;
 }
 
-bool has_hemisphere(const std::string& name)
+std::string structure_of(const std::string& path)
 {
-  return name.compare(0, 3, "lh.") == 0 || name.compare(0, 3, "rh.") == 0;
+  const std::string begin = std::filesystem::path(path).filename().string().substr(0, 3);
+  return begin == "lh." ? "CortexLeft" : begin == "rh." ? "CortexRight" : "";
 }
 
 std::string output_format(const std::string& path)
@@ -34,7 +35,7 @@ std::string output_format(const std::string& path)
   const std::string format = file_format(path);
   if(is_among(format, output_formats))
     return format;
-  return has_hemisphere(std::filesystem::path(path).filename().string()) ? freesurfer_format : "";
+  return structure_of(path).empty() ? "" : freesurfer_format;
 }
 
 std::string ending_of(const std::string& path)
@@ -92,16 +93,6 @@ std::filesystem::path place_of(std::filesystem::path path, std::error_code& erro
   return error ? path : fs::weakly_canonical(path, error);
 }
 
-File_stamp::File_stamp(const std::string& name)
-{
-  std::error_code size_error, time_error;
-  const std::uintmax_t size = std::filesystem::file_size(name, size_error);
-  const std::filesystem::file_time_type time = std::filesystem::last_write_time(name, time_error);
-  if(size_error || time_error)
-    return;
-  bytes = size;
-  changed = std::to_string(time.time_since_epoch().count());
-}
 Hemispheres hemispheres_of(const std::string& path, const SP::IO::Surface_origin& origin)
 {
   std::string by_metadata, by_name;

@@ -8,10 +8,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
-#include <string>
 #include <system_error>
 #include <utility>
-#include <vector>
 
 namespace Program {
 
@@ -43,8 +41,9 @@ inline const std::string output_names =
 /// returns the end of a file's name in lower case, with the dot, and with `.gii` before `.gz`.
 std::string file_format(const std::string& path);
 
-/// returns whether a name begins with what FreeSurfer calls the half of the brain.
-bool has_hemisphere(const std::string& name);
+/// returns `CortexLeft` or `CortexRight` for a file whose name begins with what FreeSurfer calls the half of the brain, as GIFTI has
+/// it; empty for others.
+std::string structure_of(const std::string& path);
 
 /// returns the format that a mesh with this name is written in; empty if the name does not tell.
 std::string output_format(const std::string& path);
@@ -79,20 +78,6 @@ struct File_names
 /// returns the absolute path behind dots and links, those that lead to nothing yet included, which `weakly_canonical()` takes as
 /// they are; and so it does with paths that are not absolute, if they begin with what is not there.
 std::filesystem::path place_of(std::filesystem::path path, std::error_code& error);
-
-/// The size of a file and when it was last changed: what tells, as for many build tools, whether it is as it was.
-struct File_stamp
-{
-  File_stamp() = default;
-
-  /// takes the stamp of a file; it is empty if there is no such file, or nothing is known of it.
-  explicit File_stamp(const std::string& name);
-
-  bool is_empty() const { return changed.empty(); }
-
-  std::uintmax_t bytes = 0;
-  std::string changed; ///< in ticks of the clock of the file system, of which nothing but equality is meant
-};
 
 /// The names of files, each with the half of the brain that it is of: `left`, `right`, or nothing if that is not known.
 using Hemispheres = std::vector<std::pair<std::string, std::string>>;

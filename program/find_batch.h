@@ -3,14 +3,10 @@
 
 #include "Options.h"
 
-#include <vector>
-
 namespace Program {
 
 /// finds the files of all meshes of a batch, in the order of the inputs, checks that none of them would replace an input or
 /// another output, and makes the output folder.
-///
-/// \throws Program_error if anything stands against a start
 std::vector<File_names> find_batch(const Options& options);
 
 } // namespace Program

@@ -1,13 +1,10 @@
 // The package as a program: maps surfaces to spheres, and what can be done with such maps. Each command is explained by its --help.
 
-#include "Option_reader.h"
-#include "Thread_limit.h"
-#include "commands.h"
+#include "Options.h"
+#include "for_each_mesh.h"
 
-#include <algorithm>
 #include <csignal>
 #include <cstdlib>
-#include <exception>
 #include <iostream>
 
 #include <fcntl.h>
@@ -24,7 +21,7 @@ void limit_threads([[maybe_unused]] const Options& options)
   const std::size_t n_wanted = options.max_threads, n_cores = Thread_limit::number_of_threads();
   // It is never deleted: TBB makes a thread as a limit ends.
   [[maybe_unused]] static const Thread_limit* const threads = new Thread_limit((std::min)(n_wanted, n_cores));
-  if(const std::size_t n = Thread_limit::number_of_threads(); n_wanted > n && !options.is_quiet)
+  if(const std::size_t n = Thread_limit::number_of_threads(); n_wanted > n && !options.has("quiet"))
     std::cerr << "spherical_parameterization: --threads " << n_wanted << ": no more than " << n << " can be had here\n";
 #endif
 }
@@ -37,12 +34,12 @@ int run_program(const Command_line& line)
     std::cout << line.printed;
     return EXIT_SUCCESS;
   }
-  const Options options = Option_reader(line).o;
+  const Options options = read_options(line);
   limit_threads(options);
-  return options.command == "resample" ? run_resample(options)
-         : options.command == "batch"  ? run_batch(options)
-         : options.command == "check"  ? run_check(options)
-                                       : run_map(options);
+  return options.is("resample") ? run_resample(options)
+         : options.is("batch")  ? run_batch(options)
+         : options.is("check")  ? run_check(options)
+                                : run_map(options);
 }
 
 // What is written to a standard stream that is closed would go to the file that is opened next. Now it fails.

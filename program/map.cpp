@@ -1,12 +1,7 @@
-#include "Components.h"
 #include "Mesh_run.h"
-#include "commands.h"
-#include "read_file.h"
 
 #include <algorithm>
-#include <cstddef>
 #include <cstdlib>
-#include <exception>
 #include <iostream>
 #include <new>
 
@@ -16,7 +11,7 @@ namespace {
 
 int report_repair(const Mesh_run& mesh, const Options& options)
 {
-  if(options.is_quiet)
+  if(options.has("quiet"))
     return EXIT_SUCCESS;
   mesh.report().print_surface(std::cout);
   for(const std::string& file : mesh.report().files)
@@ -33,12 +28,12 @@ int run(const Options& options, const File_names& names, std::size_t component)
   try
   {
     mesh.read();
-    if(options.command == "repair")
+    if(options.is("repair"))
     {
       mesh.repair();
       return report_repair(mesh, options);
     }
-    if(!options.beside.empty())
+    if(options.has("beside"))
     {
       mesh.show_beside();
       return EXIT_SUCCESS;
@@ -54,9 +49,9 @@ int run(const Options& options, const File_names& names, std::size_t component)
   }
 
   const Run_report& report = mesh.report();
-  if(options.prints_json)
+  if(options.text("json") == "-")
     std::cout << report.json();
-  else if(!options.is_quiet)
+  else if(!options.has("quiet"))
     report.print(std::cout);
   std::cerr << report.warnings();
   if(!report.result.is_one_to_one)
@@ -69,7 +64,7 @@ int run(const Options& options, const File_names& names, std::size_t component)
 // Maps each part of a surface; what fails with one of them does not stop the others. Returns the exit status.
 int run_components(const Options& options)
 {
-  const std::size_t n = Components(read_file_content(options.file_names.input).polygons).sizes().size();
+  const std::size_t n = parts_of(read_file_content(options.file_names.input).polygons).size();
   int status = EXIT_SUCCESS;
   for(std::size_t k = 0; k < (std::max)(n, std::size_t(1)); ++k)
     try
@@ -89,7 +84,7 @@ int run_components(const Options& options)
 
 int run_map(const Options& options)
 {
-  return options.takes_each_component ? run_components(options) : run(options, options.file_names, 0);
+  return options.text("components") == "each" ? run_components(options) : run(options, options.file_names, 0);
 }
 
 int run_check(const Options& options)
@@ -98,11 +93,10 @@ int run_check(const Options& options)
     return run_map(options);
   const std::string& name = options.file_names.input;
   Input_mesh mesh(name, read_file_content(name));
-  if(const std::string defect = mesh.find_defect(); !defect.empty())
-    throw Program_error(defect);
-  if(!options.is_quiet)
-    std::cout << printable(name) << ": " << mesh.mesh().number_of_vertices() << " vertices, "
-              << mesh.mesh().number_of_faces() << " faces; the surface can be mapped.\n";
+  mesh.check();
+  if(!options.has("quiet"))
+    std::cout << printable(name) << ": " << sizes_of(mesh.mesh().number_of_vertices(), mesh.mesh().number_of_faces())
+              << "; the surface can be mapped.\n";
   return EXIT_SUCCESS;
 }
 

@@ -2,16 +2,14 @@
 
 #include "file_names.h"
 
+#include <algorithm>
 #include <cerrno>
 #include <charconv>
 #include <csignal>
 #include <cstdio>
-#include <filesystem>
 #include <ios>
-#include <memory>
 #include <random>
 #include <streambuf>
-#include <system_error>
 
 #include <sys/stat.h>
 #include <sys/types.h>
@@ -39,6 +37,34 @@ std::string temporary_name()
   return beginning_of_temporary_names() + std::to_string(getpid()) + '.' + std::to_string(std::random_device()());
 }
 
+// Writes to a file, which has a buffer of its own, and adds up the checksum.
+class Summing_buffer : public std::streambuf
+{
+public:
+  explicit Summing_buffer(std::FILE* file)
+    : m_file(file)
+  {}
+
+  Checksum checksum;
+
+protected:
+  std::streamsize xsputn(const char* data, std::streamsize size) override
+  {
+    const std::size_t n = std::fwrite(data, 1, static_cast<std::size_t>(size), m_file);
+    checksum.add(data, n);
+    return static_cast<std::streamsize>(n);
+  }
+
+  int_type overflow(int_type c) override
+  {
+    const char character = traits_type::to_char_type(c);
+    return xsputn(&character, 1) == 1 ? traits_type::not_eof(c) : traits_type::eof();
+  }
+
+private:
+  std::FILE* m_file;
+};
+
 } // namespace
 
 void sweep_temporary_files(const std::filesystem::path& folder)
@@ -57,33 +83,24 @@ void sweep_temporary_files(const std::filesystem::path& folder)
   }
 }
 
-void Checksum::add(const char* data, std::size_t size)
-{
-  bytes += size;
-  crc.process_bytes(data, size);
-}
-
 // A file that appears complete or not at all: it is written under another name in the same folder, and renamed in the end.
 class Output_files::File
 {
 public:
   // checks that the file can be written, and leaves no trace of the check.
-  //
-  // \throws Program_error if it cannot
-  File(const std::string& name, Output_policy policy)
-    : m_name(name)
-    , m_path(name)
+  File(const std::string& name_as_given, Output_policy policy)
+    : name(name_as_given)
+    , path(name_as_given)
   {
     namespace fs = std::filesystem;
     const bool follows = policy == Output_policy::follow;
-    const fs::file_status status = follows ? fs::status(m_path, m_error) : fs::symlink_status(m_path, m_error);
+    const fs::file_status status = follows ? fs::status(path, m_error) : fs::symlink_status(path, m_error);
     if(fs::is_directory(status))
       fail("it is a directory");
     if(fs::exists(status) && !fs::is_symlink(status))
     {
       // Renaming would replace a write-protected file as well, against the will of its owner.
-      if(access(m_path.c_str(), W_OK) != 0)
-        fail_by_errno();
+      check(access(path.c_str(), W_OK) == 0);
       m_is_direct = !fs::is_regular_file(status);
       if(m_is_direct && !follows)
         fail("it is a pipe or a device, not a file; remove it, or choose another folder");
@@ -93,147 +110,88 @@ public:
     }
     if(follows)
     {
-      m_path = place_of(m_path, m_error);
-      if(m_error)
-        fail(m_error.message());
-      sweep_temporary_files(fs::absolute(m_path).parent_path());
+      path = place_of(path, m_error);
+      check_error();
+      sweep_temporary_files(fs::absolute(path).parent_path());
     }
-    m_temporary_path = m_path.parent_path() / temporary_name();
-    open();
-    close();
-    remove_temporary();
+    m_temporary_path = path.parent_path() / temporary_name();
+    write([](std::ostream&) {});
+    checksum.reset();
+    fs::remove(m_temporary_path, m_error);
   }
 
-  ~File() { remove_temporary(); }
-
-  File(const File&) = delete;
-  File& operator=(const File&) = delete;
-
-  // returns the name as it was given.
-  const std::string& name() const { return m_name; }
-
-  // returns the path of the file itself, behind links if these are followed.
-  const std::filesystem::path& path() const { return m_path; }
-
-  // writes all of the file by `write(stream)`, still under the other name.
-  //
-  // \throws Program_error if that fails, for example because the disk is full
-  void write(const std::function<void(std::ostream&)>& write)
-  {
-    open();
-    Buffer buffer(*m_file);
-    std::ostream out(&buffer);
-    errno = 0;
-    write(out);
-    if(!out)
-      fail_by_errno();
-    close();
-    if(!m_is_direct)
-      m_checksum = buffer.checksum();
-  }
-
-  // returns the checksum of what has been written; there is none if it went elsewhere than to a file.
-  const std::optional<Checksum>& checksum() const { return m_checksum; }
-
-  // removes the file that has the name now.
-  //
-  // \throws Program_error if that fails
-  void remove_earlier()
-  {
-    if(!m_is_direct && !std::filesystem::remove(m_path, m_error) && m_error)
-      fail(m_error.message());
-  }
-
-  // gives the file its name, and replaces the one that had it.
-  //
-  // \throws Program_error if that fails
-  void commit()
-  {
-    if(m_is_direct || m_is_committed)
-      return;
-    std::filesystem::rename(m_temporary_path, m_path, m_error);
-    if(m_error)
-      fail(m_error.message());
-    m_is_committed = true;
-  }
-
-private:
-  // Writes to a file, which has a buffer of its own, and adds up the checksum.
-  class Buffer : public std::streambuf
-  {
-  public:
-    explicit Buffer(std::FILE& file)
-      : m_file(&file)
-    {}
-
-    const Checksum& checksum() const { return m_checksum; }
-
-  protected:
-    std::streamsize xsputn(const char* data, std::streamsize size) override
-    {
-      const std::size_t n = std::fwrite(data, 1, static_cast<std::size_t>(size), m_file);
-      m_checksum.add(data, n);
-      return static_cast<std::streamsize>(n);
-    }
-
-    int_type overflow(int_type c) override
-    {
-      const char character = traits_type::to_char_type(c);
-      return xsputn(&character, 1) == 1 ? traits_type::not_eof(c) : traits_type::eof();
-    }
-
-  private:
-    std::FILE* m_file;
-    Checksum m_checksum;
-  };
-
-  struct Closing
-  {
-    void operator()(std::FILE* file) const { std::fclose(file); }
-  };
-
-  [[noreturn]] void fail(const std::string& reason) const { throw error_in(m_name, "cannot be written: " + reason); }
-
-  [[noreturn]] void fail_by_errno() const
-  {
-    fail(std::error_code(errno != 0 ? errno : EIO, std::generic_category()).message());
-  }
-
-  // Makes the other file, which must not be there, not even as a link, or opens the pipe. A file that is replaced hands
-  // down who may read it before there is anything to read.
-  void open()
-  {
-    errno = 0;
-    m_file.reset(m_is_direct ? std::fopen(m_path.c_str(), "wb") : std::fopen(m_temporary_path.c_str(), "wbx"));
-    if(!m_file)
-      fail_by_errno();
-    if(m_permissions)
-      fchmod(fileno(m_file.get()), static_cast<mode_t>(*m_permissions)); // some file systems have none
-  }
-
-  void close()
-  {
-    if(std::fclose(m_file.release()) != 0)
-      fail_by_errno();
-  }
-
-  void remove_temporary()
+  ~File()
   {
     if(!m_temporary_path.empty())
       std::filesystem::remove(m_temporary_path, m_error);
   }
 
-  std::string m_name;
-  std::filesystem::path m_path, m_temporary_path;
+  File(const File&) = delete;
+  File& operator=(const File&) = delete;
+
+  // Makes the other file, which must not be there, not even as a link, or opens the pipe. A file that is replaced hands down who
+  // may read it before there is anything to read.
+  void write(const std::function<void(std::ostream&)>& write_to)
+  {
+    errno = 0;
+    std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(
+        m_is_direct ? std::fopen(path.c_str(), "wb") : std::fopen(m_temporary_path.c_str(), "wbx"), &std::fclose);
+    check(file != nullptr);
+    if(m_permissions)
+      fchmod(fileno(file.get()), static_cast<mode_t>(*m_permissions)); // some file systems have none
+    Summing_buffer buffer(file.get());
+    std::ostream out(&buffer);
+    errno = 0;
+    write_to(out);
+    check(out.good());
+    check(std::fclose(file.release()) == 0);
+    if(!m_is_direct)
+      checksum = buffer.checksum;
+  }
+
+  void remove_earlier()
+  {
+    if(!m_is_direct)
+      std::filesystem::remove(path, m_error);
+    check_error();
+  }
+
+  void commit()
+  {
+    if(m_is_direct || m_is_committed)
+      return;
+    std::filesystem::rename(m_temporary_path, path, m_error);
+    check_error();
+    m_is_committed = true;
+  }
+
+  std::string name;                 // as it was given
+  std::filesystem::path path;       // of the file itself, behind links if these are followed
+  std::optional<Checksum> checksum; // of what has been written
+
+private:
+  [[noreturn]] void fail(const std::string& reason) const { throw error_in(name, "cannot be written: ", reason); }
+
+  void check_error() const
+  {
+    if(m_error)
+      fail(m_error.message());
+  }
+
+  // Fails with what the system says, unless what was called has succeeded.
+  void check(bool has_succeeded) const
+  {
+    if(!has_succeeded)
+      fail(std::error_code(errno != 0 ? errno : EIO, std::generic_category()).message());
+  }
+
+  std::filesystem::path m_temporary_path;
   bool m_is_direct = false; // written under its own name, at once
   bool m_is_committed = false;
   std::optional<std::filesystem::perms> m_permissions;
-  std::unique_ptr<std::FILE, Closing> m_file; // while it is open
-  std::optional<Checksum> m_checksum;
   std::error_code m_error;
 };
 
-// Checks that no output would replace an input or another output.
 Output_files::Output_files(const Words& names, const Words& inputs, Output_policy policy)
 {
   std::error_code ignored;
@@ -242,13 +200,12 @@ Output_files::Output_files(const Words& names, const Words& inputs, Output_polic
       m_files.push_back(std::make_unique<File>(name, policy));
   for(auto file = m_files.begin(); file != m_files.end(); ++file)
   {
+    const std::filesystem::path& path = (*file)->path;
     for(const std::string& input : inputs)
-      if(!std::filesystem::is_symlink((*file)->path(), ignored) &&
-         std::filesystem::equivalent((*file)->path(), input, ignored))
-        throw error_in((*file)->name(), "would replace the input; choose another name");
-    for(auto other = m_files.begin(); other != file; ++other)
-      if((*file)->path() == (*other)->path())
-        throw error_in((*file)->name(), "would be written twice; choose another name");
+      if(!std::filesystem::is_symlink(path, ignored) && std::filesystem::equivalent(path, input, ignored))
+        throw error_in((*file)->name, "would replace the input; choose another name");
+    if(std::any_of(m_files.begin(), file, [&](const auto& other) { return other->path == path; }))
+      throw error_in((*file)->name, "would be written twice; choose another name");
   }
 }
 
@@ -268,7 +225,7 @@ void Output_files::write(const std::string& name, const std::function<void(std::
 
 std::optional<Checksum> Output_files::checksum(const std::string& name) const
 {
-  return file_of(name).checksum();
+  return file_of(name).checksum;
 }
 
 void Output_files::commit()
@@ -286,13 +243,13 @@ Words Output_files::names() const
 {
   Words result;
   for(const auto& file : m_files)
-    result.push_back(file->name());
+    result.push_back(file->name);
   return result;
 }
 
 Output_files::File& Output_files::file_of(const std::string& name) const
 {
-  return **std::find_if(m_files.begin(), m_files.end(), [&](const auto& file) { return file->name() == name; });
+  return **std::find_if(m_files.begin(), m_files.end(), [&](const auto& file) { return file->name == name; });
 }
 
 } // namespace Program

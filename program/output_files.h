@@ -12,8 +12,6 @@
 #include <memory>
 #include <optional>
 #include <ostream>
-#include <string>
-#include <vector>
 
 namespace Program {
 
@@ -23,7 +21,11 @@ struct Checksum
   std::uintmax_t bytes = 0;
   boost::crc_32_type crc;
 
-  void add(const char* data, std::size_t size);
+  void add(const char* data, std::size_t size)
+  {
+    bytes += size;
+    crc.process_bytes(data, size);
+  }
 };
 
 /// Where a name leads to that is taken by a link, or by something else that is no ordinary file, such as a pipe.
@@ -36,35 +38,27 @@ enum class Output_policy
 /// removes from a folder the incomplete files that processes of this computer have left that are no more.
 void sweep_temporary_files(const std::filesystem::path& folder);
 
-/// All files that a run is to write. They appear together, once all of them are complete.
+/// All files that a run is to write. They appear together, once all of them are complete. What fails throws a `Program_error`.
 class Output_files
 {
 public:
   /// checks that all of them can be written, and that none of them would replace an input or another output.
   ///
   /// \param names in the order in which they appear; empty ones are left out
-  ///
-  /// \throws Program_error otherwise
   Output_files(const Words& names, const Words& inputs, Output_policy policy);
 
   ~Output_files();
 
   /// removes the files that have these names now, the last one first: a report is never beside the map of another run.
-  ///
-  /// \throws Program_error if that fails
   void remove_earlier();
 
   /// writes all of a file by `write(stream)`, still under another name; nothing if the name is empty.
-  ///
-  /// \throws Program_error if that fails, for example because the disk is full
   void write(const std::string& name, const std::function<void(std::ostream&)>& write);
 
   /// returns the checksum of what has been written; there is none if it went elsewhere than to a file.
   std::optional<Checksum> checksum(const std::string& name) const;
 
-  /// gives all files their names, and replaces those that had them.
-  ///
-  /// \throws Program_error if that fails
+  /// gives all files their names, or one of them, and replaces those that had them.
   void commit();
   void commit(const std::string& name);
 

@@ -12,16 +12,11 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <cstddef>
-#include <cstdint>
-#include <filesystem>
 #include <fstream>
 #include <ios>
 #include <iterator>
 #include <set>
 #include <string_view>
-#include <system_error>
-#include <utility>
 
 namespace Program {
 
@@ -42,38 +37,6 @@ std::ifstream open_file(const std::string& path)
   if(!in)
     throw Program_error(std::generic_category().message(errno));
   return in;
-}
-
-// Tells the kind of a file by its first bytes, some thousands, and the number of all of them.
-Surface_file_kind kind_of(const std::string& path, std::string_view beginning, std::uintmax_t size)
-{
-  using Kind = Surface_file_kind;
-  const auto number = [&](std::size_t begin, std::size_t length) {
-    std::uint32_t result = 0;
-    for(std::size_t k = begin; k < begin + length; ++k)
-      result = result << 8 | static_cast<unsigned char>(beginning[k]);
-    return result;
-  };
-  const std::string format = file_format(path);
-  if(is_gifti(format) ||
-     (beginning.substr(0, 16).find('<') != beginning.npos && beginning.find("<GIFTI") != beginning.npos))
-    return Kind::gifti;
-  if(format == ".mgz" || format == ".mgh")
-    return Kind::mgh;
-  if(beginning.substr(0, 7) == "#!ascii")
-    return Kind::freesurfer_label;
-  constexpr std::size_t size_of_two_vertices = 20, size_of_old_header = 6; // of annotations, and of curv files
-  if(beginning.size() < size_of_old_header)
-    return Kind::none;
-  const std::uint32_t magic = number(0, 3);
-  if(magic == 0xFFFFFE || magic == 0xFFFFFD)
-    return Kind::freesurfer_surface;
-  if(magic == 0xFFFFFF || size == size_of_old_header + 2 * std::uintmax_t(magic))
-    return Kind::freesurfer_curv;
-  const bool has_vertices = beginning.size() >= size_of_two_vertices && number(4, 4) == 0 && number(12, 4) == 1;
-  if(format == ".annot" || (has_vertices && size >= 8 * std::uintmax_t(number(0, 4))))
-    return Kind::freesurfer_annotation;
-  return Kind::none;
 }
 
 // Turns a file of this kind into what a mesh file holds. A file of values has no points.
@@ -113,6 +76,31 @@ File_content content_of_surface_file(Surface_file_kind kind, const std::string& 
 
 } // namespace
 
+SP::IO::Surface_file surface_file_of(const std::vector<Point_3>& points, const std::vector<Polygon>& triangles)
+{
+  SP::IO::Surface_file file;
+  file.points.reserve(points.size());
+  for(const Point_3& p : points)
+    file.points.push_back({{p.x(), p.y(), p.z()}});
+  file.triangles.resize(triangles.size());
+  for(std::size_t f = 0; f < triangles.size(); ++f)
+    std::transform(triangles[f].begin(), triangles[f].end(), file.triangles[f].begin(),
+                   [](std::size_t v) { return static_cast<std::uint32_t>(v); });
+  return file;
+}
+
+File_content content_of(const SP::IO::Surface_file& file)
+{
+  File_content content;
+  content.points.reserve(file.points.size());
+  for(const auto& p : file.points)
+    content.points.emplace_back(p[0], p[1], p[2]);
+  content.polygons.reserve(file.triangles.size());
+  for(const auto& t : file.triangles)
+    content.polygons.emplace_back(t.begin(), t.end());
+  return content;
+}
+
 void check_file(const std::string& path)
 {
   read_named(path, [&] { open_file(path); });
@@ -141,18 +129,45 @@ std::string read_file(const std::string& path)
 
 Surface_file_kind kind_of_file(const std::string& path)
 {
+  using Kind = Surface_file_kind;
   std::ifstream in = open_file(path);
   std::string beginning(4096, '\0');
   in.read(&beginning[0], static_cast<std::streamsize>(beginning.size()));
   beginning.resize(static_cast<std::size_t>(in.gcount()));
   std::error_code error;
-  return kind_of(path, beginning, std::filesystem::file_size(path, error));
+  const std::uintmax_t size = std::filesystem::file_size(path, error);
+  const auto number = [&](std::size_t begin, std::size_t length) {
+    std::uint32_t result = 0;
+    for(std::size_t k = begin; k < begin + length; ++k)
+      result = result << 8 | static_cast<unsigned char>(beginning[k]);
+    return result;
+  };
+  const std::string format = file_format(path);
+  if(is_gifti(format) ||
+     (beginning.substr(0, 16).find('<') != beginning.npos && beginning.find("<GIFTI") != beginning.npos))
+    return Kind::gifti;
+  if(format == ".mgz" || format == ".mgh")
+    return Kind::mgh;
+  if(beginning.substr(0, 7) == "#!ascii")
+    return Kind::freesurfer_label;
+  constexpr std::size_t size_of_two_vertices = 20, size_of_old_header = 6; // of annotations, and of curv files
+  if(beginning.size() < size_of_old_header)
+    return Kind::none;
+  const std::uint32_t magic = number(0, 3);
+  if(magic == 0xFFFFFE || magic == 0xFFFFFD)
+    return Kind::freesurfer_surface;
+  if(magic == 0xFFFFFF || size == size_of_old_header + 2 * std::uintmax_t(magic))
+    return Kind::freesurfer_curv;
+  const bool has_vertices = beginning.size() >= size_of_two_vertices && number(4, 4) == 0 && number(12, 4) == 1;
+  if(format == ".annot" || (has_vertices && size >= 8 * std::uintmax_t(number(0, 4))))
+    return Kind::freesurfer_annotation;
+  return Kind::none;
 }
 
 std::string name_of_values(const std::string& path)
 {
   std::string name = std::filesystem::path(path).filename().string();
-  if(has_hemisphere(name))
+  if(!structure_of(path).empty())
     name.erase(0, 3);
   for(const char* ending : {".gz", ".gii", ".mgz", ".mgh", ".annot", ".shape", ".func", ".label"})
     if(const std::size_t n = std::string(ending).size();
@@ -209,10 +224,8 @@ File_content read_file_content(const std::string& path, bool keeps_values)
     if(result.points.empty() && !keeps_values)
       throw Program_error("the file has no surface, but values of the vertices of one");
     // FreeSurfer says by the name which half of the brain a surface is.
-    const std::string name = std::filesystem::path(path).filename().string();
-    if(kind == Surface_file_kind::freesurfer_surface && has_hemisphere(name))
-      result.origin.metadata_of_points = {
-          {"AnatomicalStructurePrimary", name[0] == 'l' ? "CortexLeft" : "CortexRight"}};
+    if(kind == Surface_file_kind::freesurfer_surface && !structure_of(path).empty())
+      result.origin.metadata_of_points = {{"AnatomicalStructurePrimary", structure_of(path)}};
     return result;
   });
   soup.hemispheres = hemispheres_of(path, soup.origin);
@@ -228,14 +241,14 @@ File_content read_values(const std::string& paths, const std::function<File_cont
   {
     File_content soup = read(path);
     if(!soup.vertices.empty())
-      throw error_in(path, "has values of " + std::to_string(soup.vertices.size()) +
-                               " vertices of a surface, not of all.\nWrite a file with a value for each vertex.");
+      throw error_in(path, "has values of ", soup.vertices.size(),
+                     " vertices of a surface, not of all.\nWrite a file with a value for each vertex.");
     if(result.number_of_vertices() > 0 && soup.number_of_vertices() != result.number_of_vertices())
-      throw error_in(path, "has values of " + std::to_string(soup.number_of_vertices()) + " vertices, but " +
-                               printable(files.front()) + " of " + std::to_string(result.number_of_vertices()));
+      throw error_in(path, "has values of ", soup.number_of_vertices(), " vertices, but ", printable(files.front()),
+                     " of ", result.number_of_vertices());
     for(const Values& values : soup.values_of_vertices)
       if(!names.insert(values.name).second)
-        throw error_in(path, "has values of the name " + printable(values.name) + ", as a file before it");
+        throw error_in(path, "has values of the name ", printable(values.name), ", as a file before it");
     if(path == files.front())
       result = std::move(soup);
     else

@@ -1,13 +1,35 @@
 #ifndef PROGRAM_READ_FILE_H
 #define PROGRAM_READ_FILE_H
 
-#include "File_content.h"
-#include "text.h"
+#include "file_names.h"
+
+#include <CGAL/Spherical_parameterization/internal/files/Polygon_soup.h>
+
+#include <CGAL/Simple_cartesian.h>
 
 #include <functional>
-#include <string>
 
 namespace Program {
+
+using Kernel = CGAL::Simple_cartesian<double>;
+using Point_3 = Kernel::Point_3;
+using Polygon = SP::internal::Polygon;
+using Values = SP::internal::Property_values;
+
+/// What a file holds: a mesh, values of its vertices and faces, or both, and what is known of where they are from.
+struct File_content : SP::internal::Polygon_soup
+{
+  std::vector<std::uint32_t> vertices = {}; ///< that the values are of, if not all
+  std::vector<SP::IO::Label> labels = {};   ///< what whole numbers among the values stand for
+  SP::IO::Surface_origin origin = {};       ///< what a file of a cortical surface tells of where that is from
+  Hemispheres hemispheres = {};             ///< of the files that this is from
+};
+
+/// turns a mesh into what a file of a cortical surface holds, and back, without values.
+///
+/// \pre all polygons are triangles
+SP::IO::Surface_file surface_file_of(const std::vector<Point_3>& points, const std::vector<Polygon>& triangles);
+File_content content_of(const SP::IO::Surface_file& file);
 
 /// What a file of a cortical surface is. Many have no extension, so that their first bytes decide.
 enum class Surface_file_kind
@@ -22,18 +44,12 @@ enum class Surface_file_kind
 };
 
 /// checks that a file can be opened.
-///
-/// \throws Program_error with its name, if it is no ordinary file, or cannot be read
 void check_file(const std::string& path);
 
 /// reads a file as a whole.
-///
-/// \throws Program_error if it is no ordinary file, or cannot be read
 std::string read_file(const std::string& path);
 
 /// tells the kind of a file of a cortical surface by its name and its first bytes.
-///
-/// \throws Program_error if it is no ordinary file, or cannot be read
 Surface_file_kind kind_of_file(const std::string& path);
 
 /// returns what a file is called without its folder, the hemisphere and the end that tells its format.
@@ -42,15 +58,11 @@ std::string name_of_values(const std::string& path);
 /// reads a file of this kind.
 ///
 /// \param message receives what is said of a file that is in order otherwise, empty if nothing is
-///
-/// \throws Program_error with what is wrong, and what helps
 SP::IO::Surface_file read_surface_file(Surface_file_kind kind, const std::string& path, std::string& message);
 
 /// reads a mesh file, whose format is that of its name, or told by its first bytes.
 ///
 /// \param keeps_values whether values of vertices and faces are wanted; then the file may have no mesh
-///
-/// \throws Program_error with the name of the file, what is wrong with it, and what helps
 File_content read_file_content(const std::string& path, bool keeps_values = false);
 
 inline File_content read_file_of_values(const std::string& path)
@@ -61,8 +73,6 @@ inline File_content read_file_of_values(const std::string& path)
 /// reads a file with values of vertices, or several, whose names have commas between them. The mesh is that of the first.
 ///
 /// \param read reads one of them
-///
-/// \throws Program_error if that fails, or they are values of surfaces that differ in the number of their vertices
 File_content read_values(const std::string& paths,
                          const std::function<File_content(const std::string&)>& read = read_file_of_values);
 

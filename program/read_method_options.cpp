@@ -1,16 +1,12 @@
-#include "Option_reader.h"
+#include "Options.h"
 
 #include <cmath>
-#include <filesystem>
 #include <limits>
-#include <sstream>
-#include <vector>
 
 namespace Program {
 
 namespace {
 
-const Words methods = {"bld", "hierarchical", "harmonic", "conformal", "arap", "stereographic", "schnyder"};
 const Words starts = {"hierarchical", "stereographic", "harmonic", "conformal", "schnyder"};
 
 // Which methods an option goes with; options that are not listed go with all.
@@ -50,23 +46,9 @@ std::string short_text(double x)
   return text;
 }
 
-} // namespace
-
-bool Option_reader::knows(const std::string& option) const
+// Refuses what would be ignored.
+void check_scopes(const Options& o)
 {
-  for(const Scope& scope : scopes)
-    if(scope.option == option)
-      return is_among(o.method, scope.methods);
-  return true;
-}
-
-void Option_reader::read_method()
-{
-  o.method = read_word("method", methods, o.method);
-  o.is_published = has("paper");
-  if(o.is_published && has("method"))
-    fail("--paper is a method of its own: leave out --method");
-  refuse_both("paper", "density");
   Words known, known_to_paper;
   for(const Scope& scope : scopes)
   {
@@ -75,168 +57,159 @@ void Option_reader::read_method()
     if(scope.goes_with_paper)
       known_to_paper.push_back("--" + scope.option);
   }
-  for(const Scope& scope : scopes) // what would be ignored
-    if(has(scope.option) && o.is_published && !scope.goes_with_paper)
-      fail("--" + scope.option + " is among the settings of --paper, which can be combined with " +
-           list_of(known_to_paper, " and ") + " only");
-    else if(has(scope.option) && !is_among(o.method, scope.methods))
-      fail("--" + scope.option + " goes with --method " + list_of(scope.methods, " or ") + "; " + o.method +
-           (known.empty() ? " has no settings" : " knows " + list_of(known, " and ") + " only"));
-  o.is_unit_sphere = o.method != "bld" && o.method != "arap";
-  o.description = o.method + (o.is_published ? " as published" : "");
-
-  if(knows("initial"))
-    read_initial();
-  if(has("density"))
-    read_density();
-  read_preference();
-  if(knows("energy"))
-    read_energy();
-  if(knows("sharpness"))
-    read_sharpness();
-  if(knows("radius"))
-    read_radius();
-  read_limits();
+  for(const Scope& scope : scopes)
+    if(o.has(scope.option) && o.has("paper") && !scope.goes_with_paper)
+      o.fail("--" + scope.option + " is among the settings of --paper, which can be combined with " +
+             list_of(known_to_paper, " and ") + " only");
+    else if(o.has(scope.option) && !is_among(o.method, scope.methods))
+      o.fail("--" + scope.option + " goes with --method " + list_of(scope.methods, " or ") + "; " + o.method +
+             (known.empty() ? " has no settings" : " knows " + list_of(known, " and ") + " only"));
 }
 
-void Option_reader::read_initial()
+void read_initial(Options& o)
 {
-  const std::string value = has("initial") ? text("initial") : (o.is_published ? "harmonic" : "hierarchical");
+  const std::string value = o.has("initial") ? o.text("initial") : o.has("paper") ? "harmonic" : "hierarchical";
   o.start = is_among(value, starts) ? value : "";
+  if(o.start.empty() && !std::filesystem::exists(value))
+    o.refuse("initial", list_of(starts, " or ") + ", or the name of a file with a map");
   if(o.start.empty())
-  {
-    if(!std::filesystem::exists(value))
-      refuse("initial", list_of(starts, " or ") + ", or the name of a file with a map");
     o.start_file = value;
-  }
-  describe(o.start.empty() ? "start from " + printable(o.start_file) : o.start + " start");
+  o.describe(o.start.empty() ? "start from " + printable(o.start_file) : o.start + " start");
 }
 
-void Option_reader::read_density()
+void read_density(Options& o)
 {
-  for(const char* option : {"initial", "radius", "tolerance", "template"})
-    if(has(option))
-      fail("--" + std::string(option) + " and --density cannot be combined");
-  o.gives_areas = true;
-  if(text("density") == "equal")
+  const std::string value = o.text("density");
+  if(!o.has("density") || value == "equal")
   {
-    describe("equal areas");
+    if(o.has("density"))
+      o.describe("equal areas");
     return;
   }
-  o.density_file = text("density");
-  if(o.density_file.empty())
-    fail("--density needs the name of a file, or the word equal");
-  check_values("density", o.density_file);
+  o.density_file = value;
+  if(value.empty())
+    o.fail("--density needs the name of a file, or the word equal");
+  check_values(o, "density", value);
   for(const char* option : {"output-folder", "fill-holes"})
-    if(has(option))
-      fail("--density with a file and --" + std::string(option) + " cannot be combined" +
-           (has("fill-holes")
-                ? ", as the filler has no values; write the closed surface by the command repair, and map that"
-                : ", as it is for one mesh"));
-  describe("areas by " + printable(o.density_file));
-}
-
-// What is preferred decides on other settings, and what is sampled on that.
-void Option_reader::read_preference()
-{
-  bool is_plain = o.method == "bld" && !o.is_published;
-  for(const char* option : {"energy", "sharpness", "schedule", "radius"})
-    is_plain = is_plain && !has(option);
-  m_preference = read_word("prefer", {"average", "balance", "worst", "sampling"},
-                           o.method == "hierarchical" ? "average"
-                           : is("remesh") && is_plain ? "sampling"
-                                                      : "balance");
-}
-
-void Option_reader::read_energy()
-{
-  if(m_preference == "sampling" && has("energy"))
-    fail("--prefer sampling has an energy of its own: leave out --energy");
-  o.energy = m_preference == "sampling"
-                 ? "stretch"
-                 : read_word("energy", {"symmetric-dirichlet", "isometric", "conformal"},
-                             o.is_published || o.method == "hierarchical" ? "isometric" : "symmetric-dirichlet");
-  describe(o.energy + " energy");
-}
-
-void Option_reader::read_sharpness()
-{
-  refuse_both("prefer", "sharpness");
-  for(const char* dial : {"prefer", "sharpness"})
-    refuse_both("schedule", dial);
-  if(o.is_published || has("schedule"))
-  {
-    read_schedule();
-    return;
-  }
-  const double beta = read_number("sharpness", 0., max_sharpness, "a number from 0 to 1e6",
-                                  m_preference == "average"    ? 0.
-                                  : m_preference == "balance"  ? 20.
-                                  : m_preference == "sampling" ? 3.
-                                                               : 40.);
-  o.sharpness = SP::Sharpness::relative(beta);
-  describe("sharpness " + short_text(beta));
+    if(o.has(option))
+      o.fail("--density with a file and --" + std::string(option) + " cannot be combined" +
+             (o.has("fill-holes")
+                  ? ", as the filler has no values; write the closed surface by the command repair, and map that"
+                  : ", as it is for one mesh"));
+  o.describe("areas by " + printable(value));
 }
 
 // The paper's schedule is exp(s E) with s from 0.1 to 10, after 100 sweeps of the plain sum of E. A fixed s is that of AMIPS.
-void Option_reader::read_schedule()
+void read_schedule(Options& o)
 {
-  const Words numbers = has("schedule") ? split_list(text("schedule")) : Words{"0.1", "10"};
+  const Words numbers = o.has("schedule") ? split_list(o.text("schedule")) : Words{"0.1", "10"};
   double first = 0., last = 0., n = 100.;
   if(numbers.size() < 2 || numbers.size() > 3 || !is_number(numbers[0], first) || !is_number(numbers[1], last) ||
      !(first >= min_double && first <= last && last <= max_sharpness) ||
      (numbers.size() == 3 && (!is_number(numbers[2], n) || !(n >= 0. && n <= 1e9 && n == std::floor(n)))))
-    refuse("schedule",
-           "FIRST,LAST or FIRST,LAST,SWEEPS with 2.3e-308 <= FIRST <= LAST <= 1e6 and a whole number of sweeps, "
-           "such as 0.1,10,100");
-  describe("s " + (first < last ? "from " + short_text(first) + " to " : "= ") + short_text(last));
-  if(o.is_published || numbers.size() == 3)
-  {
-    o.sharpness = SP::Sharpness::schedule(first, last, static_cast<unsigned int>(n));
-    o.description += " after " + std::to_string(static_cast<unsigned int>(n)) + " sweeps of the plain sum";
-    return;
-  }
-  o.sharpness = SP::Sharpness::schedule(first, last);
-  if(first < last)
+    o.refuse("schedule",
+             "FIRST,LAST or FIRST,LAST,SWEEPS with 2.3e-308 <= FIRST <= LAST <= 1e6 and a whole number of sweeps, "
+             "such as 0.1,10,100");
+  o.describe("s " + (first < last ? "from " + short_text(first) + " to " : "= ") + short_text(last));
+  const bool has_number = o.has("paper") || numbers.size() == 3;
+  const auto n_sweeps = static_cast<unsigned int>(n);
+  o.sharpness = has_number ? SP::Sharpness::schedule(first, last, n_sweeps) : SP::Sharpness::schedule(first, last);
+  if(has_number)
+    o.description += " after " + std::to_string(n_sweeps) + " sweeps of the plain sum";
+  else if(first < last)
     o.description += " after sweeps of the plain sum while they help";
 }
 
-void Option_reader::read_radius()
+// What is preferred decides on the energy and the sharpness, and what is sampled on that.
+void read_energy(Options& o)
 {
-  const std::string usual = o.is_published            ? "two-phase"
+  bool samples = o.is("remesh") && o.method == "bld" && !o.has("paper");
+  for(const char* option : {"energy", "sharpness", "schedule", "radius"})
+    samples = samples && !o.has(option);
+  const std::string preference = o.word("prefer", {"average", "balance", "worst", "sampling"},
+                                        o.method == "hierarchical" ? "average"
+                                        : samples                  ? "sampling"
+                                                                   : "balance");
+  if(preference == "sampling" && o.has("energy"))
+    o.fail("--prefer sampling has an energy of its own: leave out --energy");
+  o.energy = preference == "sampling"
+                 ? "stretch"
+                 : o.word("energy", {"symmetric-dirichlet", "isometric", "conformal"},
+                          o.has("paper") || o.method == "hierarchical" ? "isometric" : "symmetric-dirichlet");
+  o.describe(o.energy + " energy");
+  if(o.has("paper") || o.has("schedule"))
+  {
+    read_schedule(o);
+    return;
+  }
+  const double beta = o.number("sharpness", 0., max_sharpness, "a number from 0 to 1e6",
+                               preference == "average"    ? 0.
+                               : preference == "balance"  ? 20.
+                               : preference == "sampling" ? 3.
+                                                          : 40.);
+  o.sharpness = SP::Sharpness::relative(beta);
+  o.describe("sharpness " + short_text(beta));
+}
+
+void read_radius(Options& o)
+{
+  const std::string usual = o.has("density")          ? "area"
+                            : o.has("paper")          ? "two-phase"
                             : o.energy == "conformal" ? "fixed=1"
                             : o.energy == "stretch"   ? "area"
                                                       : "objective";
-  const std::string value = o.gives_areas ? "area" : has("radius") ? text("radius") : usual, fixed = "fixed=";
-  o.is_unit_sphere = !has("radius") && !o.gives_areas && o.energy == "conformal";
+  const std::string value = o.has("radius") ? o.text("radius") : usual, fixed = "fixed=";
+  o.is_unit_sphere = !o.has("radius") && !o.has("density") && o.energy == "conformal";
   if(value.compare(0, fixed.size(), fixed) == 0 && is_number(value.substr(fixed.size()), o.fixed_radius) &&
      o.fixed_radius >= min_double && o.fixed_radius <= max_double)
     o.radius = "fixed";
   else if(is_among(value, {"two-phase", "optimal", "area", "balanced"}))
     o.radius = value;
-  else if(value != "objective" || o.is_published)
-    refuse("radius", std::string(o.is_published ? "" : "objective, ") +
-                         "two-phase, optimal, area, balanced or fixed=R with a number R from 2.3e-308 to 1.7e308");
-  describe("radius " + value);
+  else if(value != "objective" || o.has("paper"))
+    o.refuse("radius", std::string(o.has("paper") ? "" : "objective, ") +
+                           "two-phase, optimal, area, balanced or fixed=R with a number R from 2.3e-308 to 1.7e308");
+  o.describe("radius " + value);
 }
 
-void Option_reader::read_limits()
+void read_limits(Options& o)
 {
   const bool is_bld = o.method == "bld";
   // Samples do not tell whether the last of the sweeps have been made.
-  o.energy_tolerance = read_number("tolerance", 0., 1., "a number from 0 to 1", o.energy == "stretch" ? 3e-3 : 1e-3);
+  o.energy_tolerance = o.number("tolerance", 0., 1., "a number from 0 to 1", o.energy == "stretch" ? 3e-3 : 1e-3);
   o.radius_tolerance = o.energy_tolerance > 0. ? 2e-3 : 0.;
-  if(has("tolerance"))
-    describe("tolerance " + short_text(o.energy_tolerance));
-  if(has("iterations") || !is_bld || o.is_published)
+  if(o.has("tolerance"))
+    o.describe("tolerance " + short_text(o.energy_tolerance));
+  if(o.has("iterations") || !is_bld || o.has("paper"))
   {
-    o.max_iterations = read_count("iterations", 0, o.is_published ? 2000 : (o.method == "arap" ? 500 : 100));
-    if(knows("iterations"))
-      describe("at most " + std::to_string(*o.max_iterations) + (is_bld ? " sweeps" : " global steps"));
+    o.max_iterations = o.count("iterations", 0, o.has("paper") ? 2000 : o.method == "arap" ? 500 : 100);
+    if(is_bld || !is_among(o.method, {"hierarchical", "stereographic", "schnyder"}))
+      o.describe("at most " + std::to_string(*o.max_iterations) + (is_bld ? " sweeps" : " global steps"));
   }
-  o.max_seconds = read_number("time-limit", min_double, max_double, "a number from 2.3e-308 to 1.7e308", 0.);
+  o.max_seconds = o.number("time-limit", min_double, max_double, "a number from 2.3e-308 to 1.7e308", 0.);
   if(o.max_seconds > 0.)
-    describe("at most " + short_text(o.max_seconds) + " seconds");
+    o.describe("at most " + short_text(o.max_seconds) + " seconds");
+}
+
+} // namespace
+
+void read_method_options(Options& o)
+{
+  o.method =
+      o.word("method", {"bld", "hierarchical", "harmonic", "conformal", "arap", "stereographic", "schnyder"}, o.method);
+  if(o.has("paper") && o.has("method"))
+    o.fail("--paper is a method of its own: leave out --method");
+  check_scopes(o);
+  const bool is_bld = o.method == "bld", is_arap = o.method == "arap";
+  o.is_unit_sphere = !is_bld && !is_arap;
+  o.description = o.method + (o.has("paper") ? " as published" : "");
+  if(is_bld || is_arap)
+    read_initial(o);
+  read_density(o);
+  if(is_bld || o.method == "hierarchical")
+    read_energy(o);
+  if(is_bld)
+    read_radius(o);
+  read_limits(o);
 }
 
 } // namespace Program

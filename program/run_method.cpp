@@ -54,7 +54,7 @@ std::string explain_failure(SP::Error_code error, Input_mesh& input, const Optio
 Chosen_radius chosen_radius(const Options& options)
 {
   if(options.radius == "two-phase") // in the paper the second phase waits for the energy as well
-    return {options.is_published ? SP::Two_phase_radius_3<>({}, {}, 0.) : SP::Two_phase_radius_3<>()};
+    return {options.has("paper") ? SP::Two_phase_radius_3<>({}, {}, 0.) : SP::Two_phase_radius_3<>()};
   if(options.radius == "optimal")
     return {SP::Optimal_radius_3()};
   if(options.radius == "area")
@@ -95,7 +95,7 @@ Run_result run_method(const Options& options, Input_mesh& input, const Sphere_ma
 {
   const auto run = [&](auto method) { return run_parameterizer(method, options, input, sphere); };
   const bool starts_hierarchically = options.start == "hierarchical";
-  if(options.is_published)
+  if(options.has("paper"))
   {
     const auto published =
         SP::Published_low_distortion_parameterizer_3<>().radius(chosen_radius(options)).sharpness(options.sharpness);
@@ -103,7 +103,7 @@ Run_result run_method(const Options& options, Input_mesh& input, const Sphere_ma
                ? run(published.initial_parameterizer(SP::Hierarchical_parameterizer_3<>()))
                : run(published.initial_parameterizer(chosen_parameterizer(options, input, options.start)));
   }
-  if(options.gives_areas)
+  if(options.has("density"))
     return run_area_descent(options, input, sphere);
   if(options.method == "bld")
     return run_descent(options, input, sphere);

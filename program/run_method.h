@@ -8,7 +8,6 @@
 
 #include <array>
 #include <memory>
-#include <vector>
 
 namespace CGAL::Spherical_parameterization {
 struct Area_report;
@@ -26,8 +25,6 @@ struct Run_result
 };
 
 /// maps the mesh to a sphere by the method that the options name.
-///
-/// \throws Program_error if no map was written
 Run_result run_method(const Options& options, Input_mesh& input, const Sphere_map& sphere);
 
 /// does so by the methods of lowest distortion, from the map that the options name or, if areas are wanted, to these.

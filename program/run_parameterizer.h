@@ -1,7 +1,6 @@
 #ifndef PROGRAM_RUN_PARAMETERIZER_H
 #define PROGRAM_RUN_PARAMETERIZER_H
 
-#include "Interrupt_guard.h"
 #include "Progress_visitor.h"
 #include "run_method.h"
 
@@ -21,10 +20,6 @@
 #include <CGAL/Spherical_parameterization/Two_phase_radius_3.h>
 #include <CGAL/Spherical_parameterization/parameterize.h>
 
-#include <cstddef>
-#include <functional>
-#include <optional>
-#include <string>
 #include <variant>
 
 namespace Program {
@@ -80,12 +75,9 @@ Chosen_parameterizer chosen_parameterizer(const Options& options, Input_mesh& in
 /// returns the largest number of sweeps or global steps.
 std::size_t number_of_iterations(const Options& options, const Mesh& mesh);
 
-/// \throws Program_error with why a run has left no map and what helps, in the words of the command line
 [[noreturn]] void fail_run(SP::Error_code error, Input_mesh& input, const Options& options);
 
 /// maps the mesh by a parameterizer. Whatever the options are, this is one function for it.
-///
-/// \throws Program_error if no map was written
 template <class Parameterizer>
 Run_result run_parameterizer(Parameterizer&& parameterizer, const Options& options, Input_mesh& input,
                              const Sphere_map& sphere)
@@ -93,7 +85,7 @@ Run_result run_parameterizer(Parameterizer&& parameterizer, const Options& optio
   std::optional<Interrupt_guard> guard;
   if(!options.is_batch()) // which has one for all
     guard.emplace();
-  Progress_visitor visitor(!options.is_quiet && !options.is_batch());
+  Progress_visitor visitor(!options.has("quiet") && !options.is_batch());
   const SP::Error_code error = SP::parameterize(input.mesh(), parameterizer, sphere,
                                                 CGAL::parameters::visitor(std::ref(visitor))
                                                     .maximum_running_time(options.max_seconds)

@@ -1,16 +1,10 @@
 #ifndef PROGRAM_SURFACE_HINTS_H
 #define PROGRAM_SURFACE_HINTS_H
 
-#include "File_content.h"
 #include "Input_mesh.h"
 #include "Options.h"
 
 #include <array>
-#include <cstddef>
-#include <map>
-#include <string>
-#include <utility>
-#include <vector>
 
 namespace Program {
 
@@ -23,8 +17,6 @@ struct Landmark
 
 /// reads the content of a file of landmarks: a vertex a line, counted from 0; what follows on the line is not looked at. Lines may
 /// end with a carriage return alone.
-///
-/// \throws Program_error if one is no vertex of a face, or there twice
 std::vector<Landmark> parse_landmarks(std::string content, const Mesh& mesh);
 
 /// What surfaces can be aligned by of all that files of values hold.
@@ -35,13 +27,9 @@ struct File_features
 };
 
 /// takes the features from files for a mesh: the properties of vertices of type float or double, but normals.
-///
-/// \throws Program_error if they are not those of as many vertices, or not finite
 File_features features_of(File_content soup, std::size_t n_vertices);
 
 /// takes from a file where a mesh counts: the vertices that a label has, or those whose one value is not 0.
-///
-/// \throws Program_error if there is none, or more than one, or they are not those of as many vertices
 std::vector<char> mask_of(const File_content& soup, std::size_t n_vertices);
 
 /// What is known of two surfaces that are mapped onto each other, from files and by measuring.
@@ -62,8 +50,6 @@ struct Surface_hints
 };
 
 /// reads what the options name.
-///
-/// \throws Program_error if a file is not in order
 Surface_hints read_hints(const Options& options, Input_mesh& first, Input_mesh& second);
 
 } // namespace Program

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdlib>
 #include <filesystem>
 #include <iomanip>
 #include <new>
@@ -41,6 +42,13 @@ Words split_list(const std::string& names)
     begin = end + 1;
   }
   return result;
+}
+
+bool is_number(const std::string& text, double& x)
+{
+  char* end = nullptr;
+  x = std::strtod(text.c_str(), &end);
+  return !text.empty() && *end == '\0';
 }
 
 std::string fixed_text(double x, int digits, bool is_fixed)

@@ -17,7 +17,8 @@ using SP::internal::valid_utf8;
 
 using Words = std::vector<std::string>;
 
-/// What the user has to be told before the program ends with exit status 1.
+/// What the user has to be told before the program ends with exit status 1: what is wrong, where, and what helps. All functions that
+/// cannot do what they say throw it.
 using Program_error = SP::internal::File_error;
 
 /// returns the error that tells what is wrong with a file.
@@ -41,6 +42,20 @@ auto read_named(const std::string& path, const Read& read)
   }
 }
 
+/// returns what a stream is told by these, one behind the other.
+template <class... Part>
+std::string joined(const Part&... parts)
+{
+  return Program_error::join(parts...);
+}
+
+/// throws what the code says of a file, unless that is in order.
+inline void check(SP::Error_code error, const std::string& file_name)
+{
+  if(error != SP::OK)
+    throw error_in(file_name, SP::get_error_message(error));
+}
+
 /// returns what the user is told of an error.
 std::string message_of(const std::exception& error);
 
@@ -51,6 +66,9 @@ std::string list_of(const Words& words, const std::string& last_separator = ", "
 
 /// returns the names of several files that have commas between them; one file if there is one that is called so.
 Words split_list(const std::string& names);
+
+/// returns whether a text is a number, and which.
+bool is_number(const std::string& text, double& x);
 
 /// returns a number with so many digits behind the point, or so many at all.
 std::string fixed_text(double x, int digits, bool is_fixed = true);

@@ -1,7 +1,9 @@
 #include "write_mesh.h"
 
 #include <CGAL/Spherical_parameterization/Cortex/FreeSurfer.h>
-#include <CGAL/Spherical_parameterization/Error_code.h>
+#include <CGAL/Spherical_parameterization/Cortex/rotate_to_surface.h>
+#include <CGAL/Spherical_parameterization/is_bijective.h>
+#include <CGAL/Spherical_parameterization/round_to_float.h>
 #ifdef PROGRAM_READS_GIFTI
 #include <CGAL/Spherical_parameterization/Cortex/GIFTI.h>
 #endif
@@ -16,9 +18,46 @@
 #include <CGAL/IO/io.h>
 
 #include <algorithm>
-#include <cstdint>
+#include <cmath>
 
 namespace Program {
+
+namespace {
+
+// Returns a colour for `t` in [0, 1], from dark violet to light yellow, as red, green and blue in [0, 255].
+//
+// Equal steps of `t` look alike: the lightness grows evenly in Oklab, Ottosson's perceptually uniform space, while the hue turns
+// through blue and green, so that the order is visible on a grey print and with colour blindness.
+std::array<int, 3> color_of(double t)
+{
+  constexpr double first_lightness = 0.3, last_lightness = 0.93;
+  constexpr double first_hue = 5.2, last_hue = 1.85;       // in radians
+  constexpr double first_chroma = 0.1, last_chroma = 0.16; // all that sRGB holds along this way
+
+  t = (std::min)((std::max)(t, 0.), 1.);
+  const double lightness = first_lightness + t * (last_lightness - first_lightness);
+  const double hue = first_hue + t * (last_hue - first_hue);
+  const double chroma = first_chroma + t * t * t * t * (last_chroma - first_chroma);
+  const double a = chroma * std::cos(hue), b = chroma * std::sin(hue);
+
+  // Oklab to linear sRGB
+  const double l = std::pow(lightness + 0.3963377774 * a + 0.2158037573 * b, 3);
+  const double m = std::pow(lightness - 0.1055613458 * a - 0.0638541728 * b, 3);
+  const double s = std::pow(lightness - 0.0894841775 * a - 1.2914855480 * b, 3);
+  const std::array<double, 3> linear = {4.0767416621 * l - 3.3077115913 * m + 0.2309699292 * s,
+                                        -1.2684380046 * l + 2.6097574011 * m - 0.3413193965 * s,
+                                        -0.0041960863 * l - 0.7034186147 * m + 1.7076147010 * s};
+  std::array<int, 3> rgb{};
+  for(std::size_t i = 0; i < 3; ++i)
+  {
+    const double x = (std::min)((std::max)(linear[i], 0.), 1.);
+    const double gamma = x <= 0.0031308 ? 12.92 * x : 1.055 * std::pow(x, 1. / 2.4) - 0.055;
+    rgb[i] = static_cast<int>(std::lround(255. * gamma));
+  }
+  return rgb;
+}
+
+} // namespace
 
 void write_surface_file(std::ostream& out, const std::string& format, const SP::IO::Surface_file& file,
                         std::size_t n_triangles)
@@ -92,4 +131,90 @@ void write_mesh(std::ostream& out, const std::string& format, const std::vector<
     write_surface_file(out, format, file);
   }
 }
+
+void turn_to_surface(Input_mesh& input, const Sphere_map& sphere)
+{
+  if(SP::rotate_to_surface(input.mesh(), sphere) == SP::ERROR_INSUFFICIENT_PRECISION)
+    throw error_in(input.name(), "the sphere cannot be turned: its smallest faces fold by rounding.\n--convention none "
+                                 "leaves it as it is.");
+}
+
+void write_sphere(std::ostream& out, const std::string& path, const std::string& format, Input_mesh& input,
+                  const Sphere_map& map, std::optional<double> radius)
+{
+  Sphere_map written = map;
+  if(radius || is_cortical(format))
+  {
+    Mesh& mesh = input.mesh();
+    written = mesh.add_property_map<Vertex_index, Point_3>("v:written", Point_3(0, 0, 0)).first;
+    for(const Vertex_index v : mesh.vertices())
+      if(!mesh.is_isolated(v))
+      {
+        const Point_3& p = map[v];
+        const double scale = radius ? *radius / std::hypot(p.x(), p.y(), p.z()) : 1.;
+        written[v] = Point_3(scale * p.x(), scale * p.y(), scale * p.z());
+      }
+    const bool is_held =
+        is_cortical(format) ? SP::round_to_float(mesh, written, written) == SP::OK : SP::is_bijective(mesh, written);
+    if(!is_held && SP::is_bijective(mesh, map))
+      throw error_in(path, is_cortical(format)
+                               ? "cannot hold the map: large parts of the surface have less room on the sphere than "
+                                 "the numbers of 32 bits of this format tell apart.\nWrite a .off or .ply file, "
+                                 "which have 64."
+                               : "cannot hold the map with another radius: its smallest faces fold by rounding.\n"
+                                 "--convention none leaves it as it is.");
+  }
+  write_mesh(out, format, input.points_of(written), input.triangles(), inherited(input.origin(), true));
+}
+
+Colored_distortion::Colored_distortion(std::size_t number_of_vertices, const std::vector<Polygon>& faces,
+                                       const std::vector<double>& distortions, double min)
+  : values(number_of_vertices, 0.)
+  , range{min, 1.01 * min}
+{
+  std::vector<int> counts(number_of_vertices, 0);
+  for(std::size_t f = 0; f < faces.size(); ++f)
+    if(std::isfinite(distortions[f]))
+      for(const std::size_t v : faces[f])
+      {
+        values[v] += distortions[f];
+        ++counts[v];
+      }
+  std::vector<double> known;
+  for(std::size_t v = 0; v < number_of_vertices; ++v)
+    if(counts[v] > 0)
+    {
+      values[v] /= counts[v];
+      known.push_back(values[v]);
+    }
+  if(known.empty())
+    return;
+  const std::size_t rank = static_cast<std::size_t>(0.99 * static_cast<double>(known.size() - 1));
+  std::nth_element(known.begin(), known.begin() + static_cast<std::ptrdiff_t>(rank), known.end());
+  range[1] = (std::max)(range[1], known[rank]);
+}
+
+void write_colored_mesh(std::ostream& out, const std::vector<Point_3>& points, const std::vector<Polygon>& faces,
+                        const Colored_distortion& distortion)
+{
+  constexpr int digits_of_points = 17, digits_of_values = 6;
+  constexpr std::array<int, 3> grey = {128, 128, 128}; // of vertices without a distortion
+  const auto [min, max] = distortion.range;
+  out << "ply\nformat ascii 1.0\nelement vertex " << points.size()
+      << "\nproperty double x\nproperty double y\nproperty double z"
+         "\nproperty uchar red\nproperty uchar green\nproperty uchar blue\nproperty float quality\nelement face "
+      << faces.size() << "\nproperty list uchar int vertex_indices\nend_header\n";
+  for(std::size_t v = 0; v < points.size(); ++v)
+  {
+    const std::array<int, 3> color =
+        distortion.values[v] > 0. ? color_of((distortion.values[v] - min) / (max - min)) : grey;
+    out.precision(digits_of_points);
+    out << points[v].x() << ' ' << points[v].y() << ' ' << points[v].z() << ' ';
+    out.precision(digits_of_values);
+    out << color[0] << ' ' << color[1] << ' ' << color[2] << ' ' << distortion.values[v] << '\n';
+  }
+  for(const Polygon& t : faces)
+    out << "3 " << t[0] << ' ' << t[1] << ' ' << t[2] << '\n';
+}
+
 } // namespace Program

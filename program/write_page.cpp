@@ -8,50 +8,44 @@
 
 namespace Program {
 
-#ifdef PROGRAM_WRITES_PAGES
 namespace {
 
+// The lowest byte of a number comes first, as browsers have it.
+template <class Number>
+std::string element_of(const std::string& id, const std::vector<Number>& numbers)
+{
+  SP::internal::Byte_writer writer(false);
+  for(const Number x : numbers)
+    writer.write(x);
+  std::string& bytes = writer.content;
+  using Base64 =
+      boost::archive::iterators::base64_from_binary<boost::archive::iterators::transform_width<const char*, 6, 8>>;
+  const std::size_t n_missing = (3 - bytes.size() % 3) % 3;
+  bytes.append(n_missing, '\0');
+  std::string text(Base64(bytes.data()), Base64(bytes.data() + bytes.size()));
+  text.replace(text.size() - n_missing, n_missing, n_missing, '=');
+  return R"(<script type="text/plain" id=")" + id + "\">" + text + "</script>\n";
+}
+
+#ifdef PROGRAM_WRITES_PAGES
 std::string facts(const Page& page)
 {
   const auto side = [](const Page::Side& of) {
-    return Json_object()
-        .add("title", of.title)
-        .add("centre", of.centre)
-        .add("scale", of.scale)
-        .add("rotation", of.rotation);
+    return Json{{"title", of.title}, {"centre", of.centre}, {"scale", of.scale}, {"rotation", of.rotation}};
   };
-  Json_object measures;
-  for(const Page::Measure& measure : page.measures)
-    measures.add(measure.name, Json_object()
-                                   .add("meaning", measure.meaning)
-                                   .add("minimum", measure.minimum)
-                                   .add("statistics", measure.statistics));
-  Json_object all_classes;
-  std::vector<std::string> names;
-  for(const Page::Measure& measure : page.measures)
-    names.push_back(measure.name);
-  for(const Page::Classes& of : page.classes)
-  {
-    std::vector<Json_object> classes;
-    for(const Page::Class& one : of.classes)
-      classes.push_back(Json_object().add("name", one.name).add("colour", one.colour));
-    all_classes.add(of.name, Json_object().add("meaning", of.meaning).add("classes", classes));
-    names.push_back(of.name);
-  }
-  return Json_object()
-      .add("vertices", page.left.points.size())
-      .add("left", side(page.left))
-      .add("right", side(page.right))
-      .add("has_sphere", page.has_sphere)
-      .add("has_one_frame", page.has_one_frame)
-      .add("has_numbers", page.has_numbers)
-      .add("morphs", page.morphs)
-      .add("measure", names[page.shown])
-      .add("measures", measures)
-      .add("classes", all_classes)
-      .add("one_to_one", page.is_one_to_one)
-      .add("certificate", page.verdict)
-      .add("summary", page.summary)
+  return Json{{"vertices", page.left.points.size()},
+              {"left", side(page.left)},
+              {"right", side(page.right)},
+              {"has_sphere", page.has_sphere},
+              {"has_one_frame", page.has_one_frame},
+              {"has_numbers", page.has_numbers},
+              {"morphs", page.morphs},
+              {"measure", page.shown},
+              {"measures", page.measures},
+              {"classes", page.classes},
+              {"one_to_one", page.is_one_to_one},
+              {"certificate", page.verdict},
+              {"summary", page.summary}}
       .text();
 }
 
@@ -70,46 +64,43 @@ void write_pieces(std::ostream& out, const char* const* piece)
     out << *piece;
 }
 
-// The lowest byte of a number comes first, as browsers have it.
-template <class Number>
-void write_array(std::ostream& out, const std::string& id, const std::vector<Number>& numbers)
-{
-  SP::internal::Byte_writer writer(false);
-  for(const Number x : numbers)
-    writer.write(x);
-  std::string& bytes = writer.content;
-  using Base64 =
-      boost::archive::iterators::base64_from_binary<boost::archive::iterators::transform_width<const char*, 6, 8>>;
-  const std::size_t n_missing = (3 - bytes.size() % 3) % 3;
-  bytes.append(n_missing, '\0');
-  std::string text(Base64(bytes.data()), Base64(bytes.data() + bytes.size()));
-  text.replace(text.size() - n_missing, n_missing, n_missing, '=');
-  out << R"(<script type="text/plain" id=")" << id << "\">" << text << "</script>\n";
-}
-
-template <class Index>
-void write_corners(std::ostream& out, const Page& page)
-{
-  std::vector<Index> corners;
-  for(const auto& triangle : page.triangles)
-    for(const std::uint32_t v : triangle)
-      corners.push_back(static_cast<Index>(v));
-  write_array(out, "corners", corners);
-}
-
 void write_side(std::ostream& out, const std::string& id, const Page::Side& side, bool has_numbers)
 {
   std::vector<float> coordinates;
   for(const Point_3& p : side.points)
     for(int k = 0; k < 3; ++k)
       coordinates.push_back(static_cast<float>(p[k]));
-  write_array(out, id, coordinates);
+  out << element_of(id, coordinates);
   if(has_numbers)
-    write_array(out, id + "_faces", side.faces);
+    out << element_of(id + "_faces", side.faces);
 }
+#endif
 
 } // namespace
-#endif
+
+void Page::add_measure(const std::string& name, const std::string& meaning, double minimum, const Json& statistics,
+                       const std::vector<float>& values)
+{
+  measures.add(name, {{"meaning", meaning}, {"minimum", minimum}, {"statistics", statistics}});
+  arrays += element_of(name, values);
+}
+
+void Page::add_classes(const std::string& name, const std::string& meaning, const std::vector<Class>& names,
+                       const std::vector<std::uint16_t>& values)
+{
+  std::vector<Json> all;
+  for(const Class& one : names)
+    all.push_back({{"name", one.name}, {"colour", one.colour}});
+  classes.add(name, {{"meaning", meaning}, {"classes", all}});
+  std::vector<std::uint16_t> of_faces = values;
+  if(has_numbers) // what is shown are parts of the faces of the first one of two surfaces
+  {
+    of_faces.clear();
+    for(const std::uint32_t f : left.faces)
+      of_faces.push_back(values[f]);
+  }
+  arrays += element_of(name, of_faces);
+}
 
 void check_pages()
 {
@@ -127,17 +118,16 @@ void write_page([[maybe_unused]] std::ostream& out, [[maybe_unused]] const Page&
 #ifdef PROGRAM_WRITES_PAGES
   write_pieces(out, page_head);
   out << R"(<script type="application/json" id="facts">)" << without_tags(facts(page)) << "</script>\n";
+  std::vector<std::uint32_t> corners;
+  for(const auto& triangle : page.triangles)
+    corners.insert(corners.end(), triangle.begin(), triangle.end());
   if(page.left.points.size() <= std::size_t((std::numeric_limits<std::uint16_t>::max)()) + 1)
-    write_corners<std::uint16_t>(out, page);
+    out << element_of("corners", std::vector<std::uint16_t>(corners.begin(), corners.end()));
   else
-    write_corners<std::uint32_t>(out, page);
+    out << element_of("corners", corners);
   write_side(out, "left", page.left, page.has_numbers);
   write_side(out, "right", page.right, page.has_numbers);
-  for(const Page::Measure& measure : page.measures)
-    write_array(out, measure.name, measure.values);
-  for(const Page::Classes& classes : page.classes)
-    write_array(out, classes.name, classes.values);
-  write_array(out, "folded", page.folded);
+  out << page.arrays << element_of("folded", page.folded);
   write_pieces(out, page_tail);
 #endif
 }

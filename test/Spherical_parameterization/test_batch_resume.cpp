@@ -59,21 +59,17 @@ TEST_F(Resumed_batch, leaves_out_exactly_what_is_done)
   write("out/c.json", "");
   write("out/d.json", "[1, 2]");
   write("out/e.json", "{\"program\": {\"method\": 1}}");
-  write("out/f.json", std::string(1000000, '[')); // which a parser that calls itself for each would not survive
+  write("out/f.json", std::string(1000000, '['));
   EXPECT_EQ(redone("in"), all);
-  std::string rows, numbers;
+  std::string rows;
   for(int i = 0; i < 50000; ++i)
-  {
     rows += "\n    [1, 2.5e-3, null],";
-    numbers += "1, ";
-  }
-  replace_in("out/a.json", "\"history\": [", "\"history\": [" + rows); // as of a run with many sweeps
-  replace_in("out/b.json", "\"history\": [", "\"more\": [" + numbers + "1], \"history\": [");
+  replace_in("out/a.json", "\"history\": [", "\"history\": [" + rows);        // as of a run with many sweeps
   fs::resize_file(path("out/c.json"), fs::file_size(path("out/c.json")) / 2); // within the history
   std::string report = content(path("out/d.json"));
   report.erase(report.find("],", report.find("history")), 1); // damage where nothing is read
   write("out/d.json", report);
-  EXPECT_EQ(redone("in"), (Names{"b.off", "c.off", "d.off"}));
+  EXPECT_EQ(redone("in"), (Names{"c.off", "d.off"}));
   replace_in("out/a.json", "converged", "interrupted");
   replace_in("out/b.json", "\"program\": \"spherical_parameterization",
              "\"program\": \"spherical_parameterization 0.0.1");

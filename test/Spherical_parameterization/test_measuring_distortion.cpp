@@ -85,6 +85,7 @@ TEST(Distortion, of_a_similarity_is_its_factor)
     const SP::Distortion_summary s = measure(list, scaled(list.points, r)).summary;
     const double iso = (std::max)(r, 1. / r), area = r * r + 1. / (r * r);
     EXPECT_NEAR(s.radius, r, 1e-14);
+    EXPECT_NEAR(s.balanced_radius, 1., 1e-12);
     EXPECT_NEAR(s.isometric.maximum, iso, 1e-11);
     EXPECT_NEAR(s.isometric.average, iso, 1e-12);
     EXPECT_NEAR(s.isometric.deviation, 0., 1e-11);
@@ -244,6 +245,7 @@ TEST(Distortion, does_not_depend_on_the_unit)
     EXPECT_EQ(summary.area.average, expected.area.average);
     EXPECT_EQ(summary.angle.average, expected.angle.average);
     EXPECT_EQ(summary.radius, s * expected.radius);
+    EXPECT_EQ(summary.balanced_radius, s * expected.balanced_radius);
     EXPECT_EQ(summary.number_of_degenerate_faces, 0u);
     EXPECT_EQ(summary.number_of_inverted_faces, 0u);
   }
@@ -252,6 +254,7 @@ TEST(Distortion, does_not_depend_on_the_unit)
   {
     const SP::Distortion_summary summary = measure(test_meshes::scaled(icosphere(1), s, s, s), sphere).summary;
     expect_relative(summary.isometric.average, 1e150L, 1e-13);
+    expect_relative(summary.balanced_radius, s, 1e-13);
     expect_relative(summary.area.average, 1e300L, 1e-13);
     expect_relative(summary.angle.average, 2.L, 1e-13);
   }

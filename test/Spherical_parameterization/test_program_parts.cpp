@@ -6,7 +6,6 @@
 #ifdef SPHERICAL_PARAMETERIZATION_PROGRAM
 
 #include "../../program/Interrupt_guard.h"
-#include "../../program/Thread_limit.h"
 #include "../../program/for_each_mesh.h"
 #include "../../program/text.h"
 

@@ -81,6 +81,10 @@ struct Distortion_summary
   /// the radius of the sphere: the average distance of the images from the origin.
   double radius = 0.;
 
+  /// the radius of the sphere at which the average of `Face_distortion::area` is least: eq. 11 of \cgalCite{cgal:whfl-bspld-16}, which
+  /// compares maps at this radius. Faces whose distortion is infinite do not count; 0 if there are no others.
+  double balanced_radius = 0.;
+
   /// all faces of the mesh.
   std::size_t number_of_faces = 0;
 
@@ -160,6 +164,8 @@ Error_code measure_distortion(const TriangleMesh& tmesh, VertexSphereMap vertex_
     Distortion_summary summary;
     summary.radius = radius.average();
     summary.number_of_faces = measured.size();
+    double ratios = 0., inverse_ratios = 0.; // of areas, in the unit of the first one
+    int exponent = 0;
     auto face = measured.begin();
     for(const auto f : faces(tmesh))
     {
@@ -172,8 +178,18 @@ Error_code measure_distortion(const TriangleMesh& tmesh, VertexSphereMap vertex_
         area.add(values.area);
         angle.add(values.angle);
       }
+      if(internal::is_finite(values.isometric))
+      {
+        exponent = ratios == 0. ? values.ratio_exponent : exponent;
+        const double ratio = std::ldexp(values.ratio, values.ratio_exponent - exponent);
+        ratios += ratio;
+        inverse_ratios += 1. / ratio;
+      }
       put(face_distortion_map, f, Face_distortion{values.isometric, values.area, values.angle, values.is_inverted});
     }
+    if(ratios > 0.)
+      summary.balanced_radius =
+          std::ldexp(summary.radius * std::sqrt(std::sqrt(inverse_ratios / ratios)), -exponent / 2);
     const auto statistics = [](const internal::Statistics_accumulator& of) {
       return Distortion_statistics{of.maximum(), of.average(), of.deviation()};
     };

@@ -6,9 +6,8 @@
 #include "require.h"
 #include "require_message.h"
 
-#include "File_content.h"
 #include "Input_mesh.h"
-#include "add_values.h"
+#include "Remesh.h"
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/Spherical_parameterization/internal/files/read_mesh_file.h>
@@ -51,15 +50,16 @@ Program::File_content read(const std::string& format, const std::string& content
 // the properties of its vertices and faces, which are carried over
 void check_values(Program::File_content soup)
 {
-  const std::vector<Program::Values> of_vertices = std::move(soup.values_of_vertices),
-                                     of_faces = std::move(soup.values_of_faces);
+  std::vector<Program::Values> of_vertices = std::move(soup.values_of_vertices),
+                               of_faces = std::move(soup.values_of_faces);
   for(const Program::Values& values : of_vertices)
     require(values.numbers.size() == soup.points.size(), "a property has not as many numbers as there are vertices");
   for(const Program::Values& values : of_faces)
     require(values.numbers.size() == soup.polygons.size(), "a property has not as many numbers as there are faces");
   Program::Input_mesh input("file", std::move(soup));
-  Program::add_values_of_vertices(input.mesh(), of_vertices);
-  Program::add_values_of_faces(input.mesh(), of_faces);
+  Program::leave_out_taken_names(of_vertices, true);
+  Program::leave_out_taken_names(of_faces, false);
+  Program::add_values(input.mesh(), of_vertices, of_faces);
 }
 
 } // namespace

@@ -59,6 +59,10 @@ struct Triangle_stretch
   // The three measures of Face_distortion. They are infinite if the image has no area, or is not finite.
   double isometric = infinity, area = infinity, angle = infinity;
 
+  // s1 s2 is `ratio` times 2^`ratio_exponent`, even where no number holds that; 0 where the distortions are infinite.
+  double ratio = 0.;
+  int ratio_exponent = 0;
+
   Triangle_stretch() = default;
 
   Triangle_stretch(const Triangle_edges& source, const Triangle_edges& image)
@@ -87,7 +91,9 @@ struct Triangle_stretch
     const double s2 = 0.5 * (std::hypot(a + c, b) + std::hypot(a - c, b));
     const double s1 = a * (c / s2);
     const int exponent = image_exponent - source_exponent;
-    const double determinant = std::ldexp(a * c, 2 * exponent);
+    ratio = a * c;
+    ratio_exponent = 2 * exponent;
+    const double determinant = std::ldexp(ratio, ratio_exponent);
     isometric = (std::max)(std::ldexp(s2, exponent), std::ldexp(1. / s1, -exponent));
     area = determinant > 0. ? determinant + 1. / determinant : infinity;
     angle = s2 / s1 + s1 / s2;
