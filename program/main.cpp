@@ -39,7 +39,7 @@ int run_program(const Command_line& line)
   return options.is("resample") ? run_resample(options)
          : options.is("batch")  ? run_batch(options)
          : options.is("check")  ? run_check(options)
-                                : run_map(options);
+                                : run_map(options); // all others map a surface to a sphere first
 }
 
 // What is written to a standard stream that is closed would go to the file that is opened next. Now it fails.

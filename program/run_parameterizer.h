@@ -20,6 +20,7 @@
 #include <CGAL/Spherical_parameterization/Two_phase_radius_3.h>
 #include <CGAL/Spherical_parameterization/parameterize.h>
 
+#include <stdexcept>
 #include <variant>
 
 namespace Program {
@@ -105,6 +106,8 @@ Run_result run_with_energy(const Options& options, const Run& run)
     return run(SP::Conformal_energy_3());
   if(options.energy == "stretch")
     return run(SP::Stretch_energy_3());
+  if(options.energy != "symmetric-dirichlet")
+    throw std::logic_error("no branch for --energy " + options.energy);
   return run(SP::Symmetric_Dirichlet_energy_3());
 }
 

@@ -10,15 +10,17 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_TEST_REFERENCE_METHOD_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_TEST_REFERENCE_METHOD_H
 
-// The method of the package in one file: what Bijective_low_distortion_parameterizer_3 computes, without what makes it
-// fast. Equations are those of C. Wang, X. Hu, X. Fu, L. Liu: Bijective spherical parametrization with low distortion.
+// The method of the package in one file: the objective that Bijective_low_distortion_parameterizer_3 minimizes and a descent
+// to the same minimum, without what makes it fast. Equations are those of C. Wang, X. Hu, X. Fu, L. Liu: Bijective spherical parametrization with low distortion.
 // Input: a closed triangle mesh M of genus 0, and a bijective map of its vertices v to points u_v of the unit sphere.
 // Output: u_v and the radius r that minimize the distortion of the triangles r (u_a, u_b, u_c), as in eq. 6 and 7. The
 // map stays bijective since every triangle keeps its orientation, det(u_a, u_b, u_c) > 0 (section 4.3).
 //
 // It is block coordinate descent (section 4.2): each step decreases one function Phi of the map, r and a level R. The
 // package does so from coarse to fine (internal/hierarchy), moves independent vertices at once (internal/descent),
-// removes smooth errors by steps of all vertices (Smooth_step.h), and gives slivers an R of their own (Objective.h).
+// removes smooth errors by steps of all vertices (Smooth_step.h), sweeps the worst faces more often (Descent_loop.h), gives
+// slivers an R of their own (Objective.h) and limits to their shapes (Rest_triangle.h), tries the first step of a vertex
+// without the test of sufficient decrease (Vertex_step.h), and chooses the radius anew at the end.
 
 #include <Eigen/Dense>
 
@@ -92,15 +94,17 @@ private:
     }
 
     Triangle vertices;
-    double area, correction; // A, twice the area in M; c, see image_of()
+    double area, correction; // A, twice the area in M; c, see below
     std::array<double, 3> o; // cot(theta_k) / A for the angles theta_k of M
   };
 
   // The singular values s1, s2 of the affine map of a face to its image follow from I = s1^2 + s2^2, which is
   // (1 / A) sum_k cot(theta_k) l_k^2 with the edges l_k of the image opposite to theta_k, and from d = s1 s2 = a / A,
   // where a is twice the area of the image. Here, a is r^2 c det(u_0, u_1, u_2): it vanishes where the orientation
-  // changes, which the area of the flat image does not, so that the energy is a barrier. The factor c makes it the
-  // area, to first order, where the image is isometric. The energy is the symmetric Dirichlet energy
+  // changes, which the area of the flat image does not, so that the energy is a barrier. A triangle inscribed in the unit
+  // sphere has twice the area det / h, with the distance h of its plane from the origin, and h^2 = 1 - R^2 with its circumradius
+  // R, so that 1 / h is 1 + (sum of the squared edges) / 18 to first order for one that is equilateral: c is that, of the face
+  // of M, and at most 5 for faces as large as the sphere. The energy is the symmetric Dirichlet energy
   // E = (s1^2 + s2^2 + 1/s1^2 + 1/s2^2) / 2; unlike eq. 3, it grows with the square of D_iso = max(s2, 1/s1) of eq. 12.
   //
   // Phi is the mean over the faces of psi(E), a mixture of E as in eq. 6 and of exponentials as in eq. 7, s = b / R:

@@ -103,14 +103,14 @@ Error_code align_spheres(const TriangleMesh1& tmesh1, VertexSphereMap1 vertex_sp
   const auto run = [&](auto& arrays1, auto& arrays2, internal::Run_control& control,
                        const internal::Execution& execution) -> Error_code {
     const auto aligned = [](auto& arrays) {
-      internal::Aligned_surface result;
+      internal::Surface_to_align result;
       for(const auto& p : arrays.images)
         result.directions.push_back(internal::direction_of(p));
       result.points = std::move(arrays.points);
       result.triangles = std::move(arrays.triangles);
       return result;
     };
-    internal::Aligned_surface first = aligned(arrays1), second = aligned(arrays2);
+    internal::Surface_to_align first = aligned(arrays1), second = aligned(arrays2);
     if(!internal::read_features<0>(features, arrays1.vertices_of_mesh, first.features) ||
        !internal::read_features<1>(features, arrays2.vertices_of_mesh, second.features))
       return ERROR_WRONG_PARAMETER;

@@ -52,7 +52,8 @@ public:
   double score_on_finer_level(const std::vector<Vector_3d>& coarse, const Target_goals& goals, Run_control& control,
                               const Execution& execution) const
   {
-    constexpr double weight_of_stretching = 0.15; // with more, half-turns win more often: their energy is often lower
+    constexpr double weight_of_stretching_of_rivals =
+        0.15; // with more, half-turns win more often: their energy is often lower
     constexpr std::size_t max_size = 8000;
     std::size_t k = 0;
     while(k + 1 < m_hierarchy.number_of_levels() && m_hierarchy.level(k).vertices.size() > max_size)
@@ -62,7 +63,7 @@ public:
     if(!refine(levels, coarse, goals, k, positions, control, execution))
       return std::numeric_limits<double>::lowest();
     return feature_agreement(goals.features, levels.level(k), positions) -
-           weight_of_stretching *
+           weight_of_stretching_of_rivals *
                stretching(goals.metric, levels.level(k), levels.rings(k), m_mesh.points(), positions);
   }
 

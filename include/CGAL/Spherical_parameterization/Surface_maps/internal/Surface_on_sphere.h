@@ -41,7 +41,7 @@ struct Surface_on_sphere
 };
 
 // A surface, the directions of its images, and features, if any, in the order of the caller.
-struct Aligned_surface
+struct Surface_to_align
 {
   std::vector<Vector_3d> points, directions;
   std::vector<Linked_triangle> triangles;
@@ -65,7 +65,8 @@ struct Surface_map_settings
   bool compares_values = false;        // of these features, and not ranks
   bool keeps_alignment = false;        // of the spheres as they are
 
-  // The values at the vertices of both surfaces, which each run reads, in the order of the caller.
+  // The values at the vertices of both surfaces, which each run reads in the order of the caller; prepare_features() brings
+  // features and masks to the own order of the surfaces. Landmarks stay in that of the caller.
   std::array<std::vector<std::vector<double>>, 2> features; // if there are none, those of the package are used
   std::array<std::vector<char>, 2> masks; // whether a vertex does not count; empty if all of a surface does
   std::vector<std::array<std::uint32_t, 2>> landmarks;

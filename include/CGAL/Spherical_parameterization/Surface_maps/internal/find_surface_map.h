@@ -31,7 +31,7 @@ Error_code find_surface_map(Surface_on_sphere first_surface, Surface_on_sphere s
                             Surface_map_report& report, Run_control& control, const Execution& execution);
 
 // Finds what align_spheres() does.
-Error_code find_rotations(const Aligned_surface& first, const Aligned_surface& second, Sphere_alignment_3& alignment,
+Error_code find_rotations(const Surface_to_align& first, const Surface_to_align& second, Sphere_alignment_3& alignment,
                           Run_control& control, const Execution& execution);
 
 } // namespace CGAL::Spherical_parameterization::internal

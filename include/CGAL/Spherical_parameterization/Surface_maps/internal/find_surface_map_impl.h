@@ -94,14 +94,14 @@ Error_code find_surface_map(Surface_on_sphere first_surface, Surface_on_sphere s
 }
 
 CGAL_SPHERICAL_PARAMETERIZATION_INLINE
-Error_code find_rotations(const Aligned_surface& first, const Aligned_surface& second, Sphere_alignment_3& alignment,
+Error_code find_rotations(const Surface_to_align& first, const Surface_to_align& second, Sphere_alignment_3& alignment,
                           Run_control& control, const Execution& execution)
 {
   constexpr std::size_t n_candidates = 4; // to choose from, where a surface is nearly symmetric
   std::array<std::optional<Surface_descriptor>, 2> coarse;
   for(std::size_t k = 0; k < 2; ++k)
   {
-    const Aligned_surface& surface = k == 0 ? first : second;
+    const Surface_to_align& surface = k == 0 ? first : second;
     Surface mesh;
     if(const Error_code error = mesh.assign(surface.points, surface.triangles))
       return error;

@@ -156,8 +156,9 @@ public:
   }
 
 private:
-  static constexpr std::size_t max_window = 100; // sweeps without change, of which a tetrahedron would have to make 501
-  static constexpr int max_halvings = 5; // of steps of a radius, each of which sums up all faces: down to a 16th
+  static constexpr std::size_t max_window = 100; // sweeps without change: 2 + 2000 / n would be 502 for a tetrahedron
+  static constexpr int max_halvings =
+      5; // of steps of the radius and of smooth steps, each of which sums up all faces: down to a 16th
 
   void start(const std::vector<Vector_3d>& positions)
   {

@@ -111,7 +111,7 @@ public:
   // the length of the shortest edge at the vertex, the yardstick of its steps
   FT shortest_edge() const { return square_root(m_squared_shortest_edge); }
 
-  // the objective at the current position, relative to the largest energy, with its gradient and Hessian
+  // the objective at the current position, with its gradient and Hessian; relative to the largest energy where there are no levels
   FT derivatives(std::array<FT, 2>& gradient, std::array<FT, 3>& hessian) const
   {
     return evaluate<true>(gradient, hessian);

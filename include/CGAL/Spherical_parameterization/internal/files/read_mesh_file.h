@@ -211,7 +211,9 @@ inline Polygon_soup read_mesh_file(const std::string& format, std::string conten
       return Ply_reader(in, keeps_values)();
     if(format == ".stl")
       return Stl_reader(in)();
-    return read_gocad(in);
+    if(format == ".ts")
+      return read_gocad(in);
+    throw File_error("no mesh is read from files in ", format);
   }
   catch(const File_error& error)
   {

@@ -89,7 +89,7 @@ bool is_bijective_as_written(const std::vector<VertexDescriptor>& vertices, cons
 }
 
 // Scales the positions from the unit sphere to the sphere of radius `radius`, certifies the points in the type that the
-// caller will get them in, and only then writes them: the caller's data is touched by no other place but the readers. A map
+// caller will get them in, and only then writes them. A map
 // that is not one-to-one is written only if nothing else was promised. What can be read is read again.
 template <class VertexDescriptor, class VertexSphereMap>
 Error_code write_map(const std::vector<VertexDescriptor>& vertices, const Index_triangles& triangles,

@@ -93,7 +93,7 @@ private:
   // Gives the vertices of `rings` and m_points their final numbers. Fails if some cannot be reached from the others.
   bool renumber(const Vertex_rings& rings);
 
-  void scale_to_unit_area();
+  void scale_to_area_of_unit_sphere();
 
   static constexpr std::uint32_t none = (std::numeric_limits<std::uint32_t>::max)();
 

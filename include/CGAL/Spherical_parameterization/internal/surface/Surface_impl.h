@@ -74,7 +74,7 @@ CGAL_SPHERICAL_PARAMETERIZATION_INLINE Error_code Surface::assign(std::vector<Ve
     return ERROR_SEVERAL_COMPONENTS;
   if(2 * m_points.size() != triangles.size() + 4) // Euler: V - E + F = 2 with 2 E = 3 F
     return ERROR_NO_TOPOLOGICAL_SPHERE;
-  scale_to_unit_area();
+  scale_to_area_of_unit_sphere();
   return OK;
 }
 
@@ -141,7 +141,7 @@ CGAL_SPHERICAL_PARAMETERIZATION_INLINE bool Surface::renumber(const Vertex_rings
   return true;
 }
 
-CGAL_SPHERICAL_PARAMETERIZATION_INLINE void Surface::scale_to_unit_area()
+CGAL_SPHERICAL_PARAMETERIZATION_INLINE void Surface::scale_to_area_of_unit_sphere()
 {
   double area = 0.;
   m_number_of_flat_faces = 0;

@@ -38,7 +38,7 @@
 namespace CGAL::Spherical_parameterization::internal {
 
 // A caller's mesh as flat arrays: its vertices but for those without a face, and its faces as triples of their numbers, both
-// in the order of the mesh. This is the one place that reads a mesh; what its vertices have, the functions below read.
+// in the order of the mesh. What its vertices have, the functions below read.
 template <class TriangleMesh>
 struct Mesh_arrays
 {

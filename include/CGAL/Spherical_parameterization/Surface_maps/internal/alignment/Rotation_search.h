@@ -61,7 +61,7 @@ public:
   // best of those that have been tried, or the identity.
   std::vector<Scored_rotation> best(std::size_t n, Run_control& control) const
   {
-    // More than two refinements that climb the same peak may end apart, and less than what two poses of a body differ by.
+    // Refinements of the same peak end less than this apart; two poses of a body differ by more.
     constexpr double min_angle = CGAL_PI / 9.;
     constexpr std::size_t batch_size =
         4; // between two questions to the control: for four threads, and some milliseconds

@@ -22,7 +22,7 @@
 
 namespace CGAL::Spherical_parameterization::internal {
 
-// How well two images of features agree: the correlation of their values, which are ranks and so have the mean 0.
+// How well two images of features agree: the correlation of their values, of which prepare_features() has made the mean 0.
 class Correlation
 {
 public:
