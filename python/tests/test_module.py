@@ -306,12 +306,14 @@ def test_measures_each_face():
     vertices, faces, sphere = map_of(8)
     assert sp.is_bijective(faces, sphere) and not sp.is_bijective(faces, -sphere)
     d = sp.measure_distortion(vertices, faces, sphere)
+    reversed_faces = sp.measure_distortion(vertices, faces[::-1], sphere)
     thrice = sp.measure_distortion(vertices, faces, 3 * vertices)
     for name, of_similarity in (("isometric", 3), ("area", 9 + 1 / 9), ("angle", 2)):
         measure = getattr(d, name)
         assert measure.values.shape == (len(faces),) and measure.deviation > 0
         np.testing.assert_allclose([measure.maximum, measure.average], [measure.values.max(), measure.values.mean()])
         np.testing.assert_allclose(measure.deviation, measure.values.std(), rtol=1e-6)
+        np.testing.assert_allclose(getattr(reversed_faces, name).values, measure.values[::-1], rtol=1e-8)
         np.testing.assert_allclose(getattr(thrice, name).values, of_similarity, rtol=1e-8)
     np.testing.assert_allclose(d.radius, np.linalg.norm(sphere, axis=1).mean())
     assert not d.is_inverted.any() and d.number_of_inverted_faces == 0
@@ -736,14 +738,25 @@ def test_measures_maps_between_surfaces():
         assert getattr(report.distortion, name) == pytest.approx(getattr(between, name))
     assert between.number_of_triangles == len(sp.overlay((*first[:2], directions), second).faces)
 
-    # a square on two sides, stretched by 2 and by 1 / 2
-    octahedron = np.array([[1, 0, 0], [-1, 0, 0], [0, 1, 0], [0, -1, 0], [0, 0, 1], [0, 0, -1]])
-    faces = [[0, 2, 4], [2, 1, 4], [1, 3, 4], [3, 0, 4], [2, 0, 5], [1, 2, 5], [3, 1, 5], [0, 3, 5]]
-    flat, stretched = ((octahedron * factors, faces, octahedron) for factors in ([1, 1, 0], [2, 0.5, 0]))
-    between = sp.measure_distortion_between(flat, stretched)
-    for name, value in (("isometric", 2), ("area", 2), ("angle", 4.25), ("energy", 4.25)):
-        np.testing.assert_allclose(getattr(between, name), value)
-    all_left_out = sp.measure_distortion_between(flat, stretched, smallest_area=0.9)
+    # the same faces: the map is linear on each of them, and is compared with the lengths of its image at the same area
+    vertices, faces, sphere = first
+    stretched = vertices * [1, 1, 2]
+    corners = np.stack([vertices[faces], stretched[faces]])
+    edges = corners[:, :, 1:] - corners[:, :, :1]
+    gram = edges @ edges.transpose(0, 1, 3, 2)
+    areas = np.sqrt(np.linalg.det(gram)) / 2
+    squares = np.linalg.eigvals(np.linalg.solve(gram[0], gram[1])).real * areas[0].sum() / areas[1].sum()
+    s1, s2 = np.sqrt(np.sort(squares, axis=1).T)
+    between = sp.measure_distortion_between(first, (stretched, faces, sphere))
+    for measure, values in (
+        (between.isometric, np.maximum(s2, 1 / s1)),
+        (between.area, s1 * s2 + 1 / (s1 * s2)),
+        (between.angle, s1 / s2 + s2 / s1),
+        (between.energy, (s1**2 + s2**2 + 1 / s1**2 + 1 / s2**2) / 2),
+    ):
+        np.testing.assert_allclose(measure, [values.max(), *(np.average(values, weights=a) for a in areas)])
+    assert between.number_of_triangles - between.number_of_slivers >= len(faces)
+    all_left_out = sp.measure_distortion_between(first, (stretched, faces, sphere), smallest_area=0.9)
     assert all_left_out.number_of_slivers == between.number_of_triangles and all_left_out.area.maximum == np.inf
     refused(sp.ErrorCode.WRONG_PARAMETER, sp.measure_distortion_between, first, second, smallest_area=1)
 
@@ -840,6 +853,8 @@ def random_coefficients(*shape):
 
 def test_expands_and_reconstructs():
     vertices, faces, sphere = map_of(20)
+    directions = sphere / np.linalg.norm(sphere, axis=1)[:, None]
+    assert np.allclose(sp.reconstruct(ellipsoid(3, 2, 1, 1), sphere), directions * [3, 2, 1])
     coefficients, fit = sp.expand(vertices, faces, sphere, 20)
     assert coefficients.shape == (3, 2, 21, 21) and same(np.tril(coefficients), coefficients)
     assert 0 < fit.error_over_surface < 0.02 and fit.degree_of_vertices == int(len(vertices) ** 0.5) - 1

@@ -2,7 +2,6 @@
 
 #include "Program_fixture.h"
 
-// In CGAL's tree the program is not built along with the tests.
 #ifdef SPHERICAL_PARAMETERIZATION_PROGRAM
 
 namespace {
@@ -21,7 +20,6 @@ TEST_F(Batch, maps_what_is_valid_and_tells_what_is_not)
   write("in/notes.txt", "notes\n");
   write("in/._bumpy.off", "what some systems note on a file\n");
   fs::create_directory(path("in/folder.off"));
-  fs::create_directory(path("more"));
   write("more/last one.OFF", corner_off);
 
   const auto told = run_batch("in 'more/last one.OFF' --output-folder new/out", 1);
@@ -111,7 +109,6 @@ TEST_F(Batch, chooses_the_format)
 TEST_F(Batch, refuses_to_start)
 {
   write_meshes({"a.off", "b.off"});
-  fs::create_directories(path("other"));
   fs::create_directories(path("empty"));
   write("other/a.off", corner_off);
   write("other/b.obj", corner_obj);

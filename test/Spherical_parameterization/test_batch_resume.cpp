@@ -2,18 +2,14 @@
 
 #include "Program_fixture.h"
 
-// In CGAL's tree the program is not built along with the tests.
 #ifdef SPHERICAL_PARAMETERIZATION_PROGRAM
 
 #include <boost/crc.hpp>
 
-#include <chrono>
-
 namespace {
 
-class Resumed_batch : public Batch_fixture
+struct Resumed_batch : Batch_fixture
 {
-protected:
   void make_older(const std::string& name, int hours) const
   {
     fs::last_write_time(path(name), fs::last_write_time(path(name)) - std::chrono::hours(hours));
@@ -134,14 +130,12 @@ TEST_F(Resumed_batch, keeps_no_result_of_a_mesh_that_fails)
 }
 
 // Interrupts runs on two threads as soon as there is a map.
-class Interrupted_batch : public Batch_fixture
+struct Interrupted_batch : Batch_fixture
 {
-protected:
   static constexpr std::size_t n = 30;
 
-  void SetUp() override
+  Interrupted_batch()
   {
-    Batch_fixture::SetUp();
     write_off("in/0.off", test_meshes::bumpy_sphere(4));
     for(std::size_t i = 1; i < n; ++i)
       fs::copy_file(path("in/0.off"), path("in/" + std::to_string(i) + ".off"));

@@ -2,19 +2,13 @@
 
 #include "Program_fixture.h"
 
-// In CGAL's tree the program is not built along with the tests.
 #ifdef SPHERICAL_PARAMETERIZATION_PROGRAM
 
 namespace {
 
-class Map_program : public Program_fixture
+struct Map_program : Program_fixture
 {
-protected:
-  void SetUp() override
-  {
-    Program_fixture::SetUp();
-    write_off("sphere.off", test_meshes::icosphere(2));
-  }
+  Map_program() { write_off("sphere.off", test_meshes::icosphere(2)); }
 };
 
 TEST_F(Map_program, writes_all_that_is_asked_for)
@@ -210,21 +204,8 @@ TEST_F(Map_program, starts_from_a_map)
 
 TEST_F(Map_program, gives_parts_of_the_surface_the_prescribed_areas)
 {
-  const auto density_file = [&](const std::string& name, const std::string& density_of_first) {
-    const std::vector<test_meshes::Coordinates> points = test_meshes::icosphere(2).points;
-    std::ostringstream text;
-    text << "ply\nformat ascii 1.0\nelement vertex " << points.size()
-         << "\nproperty double x\nproperty double y\nproperty double z\nproperty int label\nproperty float density\n"
-            "end_header\n";
-    for(std::size_t v = 0; v < points.size(); ++v)
-      text << points[v][0] << ' ' << points[v][1] << ' ' << points[v][2] << " 5 "
-           << (v == 0              ? density_of_first
-               : points[v][0] > 0. ? "10"
-                                   : "1")
-           << '\n';
-    write(name, text.str());
-  };
-  density_file("density.ply", "3");
+  for(const auto& [name, first_density] : {std::pair("density.ply", 3.), {"negative.ply", -1.}, {"nan.ply", NAN}})
+    write(name, ply_with_values(2, "int label,float density", first_density));
   std::string last;
   for(const char* density : {"equal", "density.ply"})
   {
@@ -236,8 +217,6 @@ TEST_F(Map_program, gives_parts_of_the_surface_the_prescribed_areas)
     EXPECT_NE(content(path("even.off")), last);
     last = content(path("even.off"));
   }
-  density_file("negative.ply", "-1");
-  density_file("nan.ply", "nan");
   write("other.ply", "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\nproperty float z\n"
                      "property float density\nend_header\n0 0 0 1\n");
   expect_messages("sphere.off -o no.off --density ",
@@ -317,11 +296,9 @@ TEST_F(Map_program, refuses_options_that_would_be_ignored)
 TEST_F(Map_program, counts_faces_that_are_nearly_flat)
 {
   test_meshes::Triangle_list list = test_meshes::icosphere(1);
-  list.points[0] = list.points[list.triangles[0][1]]; // the faces between them are left without area
-  list.points[1] = list.points[0];
+  list.points[0] = list.points[1] = list.points[list.triangles[0][1]]; // the faces between them are left without area
   write_off("flat.off", list);
-  const std::string out = run("flat.off").out;
-  expect_part(out, " faces are nearly flat\n");
+  expect_part(run("flat.off").out, " faces are nearly flat\n");
 }
 
 } // namespace

@@ -3,7 +3,6 @@
 
 #include "Program_fixture.h"
 
-// In CGAL's tree the program is not built along with the tests.
 #ifdef SPHERICAL_PARAMETERIZATION_PROGRAM
 
 namespace {
@@ -11,12 +10,10 @@ namespace {
 const std::vector<std::string> commands = {"map",   "match",  "register", "resample", "remesh",
                                            "check", "repair", "batch",    "show"};
 
-class Commands : public Program_fixture
+struct Commands : Program_fixture
 {
-protected:
-  void SetUp() override
+  Commands()
   {
-    Program_fixture::SetUp();
     write("corner.off", corner_off);
     write_off("torus.off", test_meshes::torus(8, 5));
   }
@@ -35,19 +32,15 @@ TEST_F(Commands, are_explained_on_one_screen)
     for(std::string line; std::getline(lines, line);)
       EXPECT_LE(line.size(), 100u) << line;
     expect_part(help.substr(0, help.find("\n\n")), "spherical_parameterization " + command + ' ');
-    const auto is_at_home = [&](const char* option, const std::vector<std::string>& homes) {
-      const bool is_there = help.find(std::string("--") + option + ' ') != std::string::npos ||
-                            help.find(std::string("--") + option + '\n') != std::string::npos;
-      EXPECT_EQ(is_there, std::count(homes.begin(), homes.end(), command) > 0) << option;
-    };
-    is_at_home("landmarks", {"match", "register"});
-    is_at_home("features", {"match", "register"});
-    is_at_home("transfer", {"remesh"});
-    is_at_home("areas", {"resample"});
-    is_at_home("output-folder", {"resample", "batch"});
-    is_at_home("resume", {"batch"});
-    is_at_home("handles", {"repair"});
-    is_at_home("beside", {"show"});
+    for(const auto& [option, homes] : std::map<std::string, Names>{{"landmarks", {"match", "register"}},
+                                                                   {"features", {"match", "register"}},
+                                                                   {"transfer", {"remesh"}},
+                                                                   {"areas", {"resample"}},
+                                                                   {"output-folder", {"resample", "batch"}},
+                                                                   {"resume", {"batch"}},
+                                                                   {"handles", {"repair"}},
+                                                                   {"beside", {"show"}}})
+      EXPECT_EQ(std::regex_search(help, std::regex("--" + option + "[ \n]")), homes.count(command) > 0) << option;
   }
   const std::string help = expect_success("--help");
   EXPECT_EQ(expect_success("-h"), help);
@@ -197,33 +190,20 @@ TEST_F(Commands, says_what_is_wrong_with_a_mesh)
 
 TEST_F(Commands, counts_the_faces_of_an_edge_that_has_many)
 {
-  const std::size_t n = 50000;
-  std::string points = "0 0 0\n1 0 0\n", faces;
-  for(std::size_t i = 0; i < n; ++i)
+  std::ostringstream points, faces;
+  for(int i = 0; i < 50000; ++i)
   {
-    points += "0 1 " + std::to_string(i) + "\n";
-    faces += "3 0 1 " + std::to_string(i + 2) + "\n";
+    points << "0 1 " << i << '\n';
+    faces << "3 0 1 " << i + 2 << '\n';
   }
-  const std::string text = "OFF\n" + std::to_string(n + 2) + " " + std::to_string(n + 1) + " 0\n" + points + faces;
-  write("book.off", text + "3 0 1 2\n");
-  expect_message("book.off -o result.off", "the faces 0 and 50000 have the same corners");
-  write("book.off", text + "3 0 2 3\n");
-  expect_message("book.off -o result.off", "the edge between the vertices 0 and 1 has 50000 faces");
-}
-
-TEST_F(Commands, refuses_every_invalid_mesh_of_the_corpus)
-{
-  const fs::path folder = fs::path(SPHERICAL_PARAMETERIZATION_SHARED_DATA_DIR) / "nasty";
-  if(!fs::exists(folder))
-    GTEST_SKIP() << "The corpus is not there.";
-  std::size_t number_of_meshes = 0;
-  for(const fs::directory_entry& entry : fs::directory_iterator(folder))
-    if(entry.path().filename().string().rfind("invalid_", 0) == 0)
-    {
-      expect_message("'" + entry.path().string() + "' -o result.off", entry.path().filename().string());
-      ++number_of_meshes;
-    }
-  EXPECT_GT(number_of_meshes, 20u);
+  const std::string text = "OFF\n50002 50001 0\n0 0 0\n1 0 0\n" + points.str() + faces.str();
+  for(const auto& [last_face, message] :
+      Messages{{"3 0 1 2\n", "the faces 0 and 50000 have the same corners"},
+               {"3 0 2 3\n", "the edge between the vertices 0 and 1 has 50000 faces"}})
+  {
+    write("book.off", text + last_face);
+    expect_message("book.off -o result.off", message);
+  }
 }
 
 } // namespace

@@ -2,21 +2,13 @@
 
 #include "Program_fixture.h"
 
-#include <thread>
-
-// In CGAL's tree the program is not built along with the tests.
 #ifdef SPHERICAL_PARAMETERIZATION_PROGRAM
 
 namespace {
 
-class File_program : public Program_fixture
+struct File_program : Program_fixture
 {
-protected:
-  void SetUp() override
-  {
-    Program_fixture::SetUp();
-    write_off("sphere.off", test_meshes::icosphere(2));
-  }
+  File_program() { write_off("sphere.off", test_meshes::icosphere(2)); }
 
   static std::string too_many_threads(unsigned int n_wanted, unsigned int n_had)
   {
@@ -57,7 +49,6 @@ TEST_F(File_program, refuses_what_it_cannot_read_or_write)
 
 TEST_F(File_program, writes_through_a_link_or_a_pipe_that_is_named)
 {
-  fs::create_directory(path("elsewhere"));
   write("elsewhere/target.off", "");
   fs::permissions(path("elsewhere/target.off"), fs::perms::owner_read | fs::perms::owner_write);
   fs::create_symlink("elsewhere/target.off", path("link.off"));

@@ -1,20 +1,18 @@
 // The command `match` of the command line program: the map, its landmarks, features and masks, and the faces that it splits.
 
 #include "Program_fixture.h"
+#include "images.h"
 
-// In CGAL's tree the program is not built along with the tests.
 #ifdef SPHERICAL_PARAMETERIZATION_PROGRAM
 
 namespace {
 
 using test_meshes::Coordinates;
 
-class Match_program : public Program_fixture
+struct Match_program : Program_fixture
 {
-protected:
-  void SetUp() override
+  Match_program()
   {
-    Program_fixture::SetUp();
     write_off("sphere.off", test_meshes::icosphere(2));
     write_off("target.off", test_meshes::scaled(test_meshes::icosphere(1), 1., 1.2, 0.9));
   }
@@ -47,20 +45,17 @@ TEST_F(Match_program, maps_a_surface_onto_another_one)
   std::vector<Coordinates> on_target, between;
   for(std::size_t v = 0; v < n; ++v)
   {
-    const Coordinates& p = overlay.points[v];
     on_target.push_back({overlay.columns["vertex x_on_target"][v], overlay.columns["vertex y_on_target"][v],
                          overlay.columns["vertex z_on_target"][v]});
-    between.push_back({p[0] + 0.25 * (on_target[v][0] - p[0]), p[1] + 0.25 * (on_target[v][1] - p[1]),
-                       p[2] + 0.25 * (on_target[v][2] - p[2])});
+    between.push_back(test::combination(0.75, overlay.points[v], 0.25, on_target[v]));
   }
   expect_near(morph.points, between);
-  const auto part = [](const std::vector<Coordinates>& all, std::size_t begin, std::size_t n_of_part) {
-    const auto first_of_part = all.begin() + static_cast<std::ptrdiff_t>(begin);
-    return std::vector<Coordinates>(first_of_part, first_of_part + static_cast<std::ptrdiff_t>(n_of_part));
+  const auto part = [](const std::vector<Coordinates>& all, std::size_t begin, std::size_t end) {
+    return std::vector<Coordinates>(all.data() + begin, all.data() + end);
   };
   expect_near(part(overlay.points, 0, n_first), first.points);
   expect_near(part(on_target, 0, n_first), mapped.points);
-  expect_near(part(on_target, n_first, n_target), target.points);
+  expect_near(part(on_target, n_first, n_first + n_target), target.points);
   const auto used = [](const std::vector<double>& column) { return std::set<double>(column.begin(), column.end()); };
   EXPECT_EQ(used(overlay.columns["face face"]).size(), first.faces.size());
   EXPECT_EQ(used(overlay.columns["face face_of_target"]).size(), target.faces.size());

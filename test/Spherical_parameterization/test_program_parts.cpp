@@ -2,21 +2,16 @@
 
 #include "Program_fixture.h"
 
-// In CGAL's tree the program is not built along with the tests.
 #ifdef SPHERICAL_PARAMETERIZATION_PROGRAM
 
 #include "../../program/Interrupt_guard.h"
 #include "../../program/for_each_mesh.h"
 #include "../../program/text.h"
 
-#include <chrono>
 #include <condition_variable>
 #include <csignal>
 #include <iostream>
 #include <mutex>
-#include <new>
-#include <numeric>
-#include <thread>
 
 namespace {
 

@@ -3,17 +3,14 @@
 
 #include "Program_fixture.h"
 
-// In CGAL's tree the program is not built along with the tests.
 #ifdef SPHERICAL_PARAMETERIZATION_PROGRAM
 
 namespace {
 
-class Studies : public Program_fixture
+struct Studies : Program_fixture
 {
-protected:
-  void SetUp() override
+  Studies()
   {
-    Program_fixture::SetUp();
     write("corner.off", corner_off);
     for(const char* subject : {"bert", "ernie"})
       for(const char* name : {"lh.white", "rh.white", "lh.pial", "rh.pial"})
@@ -91,7 +88,6 @@ TEST_F(Studies, results_lie_as_their_surfaces_do)
 TEST_F(Studies, nothing_of_others_is_replaced)
 {
   write_surface("SUBJECTS/ernie/surf/lh.sphere", surface); // of the same size
-  fs::create_directories(path("out/bert/surf"));
   write("out/bert/surf/rh.sphere.json", "{}\n");
   const Names before = files_in("SUBJECTS");
   const std::string beside = "SUBJECTS --surfaces '?h.white' --output-folder SUBJECTS",
@@ -172,7 +168,6 @@ TEST_F(Studies, other_formats_and_names)
   write_surface("study/lh.smoothwm.nofix", surface);
   write_surface("study/a/lh.own", surface);
   write("study/lh.smoothwm.json", "{}\n"); // which is no surface
-  fs::create_directories(path("study/b"));
   write("study/b/white_orig.off", corner_off);
   expect_mapped("study --surfaces 'lh.smooth*' lh.own 'b/*_orig.off' --output-folder study", 3);
   EXPECT_EQ(files_in("study"), (Names{"lh.smoothwm.json", "lh.smoothwm.nofix", "lh.sphere.nofix",
@@ -186,7 +181,6 @@ TEST_F(Studies, other_formats_and_names)
 TEST_F(Studies, derivatives_of_BIDS)
 {
   const auto add = [&](const std::string& folder, const std::string& name, const std::string& structure) {
-    fs::create_directories(path(folder));
     surface.origin.metadata_of_points = {{"AnatomicalStructurePrimary", structure}};
     write_by(folder + "/" + name, [&](std::ostream& out) { return SP::IO::write_GIFTI(out, surface); });
   };

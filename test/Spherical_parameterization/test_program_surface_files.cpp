@@ -3,7 +3,6 @@
 #include "Program_fixture.h"
 #include "images.h"
 
-// In CGAL's tree the program is not built along with the tests.
 #ifdef SPHERICAL_PARAMETERIZATION_PROGRAM
 
 namespace {
@@ -21,12 +20,10 @@ const std::string volume = []() {
 
 const std::string remesh_white = "remesh lh.white octahedron=2 --method stereographic --quiet ";
 
-class Surface_files : public Program_fixture
+struct Surface_files : Program_fixture
 {
-protected:
-  void SetUp() override
+  Surface_files()
   {
-    Program_fixture::SetUp();
     write("corner.off", corner_off);
     surface.origin.created_by = "created by somebody";
     surface.origin.footer = volume;
@@ -37,6 +34,18 @@ protected:
   }
 
   Surface_file read_freesurfer(const std::string& name) const { return read_by(name, SP::IO::read_FreeSurfer_surface); }
+
+#ifdef TEST_GIFTI
+  Surface_file read_gifti(const std::string& name) const
+  {
+    return read_by(name, SP::IO::read_GIFTI);
+  }
+
+  void write_gifti(const std::string& name, const Surface_file& file, bool is_packed = false) const
+  {
+    write_by(name, [&](std::ostream& out) { return SP::IO::write_GIFTI(out, file, is_packed); });
+  }
+#endif
 
   Surface_file surface = corner_surface();
 };
@@ -65,23 +74,20 @@ TEST_F(Surface_files, spheres_follow_the_convention_of_the_cortex)
 {
   const auto expect_radius = [&](const std::string& name, double radius) {
     for(const auto& p : read_freesurfer(name).points)
-      EXPECT_NEAR(std::hypot(p[0], p[1], p[2]), radius, 1e-6 * radius);
+      EXPECT_NEAR(test::norm(p), radius, 1e-6 * radius) << name;
   };
   // whether each vertex lies on its side of the centroid
   const auto expect_turned = [&](const std::string& name) {
+    expect_radius(name, 100.);
     const auto points = read_freesurfer(name).points;
     for(std::size_t v = 0; v < 4; ++v)
     {
-      const auto& p = surface.points[v];
-      double dot = 0.;
-      for(std::size_t i = 0; i < 3; ++i)
-        dot += (p[i] - 0.25) * points[v][i];
-      EXPECT_GT(dot, 60. * std::hypot(p[0] - 0.25, p[1] - 0.25, p[2] - 0.25)) << name;
+      const auto from_center = test::difference(surface.points[v], {0.25, 0.25, 0.25});
+      EXPECT_GT(test::dot(from_center, points[v]), 60. * test::norm(from_center)) << name;
     }
   };
   expect_success("lh.white -o lh.sphere --json a.json --quiet");
   EXPECT_EQ(json("a.json").get<double>("written_radius"), 100.);
-  expect_radius("lh.sphere", 100.);
   expect_turned("lh.sphere");
 
   // It is the same sphere in a format with more digits, if it is asked for; and any sphere of it.
@@ -109,7 +115,6 @@ TEST_F(Surface_files, spheres_follow_the_convention_of_the_cortex)
   expect_success("match corner.off lh.white --landmarks all.txt all.txt --sphere lh.on -o on.off");
   EXPECT_EQ(read_freesurfer("lh.on").points, read_freesurfer("lh.on_target").points);
   expect_turned("lh.on");
-  expect_radius("lh.on", 100.);
 }
 
 TEST_F(Surface_files, a_sphere_does_not_fold_in_short_numbers)
@@ -193,21 +198,21 @@ TEST_F(Surface_files, features_are_compared_in_their_order_and_masks_may_be_labe
 
 TEST_F(Surface_files, a_surface_is_registered_to_an_atlas)
 {
-  const test_meshes::Triangle_list ball = test_meshes::icosphere(4);
-  const auto value = [](const auto& p, double turn) { // a mountain and a valley
-    const double x = std::cos(turn) * p[0] + std::sin(turn) * p[1], y = std::cos(turn) * p[1] - std::sin(turn) * p[0];
-    return std::exp(20. * (x - 1.)) - 0.7 * std::exp(30. * (0.6 * y + 0.8 * p[2] - 1.));
-  };
   constexpr double turn = 2.;
+  const test_meshes::Triangle_list ball = test_meshes::icosphere(4), ahead = test_meshes::turned(ball, turn),
+                                   behind = test_meshes::turned(ball, -turn);
+  const auto value = [](const test_meshes::Coordinates& p) { // a mountain and a valley
+    return std::exp(20. * (p[0] - 1.)) - 0.7 * std::exp(30. * (0.6 * p[1] + 0.8 * p[2] - 1.));
+  };
   Surface_file white, atlas;
   std::vector<double> own, of_atlas;
-  for(const auto& p : ball.points)
+  for(std::size_t v = 0; v < ball.points.size(); ++v)
   {
-    const double r = 40. + 8. * value(p, 0.);
-    white.points.push_back({{r * p[0], r * p[1], r * p[2]}});
-    atlas.points.push_back({{50. * p[0], 50. * p[1], 50. * p[2]}});
-    own.push_back(value(p, 0.));
-    of_atlas.push_back(value(p, turn));
+    const test_meshes::Coordinates& p = ball.points[v];
+    own.push_back(value(p));
+    of_atlas.push_back(value(behind.points[v]));
+    white.points.push_back(test::combination(40. + 8. * own[v], p, 0., p));
+    atlas.points.push_back(test::combination(50., p, 0., p));
   }
   for(const auto& t : ball.triangles)
     white.triangles.push_back({{std::uint32_t(t[0]), std::uint32_t(t[1]), std::uint32_t(t[2])}});
@@ -218,7 +223,8 @@ TEST_F(Surface_files, a_surface_is_registered_to_an_atlas)
   write_curv("lh.atlas.own", of_atlas);
 
   // The features agree where a vertex of the atlas turns up that far ahead.
-  const auto expect_turned = [&](const std::string& features) {
+  for(const std::string features : {"lh.own lh.atlas.own", "height lh.atlas.own --compare values --regularize spheres"})
+  {
     SCOPED_TRACE(features);
     const Outcome outcome =
         run("register lh.folded lh.atlas --features " + features + " -o lh.sphere.reg --sphere lh.sphere");
@@ -231,16 +237,11 @@ TEST_F(Surface_files, a_surface_is_registered_to_an_atlas)
     double sum = 0.;
     for(std::size_t v = 0; v < result.points.size(); ++v)
     {
-      const auto& p = ball.points[v];
-      const auto& q = result.points[v];
-      EXPECT_NEAR(std::hypot(q[0], q[1], q[2]), 100., 1e-3);
-      sum += (std::cos(turn) * p[0] - std::sin(turn) * p[1]) * q[0] +
-             (std::sin(turn) * p[0] + std::cos(turn) * p[1]) * q[1] + p[2] * q[2];
+      EXPECT_NEAR(test::norm(result.points[v]), 100., 1e-3);
+      sum += test::dot(ahead.points[v], result.points[v]) / 100.;
     }
-    EXPECT_GT(sum / 100. / static_cast<double>(result.points.size()), 0.99);
-  };
-  expect_turned("lh.own lh.atlas.own");
-  expect_turned("height lh.atlas.own --compare values --regularize spheres");
+    EXPECT_GT(sum / static_cast<double>(result.points.size()), 0.99);
+  }
 
   write_curv("lh.flat", std::vector<double>(own.size(), 0.5));
   expect_message("register lh.folded lh.own --features lh.own lh.own -o lh.sphere.reg", "lh.own");
@@ -304,37 +305,35 @@ TEST_F(Surface_files, GIFTI_keeps_what_is_known_of_a_surface)
                                        {"GeometricType", "Anatomical"}};
   surface.origin.coordinate_systems.resize(1);
   surface.origin.coordinate_systems[0].data_space = "NIFTI_XFORM_TALAIRACH";
-  write("all.txt", "0\n1\n2\n3\n");
-  write_by("a.surf.gii", [&](std::ostream& out) { return SP::IO::write_GIFTI(out, surface); });
-  const auto read = [&](const std::string& name) { return read_by(name, SP::IO::read_GIFTI); };
-  using Metadata = SP::IO::Metadata;
+  write_gifti("a.surf.gii", surface);
+  const auto metadata_of_sphere = [](const std::string& structure) {
+    return SP::IO::Metadata{
+        {"AnatomicalStructurePrimary", structure}, {"TopologicalType", "Closed"}, {"GeometricType", "Spherical"}};
+  };
   expect_success("a.surf.gii -o b.surf.gii");
-  const Surface_file sphere = read("b.surf.gii");
+  const Surface_file sphere = read_gifti("b.surf.gii");
   EXPECT_EQ(sphere.triangles, surface.triangles);
-  EXPECT_EQ(sphere.origin.metadata, (Metadata{{"Provenance", "unknown"}}));
-  EXPECT_EQ(sphere.origin.metadata_of_points, (Metadata{{"AnatomicalStructurePrimary", "CortexRight"},
-                                                        {"TopologicalType", "Closed"},
-                                                        {"GeometricType", "Spherical"}}));
+  EXPECT_EQ(sphere.origin.metadata, (SP::IO::Metadata{{"Provenance", "unknown"}}));
+  EXPECT_EQ(sphere.origin.metadata_of_points, metadata_of_sphere("CortexRight"));
   EXPECT_EQ(sphere.origin.coordinate_systems.at(0).data_space, "NIFTI_XFORM_TALAIRACH");
 
   // FreeSurfer tells by the name which half of the brain a surface is of.
   expect_success("lh.white -o c.surf.gii");
-  EXPECT_EQ(read("c.surf.gii").origin.metadata_of_points, (Metadata{{"AnatomicalStructurePrimary", "CortexLeft"},
-                                                                    {"TopologicalType", "Closed"},
-                                                                    {"GeometricType", "Spherical"}}));
-  EXPECT_EQ(read("c.surf.gii").points, sphere.points);
+  EXPECT_EQ(read_gifti("c.surf.gii").origin.metadata_of_points, metadata_of_sphere("CortexLeft"));
+  EXPECT_EQ(read_gifti("c.surf.gii").points, sphere.points);
   expect_success("corner.off -o d.gii");
   expect_success("d.gii -o d.off");
   expect_success(
       "remesh a.surf.gii octahedron=2 -o even.surf.gii --sphere even_sphere.surf.gii --method stereographic");
-  EXPECT_EQ(read("even.surf.gii").points.size(), 18u);
-  EXPECT_EQ(read("even.surf.gii").origin.metadata_of_points[2].second, "Anatomical");
+  EXPECT_EQ(read_gifti("even.surf.gii").points.size(), 18u);
+  EXPECT_EQ(read_gifti("even.surf.gii").origin.metadata_of_points[2].second, "Anatomical");
+  write("all.txt", "0\n1\n2\n3\n");
   expect_success("match a.surf.gii lh.white --landmarks all.txt all.txt --sphere s.surf.gii -o on.surf.gii --morph "
                  "0.5 m.surf.gii --method hierarchical",
                  "a.surf.gii is of the right hemisphere, but lh.white of the left one\n");
   for(const char* name : {"s.surf.gii", "s_target.surf.gii", "m.surf.gii"})
     EXPECT_TRUE(fs::exists(path(name))) << name;
-  EXPECT_EQ(read("on.surf.gii").origin.metadata_of_points[0].second, "CortexLeft"); // it lies there
+  EXPECT_EQ(read_gifti("on.surf.gii").origin.metadata_of_points[0].second, "CortexLeft"); // it lies there
 
   fs::create_directory(path("in"));
   fs::copy(path("a.surf.gii"), path("in/a.surf.gii"));
@@ -347,8 +346,7 @@ TEST_F(Surface_files, GIFTI_keeps_what_is_known_of_a_surface)
 
 TEST_F(Surface_files, GIFTI_may_be_packed)
 {
-  fs::create_directory(path("in"));
-  write_by("in/a.surf.gii.gz", [&](std::ostream& out) { return SP::IO::write_GIFTI(out, surface, true); });
+  write_gifti("in/a.surf.gii.gz", surface, true);
   EXPECT_EQ(content(path("in/a.surf.gii.gz")).substr(0, 2), "\x1F\x8B");
   expect_success("in/a.surf.gii.gz -o b.surf.gii.gz");
   expect_success("in/a.surf.gii.gz -o b.surf.gii");
@@ -369,11 +367,11 @@ TEST_F(Surface_files, values_are_carried_over_to_GIFTI)
   values.columns = {{"thickness", "NIFTI_INTENT_SHAPE", Vertex_values::Type::float32, {1., 2., 3., 4.}, {}},
                     {"region", "NIFTI_INTENT_LABEL", Vertex_values::Type::int32, {7., 7., 7., 7.}, {}}};
   values.labels = {{7, "all", {{0., 0., 0., 1.}}}};
-  write_by("v.func.gii", [&](std::ostream& out) { return SP::IO::write_GIFTI(out, values); });
+  write_gifti("v.func.gii", values);
   expect_success(remesh_white + "-o even.ply --transfer v.func.gii",
                  "v.func.gii: not carried over: the names and colours of its labels, which a GIFTI file can hold\n");
   expect_success(remesh_white + "-o even.surf.gii --transfer lh.sulc,v.func.gii");
-  const Surface_file file = read_by("even.func.gii", SP::IO::read_GIFTI);
+  const Surface_file file = read_gifti("even.func.gii");
   ASSERT_EQ(file.columns.size(), 3u);
   EXPECT_EQ(file.columns[0].name, "sulc");
   EXPECT_EQ(file.columns[1].name, "thickness");
@@ -381,15 +379,13 @@ TEST_F(Surface_files, values_are_carried_over_to_GIFTI)
   EXPECT_EQ(file.columns[2].intent, "NIFTI_INTENT_LABEL");
   ASSERT_EQ(file.labels.size(), 1u);
   EXPECT_EQ(file.labels[0].name, "all");
-  values.columns[1].name = "region2";
-  write_by("w.label.gii", [&](std::ostream& out) {
-    values.columns.erase(values.columns.begin());
-    return SP::IO::write_GIFTI(out, values);
-  });
+  EXPECT_EQ(file.origin.metadata.at(0).second, "CortexLeft");
+  values.columns.erase(values.columns.begin());
+  values.columns[0].name = "region2";
+  write_gifti("w.label.gii", values);
   expect_success(remesh_white + "-o even.surf.gii --transfer v.func.gii,w.label.gii",
                  "v.func.gii,w.label.gii: not carried over: the names and colours of the labels of w.label.gii, as a "
                  "file before it has some\n");
-  EXPECT_EQ(file.origin.metadata.at(0).second, "CortexLeft");
   expect_message(remesh_white + "-o even.func.gii --transfer lh.sulc", "even.func.gii: would be written twice");
 }
 

@@ -1,25 +1,27 @@
 // The commands of the command line program that make something else of a surface than its sphere: remesh, repair, show.
 
 #include "Program_fixture.h"
-#include "decoded_images.h"
 
-#include <CGAL/Spherical_parameterization/Sampling/internal/Geometry_image.h>
+#ifdef TEST_EXR
+#include <CGAL/Spherical_parameterization/Sampling/EXR_geometry_image.h>
+#endif
+#ifdef TEST_PNG
+#include <CGAL/Spherical_parameterization/Sampling/PNG_geometry_image.h>
+#endif
 
-#include <limits>
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
 
-// In CGAL's tree the program is not built along with the tests.
 #ifdef SPHERICAL_PARAMETERIZATION_PROGRAM
 
 namespace {
 
 using test_meshes::Coordinates;
 
-class Surface_program : public Program_fixture
+struct Surface_program : Program_fixture
 {
-protected:
-  void SetUp() override
+  Surface_program()
   {
-    Program_fixture::SetUp();
     write_off("sphere.off", test_meshes::icosphere(2));
     write_off("torus.off", test_meshes::torus(20, 6));
   }
@@ -36,13 +38,10 @@ protected:
 // Remeshes over a solid and over the sphere that the program has written itself.
 TEST_F(Surface_program, remeshes_through_the_sphere)
 {
-  const std::string out =
-      expect_success("remesh sphere.off octahedron=4 -o remesh.off --sphere map.off --json result.json");
-  expect_part(out, "Remesh:    66 vertices, 128 faces");
+  expect_part(expect_success("remesh sphere.off octahedron=4 -o remesh.off --sphere map.off --json result.json"),
+              "Remesh:    66 vertices, 128 faces");
   const Mesh_file sphere = read_mesh("sphere.off");
   EXPECT_EQ(read_mesh("map.off").faces, sphere.faces);
-  for(const Coordinates& p : read_mesh("remesh.off").points)
-    EXPECT_NEAR(std::hypot(p[0], p[1], p[2]), 0.98, 0.02);
   const boost::property_tree::ptree report = json();
   expect_part(report.get<std::string>("method"), "stretch energy");
   EXPECT_EQ(report.get<std::size_t>("remesh.vertices"), 66u);
@@ -53,18 +52,16 @@ TEST_F(Surface_program, remeshes_through_the_sphere)
 
   // Over the map itself, the remesh is the surface, with the values of its vertices and faces, or those of another surface.
   write("values.ply", ply_with_values(2));
-  expect_success("remesh sphere.off map.off --initial map.off --iterations 0 --transfer values.ply -o same.ply");
-  Mesh_file values = read_mesh("values.ply"), same = read_mesh("same.ply");
-  EXPECT_EQ(same.faces.size(), sphere.faces.size());
-  expect_near(same.points, sphere.points);
   write_off("other.off", test_meshes::icosphere(1));
+  expect_success("remesh sphere.off map.off --initial map.off --iterations 0 --transfer values.ply -o same.ply");
   expect_success("remesh other.off sphere.off --transfer values.ply --values-sphere sphere.off -o other.ply");
-  const std::vector<double> of_other = read_mesh("other.ply").columns["vertex height"];
+  Mesh_file values = read_mesh("values.ply"), same = read_mesh("same.ply"), other = read_mesh("other.ply");
+  expect_near(same.points, sphere.points);
   EXPECT_EQ(same.columns["vertex label"], values.columns["vertex label"]);
   for(std::size_t v = 0; v < same.points.size(); ++v)
   {
-    EXPECT_NEAR(same.columns["vertex height"][v], values.columns["vertex height"][v], 1e-6);
-    EXPECT_NEAR(of_other.at(v), values.columns["vertex height"][v], 1e-6);
+    for(Mesh_file* result : {&same, &other})
+      EXPECT_NEAR(result->columns["vertex height"].at(v), values.columns["vertex height"][v], 1e-6);
     EXPECT_NEAR(same.columns["vertex nz"][v], same.points[v][2], 0.05);
   }
   expect_success("remesh sphere.off map.off"); // reports the distance alone
@@ -92,42 +89,39 @@ TEST_F(Surface_program, remeshes_through_the_sphere)
                   {{"", "has no values for this mesh"}, {" --values-sphere other.off", "is no map of this mesh"}});
 }
 
-// The pixels, decoded by the libraries of the formats, are the points and normals of the remesh by the octahedron.
+// Their points are those and the normals of the remesh by the octahedron.
 TEST_F(Surface_program, writes_geometry_images)
 {
-  [[maybe_unused]] const auto expect_images = [&](const std::string& format, const auto& decode, double tolerance) {
+  using Image = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
+  [[maybe_unused]] const auto expect_images = [&](const std::string& format, const auto& read, double tolerance) {
     expect_success("remesh sphere.off octahedron=4 -o even.ply --geometry-image image." + format + " --image-size 9");
-    const Mesh_file remesh = read_mesh("even.ply");
-    const SP::internal::Geometry_image_layout layout = SP::internal::Geometry_image_layout::of_octahedron(4);
-    for(const bool has_normals : {false, true})
-    {
-      const std::string name = has_normals ? "image_normals." : "image.";
-      const test::Decoded_image image = decode(content(path(name + format)));
-      ASSERT_EQ(image.width, 9u);
-      ASSERT_EQ(image.height, 9u);
-      ASSERT_EQ(image.channels.size(), 3u);
-      for(std::size_t k = 0; k < layout.vertices.size(); ++k)
-        for(std::size_t c = 0; c < 3; ++c)
-        {
-          const std::size_t v = layout.vertices[k];
-          const double x =
-              has_normals ? remesh.columns.at(std::string("vertex n") + "xyz"[c]).at(v) : remesh.points.at(v)[c];
-          ASSERT_NEAR(image.channels[c].at(k), x, tolerance) << k << c;
-        }
-    }
+    Mesh_file remesh = read_mesh("even.ply");
+    Image points, normals;
+    std::ifstream file_of_points(path("image." + format), std::ios::binary),
+        file_of_normals(path("image_normals." + format), std::ios::binary);
+    ASSERT_EQ(read(file_of_points, points), SP::OK);
+    ASSERT_EQ(read(file_of_normals, normals), SP::OK);
+    ASSERT_EQ(points.number_of_vertices(), remesh.points.size());
+    for(const Image::Vertex_index v : points.vertices())
+      for(int k = 0; k < 3; ++k)
+      {
+        const std::vector<double>& column = remesh.columns[std::string("vertex n") + "xyz"[k]];
+        ASSERT_NEAR(points.point(v)[k], remesh.points[v][static_cast<std::size_t>(k)], tolerance) << v << k;
+        ASSERT_NEAR(normals.point(v)[k], column.at(v), tolerance) << v << k;
+      }
   };
 #ifdef TEST_PNG
-  expect_images("png", test::decode_png, 2.01 / 65535. / 2.);
+  expect_images(
+      "png", [](auto& in, Image& image) { return SP::IO::read_PNG_geometry_image(in, image); }, 2e-5);
 #endif
 #ifdef TEST_EXR
-  expect_images("exr", test::decode_exr, 6e-8);
+  expect_images(
+      "exr", [](auto& in, Image& image) { return SP::IO::read_EXR_geometry_image(in, image); }, 6e-8);
   for(const double scale : {1e-50, 1e50})
   {
     write_off("scaled.off", test_meshes::scaled(test_meshes::icosphere(1), scale, scale, scale));
-    const Outcome outcome = run("remesh scaled.off --geometry-image none.exr");
-    EXPECT_EQ(outcome.status, 1);
-    expect_part(outcome.err, "none.exr: The values are too large, or all too small");
-    EXPECT_FALSE(fs::exists(path("none.exr")));
+    expect_message("remesh scaled.off --geometry-image none.exr",
+                   "none.exr: The values are too large, or all too small");
     expect_success("remesh scaled.off --geometry-image image.png");
   }
 #endif
@@ -162,31 +156,20 @@ TEST_F(Surface_program, fills_holes)
   expect_success("remesh opened.off octahedron=4 --fill-holes all -o remesh.ply");
   EXPECT_EQ(read_mesh("remesh.ply").columns.count("face filler"), 1u);
   // Patches are masked: features are those of the file.
-  const auto write_heights = [&](const std::string& name, const test_meshes::Triangle_list& mesh) {
-    std::ostringstream ply;
-    ply << "ply\nformat ascii 1.0\nelement vertex " << mesh.points.size()
-        << "\nproperty float x\nproperty float y\nproperty float z\nproperty float height\nend_header\n";
-    for(const Coordinates& p : mesh.points)
-      ply << p[0] << ' ' << p[1] << ' ' << p[2] << ' ' << p[2] << '\n';
-    write(name, ply.str());
-  };
   write_off("closed.off", list);
-  write_heights("closed.ply", list);
-  write_heights("opened.ply", opened);
-  EXPECT_EQ(run("match opened.off closed.off --fill-holes all -o onto.off --features opened.ply closed.ply").status, 0);
+  write("heights.ply", ply_with_values(2, "float height"));
+  EXPECT_EQ(run("match opened.off closed.off --fill-holes all -o onto.off --features heights.ply heights.ply").status,
+            0);
 
+  expect_part(expect_success("repair opened.off"), "The surface can be mapped");
   opened.points[3][1] = std::numeric_limits<double>::quiet_NaN();
   write_off("broken.off", opened);
-  expect_message("repair broken.off -o result.ply", "vertex 3 has a coordinate that is");
-  test_meshes::Triangle_list sheet;
-  sheet.points = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0.5, 0.5, 0.1}};
-  sheet.triangles = {{0, 1, 4}, {1, 2, 4}, {2, 3, 4}};
-  write_off("sheet.off", sheet);
+  write_off("sheet.off",
+            {{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0.5, 0.5, 0.1}}, {{0, 1, 4}, {1, 2, 4}, {2, 3, 4}}});
+  write_off("touching.off", {{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0.5, 0.5, 0.1}}, {{0, 1, 4}, {2, 3, 4}}});
   expect_part(run("sheet.off --fill-holes all -o map.off").err, "more than half");
-  sheet.triangles = {{0, 1, 4}, {2, 3, 4}};
-  write_off("sheet.off", sheet);
-  expect_message("repair sheet.off -o result.ply", "touches itself in vertex 4");
-  expect_part(expect_success("repair opened.off"), "The surface can be mapped");
+  expect_messages("repair ", {{"broken.off -o result.ply", "vertex 3 has a coordinate that is"},
+                              {"touching.off -o result.ply", "touches itself in vertex 4"}});
 }
 
 TEST_F(Surface_program, maps_one_part_or_each_and_finds_handles)

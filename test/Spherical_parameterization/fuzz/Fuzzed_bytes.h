@@ -1,20 +1,7 @@
-// Copyright (c) 2026  The Spherical_parameterization authors.
-// All rights reserved.
-//
-// This file is part of the Spherical_parameterization package for CGAL (www.cgal.org).
-//
-// SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Author(s)     : The Spherical_parameterization authors
-
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_FUZZ_FUZZED_BYTES_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_FUZZ_FUZZED_BYTES_H
 
-#include <cstddef>
-#include <cstdint>
-#include <cstring>
-#include <limits>
-#include <string>
+#include "standard_library.h"
 
 // Makes decisions and numbers from bytes, one after the other, and from zeros after the last one. The same bytes mean the
 // same on every machine.

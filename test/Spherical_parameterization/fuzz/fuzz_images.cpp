@@ -10,13 +10,6 @@
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/boost/graph/helpers.h>
 
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
-#include <cstdint>
-#include <sstream>
-#include <string>
-
 namespace SP = CGAL::Spherical_parameterization;
 
 namespace {

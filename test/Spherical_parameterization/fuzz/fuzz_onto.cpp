@@ -4,7 +4,6 @@
 
 #include "Fuzzed_bytes.h"
 #include "require.h"
-#include "require_message.h"
 
 #include "test_meshes.h"
 
@@ -14,12 +13,6 @@
 #include <CGAL/Spherical_parameterization/is_bijective.h>
 #include <CGAL/Spherical_parameterization/Surface_maps/map_surface.h>
 #include <CGAL/tags.h>
-
-#include <cstddef>
-#include <cstdint>
-#include <string>
-#include <utility>
-#include <vector>
 
 using namespace test_meshes;
 
@@ -34,16 +27,6 @@ using Mapper = SP::Surface_mapper_3<Mesh>;
 Vertex_index vertex(std::size_t v)
 {
   return Vertex_index(static_cast<Mesh::size_type>(v));
-}
-
-Mesh make(const Triangle_list& list)
-{
-  Mesh mesh;
-  for(const Coordinates& p : list.points)
-    mesh.add_vertex({p[0], p[1], p[2]});
-  for(const Triangle& t : list.triangles)
-    mesh.add_face(vertex(t[0]), vertex(t[1]), vertex(t[2]));
-  return mesh;
 }
 
 // Two surfaces with the same faces, which are mapped as an icosphere. The first one has a vertex without a face, the last.
@@ -65,7 +48,7 @@ struct Surfaces
     require(SP::is_bijective(first, images.points()), "the map is not one-to-one");
   }
 
-  Mesh first = make(bumpy_sphere(1)), second = make(icosphere(1)), sphere = second;
+  Mesh first = make_mesh<Mesh>(bumpy_sphere(1)), second = make_mesh<Mesh>(icosphere(1)), sphere = second;
 };
 
 void map_by_landmarks(const Surfaces& surfaces, const std::string& content)

@@ -2,6 +2,7 @@
 // promises is checked on the way; see test::Method::run().
 
 #include "Fuzzed_bytes.h"
+#include "require.h"
 
 #include "engine.h"
 #include "methods.h"
@@ -11,23 +12,9 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
-#include <cstdint>
-#include <vector>
-
 using namespace test;
 
 namespace {
-
-// Makes a failed expectation an exception, which ends the program: to a fuzzer, that is a crash to be reported.
-bool initialize()
-{
-  ::testing::InitGoogleTest();
-  ::testing::GTEST_FLAG(throw_on_failure) = true;
-  return true;
-}
 
 // each vertex costs time
 constexpr std::size_t max_vertices = 24;
@@ -116,15 +103,6 @@ Triangle_list manifold_part(const Triangle_list& list, Mesh& mesh)
   return part;
 }
 
-bool is_finite(const Triangle_list& list)
-{
-  for(const Coordinates& p : list.points)
-    for(const double x : p)
-      if(!std::isfinite(x))
-        return false;
-  return true;
-}
-
 // Whether doubles hold a sphere of about the size of the mesh: a larger one has an infinite radius, and a smaller one too
 // few points.
 bool has_ordinary_size(const Triangle_list& list)
@@ -186,8 +164,7 @@ Fuzzed_method make_method(std::size_t kind, double a, double b, double c, const 
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
 {
-  static const bool is_initialized = initialize();
-  (void)is_initialized;
+  require_expectations();
   Fuzzed_bytes bytes(data, size);
   const std::size_t kind = bytes.below(8);
   const double a = parameter(bytes), b = parameter(bytes), c = parameter(bytes);
@@ -200,7 +177,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const double seconds = settings.below(4) == 0 ? parameter(settings) : 0.;
   const Options options = Options().iterations(n_iterations).seconds(seconds).sequential();
   const auto [method, is_valid, is_sure] = make_method(kind, a, b, c, mesh);
-  if(is_finite(list) && !has_ordinary_size(list)) // run() cannot tell what is on the sphere
+  if(is_finite(list.points) && !has_ordinary_size(list)) // run() cannot tell what is on the sphere
   {
     const Point_map map(mesh, sentinels(num_vertices(mesh)));
     if(method.parameterize(mesh, map, options) == SP::OK)
@@ -219,7 +196,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   {
     EXPECT_LT(n_iterations, 0);
   }
-  else if(is_sphere && !is_finite(list))
+  else if(is_sphere && !is_finite(list.points))
   {
     EXPECT_EQ(error, SP::ERROR_NON_FINITE_COORDINATE);
   }

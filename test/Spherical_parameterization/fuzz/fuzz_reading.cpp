@@ -4,7 +4,6 @@
 
 #include "Fuzzed_bytes.h"
 #include "require.h"
-#include "require_message.h"
 
 #include "Input_mesh.h"
 #include "Remesh.h"
@@ -13,12 +12,6 @@
 #include <CGAL/Spherical_parameterization/internal/files/read_mesh_file.h>
 #include <CGAL/spherical_parameterization.h>
 #include <CGAL/tags.h>
-
-#include <cstddef>
-#include <cstdint>
-#include <string>
-#include <utility>
-#include <vector>
 
 namespace SP = CGAL::Spherical_parameterization;
 

@@ -3,21 +3,11 @@
 
 #include "Fuzzed_bytes.h"
 #include "require.h"
-#include "require_message.h"
 
 #include <CGAL/Spherical_parameterization/Error_code.h>
 #include <CGAL/Spherical_parameterization/Cortex/FreeSurfer.h>
 #include <CGAL/Spherical_parameterization/Cortex/GIFTI.h>
 #include <CGAL/Spherical_parameterization/Cortex/MGH.h>
-
-#include <cstddef>
-#include <cstdint>
-#include <cstring>
-#include <istream>
-#include <ostream>
-#include <sstream>
-#include <string>
-#include <vector>
 
 namespace SP = CGAL::Spherical_parameterization;
 

@@ -3,6 +3,7 @@
 // succeed if a judge with rational numbers calls the maps one-to-one, and to refuse them otherwise.
 
 #include "Fuzzed_bytes.h"
+#include "require.h"
 
 #include "judge.h"
 #include "methods.h"
@@ -17,15 +18,6 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <cstdint>
-#include <set>
-#include <utility>
-#include <vector>
-
 using namespace test;
 
 namespace {
@@ -33,14 +25,6 @@ namespace {
 using Tag = CGAL::Sequential_tag;
 using Vertex_index = Mesh::Vertex_index;
 using Value_map = Mesh::Property_map<Vertex_index, double>;
-
-// Makes a failed expectation an exception, which ends the program: to a fuzzer, that is a crash to be reported.
-bool initialize()
-{
-  ::testing::InitGoogleTest();
-  ::testing::GTEST_FLAG(throw_on_failure) = true;
-  return true;
-}
 
 // each vertex costs time
 constexpr std::size_t max_vertices = 16;
@@ -100,15 +84,6 @@ Mesh fuzzed_surface(const Triangle_list& map, Fuzzed_bytes& bytes)
       for(double& x : p)
         x = kind == 2 && bytes.below(16) == 0 ? bytes.special_number() : std::ldexp(bytes.small_integer(), exponent);
   return make(list);
-}
-
-bool is_finite(const Images& points)
-{
-  for(const Coordinates& p : points)
-    for(const double x : p)
-      if(!std::isfinite(x))
-        return false;
-  return true;
 }
 
 // Whether numbers are so near to each other that doubles hold any map of one surface onto another one.
@@ -239,8 +214,7 @@ void check_map(const Fuzzed_surface& a, const Fuzzed_surface& b, Fuzzed_bytes& b
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
 {
-  static const bool is_initialized = initialize();
-  (void)is_initialized;
+  require_expectations();
   Fuzzed_bytes bytes(data, size);
   Fuzzed_surface a(bytes), b(bytes);
   EXPECT_EQ(is_bijective(a.mesh, a.list.points), a.is_one_to_one);

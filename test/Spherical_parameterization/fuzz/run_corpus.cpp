@@ -1,17 +1,9 @@
 // Runs a fuzzer's function on files that are there already, in place of the fuzzer, with any compiler: on each file and on
 // the files in each folder that are given.
 
-#include <algorithm>
-#include <cstddef>
-#include <cstdint>
+#include "standard_library.h"
+
 #include <cstdio>
-#include <cstdlib>
-#include <exception>
-#include <filesystem>
-#include <fstream>
-#include <iterator>
-#include <string>
-#include <vector>
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
 

@@ -1,12 +1,3 @@
-// Copyright (c) 2026  The Spherical_parameterization authors.
-// All rights reserved.
-//
-// This file is part of the Spherical_parameterization package for CGAL (www.cgal.org).
-//
-// SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Author(s)     : The Spherical_parameterization authors
-
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_PROGRAM_FIXTURE_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_PROGRAM_FIXTURE_H
 
@@ -37,23 +28,7 @@
 
 #include <gtest/gtest.h>
 
-// What tests of the program use may come from here.
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <cstdint>
-#include <cstdlib>
-#include <filesystem>
-#include <fstream>
-#include <iterator>
-#include <map>
 #include <regex>
-#include <set>
-#include <sstream>
-#include <string>
-#include <utility>
-#include <vector>
 
 namespace fs = std::filesystem;
 namespace SP = CGAL::Spherical_parameterization;
@@ -72,9 +47,10 @@ inline SP::IO::Surface_file corner_surface()
   return surface;
 }
 
-// A sphere with properties of its vertices: a height, which can be chosen for the first one, a label, and which ones count.
+// A sphere with properties of its vertices: a height or a density, which can be chosen for the first one, a label, and which
+// ones count.
 inline std::string ply_with_values(unsigned int subdivisions, const std::string& properties = "float height,uint label",
-                                   double first_height = 1.)
+                                   double first_value = 1.)
 {
   const test_meshes::Triangle_list list = test_meshes::icosphere(subdivisions);
   const std::string property = "\nproperty ";
@@ -88,8 +64,8 @@ inline std::string ply_with_values(unsigned int subdivisions, const std::string&
     const test_meshes::Coordinates& p = list.points[v];
     ply << p[0] << ' ' << p[1] << ' ' << p[2];
     for(const std::string& name : words_of(replaced(properties, ",", " ")))
-      if(name == "height")
-        ply << ' ' << (v == 0 ? first_height : p[2]);
+      if(name == "height" || name == "density")
+        ply << ' ' << (v == 0 ? first_value : name == "height" ? p[2] : p[0] > 0. ? 10. : 1.);
       else if(name == "label" || name == "counts" || name == "zero")
         ply << ' ' << (name == "label" ? (p[0] > 0.1 ? 7 : 3) : name == "counts" && p[2] > 0.);
     ply << '\n';
@@ -154,7 +130,7 @@ protected:
   using Messages = std::vector<std::pair<std::string, std::string>>; // of arguments
 
   // a folder of its own for each test
-  void SetUp() override
+  Program_fixture()
   {
     m_folder = fs::path("program") / ::testing::UnitTest::GetInstance()->current_test_info()->name();
     fs::remove_all(m_folder);
@@ -163,16 +139,20 @@ protected:
 
   fs::path path(const std::string& name) const { return m_folder / name; }
 
-  void write(const std::string& name, const std::string& text) const
+  // a file to be written, in a folder that is made where it is missing
+  std::ofstream opened(const std::string& name) const
   {
-    std::ofstream(path(name), std::ios::binary) << text;
+    fs::create_directories(path(name).parent_path());
+    return std::ofstream(path(name), std::ios::binary);
   }
+
+  void write(const std::string& name, const std::string& text) const { opened(name) << text; }
 
   // writes by a function of the library
   template <class Write>
   void write_by(const std::string& name, const Write& write) const
   {
-    std::ofstream out(path(name), std::ios::binary);
+    std::ofstream out = opened(name);
     ASSERT_EQ(write(out), SP::OK);
   }
 
@@ -187,7 +167,6 @@ protected:
 
   void write_surface(const std::string& name, const SP::IO::Surface_file& surface) const
   {
-    fs::create_directories(path(name).parent_path());
     write_by(name, [&](std::ostream& out) { return SP::IO::write_FreeSurfer_surface(out, surface); });
   }
 
@@ -205,7 +184,7 @@ protected:
 
   void write_off(const std::string& name, const test_meshes::Triangle_list& list) const
   {
-    std::ofstream out(path(name));
+    std::ofstream out = opened(name);
     out.precision(17);
     out << "OFF\n" << list.points.size() << ' ' << list.triangles.size() << " 0\n";
     for(const auto& p : list.points)
@@ -279,11 +258,7 @@ private:
 class Batch_fixture : public Program_fixture
 {
 protected:
-  void SetUp() override
-  {
-    Program_fixture::SetUp();
-    fs::create_directory(path("in"));
-  }
+  Batch_fixture() { fs::create_directory(path("in")); }
 
   void write_meshes(const std::vector<std::string>& names) const
   {

@@ -111,6 +111,13 @@ auto make_sentinel_map(const Mesh& mesh)
   return make_vertex_map<Point>(mesh, sentinels(num_vertices(mesh)));
 }
 
+inline bool is_finite(const Images& images)
+{
+  return std::all_of(images.begin(), images.end(), [](const Coordinates& p) {
+    return std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]);
+  });
+}
+
 // Whether two maps are the same to the last bit; unlike ==, this tells 0 from -0, and a NaN is equal to itself.
 inline bool have_same_bits(const Images& a, const Images& b)
 {

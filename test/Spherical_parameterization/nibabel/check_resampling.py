@@ -28,25 +28,16 @@ program = pathlib.Path(sys.argv[1]).resolve()
 left = {"AnatomicalStructurePrimary": "CortexLeft"}
 
 
-def icosphere(n):
-    """an icosahedron, each face cut into four n times, on the unit sphere"""
-    t = (1 + 5**0.5) / 2
-    points = [(-1, t, 0), (1, t, 0), (-1, -t, 0), (1, -t, 0), (0, -1, t), (0, 1, t), (0, -1, -t), (0, 1, -t)]
-    points += [(t, 0, -1), (t, 0, 1), (-t, 0, -1), (-t, 0, 1)]
-    faces = [(0, 11, 5), (0, 5, 1), (0, 1, 7), (0, 7, 10), (0, 10, 11), (1, 5, 9), (5, 11, 4), (11, 10, 2), (10, 7, 6)]
-    faces += [(7, 1, 8), (3, 9, 4), (3, 4, 2), (3, 2, 6), (3, 6, 8), (3, 8, 9), (4, 9, 5), (2, 4, 11), (6, 2, 10)]
-    faces += [(8, 6, 7), (9, 8, 1)]
-    points, faces = np.array(points, float), np.array(faces)
-    points /= np.linalg.norm(points, axis=1)[:, None]
-    for _ in range(n):
-        corners = np.roll(faces, 1, axis=1), faces
-        edges, middle = np.unique(np.sort(np.stack(corners, axis=2).reshape(-1, 2), axis=1), axis=0, return_inverse=True)
-        c, a, b = (middle.reshape(-1, 3) + len(points)).T  # of the edges into the corners 0, 1 and 2
-        middles = points[edges].sum(axis=1)
-        points = np.concatenate([points, middles / np.linalg.norm(middles, axis=1)[:, None]])
-        u, v, w = faces.T
-        faces = np.stack([u, a, c, v, b, a, w, c, b, a, b, c], axis=1).reshape(-1, 3)
-    return points, faces
+def ball(n):
+    """an icosahedron, its edges divided into n parts, on the unit sphere, as the program samples an octahedron"""
+    pathlib.Path("octahedron.off").write_text(
+        "OFF 6 8 0\n1 0 0\n0 1 0\n0 0 1\n-1 0 0\n0 -1 0\n0 0 -1\n"
+        "3 0 1 2\n3 1 3 2\n3 3 4 2\n3 4 0 2\n3 1 0 5\n3 3 1 5\n3 4 3 5\n3 0 4 5\n"
+    )
+    run(program, "remesh", "octahedron.off", f"icosahedron={n}", "-o", "ball.surf.gii")
+    points, faces = (array.data for array in read("ball.surf.gii"))
+    points = points.astype(float)
+    return points / np.linalg.norm(points, axis=1)[:, None], faces
 
 
 def deformed(points, amount):
@@ -138,8 +129,8 @@ def compare(pair, sizes, bound):
 
 def main():
     sizes = {}
-    for name, n, amount in (("fine", 6, 0.0), ("coarse", 5, 0.05), ("other", 5, 0.12)):
-        points, faces = icosphere(n)
+    for name, n, amount in (("fine", 64, 0.0), ("coarse", 32, 0.05), ("other", 32, 0.12)):
+        points, faces = ball(n)
         sphere = deformed(points, amount) if amount else points
         x, y, z = sphere.T
         sizes[name] = len(points)
@@ -153,7 +144,7 @@ def main():
         compare(pair, [sizes[name] for name in pair], 1e-5)
 
     # the coarse sphere through a registration of the fine one
-    points, faces = icosphere(6)
+    points, faces = ball(64)
     write_surface("registered.surf.gii", 100 * deformed(points, 0.08), faces)
     words = ["coarse.surf.gii", "fine.surf.gii", "registered.surf.gii"]
     run(program, "resample", *words, "--through", "-o", "o.surf.gii")

@@ -9,39 +9,30 @@
 #include <cstdlib>
 #include <fstream>
 #include <iostream>
+#include <map>
 #include <string>
 
 namespace SP = CGAL::Spherical_parameterization;
 
 namespace {
 
-SP::Error_code read(const std::string& format, std::istream& in, SP::IO::Surface_file& file, std::string& message)
-{
-  if(format == "surface")
-    return SP::IO::read_FreeSurfer_surface(in, file, message);
-  if(format == "curv")
-    return SP::IO::read_FreeSurfer_curv(in, file, message);
-  if(format == "annot")
-    return SP::IO::read_FreeSurfer_annotation(in, file, message);
-  if(format == "label")
-    return SP::IO::read_FreeSurfer_label(in, file, message);
-  if(format == "gifti")
-    return SP::IO::read_GIFTI(in, file, message);
-  return SP::IO::read_MGH(in, file, message);
-}
+using SP::IO::Surface_file;
 
-SP::Error_code write(const std::string& format, std::ostream& out, const SP::IO::Surface_file& file)
-{
-  if(format == "surface")
-    return SP::IO::write_FreeSurfer_surface(out, file);
-  if(format == "curv")
-    return SP::IO::write_FreeSurfer_curv(out, file.columns.front(), 0);
-  if(format == "annot")
-    return SP::IO::write_FreeSurfer_annotation(out, file);
-  if(format == "gifti")
-    return SP::IO::write_GIFTI(out, file);
-  return SP::IO::write_MGH(out, file, format == "mgz");
-}
+const std::map<std::string, SP::Error_code (*)(std::istream&, Surface_file&, std::string&)> readers = {
+    {"surface", SP::IO::read_FreeSurfer_surface},
+    {"curv", SP::IO::read_FreeSurfer_curv},
+    {"annot", SP::IO::read_FreeSurfer_annotation},
+    {"label", SP::IO::read_FreeSurfer_label},
+    {"gifti", SP::IO::read_GIFTI},
+    {"mgh", SP::IO::read_MGH}};
+
+const std::map<std::string, SP::Error_code (*)(std::ostream&, const Surface_file&)> writers = {
+    {"surface", SP::IO::write_FreeSurfer_surface},
+    {"curv", [](auto& out, const auto& file) { return SP::IO::write_FreeSurfer_curv(out, file.columns.front(), 0); }},
+    {"annot", SP::IO::write_FreeSurfer_annotation},
+    {"gifti", [](auto& out, const auto& file) { return SP::IO::write_GIFTI(out, file); }},
+    {"mgh", [](auto& out, const auto& file) { return SP::IO::write_MGH(out, file, false); }},
+    {"mgz", [](auto& out, const auto& file) { return SP::IO::write_MGH(out, file, true); }}};
 
 } // namespace
 
@@ -51,14 +42,14 @@ int main(int argc, char** argv)
   int status = EXIT_SUCCESS;
   for(int i = 1; i + 3 < argc; i += 4)
   {
-    SP::IO::Surface_file file;
+    Surface_file file;
     std::string message;
     std::ifstream in(argv[i + 1], std::ios::binary);
-    SP::Error_code error = read(argv[i], in, file, message);
+    SP::Error_code error = readers.at(argv[i])(in, file, message);
     if(error == SP::OK)
     {
       std::ofstream out(argv[i + 3], std::ios::binary);
-      error = write(argv[i + 2], out, file);
+      error = writers.at(argv[i + 2])(out, file);
       if(error != SP::OK)
         message = SP::get_error_message(error);
     }

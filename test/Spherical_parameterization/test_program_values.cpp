@@ -1,16 +1,150 @@
-// What the command line program resamples between spheres.
+// What the command line program does with values of vertices and faces: the properties of PLY files, and what is resampled between
+// spheres. How PLY files are read: test_files_meshes.cpp.
 
 #include "Program_fixture.h"
 
-// In CGAL's tree the program is not built along with the tests.
 #ifdef SPHERICAL_PARAMETERIZATION_PROGRAM
 
-class Resampling_program : public Program_fixture
+namespace {
+
+using namespace ply_files;
+
+// an element with more properties, which have commas between them, before its own ones
+Ply_element with(const std::string& more, Ply_element element)
 {
-protected:
-  void SetUp() override
+  std::istringstream in(more);
+  std::size_t k = 1;
+  for(std::string property; std::getline(in >> std::ws, property, ',');)
+    element.insert(element.begin() + static_cast<std::ptrdiff_t>(k++), property);
+  return element;
+}
+
+const std::string binary = "binary_little_endian";
+
+struct Ply_files : Program_fixture
+{
+  // transfers the properties of a surface to its remesh
+  Outcome transfer(const std::string& text)
   {
-    Program_fixture::SetUp();
+    write("values.ply", text);
+    return run("remesh values.ply octahedron=2 --method stereographic --transfer values.ply -o result.ply --quiet");
+  }
+
+  // the properties of the result, as in its header
+  std::multiset<std::string> properties() const
+  {
+    std::istringstream header(content(path("result.ply")));
+    std::multiset<std::string> result;
+    std::string element;
+    for(std::string line; std::getline(header, line) && line != "end_header";)
+      if(const std::vector<std::string> words = words_of(line); words[0] == "element")
+        element = words[1] + ' ';
+      else if(words[0] == "property")
+        result.insert(element + words.back());
+    return result;
+  }
+};
+
+TEST_F(Ply_files, keep_the_properties_that_have_a_name_of_their_own)
+{
+  struct Row
+  {
+    std::string of_vertices, of_faces;
+    std::multiset<std::string> written;
+    std::string left_out_of_vertices, left_out_of_faces;
+  };
+  std::vector<Row> table = {
+      {"float red,float green,float blue", "", {"vertex red", "vertex green", "vertex blue"}, "", ""},
+      {"uchar red,uchar green,uchar blue,float alpha,int color",
+       "uchar red,uchar green,uchar blue,uchar alpha",
+       {"vertex red", "vertex green", "vertex blue", "vertex alpha", "face red", "face green", "face blue",
+        "face alpha"},
+       "alpha color",
+       ""},
+      {"uchar red,int color", "float alpha", {"vertex red", "vertex color", "face alpha"}, "", ""},
+      {"float nx,float ny,float nz", "", {}, "", ""},
+      {"float nx", "float nx", {"face nx"}, "nx", ""},
+      {"double sphere,int initial", "", {"vertex sphere", "vertex initial"}, "", ""},
+      {"double point,float normal,uchar removed,int connectivity",
+       "int vertex_index,uchar removed,int connectivity,float point",
+       {"face point"},
+       "point normal removed connectivity",
+       "vertex_index removed connectivity"}};
+  for(const std::string type : {"char", "uchar", "short", "ushort", "int", "uint", "float", "double"})
+    table.push_back({type + " new", type + " new", {"vertex new", "face new"}, "", ""});
+  std::map<std::string, Numbers> numbers = usual_numbers;
+  numbers.erase("vertex_index");
+  for(const Row& row : table)
+  {
+    SCOPED_TRACE(row.of_vertices + "; " + row.of_faces);
+    std::string warnings;
+    for(const auto& [names, elements] :
+        Messages{{row.left_out_of_vertices, "vertices"}, {row.left_out_of_faces, "faces"}})
+      for(const std::string& name : words_of(names))
+        warnings +=
+            "values.ply: not carried over: the property '" + name + "' of the " + elements + ", whose name is taken\n";
+    const Outcome outcome =
+        transfer(ply_file(binary, {with(row.of_vertices, vertices), with(row.of_faces, faces)}, numbers));
+    EXPECT_EQ(outcome.status, 0);
+    EXPECT_EQ(outcome.err, warnings);
+    std::multiset<std::string> expected = row.written;
+    expected.insert({"vertex x", "vertex y", "vertex z", "vertex nx", "vertex ny", "vertex nz", "vertex height",
+                     "face vertex_indices", "face label"});
+    EXPECT_EQ(properties(), expected);
+  }
+  EXPECT_EQ(
+      transfer(ply_file(binary, {with("list uchar float weights", vertices), with("list int uchar weights", faces)}))
+          .err,
+      "values.ply: not carried over: the list 'weights' of 'vertex'\n"
+      "values.ply: not carried over: the list 'weights' of 'face'\n");
+  numbers["blue"] = Numbers(4, {255});
+  const Ply_element colors = {"face",     "list uchar int vertex_indices", "uchar alpha", "uchar blue", "uchar green",
+                              "uchar red"};
+  EXPECT_EQ(transfer(ply_file("ascii", {vertices, colors}, numbers)).status, 0);
+  const std::string result = content(path("result.ply"));
+  EXPECT_EQ(result.substr(result.size() - 4, 3), "\x04\x04\xff"); // red, green, blue, alpha
+}
+
+TEST_F(Ply_files, tell_what_is_no_feature)
+{
+  write("corner.off", corner_off);
+  write("values.ply", ply_file(binary, {{"vertex", "float x", "float y", "float z", "float height",
+                                         "list uchar float weights", "float nx", "uchar red", "double depth"},
+                                        edges,
+                                        faces}));
+  write("other.ply",
+        ply_file("ascii", {{"vertex", "float x", "float y", "float z", "float height", "float width"}, faces}));
+  std::string warnings;
+  for(const char* what :
+      {"values.ply: not compared: the list 'weights' of 'vertex'", "values.ply: not compared: the elements 'edge'",
+       "values.ply: not compared: the property 'nx' of the vertices, as normals turn with the surface",
+       "values.ply: not compared: the property 'red' of the vertices, whose type is neither float nor double",
+       "values.ply: not compared: the property 'label' of the faces",
+       "values.ply: not compared: the property 'depth' of the vertices, which other.ply has not",
+       "other.ply: not compared: the property 'label' of the faces",
+       "other.ply: not compared: the property 'width' of the vertices, which values.ply has not"})
+    warnings += what + std::string("\n");
+  expect_success(
+      "match corner.off corner.off --features values.ply other.ply -o result.off --method hierarchical --quiet",
+      warnings + uncertain);
+}
+
+TEST_F(Ply_files, may_have_values_that_are_not_finite_and_undeclared_columns)
+{
+  const Outcome outcome =
+      transfer("ply\nformat ascii 1.0\n\ncomment a\n# b\nelement vertex 4\nproperty float x\nproperty float y\n"
+               "property float z\nproperty double height\nelement face 4\n"
+               "property list uchar int vertex_indices\nend_header\n"
+               "0 0 0 nan 8\n1 0 0 inf\n0 1 0 -INF 9 9\n0 0 1 1\n3 0 2 1\n3 0 1 3 4 5\n# c\n\n3 1 2 3\n3 2 0 3\n");
+  EXPECT_EQ(outcome.err, "values.ply: not carried over: what the header does not declare of 'vertex', as in line 14\n"
+                         "values.ply: not carried over: what the header does not declare of 'face', as in line 19\n");
+  EXPECT_EQ(properties().count("vertex height"), 1u);
+}
+
+struct Resampling_program : Program_fixture
+{
+  Resampling_program()
+  {
     write_off("fine.off", test_meshes::icosphere(3));
     write_off("coarse.off", test_meshes::tilted(test_meshes::icosphere(1)));
     std::vector<double> heights;
@@ -30,24 +164,23 @@ protected:
 TEST_F(Resampling_program, values_are_interpolated_or_averaged)
 {
   const std::string spheres = "resample lh.height fine.off coarse.off ";
-  EXPECT_EQ(expect_success(spheres + "-o lh.coarse"),
+  EXPECT_EQ(expect_success(spheres + "-o lh.barycentric"),
             "resampled by barycentric weights: 642 to 42 vertices, of which 0 get nothing\n");
-  expect_success(spheres + "--areas fine.off coarse.off -o lh.adaptive --quiet");
-  expect_success(spheres + "--method nearest -o lh.nearest --threads 1");
-  expect_success(spheres + "--method largest --areas fine.off coarse.off -o lh.largest");
-  for(const auto& [name, tolerance] :
-      {std::pair("coarse", 0.01), {"adaptive", 0.1}, {"nearest", 0.1}, {"largest", 0.1}})
+  write_curv("lh.areas", std::vector<double>(642, 1.)); // which may be given as values as well
+  std::set<std::vector<double>> results;
+  for(const auto& [options, tolerance] : {std::pair("-o lh.barycentric --method barycentric", 0.01),
+                                          {"-o lh.adaptive --areas fine.off coarse.off", 0.1},
+                                          {"-o lh.nearest --method nearest --threads 1", 0.1},
+                                          {"-o lh.largest --method largest --areas fine.off coarse.off", 0.1},
+                                          {"-o lh.even --areas lh.areas coarse.off", 0.1}})
   {
-    const std::vector<double> values = read_curv(std::string("lh.") + name);
+    expect_success(spheres + options);
+    const std::vector<double> values = read_curv(words_of(options)[1]);
     ASSERT_EQ(values.size(), directions.size());
     for(std::size_t v = 0; v < directions.size(); ++v)
-      EXPECT_NEAR(values[v], directions[v][2], tolerance) << name;
+      EXPECT_NEAR(values[v], directions[v][2], tolerance) << options;
+    EXPECT_TRUE(results.insert(values).second) << options;
   }
-  EXPECT_NE(read_curv("lh.coarse"), read_curv("lh.adaptive"));
-  // Areas may be given as values as well.
-  write_curv("lh.areas", std::vector<double>(642, 1.));
-  expect_success(spheres + "--areas lh.areas coarse.off -o lh.even");
-  EXPECT_NE(read_curv("lh.even"), read_curv("lh.adaptive"));
 }
 
 TEST_F(Resampling_program, surfaces_and_many_files_are_resampled)
@@ -66,7 +199,7 @@ TEST_F(Resampling_program, the_vertices_that_the_mask_leaves_without_values_are_
 {
   const auto points = test_meshes::icosphere(3).points;
   std::string rows;
-  std::size_t n = 0;
+  std::size_t n = 0, n_empty = 0;
   for(std::size_t v = 0; v < points.size(); ++v)
     if(points[v][2] > 0.)
     {
@@ -77,7 +210,6 @@ TEST_F(Resampling_program, the_vertices_that_the_mask_leaves_without_values_are_
   const std::string text =
       expect_success("resample lh.height fine.off coarse.off --mask lh.north.label --valid lh.valid -o lh.north");
   const std::vector<double> north = read_curv("lh.north"), valid = read_curv("lh.valid");
-  std::size_t n_empty = 0;
   for(std::size_t v = 0; v < directions.size(); ++v)
   {
     EXPECT_EQ(valid[v] == 0., north[v] == 0.);
@@ -189,4 +321,6 @@ TEST_F(Resampling_program, names_labels_and_metadata_survive)
 }
 #endif
 
-#endif // SPHERICAL_PARAMETERIZATION_PROGRAM
+} // namespace
+
+#endif
