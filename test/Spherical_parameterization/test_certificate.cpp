@@ -427,6 +427,8 @@ TEST(Planted_fault, is_found)
   expect_all_found<Exact>(test_scale::number_of(30, 200), 3);
 }
 
+using test::is_bijective; // which files that are compiled with this one call
+
 bool is_bijective(const Triangle_list& list, const Images& images)
 {
   return test::is_bijective(make(list), images);

@@ -394,6 +394,21 @@ TEST(ARAP_energy, is_that_of_the_singular_values_at_the_best_radius)
   }
 }
 
+TEST(ARAP_energy, of_an_isometry_is_0)
+{
+  for(const double scale : {1., 7.})
+  {
+    const Triangle_list sphere = icosphere(2), list = test_meshes::scaled(sphere, scale, scale, scale);
+    const Surface mesh = surface_of(list);
+    ARAP_energy energy(mesh.rings(), mesh.points(), Execution());
+    EXPECT_NEAR(energy.fit(mesh.in_own_order(sphere.points)), 0., 1e-14);
+    EXPECT_NEAR(energy.radius() * mesh.equal_area_radius(), scale, 1e-14 * scale);
+    // the mirror image is none
+    const std::vector<Coordinates> mirrored = test_meshes::scaled(sphere, 1., 1., -1.).points;
+    EXPECT_GT(energy.fit(mesh.in_own_order(mirrored)), 0.1);
+  }
+}
+
 TEST(ARAP_energy, has_the_gradient_of_its_value)
 {
   for(const double scatter : {0.05, 0.3})

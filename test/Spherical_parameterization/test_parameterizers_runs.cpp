@@ -276,10 +276,9 @@ TEST(Time_limit, is_a_stop_of_the_visitor)
 
 TEST(Time_limit, is_none_unless_it_is_positive)
 {
-  const double infinity = std::numeric_limits<double>::infinity();
   const Mesh mesh = make(bumpy_sphere(1));
   const Result complete = bijective().run(mesh);
-  for(const double seconds : {0., -0., -1., -infinity, std::nan(""), infinity, (std::numeric_limits<double>::max)()})
+  for(const double seconds : {0., -0., -1., -HUGE_VAL, std::nan(""), HUGE_VAL, (std::numeric_limits<double>::max)()})
   {
     const Result result = bijective().run(mesh, Options().seconds(seconds));
     EXPECT_EQ(result.report.stop_reason, complete.report.stop_reason) << seconds;
