@@ -77,15 +77,13 @@ void read_initial(Options& o)
   o.describe(o.start.empty() ? "start from " + printable(o.start_file) : o.start + " start");
 }
 
-void read_density(Options& o)
+void read_areas(Options& o)
 {
   const std::string value = o.text("density");
+  if(value == "equal")
+    o.describe("equal areas");
   if(!o.has("density") || value == "equal")
-  {
-    if(o.has("density"))
-      o.describe("equal areas");
     return;
-  }
   o.density_file = value;
   if(value.empty())
     o.fail("--density needs the name of a file, or the word equal");
@@ -204,7 +202,7 @@ void read_method_options(Options& o)
   o.description = o.method + (o.has("paper") ? " as published" : "");
   if(is_bld || is_arap)
     read_initial(o);
-  read_density(o);
+  read_areas(o);
   if(is_bld || o.method == "hierarchical")
     read_energy(o);
   if(is_bld)
