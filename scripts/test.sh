@@ -3,7 +3,7 @@
 #
 # Installs what is missing, checks the style of the sources, builds everything with warnings as errors and runs the
 # tests but those that scripts/test_long.sh has, checks that the package fits into CGAL's tree, builds and checks the
-# manual, and runs tests under the sanitizer of threads. May be run again. Meant to take at most 10 minutes on two cores.
+# manual, and runs tests under the sanitizer of threads. May be run again. Takes twenty minutes on two cores.
 
 # shellcheck source-path=SCRIPTDIR source=common.sh
 . "$(dirname "${BASH_SOURCE[0]}")/common.sh"
