@@ -75,7 +75,7 @@ public:
 
   bool is_filler(Mesh::Face_index f) const { return f.idx() >= m_polygons.size(); }
 
-  /// returns what a file of a cortical surface tells of where that is from.
+  /// returns what a file of a cortical surface says of its origin.
   const SP::IO::Surface_origin& origin() const { return m_origin; }
 
   /// returns which half of the brain the files are of.

@@ -72,7 +72,7 @@ struct Options : Command_line
   Words spheres;                  ///< to resample from one to the other, none if nothing is resampled
   std::size_t max_hole_edges = 0; ///< of holes that are filled; 0 if none is
   Words surfaces;     ///< what the many are called in the folders below; empty if they are in the folder itself
-  std::string format; ///< of all meshes that are written, empty if their names tell it
+  std::string format; ///< of all meshes that are written, empty if their names say it
   std::string method = "bld";
   std::string start = "hierarchical"; ///< empty if the map to start from is in a file
   std::string start_file;
@@ -95,7 +95,7 @@ Options read_options(const Command_line& given);
 /// reads what they say of the method, for `read_options()`.
 void read_method_options(Options& o);
 
-/// refuses names of files that can be told to hold no values.
+/// refuses names of files that hold no values by their format.
 void check_values(const Options& o, const std::string& option, const std::string& names);
 
 /// The exit status of the program if a map was written that is not one-to-one.

@@ -246,7 +246,7 @@ void Remesh::mark_filler(Input_mesh& input, const Sphere_map& sphere)
   carry(input, sphere, {}, {filler});
 }
 
-// Two types are enough: doubles are averaged, whole numbers are not.
+// Two types are enough: doubles are averaged, integers are not.
 void Remesh::carry(Input_mesh& source, const Sphere_map& sphere, std::vector<Values> of_vertices,
                    std::vector<Values> of_faces)
 {

@@ -14,7 +14,7 @@ Json json_of(const SP::Distortion_statistics& of);
 /// returns "12 vertices, 20 faces", say.
 std::string sizes_of(std::size_t number_of_vertices, std::size_t number_of_faces);
 
-/// The size of a file and when it was last changed: what tells, as for many build tools, whether it is as it was.
+/// The size of a file and when it was last changed: by which many build tools see whether it is as it was.
 struct File_stamp
 {
   File_stamp() = default;

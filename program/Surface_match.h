@@ -44,7 +44,7 @@ public:
 
   ~Surface_match();
 
-  /// What is told of the map. Its warnings are of files of different hemispheres, of properties that are no features, of a map that may
+  /// What is reported of the map. Its warnings are of files of different hemispheres, of properties that are no features, of a map that may
   /// be wrong, and of landmarks that are missed, a line each.
   Run_report::Match_figures figures;
 

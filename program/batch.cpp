@@ -39,11 +39,11 @@ public:
     const std::string begin = "\n  \"input\": \"";
     const std::size_t found = (std::min)(m_text.find(begin) + begin.size(), m_text.size());
     const auto file_name = [](const std::string& path) { return std::filesystem::path(path).filename(); };
-    return tells("program", program_version()) && tells("method", options.description) &&
+    return has_value("program", program_version()) && has_value("method", options.description) &&
            file_name(m_text.substr(found, m_text.find(",\n", found) - found)) ==
                file_name(Json(m_names.input).text().substr(1)) &&
-           !tells("stop_reason", Run_report::stop_reason_interrupted) && tells_stamp("input_stamp", m_names.input) &&
-           (options.start_or_template().empty() || tells_stamp("start_stamp", options.start_or_template())) &&
+           !has_value("stop_reason", Run_report::stop_reason_interrupted) && has_stamp("input_stamp", m_names.input) &&
+           (options.start_or_template().empty() || has_stamp("start_stamp", options.start_or_template())) &&
            tells_sphere();
   }
 
@@ -59,35 +59,35 @@ public:
                                                      : "";
   }
 
-  bool is_one_to_one() const { return tells("one_to_one", true); }
+  bool is_one_to_one() const { return has_value("one_to_one", true); }
 
 private:
   // Returns whether a member has this value.
-  bool tells(const std::string& name, const Json& value) const
+  bool has_value(const std::string& name, const Json& value) const
   {
     std::string member = Json{{name, value}}.text();
     member.replace(member.rfind('\n'), member.npos, ",\n"); // in place of the end of the object
     return m_text.find(member.substr(1)) != m_text.npos;
   }
 
-  bool tells_stamp(const std::string& name, const std::string& path) const
+  bool has_stamp(const std::string& name, const std::string& path) const
   {
     const File_stamp stamp(path);
-    return !stamp.is_empty() && tells(name, stamp.json());
+    return !stamp.is_empty() && has_value(name, stamp.json());
   }
 
   bool tells_sphere() const
   {
     std::error_code error;
     if(!std::filesystem::is_regular_file(m_names.sphere, error) ||
-       !tells("sphere_bytes", std::filesystem::file_size(m_names.sphere, error)))
+       !has_value("sphere_bytes", std::filesystem::file_size(m_names.sphere, error)))
       return false;
     Checksum checksum;
     std::ifstream in(m_names.sphere, std::ios::binary);
     std::array<char, 1 << 16> block;
     while(in.read(block.data(), block.size()) || in.gcount() > 0)
       checksum.add(block.data(), static_cast<std::size_t>(in.gcount()));
-    return tells("sphere_bytes", checksum.bytes) && tells("sphere_crc32", checksum.crc.checksum());
+    return has_value("sphere_bytes", checksum.bytes) && has_value("sphere_crc32", checksum.crc.checksum());
   }
 
   const File_names& m_names;

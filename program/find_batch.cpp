@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// Returns the path behind links and dots, as far as it can be told.
+// Returns the path behind links and dots, as far as it can be found.
 fs::path true_place(const fs::path& path)
 {
   std::error_code error;
@@ -49,7 +49,7 @@ std::vector<fs::path> entries_of(const fs::path& folder)
 }
 
 // Returns the mesh files of a folder. Those of FreeSurfer have to be named, as there are several surfaces of the same brain in a
-// folder, and their names do not tell them from other files.
+// folder, and their names do not distinguish them from other files.
 std::vector<fs::path> meshes_of_folder(const fs::path& folder)
 {
   std::vector<fs::path> paths = entries_of(folder);
@@ -195,7 +195,7 @@ std::string subject_of(const fs::path& study, const fs::path& path)
 }
 
 // Returns what the sphere of a surface is called: `lh.sphere` for `lh.white`, `sub-1_hemi-L_sphere.surf.gii` for
-// `sub-1_hemi-L_white.surf.gii`, and `NAME_sphere` for names that do not tell which surface it is.
+// `sub-1_hemi-L_white.surf.gii`, and `NAME_sphere` for names that do not say which surface it is.
 std::string name_of_sphere(const std::string& name)
 {
   // the last such word, as the name of a subject comes first

@@ -20,8 +20,8 @@ using Values = SP::internal::Property_values;
 struct File_content : SP::internal::Polygon_soup
 {
   std::vector<std::uint32_t> vertices = {}; ///< that the values are of, if not all
-  std::vector<SP::IO::Label> labels = {};   ///< what whole numbers among the values stand for
-  SP::IO::Surface_origin origin = {};       ///< what a file of a cortical surface tells of where that is from
+  std::vector<SP::IO::Label> labels = {};   ///< what integers among the values stand for
+  SP::IO::Surface_origin origin = {};       ///< what a file of a cortical surface says of its origin
   Hemispheres hemispheres = {};             ///< of the files that this is from
 };
 

@@ -54,7 +54,7 @@ void check_words(const Options& o)
       o.fail("--" + option + " needs a name");
 }
 
-// Refuses the name of a file that does not tell a format that can be written.
+// Refuses the name of a file whose format cannot be written.
 void check_output(const Options& o, const std::string& option, const std::string& name)
 {
   if(o.format_of(name).empty())

@@ -275,7 +275,7 @@ private:
     return mask;
   }
 
-  // Finds the weights for a sphere; tells what is wrong with it, or with the first one, if there are none.
+  // Finds the weights for a sphere; reports what is wrong with it, or with the first one, if there are none.
   void connect(const Surface_file& to, const std::string& to_name)
   {
     const SP::Error_code error = m_resampler.connect(m_from.points, m_from.triangles, to.points, to.triangles);

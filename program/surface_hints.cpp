@@ -98,7 +98,7 @@ public:
     }
     if(soups[0].points.empty() && soups[1].points.empty())
     {
-      // The names that files of cortical surfaces have often tell the subject.
+      // The names that files of cortical surfaces have often name the subject.
       const std::vector<Values>& first = soups[0].values_of_vertices;
       std::vector<Values>& second = soups[1].values_of_vertices;
       if(second.size() != first.size())

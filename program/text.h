@@ -17,7 +17,7 @@ using SP::internal::valid_utf8;
 
 using Words = std::vector<std::string>;
 
-/// What the user has to be told before the program ends with exit status 1: what is wrong, where, and what helps. All functions that
+/// What the user has to know before the program ends with exit status 1: what is wrong, where, and what helps. All functions that
 /// cannot do what they say throw it.
 using Program_error = SP::internal::File_error;
 
@@ -42,7 +42,7 @@ auto read_named(const std::string& path, const Read& read)
   }
 }
 
-/// returns what a stream is told by these, one behind the other.
+/// returns what a stream prints of these, one behind the other.
 template <class... Part>
 std::string joined(const Part&... parts)
 {

@@ -31,7 +31,7 @@ inline const std::string no_sphere =
     "is no one-to-one sphere: not all of its faces are positively oriented as seen from "
     "the origin, or they do not cover the sphere once";
 
-/// turns a sphere such that it lies as its surface does. A surface that does not tell leaves it as it is.
+/// turns a sphere such that it lies as its surface does. A surface that does not show how leaves it as it is.
 void turn_to_surface(Input_mesh& input, const Sphere_map& sphere);
 
 /// writes the faces of a mesh with the images of its vertices on the sphere to the file `path`.

@@ -81,7 +81,7 @@ def closing(text, begin):
 
 
 def sites_of(path, text):
-    """The places of a file where a mistake may be made: begin, end and what replaces it, with {} for the number of the mutant."""
+    """The locations in a file where a mistake may be made: begin, end and what replaces it, with {} for the number of the mutant."""
     result = []
     position = 0
     for line in text.splitlines(keepends=True):
@@ -106,7 +106,7 @@ def sites_of(path, text):
     return result
 
 
-def drawn_sites(root, count, seed):
+def drawn_sites(root, seed):
     sites = []
     for room in ROOMS:
         for path in sorted((root / INCLUDE / room).rglob("*.h")):
@@ -117,25 +117,30 @@ def drawn_sites(root, count, seed):
 
 def write_copy(directory, tests, sites):
     """Copies the package, with the mutants of the sites, whose numbers begin with 1."""
-    source = directory / "source"
-    shutil.rmtree(source, ignore_errors=True)
-    names = subprocess.run(["git", "ls-files"], cwd=ROOT, check=True, capture_output=True, text=True).stdout.splitlines()
-    names = [n for n in names if not n.startswith("test/")]
-    others = subprocess.run(["git", "ls-files", "test"], cwd=tests, check=True, capture_output=True, text=True).stdout.splitlines()
-    for root, files in ((ROOT, names), (tests, others)):
-        for name in files:
-            (source / name).parent.mkdir(parents=True, exist_ok=True)
-            shutil.copy2(root / name, source / name)
-    (source / "include/mutants.h").write_text(SWITCH)
+    contents = {}
+    for root, is_test in ((ROOT, False), (tests, True)):
+        names = subprocess.run(["git", "ls-files"], cwd=root, check=True, capture_output=True, text=True).stdout.splitlines()
+        contents.update({n: (root / n).read_bytes() for n in names if n.startswith("test/") == is_test and (root / n).is_file()})
     by_file = {}
     for number, (path, begin, end, new) in sites.items():
         by_file.setdefault(path, []).append((begin, end, new.format(number)))
+    license = "#include <CGAL/license/Spherical_parameterization.h>\n"
     for path, changes in by_file.items():
-        text = (source / path).read_text()
+        text = contents[path].decode()
         for begin, end, new in sorted(changes, reverse=True):
             text = text[:begin] + new + text[end:]
-        license = "#include <CGAL/license/Spherical_parameterization.h>\n"
-        (source / path).write_text(text.replace(license, license + "#include <mutants.h>\n", 1))
+        contents[path] = text.replace(license, license + "#include <mutants.h>\n", 1).encode()
+    contents["include/mutants.h"] = SWITCH.encode()
+    # What is as it was keeps its time, so that a run that goes on does not build anew.
+    source = directory / "source"
+    for path in [p for p in source.rglob("*") if p.is_file() and str(p.relative_to(source)) not in contents]:
+        path.unlink()
+    for name, content in contents.items():
+        path = source / name
+        if not path.is_file() or path.read_bytes() != content:
+            path.parent.mkdir(parents=True, exist_ok=True)
+            path.write_bytes(content)
+            shutil.copymode((tests if name.startswith("test/") else ROOT) / name if name != "include/mutants.h" else __file__, path)
 
 
 def overlap(a, b):
@@ -209,7 +214,7 @@ def main():
     results = directory / "results.json"
     known = json.loads(results.read_text()) if results.exists() else {"refused": [], "seconds": {}, "killed": {}}
 
-    sites = drawn_sites(ROOT, arguments.count, arguments.seed)
+    sites = drawn_sites(ROOT, arguments.seed)
     refused = {tuple(site) for site in known["refused"]}
     while True:
         chosen = select(sites, arguments.count, refused)
@@ -243,17 +248,19 @@ def main():
                 return number, test
         return number, None
 
-    left = [n for n in chosen if str(n) not in known["killed"]]
+    # By the site, which another seed or a change of the sources does not confuse.
+    key = {n: f"{path}:{begin}:{(ROOT / path).stat().st_mtime_ns}:{new}" for n, (path, begin, _, new) in chosen.items()}
+    left = [n for n in chosen if key[n] not in known["killed"]]
     with concurrent.futures.ThreadPoolExecutor(arguments.jobs) as pool:
         for number, test in pool.map(judge, left):
-            known["killed"][str(number)] = test
+            known["killed"][key[number]] = test
             results.write_text(json.dumps(known))
             path, begin, end, _ = chosen[number]
             text = (ROOT / path).read_text()
             line = text.count("\n", 0, begin) + 1
             print(f"{number}: {path}:{line}: {text[begin:end].strip()}: " + (f"killed by test_{test}" if test else "SURVIVES"), flush=True)
-    survivors = [n for n, test in known["killed"].items() if test is None]
-    print(f"{len(known['killed']) - len(survivors)} of {len(known['killed'])} mutants are killed")
+    n_killed = sum(known["killed"][key[n]] is not None for n in chosen)
+    print(f"{n_killed} of {len(chosen)} mutants are killed")
 
 
 main()

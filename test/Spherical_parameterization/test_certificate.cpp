@@ -129,7 +129,7 @@ Map<Number> with_swap(Map<Number> map, Random& random)
 }
 
 // Two copies of the mesh, slit along a path of two edges and glued crosswise: again a sphere, all of whose faces are positive.
-// Only that it goes round twice about both ends of the path tells that it is no bijection.
+// Only that it goes round twice about both ends of the path shows that it is no bijection.
 // Precondition: some two vertices are no neighbours.
 template <class Number>
 Map<Number> with_double_cover(const Map<Number>& map, Random& random)

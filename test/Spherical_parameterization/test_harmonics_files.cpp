@@ -145,7 +145,7 @@ TEST(Coef_files, with_any_bytes_come_to_an_end)
   }
 }
 
-// Each with a part of what is told.
+// Each with a part of what is reported.
 void expect_refusals(Reader read, const std::vector<std::pair<std::string, const char*>>& table)
 {
   for(const auto& [content, words] : table)

@@ -177,7 +177,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const double seconds = settings.below(4) == 0 ? parameter(settings) : 0.;
   const Options options = Options().iterations(n_iterations).seconds(seconds).sequential();
   const auto [method, is_valid, is_sure] = make_method(kind, a, b, c, mesh);
-  if(is_finite(list.points) && !has_ordinary_size(list)) // run() cannot tell what is on the sphere
+  if(is_finite(list.points) && !has_ordinary_size(list)) // run() cannot know what is on the sphere
   {
     const Point_map map(mesh, sentinels(num_vertices(mesh)));
     if(method.parameterize(mesh, map, options) == SP::OK)

@@ -118,7 +118,7 @@ inline bool is_finite(const Images& images)
   });
 }
 
-// Whether two maps are the same to the last bit; unlike ==, this tells 0 from -0, and a NaN is equal to itself.
+// Whether two maps are the same to the last bit; unlike ==, this distinguishes 0 from -0, and a NaN is equal to itself.
 inline bool have_same_bits(const Images& a, const Images& b)
 {
   return a.size() == b.size() && (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(Coordinates)) == 0);

@@ -57,7 +57,7 @@ inline void read_freesurfer_surface(std::string_view content, IO::Surface_file& 
   const std::size_t begin = in.position();
   const auto n_points = in.read<std::int32_t>("the number of vertices"),
              n_triangles = in.read<std::int32_t>("the number of triangles");
-  constexpr std::size_t size_of_item = 12; // three numbers of 32 bits
+  constexpr std::size_t size_of_item = 12; // three 32-bit numbers
   in.check_count(n_points, "vertices", size_of_item, begin);
   in.check_count(n_triangles, "triangles", size_of_item, begin + sizeof(std::int32_t));
   file.points.resize(static_cast<std::size_t>(n_points));

@@ -33,7 +33,7 @@ inline bool are_in_float_range(const std::vector<IO::Vertex_values>& columns)
   });
 }
 
-// Returns whether all numbers are whole and in the range of their type, if that is one of whole numbers.
+// Returns whether all numbers are in the range of their type, and integers if it is a type of integers.
 inline bool are_of_their_type(const IO::Vertex_values& column)
 {
   using Type = IO::Vertex_values::Type;
@@ -71,7 +71,7 @@ inline void check_footer(Byte_reader in)
     if(tag <= 0 || tag > max_tag)
       throw File_error("The file goes on after its data, at byte ", begin, " of ", begin + in.remaining(),
                        ", with what is no footer: it is damaged, or the numbers in its header are wrong.");
-    if(tag == old_color_table) // whose length nothing tells
+    if(tag == old_color_table) // whose length is not given
       return;
     if(tag == old_real_coordinates)
       in.read_bytes(sizeof(std::int32_t), "the footer");

@@ -50,7 +50,7 @@ public:
 
 private:
   // An exact number cannot be infinite, but a lazy one that was made from an infinite double or from NaN must not be
-  // evaluated. Its interval tells. A finite number beyond the range of doubles has one finite end.
+  // evaluated. Its interval shows it. A finite number beyond the range of doubles has one finite end.
   static bool is_finite(const FT& x)
   {
     const std::pair<double, double> interval = CGAL::to_interval(x);
