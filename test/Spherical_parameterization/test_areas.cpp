@@ -296,4 +296,26 @@ TEST(Target_areas, may_be_stopped_at_any_time)
   }
 }
 
+// The factorization of a step takes longest, and is asked as well.
+TEST(Target_areas, may_be_stopped_within_a_step)
+{
+  struct Visitor : SP::Default_visitor
+  {
+    bool go_further(std::size_t iteration, double)
+    {
+      n_questions = iteration == last ? n_questions + 1 : 1;
+      last = iteration;
+      return iteration == 0 || n_questions < 3;
+    }
+    std::size_t last = 0, n_questions = 0;
+  };
+  auto [mesh, sphere] = Subject(bumpy_sphere(5));
+  SP::Target_area_parameterizer_3<> method;
+  Visitor visitor;
+  ASSERT_EQ(SP::parameterize(mesh, method, sphere, CGAL::parameters::visitor(std::ref(visitor))), SP::OK);
+  EXPECT_EQ(method.report().stop_reason, SP::STOPPED);
+  EXPECT_EQ(visitor.n_questions, 3u);
+  EXPECT_TRUE(SP::is_bijective(mesh, sphere));
+}
+
 } // namespace

@@ -58,6 +58,7 @@ std::size_t lower_area_differences(const Surface& surface, const Area_shares& sh
   double value = step.objective(positions, penalty);
   const std::size_t first_iteration = report.number_of_iterations();
   std::size_t n_steps = 0;
+  const auto goes_on = [&] { return control.go_further(first_iteration + n_steps, value); };
   const auto descend = [&]() -> Stop_reason {
     for(std::size_t k = 0; k < max_attempts; ++k)
     {
@@ -67,7 +68,7 @@ std::size_t lower_area_differences(const Surface& surface, const Area_shares& sh
         return control.stop_reason();
       double t = 1., next = value;
       bool is_found = false;
-      if(step.find(positions, penalty, damping))
+      if(step.find(positions, penalty, damping, goes_on))
         for(int halving = 0; halving < max_halvings && !is_found; ++halving)
         {
           t = std::ldexp(1., -halving);

@@ -22,10 +22,6 @@
 #include <CGAL/Spherical_parameterization/internal/surface/Rest_triangle.h>
 #include <CGAL/Spherical_parameterization/internal/surface/Vertex_rings.h>
 
-#ifdef CGAL_EIGEN3_ENABLED
-#include <Eigen/Core>
-#endif
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -88,8 +84,9 @@ public:
   // the ratios at the positions that were measured last
   const std::vector<double>& ratios() const { return m_ratios; }
 
-  // Finds the step. Returns false if there is none.
-  bool find(const std::vector<Vector_3d>& positions, double penalty, double damping)
+  // Finds the step. Returns false if there is none, or goes_on(), asked every few milliseconds, is false.
+  template <class Goes_on>
+  bool find(const std::vector<Vector_3d>& positions, double penalty, double damping, const Goes_on& goes_on)
   {
     m_equations.set_zero();
     for(std::size_t v = 0; v < positions.size(); ++v)
@@ -103,14 +100,14 @@ public:
     for(std::uint32_t v = 0; v < positions.size(); ++v)
       add_areas(v, positions, penalty);
 
-    Eigen::VectorXd solution;
-    if(!m_equations.solve(solution))
+    std::vector<double> solution;
+    if(!m_equations.solve(solution, goes_on))
       return false;
     m_slope = 0.;
     bool result = true;
     for(std::size_t v = 0; v < positions.size(); ++v)
     {
-      const Eigen::Index k = m_equations.row(v);
+      const std::size_t k = m_equations.row(v);
       m_steps[v] = solution[k] * m_frames[v][0] + solution[k + 1] * m_frames[v][1];
       result = result && is_finite(m_steps[v]);
       const double excess = m_ratios[v] - 1.; // which changes by J x = y / mu - excess
@@ -289,7 +286,7 @@ private:
       m_equations.diagonal(v, 1, 1) += curvature(k + 1, k + 1);
       for(std::size_t i = 0; i < 2; ++i)
       {
-        m_equations.right_side[m_equations.row(v) + static_cast<Eigen::Index>(i)] -= slopes[k + i];
+        m_equations.right_side[m_equations.row(v) + i] -= slopes[k + i];
         for(std::size_t j = 0; j < 2; ++j)
           m_equations.entry(face.pairs[corner], i, j) += curvature(k + i, l + j);
       }

@@ -14,11 +14,11 @@
 
 #include <CGAL/license/Spherical_parameterization.h>
 
+#include <CGAL/Spherical_parameterization/internal/areas/Sparse_factorization.h>
 #include <CGAL/Spherical_parameterization/internal/surface/Vertex_rings.h>
 
 #ifdef CGAL_EIGEN3_ENABLED
 #include <Eigen/OrderingMethods>
-#include <Eigen/SparseCholesky>
 #include <Eigen/SparseCore>
 #endif
 
@@ -38,52 +38,50 @@ class Block_equations
 {
 public:
   explicit Block_equations(const Vertex_rings& rings)
-    : right_side(3 * static_cast<Eigen::Index>(rings.number_of_vertices()))
-  {
-    make_pattern(rings);
-  }
+    : right_side(3 * rings.number_of_vertices())
+    , m_factorization(pattern(rings))
+  {}
 
   void set_zero()
   {
-    std::fill(m_matrix.valuePtr(), m_matrix.valuePtr() + m_matrix.nonZeros(), 0.);
-    right_side.setZero();
+    std::fill(m_matrix.values.begin(), m_matrix.values.end(), 0.);
+    std::fill(right_side.begin(), right_side.end(), 0.);
   }
 
   // the first of three rows of a vertex
-  Eigen::Index row(std::size_t v) const { return 3 * static_cast<Eigen::Index>(m_order[v]); }
+  std::size_t row(std::size_t v) const { return 3 * std::size_t(m_order[v]); }
 
   // row i >= j, column j of the block of a vertex
-  double& diagonal(std::size_t v, std::size_t i, std::size_t j) { return m_matrix.valuePtr()[m_diagonals[v][j] + i]; }
+  double& diagonal(std::size_t v, std::size_t i, std::size_t j) { return m_matrix.values[m_diagonals[v][j] + i]; }
 
   // the entry in row i of the first vertex of a corner (v, w) and column j of the second one, or its mirror image
   double& entry(std::size_t corner, std::size_t i, std::size_t j)
   {
     const Pair& pair = m_pairs[corner]; // with the columns of the one that is eliminated first
-    return m_matrix.valuePtr()[pair.is_transposed ? pair.columns[j] + i : pair.columns[i] + j];
+    return m_matrix.values[pair.is_transposed ? pair.columns[j] + i : pair.columns[i] + j];
   }
 
-  // Returns false if the matrix has no factorisation.
-  bool solve(Eigen::VectorXd& solution)
+  // Returns false if the matrix has no factorization, or goes_on(), asked every few milliseconds, is false.
+  template <class Goes_on>
+  bool solve(std::vector<double>& solution, const Goes_on& goes_on)
   {
-    m_solver.factorize(m_matrix);
-    if(m_solver.info() != Eigen::Success)
+    if(!m_factorization.factorize(m_matrix, goes_on))
       return false;
-    solution = m_solver.solve(right_side);
+    solution = right_side;
+    m_factorization.solve(solution);
     return true;
   }
 
-  Eigen::VectorXd right_side;
+  std::vector<double> right_side;
 
 private:
-  using Matrix = Eigen::SparseMatrix<double>; // the lower triangle
-
   struct Pair
   {
     std::array<std::size_t, 3> columns = {0, 0, 0}; // where the columns of a block begin in the values of the matrix
     bool is_transposed = false;
   };
 
-  void make_pattern(const Vertex_rings& rings)
+  const Symmetric_matrix& pattern(const Vertex_rings& rings)
   {
     const auto n = static_cast<Eigen::Index>(rings.number_of_vertices());
     {
@@ -95,7 +93,7 @@ private:
         for(const std::uint32_t w : rings.ring(static_cast<std::size_t>(v)))
           entries.emplace_back(static_cast<Eigen::Index>(w), v, 1.);
       }
-      Matrix graph(n, n);
+      Eigen::SparseMatrix<double> graph(n, n);
       graph.setFromTriplets(entries.begin(), entries.end());
       Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> order;
       Eigen::AMDOrdering<int>()(graph, order);
@@ -109,10 +107,10 @@ private:
     for(std::uint32_t v = 0; v < m_order.size(); ++v)
       vertices[m_order[v]] = v;
     m_pairs.assign(rings.number_of_corners(), Pair());
-    m_matrix.resize(3 * n, 3 * n);
     std::vector<std::uint32_t> later; // positions in a ring
-    std::vector<int> starts(static_cast<std::size_t>(3 * n) + 1, 0), rows;
+    std::vector<std::uint32_t>& rows = m_matrix.rows;
     rows.reserve(5 * rings.number_of_corners() + 6 * m_order.size());
+    m_matrix.starts.reserve(3 * m_order.size() + 1);
     m_diagonals.resize(m_order.size());
     for(const std::uint32_t v : vertices)
     {
@@ -126,18 +124,17 @@ private:
       for(std::size_t column = 0; column < 3; ++column)
       {
         const std::size_t start = rows.size();
-        starts[3 * m_order[v] + column] = static_cast<int>(start);
         m_diagonals[v][column] = start - column; // of row 0, which the lower triangle may not have
         for(std::size_t i = column; i < 3; ++i)
-          rows.push_back(static_cast<int>(row(v)) + static_cast<int>(i));
+          rows.push_back(static_cast<std::uint32_t>(row(v) + i));
         for(std::size_t k = 0; k < later.size(); ++k)
         {
           const std::uint32_t w = ring[later[k]];
           Pair& pair = m_pairs[rings.offset(v) + later[k]];
           pair.columns[column] = rows.size();
           pair.is_transposed = false;
-          for(int i = 0; i < 3; ++i)
-            rows.push_back(static_cast<int>(row(w)) + i);
+          for(std::size_t i = 0; i < 3; ++i)
+            rows.push_back(static_cast<std::uint32_t>(row(w) + i));
           if(column == 2)
           {
             Pair& other = m_pairs[rings.offset(w) + rings.ring(w).position_of(v)];
@@ -145,21 +142,18 @@ private:
             other.is_transposed = true;
           }
         }
+        m_matrix.starts.push_back(rows.size());
       }
     }
-    starts.back() = static_cast<int>(rows.size());
-    m_matrix.resizeNonZeros(static_cast<Eigen::Index>(rows.size()));
-    std::copy(starts.begin(), starts.end(), m_matrix.outerIndexPtr());
-    std::copy(rows.begin(), rows.end(), m_matrix.innerIndexPtr());
-    std::fill(m_matrix.valuePtr(), m_matrix.valuePtr() + rows.size(), 1.);
-    m_solver.analyzePattern(m_matrix);
+    m_matrix.values.resize(rows.size());
+    return m_matrix;
   }
 
   std::vector<std::uint32_t> m_order;                  // in which the vertices are eliminated
   std::vector<std::array<std::size_t, 3>> m_diagonals; // of each vertex, as in a Pair
   std::vector<Pair> m_pairs;                           // of each corner of the rings
-  Matrix m_matrix;
-  Eigen::SimplicialLDLT<Matrix, Eigen::Lower, Eigen::NaturalOrdering<int>> m_solver;
+  Symmetric_matrix m_matrix;
+  Sparse_factorization m_factorization;
 };
 
 #endif // CGAL_EIGEN3_ENABLED

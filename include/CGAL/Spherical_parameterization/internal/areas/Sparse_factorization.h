@@ -1,0 +1,165 @@
+// Copyright (c) 2026  The Spherical_parameterization authors.
+// All rights reserved.
+//
+// This file is part of the Spherical_parameterization package for CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Spherical_parameterization authors
+
+#ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_AREAS_SPARSE_FACTORIZATION_H
+#define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_AREAS_SPARSE_FACTORIZATION_H
+
+#include <CGAL/license/Spherical_parameterization.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Spherical_parameterization::internal {
+
+// The lower triangle of a sparse symmetric matrix, column by column; each begins with its diagonal entry, and rows increase.
+struct Symmetric_matrix
+{
+  std::size_t size() const { return starts.size() - 1; }
+
+  std::vector<std::size_t> starts = {0}; // of the columns, and the end
+  std::vector<std::uint32_t> rows;
+  std::vector<double> values;
+};
+
+// The factorization L D L^T of such a matrix, in the order of its rows, row by row (Davis, Direct Methods for Sparse Linear
+// Systems, section 4.8). For a large mesh it takes seconds, in which it can be stopped, unlike those of Eigen.
+class Sparse_factorization
+{
+public:
+  // Finds where L has entries, which depends on the pattern of the matrix alone.
+  explicit Sparse_factorization(const Symmetric_matrix& matrix)
+    : m_parents(matrix.size(), none)
+    , m_starts(matrix.size() + 1, 0)
+    , m_diagonal(matrix.size())
+    , m_marks(matrix.size())
+    , m_pattern(matrix.size())
+  {
+    collect_rows(matrix);
+    for(std::uint32_t k = 0; k < matrix.size(); ++k)
+    {
+      m_marks[k] = k;
+      for(std::size_t e = m_row_starts[k]; e < m_row_starts[k + 1]; ++e)
+        for(std::uint32_t i = m_entries[e].first; m_marks[i] != k; i = m_parents[i])
+        {
+          if(m_parents[i] == none)
+            m_parents[i] = k;
+          ++m_starts[i + 1];
+          m_marks[i] = k;
+        }
+    }
+    for(std::size_t k = 0; k < matrix.size(); ++k)
+      m_starts[k + 1] += m_starts[k];
+    m_rows.resize(m_starts.back());
+    m_values.resize(m_starts.back());
+  }
+
+  // Factorizes a matrix of the pattern. Returns false if there is no factorization, or goes_on(), asked every few milliseconds, is
+  // false.
+  template <class Goes_on>
+  bool factorize(const Symmetric_matrix& matrix, const Goes_on& goes_on)
+  {
+    constexpr std::size_t products_between_questions = std::size_t(1) << 22;
+    std::size_t n_products = 0;
+    std::vector<std::size_t> ends(m_starts.begin(), m_starts.end() - 1); // of the entries of each column so far
+    std::vector<double> row(matrix.size(), 0.);
+    for(std::uint32_t k = 0; k < matrix.size(); ++k)
+    {
+      // The entries of row k of L, such that each comes before those that it changes.
+      std::size_t top = matrix.size();
+      m_marks[k] = k;
+      for(std::size_t e = m_row_starts[k]; e < m_row_starts[k + 1]; ++e)
+      {
+        const auto& [column, position] = m_entries[e];
+        row[column] += matrix.values[position];
+        std::size_t length = 0;
+        for(std::uint32_t i = column; m_marks[i] != k; i = m_parents[i])
+        {
+          m_pattern[length++] = i;
+          m_marks[i] = k;
+        }
+        while(length > 0)
+          m_pattern[--top] = m_pattern[--length];
+      }
+      double d = matrix.values[matrix.starts[k]];
+      for(; top < matrix.size(); ++top)
+      {
+        const std::uint32_t i = m_pattern[top];
+        const double x = std::exchange(row[i], 0.), l = x / m_diagonal[i];
+        std::size_t& end = ends[i];
+        for(std::size_t p = m_starts[i]; p < end; ++p)
+          row[m_rows[p]] -= m_values[p] * x;
+        n_products += end - m_starts[i];
+        d -= l * x;
+        m_rows[end] = k;
+        m_values[end++] = l;
+      }
+      m_diagonal[k] = d;
+      if(d == 0.)
+        return false;
+      if(n_products > products_between_questions)
+      {
+        n_products = 0;
+        if(!goes_on())
+          return false;
+      }
+    }
+    return true;
+  }
+
+  // Replaces the right side of the equations by the solution.
+  void solve(std::vector<double>& x) const
+  {
+    const std::size_t n = m_diagonal.size();
+    for(std::size_t k = 0; k < n; ++k)
+      for(std::size_t p = m_starts[k]; p < m_starts[k + 1]; ++p)
+        x[m_rows[p]] -= m_values[p] * x[k];
+    for(std::size_t k = 0; k < n; ++k)
+      x[k] *= 1. / m_diagonal[k];
+    for(std::size_t k = n; k-- > 0;)
+      for(std::size_t p = m_starts[k]; p < m_starts[k + 1]; ++p)
+        x[k] -= m_values[p] * x[m_rows[p]];
+  }
+
+private:
+  static constexpr std::uint32_t none = ~std::uint32_t(0);
+
+  // the entries of each row left of the diagonal: their columns, and their positions in the values
+  void collect_rows(const Symmetric_matrix& matrix)
+  {
+    m_row_starts.assign(matrix.size() + 1, 0);
+    for(std::size_t k = 0; k < matrix.size(); ++k)
+      for(std::size_t p = matrix.starts[k] + 1; p < matrix.starts[k + 1]; ++p)
+        ++m_row_starts[matrix.rows[p] + 1];
+    for(std::size_t k = 0; k < matrix.size(); ++k)
+      m_row_starts[k + 1] += m_row_starts[k];
+    m_entries.resize(m_row_starts.back());
+    std::vector<std::size_t> ends(m_row_starts.begin(), m_row_starts.end() - 1);
+    for(std::uint32_t k = 0; k < matrix.size(); ++k)
+      for(std::size_t p = matrix.starts[k] + 1; p < matrix.starts[k + 1]; ++p)
+        m_entries[ends[matrix.rows[p]]++] = {k, p};
+  }
+
+  std::vector<std::size_t> m_row_starts;
+  std::vector<std::pair<std::uint32_t, std::size_t>> m_entries;
+  std::vector<std::uint32_t> m_parents; // in the tree of elimination
+  std::vector<std::size_t> m_starts;    // of the columns of L, without its diagonal of ones
+  std::vector<std::uint32_t> m_rows;    // of the entries of L
+  std::vector<double> m_values;         // of the entries of L
+  std::vector<double> m_diagonal;       // D
+  std::vector<std::uint32_t> m_marks;   // the last row in which a column has been visited
+  std::vector<std::uint32_t> m_pattern; // of a row of L
+};
+
+} // namespace CGAL::Spherical_parameterization::internal
+
+#endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_AREAS_SPARSE_FACTORIZATION_H
