@@ -73,7 +73,7 @@ public:
     m_found.erase(std::remove_if(m_found.begin(), m_found.end(),
                                  [](const Extremity_matching& matching) { return !(matching.score > 0.); }),
                   m_found.end());
-    return best_rotations(std::move(m_found), n, min_angle);
+    return select_rotations(std::move(m_found), n, min_angle);
   }
 
 private:

@@ -30,7 +30,7 @@ struct Scored_rotation
 
 // At most n rotations that are at least this angle apart, the best one first.
 template <class Rotation>
-std::vector<Rotation> best_rotations(std::vector<Rotation> found, std::size_t n, double min_angle)
+std::vector<Rotation> select_rotations(std::vector<Rotation> found, std::size_t n, double min_angle)
 {
   std::stable_sort(found.begin(), found.end(), [](const Rotation& a, const Rotation& b) { return a.score > b.score; });
   std::vector<Rotation> result;
@@ -69,7 +69,7 @@ public:
     for(std::size_t k = 0; k < found.size() && control.go_further(0, 0.); k += batch_size)
       for_each_block(m_execution, k, (std::min)(k + batch_size, found.size()), 1,
                      [&](std::size_t i, std::size_t) { found[i] = refined(found[i].rotation); });
-    return best_rotations(std::move(found), n, min_angle);
+    return select_rotations(std::move(found), n, min_angle);
   }
 
 private:
