@@ -226,7 +226,9 @@ void Mesh_run::write_surfaces()
     m_report.sphere_checksum = m_files.checksum(m_names.sphere);
   write(m_names.remesh, [&](Out out, const std::string& format) { m_remesh->write(out, format); });
   write(m_names.morph, [&](Out out, const std::string& f) { m_match->write_morph(out, f, m_options.morph_time); });
-  m_files.write(m_names.values, [&](Out out) { m_remesh->write_values(out, file_format(m_names.values)); });
+  const std::string& values = m_names.values;
+  m_files.write(values,
+                [&](Out out) { read_named(values, [&] { m_remesh->write_values(out, file_format(values)); }); });
   m_files.write(m_names.overlay, [&](Out out) { m_match->write_overlay(out); });
   m_files.write(m_names.image, [&](Out out) { m_image->write_image(out, m_names.image, false); });
   m_files.write(m_names.image_of_normals(), [&](Out out) { m_image->write_image(out, m_names.image, true); });

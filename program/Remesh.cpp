@@ -193,9 +193,12 @@ void Remesh::write_values(std::ostream& out, const std::string& format) const
     if(!is_among(values.name, {"red", "green", "blue", "alpha", "nx", "ny", "nz"}))
     {
       const bool is_label = !m_labels.empty() && std::holds_alternative<std::int32_t>(values.type);
+      const auto is_kept = [](double x) { return x != x || x == static_cast<double>(static_cast<float>(x)); };
+      const bool is_long =
+          !values.has_fractions() && !std::all_of(values.numbers.begin(), values.numbers.end(), is_kept);
       file.columns.push_back({values.name,
                               is_label ? "NIFTI_INTENT_LABEL" : "NIFTI_INTENT_SHAPE",
-                              is_label ? Type::int32 : Type::float32,
+                              is_label || is_long ? Type::int32 : Type::float32,
                               values.numbers,
                               {}});
     }

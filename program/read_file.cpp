@@ -203,7 +203,17 @@ SP::IO::Surface_file read_surface_file(Surface_file_kind kind, const std::string
                                           : "this program was built without expat and zlib, which read GIFTI files");
   if(error != SP::OK)
     throw Program_error(message);
+  // A label selects its vertices, whatever the value of each is, which most programs leave 0.
+  if(kind == Kind::freesurfer_label)
+    for(SP::IO::Vertex_values& column : file.columns)
+      std::fill(column.values.begin(), column.values.end(), 1.);
   return file;
+}
+
+bool is_of_all(const std::vector<std::uint32_t>& vertices)
+{
+  std::size_t n = 0;
+  return std::all_of(vertices.begin(), vertices.end(), [&](std::uint32_t v) { return v == n++; });
 }
 
 File_content read_file_content(const std::string& path, bool keeps_values)
@@ -232,6 +242,16 @@ File_content read_file_content(const std::string& path, bool keeps_values)
   return soup;
 }
 
+File_content read_file_of_values(const std::string& path)
+{
+  File_content content = read_file_content(path, true);
+  if(!is_of_all(content.vertices))
+    throw error_in(path, "has values of ", content.vertices.size(),
+                   " vertices of a surface, not of all.\nWrite a file with a value for each vertex.");
+  content.vertices.clear();
+  return content;
+}
+
 File_content read_values(const std::string& paths, const std::function<File_content(const std::string&)>& read)
 {
   File_content result;
@@ -240,9 +260,6 @@ File_content read_values(const std::string& paths, const std::function<File_cont
   for(const std::string& path : files)
   {
     File_content soup = read(path);
-    if(!soup.vertices.empty())
-      throw error_in(path, "has values of ", soup.vertices.size(),
-                     " vertices of a surface, not of all.\nWrite a file with a value for each vertex.");
     if(result.number_of_vertices() > 0 && soup.number_of_vertices() != result.number_of_vertices())
       throw error_in(path, "has values of ", soup.number_of_vertices(), " vertices, but ", printable(files.front()),
                      " of ", result.number_of_vertices());

@@ -19,7 +19,7 @@ using Values = SP::internal::Property_values;
 /// What a file holds: a mesh, values of its vertices and faces, or both, and what is known of where they are from.
 struct File_content : SP::internal::Polygon_soup
 {
-  std::vector<std::uint32_t> vertices = {}; ///< that the values are of, if not all
+  std::vector<std::uint32_t> vertices = {}; ///< that the values are of; empty: all
   std::vector<SP::IO::Label> labels = {};   ///< what integers among the values stand for
   SP::IO::Surface_origin origin = {};       ///< what a file of a cortical surface says of its origin
   Hemispheres hemispheres = {};             ///< of the files that this is from
@@ -55,7 +55,7 @@ Surface_file_kind kind_of_file(const std::string& path);
 /// returns what a file is called without its folder, the hemisphere and the end that tells its format.
 std::string name_of_values(const std::string& path);
 
-/// reads a file of this kind.
+/// reads a file of this kind. The values of a label are 1, whatever is in the file.
 ///
 /// \param message receives what is said of a file that is in order otherwise, empty if nothing is
 SP::IO::Surface_file read_surface_file(Surface_file_kind kind, const std::string& path, std::string& message);
@@ -65,10 +65,11 @@ SP::IO::Surface_file read_surface_file(Surface_file_kind kind, const std::string
 /// \param keeps_values whether values of vertices and faces are wanted; then the file may have no mesh
 File_content read_file_content(const std::string& path, bool keeps_values = false);
 
-inline File_content read_file_of_values(const std::string& path)
-{
-  return read_file_content(path, true);
-}
+/// returns whether values of these vertices are those of all vertices, in their order.
+bool is_of_all(const std::vector<std::uint32_t>& vertices);
+
+/// reads a file with a value for each vertex or face. One with values of some of the vertices is refused.
+File_content read_file_of_values(const std::string& path);
 
 /// reads a file with values of vertices, or several, whose names have commas between them. The mesh is that of the first.
 ///

@@ -227,7 +227,7 @@ private:
   // checks that a file has what can be carried over
   void check_content(const std::string& name, const Surface_file& file) const
   {
-    if(!file.vertices.empty())
+    if(!is_of_all(file.vertices))
       throw error_in(name, "has values of some vertices of a surface, not of all");
     if(file.points.empty() && file.columns.empty())
       throw error_in(name, "has nothing that vertices have");
@@ -240,6 +240,8 @@ private:
   std::vector<double> read_areas(const std::string& name, std::size_t n, const std::string& sphere)
   {
     const Surface_file file = read_arrays(name);
+    if(!is_of_all(file.vertices))
+      throw error_in(name, "has areas of some vertices of a surface, not of all");
     for(const auto& t : file.triangles)
       if((std::max)({t[0], t[1], t[2]}) >= file.points.size())
         throw error_in(name, "has a triangle with a vertex that is none");
@@ -259,19 +261,18 @@ private:
     const Surface_file file = read_arrays(name);
     const std::size_t n = m_from.points.size();
     std::vector<bool> mask(n, false);
-    for(const std::uint32_t v : file.vertices)
-    {
-      if(v >= n)
-        check_number(name, v + std::size_t(1), m_from_name, n);
-      mask[v] = true;
-    }
-    if(!file.vertices.empty())
-      return mask;
     if(file.columns.empty())
-      throw error_in(name, "has no values of vertices, which a mask is told by");
+      throw error_in(name, "has no values of vertices, which a mask consists of");
     const std::vector<double>& values = file.columns[0].values;
-    check_number(name, values.size(), m_from_name, n);
-    std::transform(values.begin(), values.end(), mask.begin(), [](double x) { return x > 0.; });
+    if(file.vertices.empty())
+      check_number(name, values.size(), m_from_name, n);
+    for(std::size_t i = 0; i < values.size(); ++i)
+    {
+      const std::size_t v = file.vertices.empty() ? i : file.vertices[i];
+      if(v >= n)
+        check_number(name, v + 1, m_from_name, n);
+      mask[v] = values[i] > 0.;
+    }
     return mask;
   }
 
@@ -293,6 +294,7 @@ private:
   // Replaces what the vertices of the first sphere have by what those of the second one get.
   void resample(Surface_file& file, const std::string& name) const
   {
+    file.vertices.clear(); // which were all
     for(SP::IO::Vertex_values& column : file.columns)
       if(column.type == Type::float32)
         check(m_resampler.resample(column.values, column.values), name);
@@ -322,7 +324,7 @@ private:
     m_outputs.write(name, [&](std::ostream& out) {
       const std::string format = file.points.empty() ? format_of_values(name) : output_format(name);
       if(file.points.empty() || is_cortical(format))
-        return write_surface_file(out, format, file, n_triangles);
+        return read_named(name, [&] { write_surface_file(out, format, file, n_triangles); });
       const File_content content = content_of(file);
       write_mesh(out, format, content.points, content.polygons, file.origin);
     });

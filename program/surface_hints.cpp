@@ -81,7 +81,7 @@ public:
       hints.masks[k].assign(m_numbers[k], 1);
     for(std::size_t k = 0; k < names.size(); ++k)
     {
-      const File_content content = read_file_of_values(names[k]);
+      const File_content content = read_file_content(names[k], true);
       add(content.hemispheres);
       hints.masks[k] = read_named(names[k], [&] { return mask_of(content, m_numbers[k]); });
     }
@@ -217,30 +217,22 @@ File_features features_of(File_content soup, std::size_t n_vertices)
 
 std::vector<char> mask_of(const File_content& soup, std::size_t n_vertices)
 {
-  std::vector<char> result;
-  if(!soup.vertices.empty())
-  {
-    result.assign(n_vertices, 0);
-    for(const std::size_t v : soup.vertices)
-    {
-      if(v >= n_vertices)
-        throw Program_error("is no mask for the mesh: it has a vertex ", v, ", the mesh has ", n_vertices, " vertices",
-                            from_0);
-      result[v] = 1;
-    }
-    return result;
-  }
   if(soup.values_of_vertices.size() != 1)
     throw Program_error("is no mask: it has ", soup.values_of_vertices.size(),
                         " values for each vertex, not one, which is 0 where the surface does not count");
-  if(soup.number_of_vertices() != n_vertices)
-    throw Program_error("is no mask for the mesh: it has ", soup.number_of_vertices(), " vertices, the mesh has ",
-                        n_vertices);
-  for(const double x : soup.values_of_vertices.front().numbers)
+  const std::vector<double>& numbers = soup.values_of_vertices.front().numbers;
+  if(soup.vertices.empty() && numbers.size() != n_vertices)
+    throw Program_error("is no mask for the mesh: it has ", numbers.size(), " vertices, the mesh has ", n_vertices);
+  std::vector<char> result(n_vertices, 0);
+  for(std::size_t i = 0; i < numbers.size(); ++i)
   {
-    if(x != x)
-      throw Program_error("is no mask: vertex ", result.size(), " has a value that is not a number", from_0);
-    result.push_back(x != 0.);
+    const std::size_t v = soup.vertices.empty() ? i : soup.vertices[i];
+    if(v >= n_vertices)
+      throw Program_error("is no mask for the mesh: it has a vertex ", v, ", the mesh has ", n_vertices, " vertices",
+                          from_0);
+    if(numbers[i] != numbers[i])
+      throw Program_error("is no mask: vertex ", v, " has a value that is not a number", from_0);
+    result[v] = numbers[i] != 0.;
   }
   if(std::find(result.begin(), result.end(), 1) == result.end())
     throw Program_error("is 0 for all vertices: nothing of the surface counts");

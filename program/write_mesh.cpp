@@ -63,26 +63,27 @@ void write_surface_file(std::ostream& out, const std::string& format, const SP::
                         std::size_t n_triangles)
 {
   SP::Error_code error = SP::OK;
+  std::string message;
   if(format == freesurfer_format)
-    error = file.points.empty() ? SP::IO::write_FreeSurfer_curv(out, file.columns.at(0), n_triangles)
-                                : SP::IO::write_FreeSurfer_surface(out, file);
+    error = file.points.empty() ? SP::IO::write_FreeSurfer_curv(out, file.columns.at(0), n_triangles, message)
+                                : SP::IO::write_FreeSurfer_surface(out, file, message);
   else if(format == ".annot")
-    error = SP::IO::write_FreeSurfer_annotation(out, file);
+    error = SP::IO::write_FreeSurfer_annotation(out, file, message);
   else if(format == ".mgh" || format == ".mgz")
 #ifdef PROGRAM_READS_MGH
-    error = SP::IO::write_MGH(out, file, format == ".mgz");
+    error = SP::IO::write_MGH(out, file, message, format == ".mgz");
 #else
     throw Program_error("this program was built without zlib, which MGH files take");
 #endif
 #ifdef PROGRAM_READS_GIFTI
   else
-    error = SP::IO::write_GIFTI(out, file, format == ".gii.gz");
+    error = SP::IO::write_GIFTI(out, file, message, format == ".gii.gz");
 #else
   else
     throw Program_error("this program was built without expat and zlib, which GIFTI files take");
 #endif
   if(error != SP::OK && error != SP::ERROR_CANNOT_WRITE_FILE) // of which the stream tells
-    throw Program_error(SP::get_error_message(error));
+    throw Program_error(message);
 }
 
 SP::IO::Surface_origin inherited(SP::IO::Surface_origin origin, bool is_sphere)

@@ -52,7 +52,7 @@ std::string surface(const std::string& end = footer(), std::int32_t n_points = 4
 
 std::string write_surface(const Surface_file& file)
 {
-  return written([&](std::ostream& out) { return SP::IO::write_FreeSurfer_surface(out, file); });
+  return written([&](auto& out, auto& message) { return SP::IO::write_FreeSurfer_surface(out, file, message); });
 }
 
 std::string curv(const std::vector<float>& values, std::int32_t n, std::int32_t n_of_each = 1)
@@ -111,7 +111,7 @@ std::string annotation(std::int32_t version, const std::vector<Entry>& table = e
 
 std::string write_annotation(const Surface_file& file)
 {
-  return written([&](std::ostream& out) { return SP::IO::write_FreeSurfer_annotation(out, file); });
+  return written([&](auto& out, auto& message) { return SP::IO::write_FreeSurfer_annotation(out, file, message); });
 }
 
 using Refusals = std::vector<std::pair<std::string, const char*>>;
@@ -157,9 +157,8 @@ TEST(FreeSurfer_surface, reads_variants)
   file.origin.created_by = "one\ntwo"; // one first line only
   EXPECT_EQ(read(read_surface, write_surface(file)).origin.created_by, "one");
   file.points[0][0] = 1e39;
-  std::ostringstream out;
-  EXPECT_EQ(SP::IO::write_FreeSurfer_surface(out, file), SP::ERROR_OUT_OF_FLOAT_RANGE);
-  EXPECT_EQ(out.str(), "");
+  const auto write = [&](auto& out, auto& message) { return SP::IO::write_FreeSurfer_surface(out, file, message); };
+  expect_not_written(write, SP::ERROR_OUT_OF_FLOAT_RANGE, "Vertex 0 has the coordinate 1e+39");
 }
 
 TEST(FreeSurfer_surface, refuses_what_is_wrong)
@@ -196,14 +195,21 @@ TEST(FreeSurfer_curv, reads_and_writes_values)
   const Surface_file file = read(read_curv, content);
   ASSERT_EQ(file.columns.size(), 1u);
   EXPECT_TRUE(are_same(file.columns[0].values, std::vector<double>(values.begin(), values.end())));
-  EXPECT_EQ(written([&](std::ostream& out) { return SP::IO::write_FreeSurfer_curv(out, file.columns[0], 7); }),
+  EXPECT_EQ(written([&](auto& out, auto& message) {
+              return SP::IO::write_FreeSurfer_curv(out, file.columns[0], 7, message);
+            }),
             content);
   expect_robust(read_curv, content);
 
-  Vertex_values large;
-  large.values = {-1e300};
-  std::ostringstream out;
-  EXPECT_EQ(SP::IO::write_FreeSurfer_curv(out, large, 7), SP::ERROR_OUT_OF_FLOAT_RANGE);
+  using Type = Vertex_values::Type;
+  for(const auto& [type, value, part] :
+      {std::tuple(Type::float32, -1e300, "The value -1e+300 of vertex 0 in column 'name' is too large"),
+       {Type::int32, 16777217., "The whole number 16777217 of vertex 0 in column 'name' would lose digits"}})
+  {
+    const Vertex_values column{"name", "", type, {value}, {}};
+    const auto write = [&](auto& out, auto& message) { return SP::IO::write_FreeSurfer_curv(out, column, 7, message); };
+    expect_not_written(write, SP::ERROR_OUT_OF_FLOAT_RANGE, part);
+  }
 }
 
 TEST(FreeSurfer_curv, reads_the_old_format)
@@ -291,19 +297,31 @@ TEST(FreeSurfer_annotation, refuses_what_is_wrong)
 
 TEST(FreeSurfer_annotation, is_not_written_if_labels_would_be_lost)
 {
-  std::ostringstream out;
-  EXPECT_EQ(SP::IO::write_FreeSurfer_annotation(out, {}), SP::ERROR_WRONG_PARAMETER);
-  Surface_file file = read(read_annotation, annotation(2));
-  file.labels.push_back({7, "as the first", file.labels[0].color});
-  for(const auto& [first_value, error] :
-      {std::pair(0., SP::OK), {7., SP::ERROR_WRONG_PARAMETER}, {8., SP::ERROR_WRONG_PARAMETER}})
-  {
-    file.columns[0].values[0] = first_value;
-    EXPECT_EQ(SP::IO::write_FreeSurfer_annotation(out, file), error) << first_value;
-  }
-  file.columns[0].values[0] = 0.;
-  file.labels[1].key = -1;
-  EXPECT_EQ(SP::IO::write_FreeSurfer_annotation(out, file), SP::ERROR_WRONG_PARAMETER);
+  Surface_file right = read(read_annotation, annotation(2));
+  right.labels.push_back({7, "as the first", right.labels[0].color});
+  write_annotation(right);
+  const auto expect = [&](const char* part, const auto& change) {
+    Surface_file file = right;
+    change(file);
+    const auto write = [&](auto& out, auto& message) {
+      return SP::IO::write_FreeSurfer_annotation(out, file, message);
+    };
+    expect_not_written(write, SP::ERROR_WRONG_PARAMETER, part);
+  };
+  expect("There is no column", [](Surface_file& file) { file.columns.clear(); });
+  expect("the label 7, whose colour is that of a label before it", [](auto& file) { file.columns[0].values[0] = 7.; });
+  expect("the label 8, which is not in the table", [](Surface_file& file) { file.columns[0].values[0] = 8.; });
+  expect("the label 0.5, which is not in the table", [](Surface_file& file) { file.columns[0].values[0] = 0.5; });
+  expect("Two labels have the key 7", [](Surface_file& file) { file.labels[1].key = 7; });
+  for(const std::int32_t key : {-1, (1 << 24) + 1, (std::numeric_limits<std::int32_t>::max)()})
+    expect(("The key " + std::to_string(key) + " of a label is not from 0 to 16777216").c_str(),
+           [&](Surface_file& file) { file.labels[2].key = key; });
+  for(const auto& [component, part] :
+      {std::pair(1.5, "component 1.5"), {-0.1, "component -0.1"}, {NAN, "component nan"}})
+    for(const std::size_t k : {std::size_t(0), std::size_t(3)})
+      expect(part, [&, x = component](Surface_file& file) { file.labels[1].color[k] = x; });
+  right.labels[2].key = 1 << 24;
+  EXPECT_EQ(read(read_annotation, write_annotation(right)).labels[2].key, 1 << 24);
 }
 
 TEST(FreeSurfer_label, reads_some_of_the_vertices)
@@ -319,7 +337,7 @@ TEST(FreeSurfer_label, reads_some_of_the_vertices)
                      {{"", "ends before the number of vertices of line 1"},
                       {"#!ascii label\nmany\n", "Line 2: the number of vertices is 'many'"},
                       {"#!ascii label\n-2\n", "Line 2: the number of vertices is '-2'"},
-                      {"2000000000\n1 0 0 0 0\n", "too short for 2e+09 vertices"},
+                      {"2000000000\n1 0 0 0 0\n", "too short for 2000000000 vertices"},
                       {"1\n1.5 0 0 0 0 \n", "Line 2: the vertex is '1.5', which is no whole number from 0 on"},
                       {"1\n-1 0 0 0 0 \n", "Line 2: the vertex is '-1'"},
                       {"1\n1 0 x 0 0 \n", "Line 2: coordinate y is 'x', which is no number"},
@@ -348,7 +366,7 @@ Vertex_values column(Vertex_values::Type type, const std::vector<double>& values
 
 std::string write_mgh(const Surface_file& file, bool is_packed)
 {
-  return written([&](std::ostream& out) { return SP::IO::write_MGH(out, file, is_packed); });
+  return written([&](auto& out, auto& message) { return SP::IO::write_MGH(out, file, message, is_packed); });
 }
 
 } // namespace
@@ -415,7 +433,7 @@ TEST(MGH, refuses_what_is_wrong)
                  {one, "too short for 1 vertices and 1 frames"},
                  {mgh_header(3, {{2000000000, 1, 1, 1}}) + value, "too short for 2000000000 vertices"},
                  {one + value + std::string(7, '\0'), "goes on after its data"},
-                 {pack(bomb, true), "are to be unpacked to 400000284, which no measurements are"},
+                 {pack(bomb, true), "are to be unpacked to 800000000, which no measurements are"},
                  {pack(one + std::string(5000000, '\0'), true), "The data are longer than the header says"},
                  {packed.substr(0, packed.size() - 1), "The packed data end too early"},
                  {packed + "rest", "The packed data are damaged"},
@@ -425,20 +443,23 @@ TEST(MGH, refuses_what_is_wrong)
 TEST(MGH, is_not_written_if_values_would_be_lost)
 {
   using Type = Vertex_values::Type;
-  const std::vector<std::pair<std::vector<Vertex_values>, SP::Error_code>> cases = {
-      {{}, SP::ERROR_WRONG_PARAMETER},
-      {{column(Type::float32, {})}, SP::ERROR_WRONG_PARAMETER},
-      {{column(Type::float32, {1.}), column(Type::float32, {1., 2.})}, SP::ERROR_WRONG_PARAMETER},
-      {{column(Type::uint8, {256.})}, SP::ERROR_WRONG_PARAMETER},
-      {{column(Type::int32, {0.5})}, SP::ERROR_WRONG_PARAMETER},
-      {{column(Type::int32, {NAN})}, SP::ERROR_WRONG_PARAMETER},
-      {{column(Type::float32, {1e39})}, SP::ERROR_OUT_OF_FLOAT_RANGE}};
-  for(const auto& [columns, error] : cases)
+  const std::vector<std::tuple<std::vector<Vertex_values>, SP::Error_code, const char*>> cases = {
+      {{}, SP::ERROR_WRONG_PARAMETER, "There are no values"},
+      {{column(Type::float32, {})}, SP::ERROR_WRONG_PARAMETER, "There are no values"},
+      {{column(Type::float32, {1.}), column(Type::float32, {1., 2.})}, SP::ERROR_WRONG_PARAMETER, "has 2 values, but"},
+      {{column(Type::uint8, {256.})}, SP::ERROR_WRONG_PARAMETER, "The value 256 of vertex 0"},
+      {{column(Type::int32, {0.5})}, SP::ERROR_WRONG_PARAMETER, "no whole number from -2147483648 to 2147483647"},
+      {{column(Type::int32, {NAN})}, SP::ERROR_WRONG_PARAMETER, "The value nan of vertex 0"},
+      {{column(Type::float32, {1e39})}, SP::ERROR_OUT_OF_FLOAT_RANGE, "The value 1e+39 of vertex 0"},
+      {{column(Type::int32, {16777216.}), column(Type::float32, {0.5}), column(Type::int32, {-16777217.})},
+       SP::ERROR_OUT_OF_FLOAT_RANGE,
+       "The whole number -16777217 of vertex 0 in column '' would lose digits"}};
+  for(const auto& [columns, error, part] : cases)
   {
     Surface_file file;
     file.columns = columns;
-    std::ostringstream out;
-    EXPECT_EQ(SP::IO::write_MGH(out, file, false), error);
+    const auto write = [&](auto& out, auto& message) { return SP::IO::write_MGH(out, file, message, false); };
+    expect_not_written(write, error, part);
   }
 }
 

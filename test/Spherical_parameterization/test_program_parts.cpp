@@ -6,6 +6,7 @@
 
 #include "../../program/Interrupt_guard.h"
 #include "../../program/for_each_mesh.h"
+#include "../../program/surface_hints.h"
 #include "../../program/text.h"
 
 #include <condition_variable>
@@ -19,6 +20,16 @@ TEST(Program_messages, call_what_is_the_same_by_the_same_words)
 {
   EXPECT_EQ(::Program::message_of(std::bad_alloc()), "the memory does not suffice");
   EXPECT_EQ(::Program::message_of(::Program::error_in("a\nb", "c")), "a\\x0ab: c");
+}
+
+// The value decides, also if the file names the vertices that it has values of.
+TEST(Mask, counts_vertices_with_a_value_that_is_not_0)
+{
+  Program::File_content soup;
+  soup.values_of_vertices.push_back({"mask", std::uint8_t(), {1., 0., 2.}});
+  EXPECT_EQ(Program::mask_of(soup, 3), (std::vector<char>{1, 0, 1}));
+  soup.vertices = {0, 1, 4};
+  EXPECT_EQ(Program::mask_of(soup, 5), (std::vector<char>{1, 0, 0, 0, 1}));
 }
 
 // Which of the two comes second makes no difference.

@@ -182,7 +182,7 @@ TEST_F(Studies, derivatives_of_BIDS)
 {
   const auto add = [&](const std::string& folder, const std::string& name, const std::string& structure) {
     surface.origin.metadata_of_points = {{"AnatomicalStructurePrimary", structure}};
-    write_by(folder + "/" + name, [&](std::ostream& out) { return SP::IO::write_GIFTI(out, surface); });
+    write_by(folder + "/" + name, [&](auto& out, auto& message) { return SP::IO::write_GIFTI(out, surface, message); });
   };
   add("bids/sub-1/anat", "sub-1_hemi-L_white.surf.gii", "CortexLeft");
   add("bids/sub-1/anat", "sub-1_hemi-R_white.surf.gii", "CortexRight");

@@ -43,7 +43,7 @@ struct Surface_files : Program_fixture
 
   void write_gifti(const std::string& name, const Surface_file& file, bool is_packed = false) const
   {
-    write_by(name, [&](std::ostream& out) { return SP::IO::write_GIFTI(out, file, is_packed); });
+    write_by(name, [&](auto& out, auto& message) { return SP::IO::write_GIFTI(out, file, message, is_packed); });
   }
 #endif
 
@@ -154,7 +154,7 @@ TEST_F(Surface_files, values_are_carried_over)
   Surface_file values; // frames get numbers
   values.columns.resize(2);
   values.columns[0].values = values.columns[1].values = {1., 2., 3., 4.};
-  write_by("lh.both.mgz", [&](std::ostream& out) { return SP::IO::write_MGH(out, values, true); });
+  write_by("lh.both.mgz", [&](auto& out, auto& message) { return SP::IO::write_MGH(out, values, message, true); });
   expect_success(remesh_white + "-o even.ply --transfer lh.both.mgz");
   expect_part(content(path("even.ply")), "property float both_1\nproperty float both_2\n");
 #endif
@@ -361,6 +361,28 @@ TEST_F(Surface_files, GIFTI_may_be_packed)
   expect_message("bomb.surf.gii.gz -o c.off", "bytes are to be unpacked to");
 }
 
+TEST_F(Surface_files, GIFTI_values_are_those_of_the_vertices_that_the_file_names)
+{
+  Surface_file file;
+  file.vertices = {3, 1, 0, 2};
+  file.columns = {{"", "NIFTI_INTENT_SHAPE", Vertex_values::Type::float32, {4., 2., 1., 3.}, {}}};
+  write_gifti("values.shape.gii", file);
+  write_curv("lh.values", {1., 2., 3., 4.});
+  file.vertices = {3, 1};
+  file.columns[0].values = {4., 2.};
+  write_gifti("some.shape.gii", file);
+  const std::string match = "match lh.white lh.white --method hierarchical -o a.off --features lh.sulc ";
+  const auto result = [&](const std::string& arguments) {
+    EXPECT_EQ(run(arguments).status, 0) << arguments;
+    return content(path("a.off"));
+  };
+  for(const std::string& arguments : {std::string("lh.white -o a.off --density "), match})
+  {
+    EXPECT_EQ(result(arguments + "values.shape.gii"), result(arguments + "lh.values"));
+    expect_message(arguments + "some.shape.gii", "some.shape.gii: has values of 2 vertices of a surface, not of all");
+  }
+}
+
 TEST_F(Surface_files, values_are_carried_over_to_GIFTI)
 {
   Surface_file values;
@@ -371,7 +393,7 @@ TEST_F(Surface_files, values_are_carried_over_to_GIFTI)
   expect_success(remesh_white + "-o even.ply --transfer v.func.gii",
                  "v.func.gii: not carried over: the names and colours of its labels, which a GIFTI file can hold\n");
   expect_success(remesh_white + "-o even.surf.gii --transfer lh.sulc,v.func.gii");
-  const Surface_file file = read_gifti("even.func.gii");
+  Surface_file file = read_gifti("even.func.gii");
   ASSERT_EQ(file.columns.size(), 3u);
   EXPECT_EQ(file.columns[0].name, "sulc");
   EXPECT_EQ(file.columns[1].name, "thickness");
@@ -380,6 +402,14 @@ TEST_F(Surface_files, values_are_carried_over_to_GIFTI)
   ASSERT_EQ(file.labels.size(), 1u);
   EXPECT_EQ(file.labels[0].name, "all");
   EXPECT_EQ(file.origin.metadata.at(0).second, "CortexLeft");
+  // Whole numbers that floating-point numbers of 32 bits do not hold
+  Surface_file whole;
+  whole.columns = {{"long", "NIFTI_INTENT_SHAPE", Vertex_values::Type::int32, std::vector<double>(4, 16777217.), {}}};
+  write_gifti("long.shape.gii", whole);
+  expect_success(remesh_white + "-o even.surf.gii --transfer long.shape.gii");
+  file = read_gifti("even.func.gii");
+  EXPECT_EQ(file.columns.at(0).type, Vertex_values::Type::int32);
+  EXPECT_EQ(file.columns[0].values, std::vector<double>(18, 16777217.));
   values.columns.erase(values.columns.begin());
   values.columns[0].name = "region2";
   write_gifti("w.label.gii", values);

@@ -222,6 +222,25 @@ TEST_F(Resampling_program, the_vertices_that_the_mask_leaves_without_values_are_
   // The values are a mask as well.
   expect_success("resample lh.height fine.off coarse.off --mask lh.height -o lh.again");
   EXPECT_EQ(read_curv("lh.again"), north);
+#ifdef TEST_GIFTI
+  // So are those of a file that leaves out the last vertex, which is in the south.
+  SP::IO::Surface_file some;
+  some.columns = {{"", "NIFTI_INTENT_SHAPE", SP::IO::Vertex_values::Type::uint8, {}, {}}};
+  std::size_t last = points.size();
+  while(points[last - 1][2] > 0.)
+    --last;
+  for(std::size_t v = points.size(); v-- > 0;)
+    if(v != last - 1)
+    {
+      some.vertices.push_back(static_cast<std::uint32_t>(v));
+      some.columns[0].values.push_back(points[v][2] > 0.);
+    }
+  write_by("some.shape.gii", [&](auto& out, auto& message) { return SP::IO::write_GIFTI(out, some, message); });
+  expect_success("resample lh.height fine.off coarse.off --mask some.shape.gii -o lh.again");
+  EXPECT_EQ(read_curv("lh.again"), north);
+  expect_message("resample lh.height fine.off coarse.off --areas some.shape.gii coarse.off --method adaptive -o lh.a",
+                 "some.shape.gii: has areas of some vertices of a surface, not of all");
+#endif
 }
 
 TEST_F(Resampling_program, spheres_are_carried_through_a_registration)
@@ -284,7 +303,7 @@ TEST_F(Resampling_program, names_labels_and_metadata_survive)
   file.columns.push_back({"halves", "NIFTI_INTENT_LABEL", SP::IO::Vertex_values::Type::int32, {}, {{"a", "b"}}});
   for(const auto& p : test_meshes::icosphere(3).points)
     file.columns[0].values.push_back(p[2] > 0. ? 3. : 7.);
-  const auto write = [&](std::ostream& out) { return SP::IO::write_GIFTI(out, file); };
+  const auto write = [&](auto& out, auto& message) { return SP::IO::write_GIFTI(out, file, message); };
   write_by("halves.label.gii", write);
   expect_success("resample halves.label.gii fine.off coarse.off -o coarse.label.gii");
   const SP::IO::Surface_file result = read_by("coarse.label.gii", SP::IO::read_GIFTI);
@@ -297,6 +316,23 @@ TEST_F(Resampling_program, names_labels_and_metadata_survive)
   EXPECT_EQ(result.labels[2].name, "south");
   for(std::size_t v = 0; v < directions.size(); ++v)
     EXPECT_TRUE(std::abs(directions[v][2]) < 0.2 || result.columns[0].values[v] == (directions[v][2] > 0. ? 3. : 7.));
+
+  // Labels are not averaged, whatever their type.
+  file.columns[0].type = SP::IO::Vertex_values::Type::float32;
+  write_by("floats.label.gii", write);
+  expect_success("resample floats.label.gii fine.off coarse.off -o again.label.gii");
+  EXPECT_EQ(read_by("again.label.gii", SP::IO::read_GIFTI).columns.at(0).values, result.columns[0].values);
+  file.columns[0].type = SP::IO::Vertex_values::Type::int32;
+
+  // What a format cannot hold is named.
+  SP::IO::Surface_file long_keys = file;
+  for(double& x : long_keys.columns[0].values)
+    x = x == 3. ? 3. : 16777217.;
+  write_by("large.label.gii", [&](auto& out, auto& message) { return SP::IO::write_GIFTI(out, long_keys, message); });
+  expect_messages("resample large.label.gii fine.off coarse.off ",
+                  {{"-o lh.a", "lh.a: The whole number 16777217 of vertex "},
+                   {"-o lh.a.annot", "lh.a.annot: A vertex has the label 16777217, which is not in the table"}});
+  expect_success("resample large.label.gii fine.off coarse.off -o a.mgh");
 
   // The table gets a label for what gets nothing.
   file.labels.erase(file.labels.begin());

@@ -153,7 +153,8 @@ protected:
   void write_by(const std::string& name, const Write& write) const
   {
     std::ofstream out = opened(name);
-    ASSERT_EQ(write(out), SP::OK);
+    std::string message;
+    ASSERT_EQ(write(out, message), SP::OK) << message;
   }
 
   // writes values of the vertices of a surface in the format of FreeSurfer
@@ -161,13 +162,14 @@ protected:
   {
     SP::IO::Vertex_values column;
     column.values = values;
-    write_by(name,
-             [&](std::ostream& out) { return SP::IO::write_FreeSurfer_curv(out, column, 2 * values.size() - 4); });
+    write_by(name, [&](auto& out, auto& message) {
+      return SP::IO::write_FreeSurfer_curv(out, column, 2 * values.size() - 4, message);
+    });
   }
 
   void write_surface(const std::string& name, const SP::IO::Surface_file& surface) const
   {
-    write_by(name, [&](std::ostream& out) { return SP::IO::write_FreeSurfer_surface(out, surface); });
+    write_by(name, [&](auto& out, auto& message) { return SP::IO::write_FreeSurfer_surface(out, surface, message); });
   }
 
   template <class Read>

@@ -83,15 +83,30 @@ inline void expect_robust(const Reader& reader, const std::string& content, cons
     }
 }
 
+// Returns what write(out, message) writes, which has to succeed.
 template <class Write>
 std::string written(const Write& write)
 {
   std::ostringstream out;
-  EXPECT_EQ(write(out), SP::OK);
+  std::string message = "of an earlier call";
+  EXPECT_EQ(write(out, message), SP::OK) << message;
+  EXPECT_EQ(message, "");
   std::ostringstream broken;
   broken.setstate(std::ios_base::badbit);
-  EXPECT_EQ(write(broken), SP::ERROR_CANNOT_WRITE_FILE);
+  EXPECT_EQ(write(broken, message), SP::ERROR_CANNOT_WRITE_FILE);
+  EXPECT_NE(message.find("could not be written"), std::string::npos);
   return out.str();
+}
+
+// What cannot be written is refused before the first byte.
+template <class Write>
+void expect_not_written(const Write& write, SP::Error_code error, const std::string& part_of_message)
+{
+  std::ostringstream out;
+  std::string message;
+  EXPECT_EQ(write(out, message), error) << part_of_message;
+  EXPECT_NE(message.find(part_of_message), std::string::npos) << message << "\nhas not: " << part_of_message;
+  EXPECT_EQ(out.str(), "");
 }
 
 // whether numbers have the same bits; those that are none as well

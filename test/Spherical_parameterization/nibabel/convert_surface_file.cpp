@@ -26,13 +26,14 @@ const std::map<std::string, SP::Error_code (*)(std::istream&, Surface_file&, std
     {"gifti", SP::IO::read_GIFTI},
     {"mgh", SP::IO::read_MGH}};
 
-const std::map<std::string, SP::Error_code (*)(std::ostream&, const Surface_file&)> writers = {
+const std::map<std::string, SP::Error_code (*)(std::ostream&, const Surface_file&, std::string&)> writers = {
     {"surface", SP::IO::write_FreeSurfer_surface},
-    {"curv", [](auto& out, const auto& file) { return SP::IO::write_FreeSurfer_curv(out, file.columns.front(), 0); }},
+    {"curv", [](auto& out, const auto& file,
+                auto& message) { return SP::IO::write_FreeSurfer_curv(out, file.columns.front(), 0, message); }},
     {"annot", SP::IO::write_FreeSurfer_annotation},
-    {"gifti", [](auto& out, const auto& file) { return SP::IO::write_GIFTI(out, file); }},
-    {"mgh", [](auto& out, const auto& file) { return SP::IO::write_MGH(out, file, false); }},
-    {"mgz", [](auto& out, const auto& file) { return SP::IO::write_MGH(out, file, true); }}};
+    {"gifti", [](auto& out, const auto& file, auto& message) { return SP::IO::write_GIFTI(out, file, message); }},
+    {"mgh", [](auto& out, const auto& file, auto& message) { return SP::IO::write_MGH(out, file, message, false); }},
+    {"mgz", [](auto& out, const auto& file, auto& message) { return SP::IO::write_MGH(out, file, message, true); }}};
 
 } // namespace
 
@@ -49,9 +50,9 @@ int main(int argc, char** argv)
     if(error == SP::OK)
     {
       std::ofstream out(argv[i + 3], std::ios::binary);
-      error = writers.at(argv[i + 2])(out, file);
-      if(error != SP::OK)
-        message = SP::get_error_message(error);
+      std::string problem;
+      error = writers.at(argv[i + 2])(out, file, problem);
+      message += problem;
     }
     if(error != SP::OK)
       status = EXIT_FAILURE;

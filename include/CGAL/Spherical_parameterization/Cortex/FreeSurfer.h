@@ -45,10 +45,11 @@ Error_code read_FreeSurfer_surface(std::istream& in, Surface_file& file, std::st
 ///
 /// \param out the file, in binary mode
 /// \param file what is written; values are left out
+/// \param message receives why nothing is written, in one line; empty with `OK`
 ///
-/// \return `OK`; `ERROR_OUT_OF_FLOAT_RANGE` if a coordinate is finite but beyond the numbers of 32 bits; or
+/// \return `OK`; `ERROR_OUT_OF_FLOAT_RANGE` if a coordinate is finite but beyond 32-bit numbers; or
 ///         `ERROR_CANNOT_WRITE_FILE`
-Error_code write_FreeSurfer_surface(std::ostream& out, const Surface_file& file);
+Error_code write_FreeSurfer_surface(std::ostream& out, const Surface_file& file, std::string& message);
 
 /// \ingroup PkgSphericalParameterizationFiles
 ///
@@ -68,10 +69,13 @@ Error_code read_FreeSurfer_curv(std::istream& in, Surface_file& file, std::strin
 ///
 /// \param out the file, in binary mode
 /// \param values the numbers
-/// \param number_of_triangles of the surface, which the file tells, too
+/// \param number_of_triangles of the surface, which the file has as well
+/// \param message receives why nothing is written, in one line; empty with `OK`
 ///
-/// \return `OK`; `ERROR_OUT_OF_FLOAT_RANGE`; or `ERROR_CANNOT_WRITE_FILE`
-Error_code write_FreeSurfer_curv(std::ostream& out, const Vertex_values& values, std::size_t number_of_triangles);
+/// \return `OK`; `ERROR_WRONG_PARAMETER` if a number is not of the type of `values`; `ERROR_OUT_OF_FLOAT_RANGE` if one is too
+///         large for 32 bits, or an integer that would lose digits; or `ERROR_CANNOT_WRITE_FILE`
+Error_code write_FreeSurfer_curv(std::ostream& out, const Vertex_values& values, std::size_t number_of_triangles,
+                                 std::string& message);
 
 /// \ingroup PkgSphericalParameterizationFiles
 ///
@@ -94,11 +98,13 @@ Error_code read_FreeSurfer_annotation(std::istream& in, Surface_file& file, std:
 ///
 /// \param out the file, in binary mode
 /// \param file the column and the labels
+/// \param message receives why nothing is written, in one line; empty with `OK`
 ///
-/// \return `OK`; `ERROR_WRONG_PARAMETER` if there is no column, a vertex has a key without label, a key is negative, or
-///         a label that a vertex has is of the same colour as one before it, by which annotations tell them apart; or
-///         `ERROR_CANNOT_WRITE_FILE`
-Error_code write_FreeSurfer_annotation(std::ostream& out, const Surface_file& file);
+/// \return `OK`; `ERROR_WRONG_PARAMETER` if the reader would refuse the file or find other labels: there is no column, a vertex
+///         has a key without label, two labels have the same key, the key of a label with a name is negative or above
+///         2<sup>24</sup>, a component of a colour is not from 0 to 1, or a label that a vertex has is of the same colour as one
+///         before it; or `ERROR_CANNOT_WRITE_FILE`
+Error_code write_FreeSurfer_annotation(std::ostream& out, const Surface_file& file, std::string& message);
 
 /// \ingroup PkgSphericalParameterizationFiles
 ///

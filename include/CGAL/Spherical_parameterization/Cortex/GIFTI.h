@@ -192,8 +192,10 @@ namespace IO {
 /// reads a GIFTI file \cgalCite{cgal:gifti-11} - a surface (`.surf.gii`), values of vertices (`.shape.gii`, `.func.gii`), labels
 /// (`.label.gii`), or all of them. All encodings but that in a second file are read, both orders of bytes, and numbers of all
 /// types that doubles can hold. Metadata and coordinate systems are kept; points are not transformed. An array of several columns
-/// becomes as many columns, numbered from 1. The file may be packed by gzip (`.gii.gz`). Memory is bounded by the size of the file; what
-/// is packed may unpack to 64 MB, or to 250 times its size.
+/// becomes as many columns, numbered from 1. Values with node indices are sorted by these, which `vertices` receives, whether they
+/// are of all vertices or not. Numbers with the intent of labels have to be whole, of whatever type. The file may be packed
+/// by gzip (`.gii.gz`). Memory is bounded by the size of the file: what is packed may unpack to 32 MB of doubles, or to 250 times
+/// the size of the file.
 ///
 /// This header needs expat and zlib, and is not among those that `CGAL/spherical_parameterization.h` includes.
 ///
@@ -224,19 +226,20 @@ inline Error_code read_GIFTI(std::istream& in, Surface_file& file, std::string& 
 ///
 /// \param out the file
 /// \param file what is written; the metadata say, for example, which part of the body a surface is of
+/// \param message receives why nothing is written, in one line; empty with `OK`
 /// \param is_packed whether the file as a whole is packed by gzip, as the name `.gii.gz` says
 ///
 /// \return `OK`; `ERROR_WRONG_PARAMETER` if a number of a column is not of its type; `ERROR_OUT_OF_FLOAT_RANGE` if a
-///         number is finite but beyond those of 32 bits; or `ERROR_CANNOT_WRITE_FILE`
-inline Error_code write_GIFTI(std::ostream& out, const Surface_file& file, bool is_packed = false)
+///         number is finite but beyond 32-bit numbers; or `ERROR_CANNOT_WRITE_FILE`
+inline Error_code write_GIFTI(std::ostream& out, const Surface_file& file, std::string& message, bool is_packed = false)
 {
-  for(const Vertex_values& column : file.columns)
-    if(!internal::are_of_their_type(column))
-      return ERROR_WRONG_PARAMETER;
-  if(!internal::are_in_float_range(file.points) || !internal::are_in_float_range(file.columns))
-    return ERROR_OUT_OF_FLOAT_RANGE;
+  message.clear();
+  if(const Error_code error = internal::check_columns(file.columns, false, message); error != OK)
+    return error;
+  if(const Error_code error = internal::check_points(file.points, message); error != OK)
+    return error;
   const std::string text = internal::Gifti_writer()(file);
-  return internal::is_written(out, is_packed ? internal::pack(text, true) : text) ? OK : ERROR_CANNOT_WRITE_FILE;
+  return internal::write_bytes(out, is_packed ? internal::pack(text, true) : text, message);
 }
 
 } // namespace IO

@@ -88,7 +88,7 @@ inline void read_mgh(const std::string& content, IO::Surface_file& file, std::st
   if(is_packed)
   {
     constexpr std::size_t max_footer = std::size_t(1) << 22; // bytes: parameters and commands
-    check_unpacked_size(size, content.size());
+    check_unpacked_size(header.number_of_vertices * header.number_of_frames * sizeof(double), content.size());
     unpacked = unpack(content, size + max_footer, true);
     if(unpacked.size() > size + max_footer)
       throw File_error("The data are longer than the header says, which are ", header.number_of_vertices,
@@ -137,7 +137,7 @@ namespace IO {
 ///
 /// reads the values of vertices from a file in the format MGH of FreeSurfer, packed by gzip (`.mgz`) or not (`.mgh`). Each frame
 /// becomes a column without name. All types of numbers are read: bytes, and those of 16 and 32 bits. Memory is bounded by the size
-/// of the file; a packed file may unpack to 64 MB or to 250 times its size.
+/// of the file: a packed file may unpack to 32 MB of doubles, or to 250 times its size.
 ///
 /// This header needs zlib, and is not among those that `CGAL/spherical_parameterization.h` includes.
 ///
@@ -158,26 +158,30 @@ inline Error_code read_MGH(std::istream& in, Surface_file& file, std::string& me
 ///
 /// \param out the file, in binary mode
 /// \param file the columns
+/// \param message receives why nothing is written, in one line; empty with `OK`
 /// \param is_packed whether the file is packed by gzip, as the name `.mgz` says
 ///
 /// \return `OK`; `ERROR_WRONG_PARAMETER` if there is no column, their lengths differ or are 0, or a number is not of the type of its
-///         column; `ERROR_OUT_OF_FLOAT_RANGE`; or `ERROR_CANNOT_WRITE_FILE`
-inline Error_code write_MGH(std::ostream& out, const Surface_file& file, bool is_packed)
+///         column; `ERROR_OUT_OF_FLOAT_RANGE` if a number is too large for 32 bits, or an integer beside a column of floating-point
+///         numbers would lose digits; or `ERROR_CANNOT_WRITE_FILE`
+inline Error_code write_MGH(std::ostream& out, const Surface_file& file, std::string& message, bool is_packed)
 {
+  message.clear();
   using Type = Vertex_values::Type;
   const std::size_t n = file.columns.empty() ? 0 : file.columns.front().values.size();
   bool is_whole = true, is_byte = true;
   for(const Vertex_values& column : file.columns)
   {
-    if(column.values.size() != n || !internal::are_of_their_type(column))
-      return ERROR_WRONG_PARAMETER;
+    if(column.values.size() != n)
+      return internal::refuse(message, ERROR_WRONG_PARAMETER, "Column ", internal::in_quotes(column.name), " has ",
+                              column.values.size(), " values, but the first one ", n, ".");
     is_whole = is_whole && column.type != Type::float32;
     is_byte = is_byte && column.type == Type::uint8;
   }
   if(n == 0)
-    return ERROR_WRONG_PARAMETER;
-  if(!internal::are_in_float_range(file.columns))
-    return ERROR_OUT_OF_FLOAT_RANGE;
+    return internal::refuse(message, ERROR_WRONG_PARAMETER, "There are no values, which an MGH file holds.");
+  if(const Error_code error = internal::check_columns(file.columns, !is_whole, message); error != OK)
+    return error;
   using Header = internal::Mgh_header;
   internal::Byte_writer bytes;
   for(const std::size_t x : {std::size_t(1), n, std::size_t(1), std::size_t(1), file.columns.size()})
@@ -196,8 +200,7 @@ inline Error_code write_MGH(std::ostream& out, const Surface_file& file, bool is
         bytes.write(static_cast<std::int32_t>(x));
       else
         bytes.write(static_cast<float>(x));
-  const bool is_done = internal::is_written(out, is_packed ? internal::pack(bytes.content, true) : bytes.content);
-  return is_done ? OK : ERROR_CANNOT_WRITE_FILE;
+  return internal::write_bytes(out, is_packed ? internal::pack(bytes.content, true) : bytes.content, message);
 }
 
 } // namespace IO

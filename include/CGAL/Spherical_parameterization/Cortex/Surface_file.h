@@ -88,7 +88,7 @@ struct Surface_file
   std::vector<std::array<double, 3>> points;           ///< in the order of the file; none in a file of values
   std::vector<std::array<std::uint32_t, 3>> triangles; ///< by the indices of points
   std::vector<Vertex_values> columns;                  ///< of the same length all
-  std::vector<std::uint32_t> vertices;                 ///< that the values are of, if not those from 0 on
+  std::vector<std::uint32_t> vertices;                 ///< that the values are of; empty: those from 0 on
   std::vector<Label> labels;                           ///< of the columns that hold keys
   Surface_origin origin;                               ///< what else is known of the surface
 };

@@ -34,6 +34,8 @@
 namespace CGAL::Spherical_parameterization {
 namespace internal {
 
+constexpr std::int32_t max_key_of_annotation = 1 << 24; // there are no more colours
+
 // What is in the first three bytes of the files.
 constexpr std::uint32_t magic_of_triangles = 0xFFFFFE, magic_of_quadrangles = 0xFFFFFD, magic_of_curv = 0xFFFFFF;
 
@@ -131,7 +133,6 @@ inline void read_color_table(Byte_reader& in, IO::Surface_file& file)
   if(has_numbers)
     n = static_cast<std::int32_t>(in.read_count("entries of the colour table", min_size));
   in.check_count(n, "entries of the colour table", min_size, begin);
-  constexpr std::int32_t max_key = 1 << 24; // there are no more colours
   std::set<std::int32_t> keys;
   for(std::int32_t k = 0; k < n; ++k)
   {
@@ -149,7 +150,7 @@ inline void read_color_table(Byte_reader& in, IO::Surface_file& file)
     label.color[3] = 1. - label.color[3]; // it is how transparent the colour is
     if(label.name.empty())
       label.name = File_error::join("structure ", label.key); // or its colour would be one without entry
-    const bool is_possible = label.key >= 0 && label.key <= max_key;
+    const bool is_possible = label.key >= 0 && label.key <= max_key_of_annotation;
     if(!is_possible || !keys.insert(label.key).second)
       throw File_error("Byte ", begin_of_entry, ": entry ", k, " of the colour table has the number ", label.key,
                        is_possible ? ", as another one has" : ", which is out of range", ": the file is damaged.");
@@ -272,10 +273,12 @@ CGAL_SPHERICAL_PARAMETERIZATION_INLINE Error_code read_FreeSurfer_surface(std::i
   return internal::read_or_tell(in, file, message, internal::read_freesurfer_surface);
 }
 
-CGAL_SPHERICAL_PARAMETERIZATION_INLINE Error_code write_FreeSurfer_surface(std::ostream& out, const Surface_file& file)
+CGAL_SPHERICAL_PARAMETERIZATION_INLINE Error_code write_FreeSurfer_surface(std::ostream& out, const Surface_file& file,
+                                                                           std::string& message)
 {
-  if(!internal::are_in_float_range(file.points))
-    return ERROR_OUT_OF_FLOAT_RANGE;
+  message.clear();
+  if(const Error_code error = internal::check_points(file.points, message); error != OK)
+    return error;
   internal::Byte_writer bytes;
   const std::string& line = file.origin.created_by;
   bytes.content = "\xFF\xFF\xFE" +
@@ -288,7 +291,7 @@ CGAL_SPHERICAL_PARAMETERIZATION_INLINE Error_code write_FreeSurfer_surface(std::
   for(const std::array<std::uint32_t, 3>& t : file.triangles)
     for(const std::uint32_t v : t)
       bytes.write(v);
-  return internal::is_written(out, bytes.content + file.origin.footer) ? OK : ERROR_CANNOT_WRITE_FILE;
+  return internal::write_bytes(out, bytes.content + file.origin.footer, message);
 }
 
 CGAL_SPHERICAL_PARAMETERIZATION_INLINE Error_code read_FreeSurfer_curv(std::istream& in, Surface_file& file,
@@ -298,20 +301,20 @@ CGAL_SPHERICAL_PARAMETERIZATION_INLINE Error_code read_FreeSurfer_curv(std::istr
 }
 
 CGAL_SPHERICAL_PARAMETERIZATION_INLINE Error_code write_FreeSurfer_curv(std::ostream& out, const Vertex_values& values,
-                                                                        std::size_t number_of_triangles)
+                                                                        std::size_t number_of_triangles,
+                                                                        std::string& message)
 {
+  message.clear();
+  if(const Error_code error = internal::check_columns({values}, true, message); error != OK)
+    return error;
   internal::Byte_writer bytes;
   bytes.content = "\xFF\xFF\xFF";
   bytes.write(static_cast<std::int32_t>(values.values.size()));
   bytes.write(static_cast<std::int32_t>(number_of_triangles));
   bytes.write(std::int32_t(1)); // number for each vertex
   for(const double x : values.values)
-  {
-    if(!internal::is_in_float_range(x))
-      return ERROR_OUT_OF_FLOAT_RANGE;
     bytes.write(static_cast<float>(x));
-  }
-  return internal::is_written(out, bytes.content) ? OK : ERROR_CANNOT_WRITE_FILE;
+  return internal::write_bytes(out, bytes.content, message);
 }
 
 CGAL_SPHERICAL_PARAMETERIZATION_INLINE Error_code read_FreeSurfer_annotation(std::istream& in, Surface_file& file,
@@ -321,35 +324,48 @@ CGAL_SPHERICAL_PARAMETERIZATION_INLINE Error_code read_FreeSurfer_annotation(std
 }
 
 CGAL_SPHERICAL_PARAMETERIZATION_INLINE Error_code write_FreeSurfer_annotation(std::ostream& out,
-                                                                              const Surface_file& file)
+                                                                              const Surface_file& file,
+                                                                              std::string& message)
 {
+  message.clear();
+  const auto refuse = [&](const auto&... parts) { return internal::refuse(message, ERROR_WRONG_PARAMETER, parts...); };
   if(file.columns.empty())
-    return ERROR_WRONG_PARAMETER;
+    return refuse("There is no column of labels, which an annotation holds.");
   std::map<double, std::uint32_t> colors;
   std::map<std::uint32_t, std::int32_t> keys; // of the first label with a colour
+  std::set<double> all_keys;
   std::int32_t max_key = -1, n_named = 0;
   for(const Label& label : file.labels)
   {
+    for(const double x : label.color)
+      if(!(x >= 0. && x <= 1.))
+        return refuse("Label ", label.key, " has the colour component ", x, ", which is not from 0 to 1.");
+    if(!all_keys.insert(label.key).second)
+      return refuse("Two labels have the key ", label.key, ".");
     const std::uint32_t color = internal::color_of_annotation(label);
     if(keys.emplace(color, label.key).second)
       colors.emplace(label.key, color);
     if(label.name.empty())
       continue;
-    if(label.key < 0)
-      return ERROR_WRONG_PARAMETER;
+    if(label.key < 0 || label.key > internal::max_key_of_annotation)
+      return refuse("The key ", label.key, " of a label is not from 0 to ", internal::max_key_of_annotation,
+                    ", as those of annotations are: number the labels anew, or write a GIFTI file.");
     max_key = (std::max)(max_key, label.key);
     ++n_named;
   }
+  for(const double key : file.columns.front().values)
+    if(colors.count(key) == 0)
+      return refuse("A vertex has the label ", key,
+                    all_keys.count(key) == 0 ? ", which is not in the table of labels."
+                                             : ", whose colour is that of a label before it, by which annotations "
+                                               "distinguish them: give it another one.");
   internal::Byte_writer bytes;
   bytes.write(static_cast<std::int32_t>(file.columns.front().values.size()));
   std::int32_t v = 0;
   for(const double key : file.columns.front().values)
   {
-    const auto color = colors.find(key);
-    if(color == colors.end())
-      return ERROR_WRONG_PARAMETER;
     bytes.write(v++);
-    bytes.write(color->second);
+    bytes.write(colors.at(key));
   }
   for(const std::int32_t number : {1, -2, max_key + 1}) // one table, of version 2, and the bound on its numbers
     bytes.write(number);
@@ -365,7 +381,7 @@ CGAL_SPHERICAL_PARAMETERIZATION_INLINE Error_code write_FreeSurfer_annotation(st
         bytes.write(static_cast<std::int32_t>(color >> shift & 255));
       bytes.write(255 - static_cast<std::int32_t>(std::lround(255. * label.color[3])));
     }
-  return internal::is_written(out, bytes.content) ? OK : ERROR_CANNOT_WRITE_FILE;
+  return internal::write_bytes(out, bytes.content, message);
 }
 
 CGAL_SPHERICAL_PARAMETERIZATION_INLINE Error_code read_FreeSurfer_label(std::istream& in, Surface_file& file,

@@ -110,7 +110,7 @@ struct Gifti_array
   std::size_t columns() const { return static_cast<std::size_t>(dimensions.size() > 1 ? dimensions[1] : 1); }
 };
 
-// Decodes the text of an array. Returns its numbers row by row. What all arrays of a file unpack to is bounded by its size.
+// Decodes the text of an array. Returns its numbers row by row. How many all arrays of a file have is bounded by its size.
 class Gifti_data
 {
 public:
@@ -158,12 +158,13 @@ private:
     {
       const std::string bytes = from_base64(text);
       check_size(bytes.size());
+      add_numbers(n);
       numbers = read_binary<Number>(bytes, n);
     }
     else if(m_array.encoding == "GZipBase64Binary" || m_array.encoding == "GIFTI_ENCODING_B64GZ")
     {
       const std::string packed = from_base64(text);
-      check_unpacked_size(m_unpacked_size += size, m_file_size);
+      add_numbers(n);
       const std::string bytes = unpack(packed, size, false);
       check_size(bytes.size());
       numbers = read_binary<Number>(bytes, n);
@@ -176,6 +177,12 @@ private:
                        " is unknown: it is ASCII, Base64Binary or GZipBase64Binary.");
     const bool is_by_column = is_second(m_array.order, "RowMajorOrder", "ColumnMajorOrder");
     return is_by_column && m_array.columns() > 1 ? transposed(numbers) : numbers;
+  }
+
+  void add_numbers(std::size_t n)
+  {
+    m_unpacked_size += n * sizeof(double);
+    check_unpacked_size(m_unpacked_size, m_file_size);
   }
 
   // of the two values of an attribute
@@ -204,6 +211,7 @@ private:
     using Limits = std::numeric_limits<Number>;
     if(n > text.size()) // before memory is asked for
       throw File_error("the text is too short for ", n, " numbers: ", truncated);
+    add_numbers(n);
     Number_text words(text);
     std::vector<double> numbers;
     for(numbers.reserve(n); numbers.size() < n;)
@@ -240,7 +248,7 @@ private:
 
   const Gifti_array& m_array;
   std::size_t m_file_size;
-  std::size_t& m_unpacked_size; // of the arrays so far
+  std::size_t& m_unpacked_size; // bytes of the numbers of the arrays so far
 };
 
 } // namespace CGAL::Spherical_parameterization::internal

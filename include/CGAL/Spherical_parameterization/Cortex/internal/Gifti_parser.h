@@ -30,6 +30,7 @@
 #include <limits>
 #include <memory>
 #include <new>
+#include <numeric>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -58,6 +59,7 @@ public:
     XML_SetElementHandler(m_parser, start, end);
     XML_SetCharacterDataHandler(m_parser, add_text);
     XML_SetStartDoctypeDeclHandler(m_parser, refuse_declarations);
+    XML_SetSkippedEntityHandler(m_parser, refuse_entity);
     XML_Status status = XML_STATUS_OK;
     do
     {
@@ -75,6 +77,7 @@ public:
     if(!m_is_gifti)
       throw File_error("This is an XML file, but no GIFTI file.");
     check_all();
+    sort_by_indices();
     if(m_n_arrays != m_n_declared)
       message = File_error::join("The header tells of ", m_n_declared, " arrays, but there are ", m_n_arrays, ".\n");
   }
@@ -125,6 +128,31 @@ private:
     });
   }
 
+  // As the DTD is not read, expat skips what might be declared there, and numbers would lose digits.
+  static void XMLCALL refuse_entity(void* data, const XML_Char* name, int)
+  {
+    guard(data, [&](Gifti_parser& self) {
+      self.fail("the entity ", in_quotes(name), " is not declared: the file is damaged.");
+    });
+  }
+
+  // In attributes, expat skips them without a call.
+  void check_entities_of_attributes() const
+  {
+    int begin = 0, size = 0;
+    const char* const text = XML_GetInputContext(m_parser, &begin, &size);
+    std::string_view tag(text == nullptr ? "" : text, text == nullptr ? 0 : static_cast<std::size_t>(size));
+    tag = tag.substr(static_cast<std::size_t>(begin));
+    tag = tag.substr(0, static_cast<std::size_t>(XML_GetCurrentByteCount(m_parser)));
+    for(std::size_t k = tag.find('&'); k < tag.size(); k = tag.find('&', k + 1))
+    {
+      const std::string_view name = tag.substr(k + 1, (std::min)(tag.find(';', k), tag.size()) - k - 1);
+      constexpr std::array<std::string_view, 5> known = {"lt", "gt", "amp", "quot", "apos"};
+      if(name.substr(0, 1) != "#" && std::find(known.begin(), known.end(), name) == known.end())
+        fail("the entity ", in_quotes(name), " is not declared: the file is damaged.");
+    }
+  }
+
   // what is wrong with an array, or an element
   template <class... What>
   [[noreturn]] void fail(const What&... what) const
@@ -157,6 +185,7 @@ private:
     constexpr std::size_t max_depth = 32;
     if(++m_depth > max_depth)
       fail("elements are nested deeper than in any GIFTI file: it is damaged.");
+    check_entities_of_attributes();
     if(m_depth == 1)
     {
       m_is_gifti = name == "GIFTI";
@@ -302,8 +331,12 @@ private:
       origin.metadata_of_triangles = std::move(m_array->metadata);
     }
     else if(m_array->intent == "NIFTI_INTENT_NODE_INDEX")
+    {
+      if(std::exchange(m_has_indices, true))
+        fail("the file has two of them, but values are of one choice of vertices.");
       for(const double x : m_numbers)
         m_file->vertices.push_back(index_of(x));
+    }
     else
     {
       check_number_of_columns(m_file->columns.size() + n_columns);
@@ -343,6 +376,9 @@ private:
     column.type = m_array->type.find("FLOAT") != std::string::npos ? Type::float32
                   : m_array->type == "NIFTI_TYPE_UINT8"            ? Type::uint8
                                                                    : Type::int32;
+    const bool is_label = column.intent == "NIFTI_INTENT_LABEL";
+    if(is_label && column.type == Type::float32)
+      column.type = Type::int32; // as keys are not to be averaged
     for(const auto& pair : m_array->metadata)
       if(pair.first == "Name")
         column.name = pair.second;
@@ -350,8 +386,14 @@ private:
         column.metadata.push_back(pair);
     if(n_columns > 1)
       column.name += (column.name.empty() ? "" : " ") + std::to_string(k + 1);
+    column.values.reserve(n);
     for(std::size_t i = 0; i < n; ++i)
-      column.values.push_back(m_numbers[i * n_columns + k]);
+    {
+      const double x = m_numbers[i * n_columns + k];
+      if(is_label && !(x == std::floor(x) && std::abs(x) <= (std::numeric_limits<std::int32_t>::max)()))
+        fail("it has the label ", x, ", but the keys of labels are whole numbers of 32 bits: the file is damaged.");
+      column.values.push_back(x);
+    }
     m_file->columns.push_back(std::move(column));
   }
 
@@ -370,11 +412,34 @@ private:
     }
   }
 
+  // Sorts the values by the indices of their vertices.
+  void sort_by_indices() const
+  {
+    std::vector<std::uint32_t>& vertices = m_file->vertices;
+    const std::vector<std::uint32_t> indices = vertices;
+    std::vector<std::size_t> order(indices.size());
+    std::iota(order.begin(), order.end(), std::size_t(0));
+    std::sort(order.begin(), order.end(), [&](std::size_t i, std::size_t j) { return indices[i] < indices[j]; });
+    const auto sort = [&](auto& items) {
+      const auto unsorted = items;
+      std::transform(order.begin(), order.end(), items.begin(), [&](std::size_t i) { return unsorted[i]; });
+    };
+    sort(vertices);
+    if(!vertices.empty())
+      for(IO::Vertex_values& column : m_file->columns)
+        sort(column.values);
+    if(const auto twice = std::adjacent_find(vertices.begin(), vertices.end()); twice != vertices.end())
+      throw File_error("The indices of vertices have ", *twice, " twice: the file is damaged.");
+    if(!vertices.empty() && !m_file->points.empty() && vertices.back() >= m_file->points.size())
+      throw File_error("The indices of vertices have ", vertices.back(), ", but there are ", m_file->points.size(),
+                       " vertices, counted from 0: the file is damaged.");
+  }
+
   XML_Parser m_parser = nullptr;
   IO::Surface_file* m_file = nullptr;
   std::exception_ptr m_exception;
   std::size_t m_file_size, m_unpacked_size = 0, m_depth = 0, m_n_declared = 0, m_n_arrays = 0;
-  bool m_is_gifti = false, m_has_text = false, m_has_points = false, m_has_triangles = false;
+  bool m_is_gifti = false, m_has_text = false, m_has_points = false, m_has_triangles = false, m_has_indices = false;
   std::string m_text; // of the element
   std::pair<std::string, std::string> m_pair;
   IO::Coordinate_system m_system;

@@ -28,19 +28,19 @@
 
 namespace CGAL::Spherical_parameterization::internal {
 
-// Returns how large packed data of this size may be, such that they do not fill the memory. zlib packs a thousand zeros into one
-// byte, but measurements do not repeat so much.
-inline std::size_t max_unpacked_size(std::size_t packed_size)
+// Returns how many bytes a file of this size may take in memory, so that it does not fill it. zlib packs a thousand zeros into one byte,
+// but measurements do not repeat so much. Values count as the doubles that they become.
+inline std::size_t max_unpacked_size(std::size_t file_size)
 {
-  constexpr std::size_t usual_size = std::size_t(1) << 26, usual_factor = 250;
-  return (std::max)(usual_size, usual_factor * packed_size);
+  constexpr std::size_t usual_size = std::size_t(1) << 25, usual_factor = 250;
+  return (std::max)(usual_size, usual_factor * file_size);
 }
 
-// Throws if packed data of this size claim to be larger than that.
-inline void check_unpacked_size(std::size_t size, std::size_t packed_size)
+// Throws if a file of this size is to take more than that.
+inline void check_unpacked_size(std::size_t size, std::size_t file_size)
 {
-  if(size > max_unpacked_size(packed_size))
-    throw File_error(packed_size, " bytes are to be unpacked to ", size,
+  if(size > max_unpacked_size(file_size))
+    throw File_error(file_size, " bytes are to be unpacked to ", size,
                      ", which no measurements are: the numbers in the header are wrong, or the file is there to fill "
                      "the memory.");
 }

@@ -15,39 +15,76 @@
 #include <CGAL/license/Spherical_parameterization.h>
 
 #include <CGAL/Spherical_parameterization/Cortex/Surface_file.h>
+#include <CGAL/Spherical_parameterization/Error_code.h>
 #include <CGAL/Spherical_parameterization/internal/files/File_bytes.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
+#include <ostream>
+#include <string>
 #include <vector>
 
 namespace CGAL::Spherical_parameterization::internal {
 
-inline bool are_in_float_range(const std::vector<IO::Vertex_values>& columns)
+// Says what cannot be written, and returns its code.
+template <class... Part>
+Error_code refuse(std::string& message, Error_code code, const Part&... parts)
 {
-  return std::all_of(columns.begin(), columns.end(), [](const auto& column) {
-    return std::all_of(column.values.begin(), column.values.end(), is_in_float_range);
-  });
+  message = File_error::join(parts...);
+  return code;
 }
 
-// Returns whether all numbers are in the range of their type, and integers if it is a type of integers.
-inline bool are_of_their_type(const IO::Vertex_values& column)
+inline Error_code write_bytes(std::ostream& out, const std::string& bytes, std::string& message)
+{
+  const Error_code error = ERROR_CANNOT_WRITE_FILE;
+  return is_written(out, bytes) ? OK : refuse(message, error, get_error_message(error));
+}
+
+inline Error_code check_points(const std::vector<std::array<double, 3>>& points, std::string& message)
+{
+  for(std::size_t v = 0; v < points.size(); ++v)
+    for(const double x : points[v])
+      if(!is_in_float_range(x))
+        return refuse(message, ERROR_OUT_OF_FLOAT_RANGE, "Vertex ", v, " has the coordinate ", x,
+                      ", which is too large for a 32-bit number: scale the surface first, or write an OFF file.");
+  return OK;
+}
+
+// Checks that each number is of the type of its column, and that a file whose numbers are of 32 bits holds it: `are_floats` says
+// that integers are written as floating-point numbers, too.
+inline Error_code check_columns(const std::vector<IO::Vertex_values>& columns, bool are_floats, std::string& message)
 {
   using Type = IO::Vertex_values::Type;
-  const double min = column.type == Type::uint8 ? 0. : (std::numeric_limits<std::int32_t>::min)(),
-               max = column.type == Type::uint8 ? 255. : (std::numeric_limits<std::int32_t>::max)();
-  return column.type == Type::float32 || std::all_of(column.values.begin(), column.values.end(), [&](double x) {
-           return x >= min && x <= max && x == std::floor(x);
-         });
+  for(const IO::Vertex_values& column : columns)
+    for(std::size_t v = 0; v < column.values.size(); ++v)
+    {
+      const double x = column.values[v], min = column.type == Type::uint8 ? 0. : -2147483648.,
+                   max = column.type == Type::uint8 ? 255. : 2147483647.;
+      if(column.type == Type::float32)
+      {
+        if(!is_in_float_range(x))
+          return refuse(message, ERROR_OUT_OF_FLOAT_RANGE, "The value ", x, " of vertex ", v, " in column ",
+                        in_quotes(column.name), " is too large for a 32-bit number: scale the values first.");
+      }
+      else if(!(x >= min && x <= max && x == std::floor(x)))
+        return refuse(message, ERROR_WRONG_PARAMETER, "The value ", x, " of vertex ", v, " in column ",
+                      in_quotes(column.name), " is no whole number from ", static_cast<std::int64_t>(min), " to ",
+                      static_cast<std::int64_t>(max), ", as its type says: change the type to float32.");
+      else if(are_floats && x != static_cast<double>(static_cast<float>(x)))
+        return refuse(message, ERROR_OUT_OF_FLOAT_RANGE, "The whole number ", static_cast<std::int64_t>(x),
+                      " of vertex ", v, " in column ", in_quotes(column.name),
+                      " would lose digits as a 32-bit floating-point number: write a GIFTI file.");
+    }
+  return OK;
 }
 
 // Throws if the values of each vertex are so many that what is kept for each column would fill the memory.
 inline void check_number_of_columns(std::size_t n)
 {
-  constexpr std::size_t max_columns = 1 << 16;
+  constexpr std::size_t max_columns = 1 << 14;
   if(n > max_columns)
     throw File_error("The file has ", n, " values for each vertex, more than ", max_columns,
                      ": it is damaged, or no file of values of vertices.");

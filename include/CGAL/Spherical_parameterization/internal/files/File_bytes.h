@@ -53,6 +53,8 @@ public:
   {
     std::ostringstream text;
     text.imbue(std::locale::classic());
+    text.precision(std::numeric_limits<std::int32_t>::digits10 +
+                   1); // so that whole numbers of 32 bits are what they are
     (text << ... << parts);
     return text.str();
   }
@@ -199,12 +201,6 @@ private:
 inline bool is_in_float_range(double x)
 {
   return !std::isfinite(x) || std::abs(x) <= static_cast<double>((std::numeric_limits<float>::max)());
-}
-
-inline bool are_in_float_range(const std::vector<std::array<double, 3>>& points)
-{
-  return std::all_of(points.begin(), points.end(),
-                     [](const auto& p) { return std::all_of(p.begin(), p.end(), is_in_float_range); });
 }
 
 // Writes binary numbers.
