@@ -11,6 +11,8 @@
 #include <random>
 #include <streambuf>
 
+#include <fcntl.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <sys/types.h>
 #include <unistd.h>
@@ -81,6 +83,32 @@ void sweep_temporary_files(const std::filesystem::path& folder)
        process > 0 && kill(process, 0) != 0 && errno == ESRCH)
       fs::remove(entry->path(), ignored);
   }
+}
+
+Folder_lock::Folder_lock(const std::filesystem::path& folder)
+  : m_path(folder / ".spherical_parameterization.lock")
+{
+  constexpr int max_attempts = 1000; // where files have no lasting numbers
+  for(int k = 0; k < max_attempts; ++k)
+  {
+    m_file = open(m_path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0666);
+    if(m_file == -1 || flock(m_file, LOCK_EX) != 0)
+      return;
+    struct stat locked, named;
+    if(fstat(m_file, &locked) == 0 && lstat(m_path.c_str(), &named) == 0 && locked.st_dev == named.st_dev &&
+       locked.st_ino == named.st_ino)
+      return;
+    close(m_file); // who had the lock has removed the file
+    m_file = -1;
+  }
+}
+
+Folder_lock::~Folder_lock()
+{
+  if(m_file == -1)
+    return;
+  unlink(m_path.c_str());
+  close(m_file);
 }
 
 // A file that appears complete or not at all: it is written under another name in the same folder, and renamed in the end.
@@ -165,6 +193,8 @@ public:
     m_is_committed = true;
   }
 
+  bool is_direct() const { return m_is_direct; }
+
   std::string name;                 // as it was given
   std::filesystem::path path;       // of the file itself, behind links if these are followed
   std::optional<Checksum> checksum; // of what has been written
@@ -230,6 +260,9 @@ std::optional<Checksum> Output_files::checksum(const std::string& name) const
 
 void Output_files::commit()
 {
+  std::optional<Folder_lock> lock;
+  if(m_files.size() > 1 && !m_files.front()->is_direct())
+    lock.emplace(m_files.front()->path.parent_path());
   for(const auto& file : m_files)
     file->commit();
 }
