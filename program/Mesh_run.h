@@ -20,9 +20,6 @@ public:
   /// \param component the part of the surface that is mapped, if the options ask for one: 0 is the largest
   Mesh_run(const Options& options, const File_names& names, std::size_t component = 0);
 
-  /// removes the files that an earlier run has left under the same names.
-  void remove_earlier_files() { m_files.remove_earlier(); }
-
   /// reads the mesh, and repairs it as the options say. This comes before all that follows.
   void read();
 

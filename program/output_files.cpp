@@ -177,13 +177,6 @@ public:
       checksum = buffer.checksum;
   }
 
-  void remove_earlier()
-  {
-    if(!m_is_direct)
-      std::filesystem::remove(path, m_error);
-    check_error();
-  }
-
   void commit()
   {
     if(m_is_direct || m_is_committed)
@@ -240,12 +233,6 @@ Output_files::Output_files(const Words& names, const Words& inputs, Output_polic
 }
 
 Output_files::~Output_files() = default;
-
-void Output_files::remove_earlier()
-{
-  for(auto file = m_files.rbegin(); file != m_files.rend(); ++file)
-    (*file)->remove_earlier();
-}
 
 void Output_files::write(const std::string& name, const std::function<void(std::ostream&)>& write)
 {

@@ -64,9 +64,6 @@ public:
 
   ~Output_files();
 
-  /// removes the files that have these names now, the last one first: a report is never beside the map of another run.
-  void remove_earlier();
-
   /// writes all of a file by `write(stream)`, still under another name; nothing if the name is empty.
   void write(const std::string& name, const std::function<void(std::ostream&)>& write);
 

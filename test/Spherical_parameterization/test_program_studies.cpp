@@ -106,6 +106,16 @@ TEST_F(Studies, nothing_of_others_is_replaced)
   expect_message("batch " + beside + " --resume", "SUBJECTS/ernie/surf/lh.sphere: is there already");
 }
 
+TEST_F(Studies, nothing_of_others_is_removed_for_a_surface_that_fails)
+{
+  write_surface("SUBJECTS/ernie/surf/lh.sphere", surface);
+  const std::string own = content(path("SUBJECTS/ernie/surf/lh.sphere"));
+  write("SUBJECTS/ernie/surf/lh.white", "");
+  const std::string beside = "SUBJECTS --surfaces 'lh.white' --output-folder SUBJECTS --overwrite";
+  expect_mapped(beside, 1, 0, 1);
+  EXPECT_EQ(content(path("SUBJECTS/ernie/surf/lh.sphere")), own);
+}
+
 TEST_F(Studies, links_are_followed_but_not_written_through)
 {
   write_surface("elsewhere/fsaverage/surf/lh.white", surface);
