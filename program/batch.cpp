@@ -180,6 +180,8 @@ private:
     std::optional<Mesh_run> run; // none until it is known that all files may be replaced
     try
     {
+      if(!names.fault.empty())
+        throw Program_error(names.fault);
       const std::filesystem::path folder = std::filesystem::path(names.json).parent_path();
       std::error_code error;
       if(!std::filesystem::create_directories(folder, error) && error)
