@@ -208,6 +208,14 @@ TEST_F(Batch, removes_no_file_of_others_before_there_is_another_one)
   EXPECT_EQ(content(path("out/torus.json")), "of somebody else\n");
 }
 
+TEST_F(Batch, goes_on_if_nobody_reads_what_it_tells)
+{
+  write_meshes({"a.off", "b.off", "c.off"});
+  m_outcome = run_script("{ \"$PROGRAM\" batch in --output-folder out --threads 1; echo $? >&2; } | true");
+  EXPECT_EQ(m_outcome.err, "spherical_parameterization: the standard output cannot be written\n1\n");
+  EXPECT_EQ(names_of_files("out").size(), 6u);
+}
+
 TEST_F(Batch, keeps_the_modes_of_files)
 {
   write_meshes({"a.off"});
