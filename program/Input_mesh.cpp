@@ -88,6 +88,25 @@ std::vector<std::vector<Polygon>> parts_of(std::vector<Polygon> polygons)
   return parts;
 }
 
+File_content part_of(const File_content& whole, std::vector<Polygon> polygons)
+{
+  std::vector<std::size_t> vertices;
+  for(const Polygon& polygon : polygons)
+    vertices.insert(vertices.end(), polygon.begin(), polygon.end());
+  std::sort(vertices.begin(), vertices.end());
+  vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+  for(Polygon& polygon : polygons)
+    for(auto& v : polygon)
+      v = static_cast<std::size_t>(std::lower_bound(vertices.begin(), vertices.end(), v) - vertices.begin());
+  File_content part;
+  for(const std::size_t v : vertices)
+    part.points.push_back(whole.points[v]);
+  part.polygons = std::move(polygons);
+  part.origin = whole.origin;
+  part.hemispheres = whole.hemispheres;
+  return part;
+}
+
 Input_mesh::Input_mesh(const std::string& path, File_content soup)
   : m_name(printable(path))
   , m_is_of_cortical_format(!is_among(file_format(path), input_formats))

@@ -25,6 +25,9 @@ SP::Distortion_summary measured_distortion(const Mesh& mesh, const Sphere_map& m
 /// that with the first face.
 std::vector<std::vector<Polygon>> parts_of(std::vector<Polygon> polygons);
 
+/// returns some polygons of a mesh as a mesh of their own: with no other vertices, in the order of the file.
+File_content part_of(const File_content& whole, std::vector<Polygon> polygons);
+
 /// The mesh of a file, if a halfedge data structure can hold it. It keeps the faces as they were in the file, whose first
 /// corners `Surface_mesh` forgets.
 class Input_mesh

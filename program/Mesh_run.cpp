@@ -28,10 +28,9 @@ double seconds_now()
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
-Mesh_run::Mesh_run(const Options& options, const File_names& names, std::size_t component)
+Mesh_run::Mesh_run(const Options& options, const File_names& names)
   : m_options(options)
   , m_names(names)
-  , m_component(component)
   , m_files(names.outputs(), inputs_of(options, names),
             options.is_batch() ? Output_policy::replace : Output_policy::follow)
   , m_report(options, names.input)
@@ -41,23 +40,35 @@ Mesh_run::Mesh_run(const Options& options, const File_names& names, std::size_t 
       check_file(name);
   if(!names.page.empty())
     check_pages();
+  m_report.input_stamp = File_stamp(names.input);
+  if(!options.start_or_template().empty())
+    m_report.start_stamp = File_stamp(options.start_or_template());
 }
 
 void Mesh_run::read()
 {
   const double start = seconds_now();
-  m_report.input_stamp = File_stamp(m_names.input);
-  if(!m_options.start_or_template().empty())
-    m_report.start_stamp = File_stamp(m_options.start_or_template());
   File_content soup = read_file_content(m_names.input);
-  if(m_options.has("components"))
+  if(m_options.has("components") && !soup.polygons.empty())
   {
     std::vector<std::vector<Polygon>> parts = parts_of(std::move(soup.polygons));
-    for(const std::vector<Polygon>& part : parts)
-      m_report.components.push_back(part.size());
-    soup.polygons = m_component < parts.size() ? std::move(parts[m_component]) : std::vector<Polygon>();
-    m_report.component = m_component;
+    m_report.component = Run_report::Component(parts);
+    soup.polygons = std::move(parts.front());
   }
+  take(std::move(soup));
+  m_report.seconds_for_input = seconds_now() - start;
+}
+
+void Mesh_run::take(File_content part, const Run_report::Component& component)
+{
+  const double start = seconds_now();
+  m_report.component = component;
+  take(std::move(part));
+  m_report.seconds_for_input = seconds_now() - start;
+}
+
+void Mesh_run::take(File_content soup)
+{
   m_input.emplace(m_names.input, std::move(soup));
   if(m_options.max_hole_edges > 0)
     m_report.holes = m_input->fill_holes(m_options.max_hole_edges);
@@ -66,7 +77,6 @@ void Mesh_run::read()
   m_report.subject = m_names.subject;
   m_report.hemisphere = m_input->hemispheres().front().second;
   m_report.mixed_hemispheres = mixed_hemispheres(m_input->hemispheres());
-  m_report.seconds_for_input = seconds_now() - start;
 }
 
 void Mesh_run::map()

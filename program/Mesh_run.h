@@ -17,11 +17,11 @@ public:
   /// checks that all files can be written, and those beside the mesh can be opened, before any work.
   ///
   /// \param options have to live longer
-  /// \param component the part of the surface that is mapped, if the options ask for one: 0 is the largest
-  Mesh_run(const Options& options, const File_names& names, std::size_t component = 0);
+  Mesh_run(const Options& options, const File_names& names);
 
-  /// reads the mesh, and repairs it as the options say. This comes before all that follows.
+  /// reads the mesh, or takes a part of it, and repairs it as the options say. This comes before all that follows.
   void read();
+  void take(File_content part, const Run_report::Component& component);
 
   /// writes the mesh as it has been repaired, if that is wanted, and counts what it has.
   void repair();
@@ -58,6 +58,7 @@ private:
   // Throws an error if the map is not one-to-one, so that something cannot be done.
   void check_map(const std::string& what) const;
 
+  void take(File_content soup);
   void take_map(const std::string& file);
   void count_surface();
   void show_handles();
@@ -68,7 +69,6 @@ private:
 
   const Options& m_options;
   File_names m_names;
-  std::size_t m_component;
   Output_files m_files;
   Run_report m_report;
   std::optional<Input_mesh> m_input;

@@ -9,6 +9,7 @@
 #include <cstdio>
 #include <ios>
 #include <random>
+#include <set>
 #include <streambuf>
 
 #include <fcntl.h>
@@ -73,6 +74,9 @@ void sweep_temporary_files(const std::filesystem::path& folder)
 {
   namespace fs = std::filesystem;
   std::error_code error, ignored;
+  static std::set<fs::path> swept; // one after the other, a process may write thousands of files to a folder
+  if(!swept.insert(folder).second)
+    return;
   const std::string begin = beginning_of_temporary_names();
   for(fs::directory_iterator entry(folder, error); !error && entry != fs::directory_iterator(); entry.increment(error))
   {

@@ -255,6 +255,24 @@ void read_sampling(Options& o)
     o.file_names.values = name.substr(0, name.size() - ending_of(name).size()) + ".func" + format;
 }
 
+// Refuses what has values or numbers of the vertices of the whole surface, where each of its parts is one of its own.
+void check_parts(const Options& o)
+{
+  if(o.is("batch"))
+    o.fail("--components each is for one mesh: leave out --output-folder");
+  Words lists = {o.start_file, o.density_file};
+  for(const char* option : {"landmarks", "features", "masks", "labels", "transfer"})
+    for(const std::string& list : o.words(option))
+      if(option != std::string("transfer") || !o.has("values-sphere"))
+        lists.push_back(list);
+  for(const std::string& list : lists)
+    for(const std::string& name : split_list(list))
+      if(!name.empty() && !is_among(name, own_feature_names))
+        o.fail("--components each cannot be combined with '" + printable(name) +
+               "', as the vertices of each part have numbers of their own; write the parts by the command repair, and "
+               "map these");
+}
+
 // What is done to a surface before it is mapped.
 void read_repair(Options& o)
 {
@@ -273,8 +291,8 @@ void read_repair(Options& o)
   o.file_names.handles = o.text("handles");
   if(o.has("handles") && file_format(o.file_names.handles) != ".ply")
     o.refuse("handles", "the name of a .ply file");
-  if(o.text("components") == "each" && o.is("batch"))
-    o.fail("--components each is for one mesh: leave out --output-folder");
+  if(o.text("components") == "each")
+    check_parts(o);
   if(o.has("components"))
     o.describe(o.text("components") + " component");
 }

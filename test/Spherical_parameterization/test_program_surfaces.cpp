@@ -186,7 +186,24 @@ TEST_F(Surface_program, maps_one_part_or_each_and_finds_handles)
   expect_success("three.off -o map.off --components each --json each.json");
   for(const auto& [name, n_faces] : {std::pair("map_1.off", 320u), {"map_2.off", 8u}, {"map_3.off", 4u}})
     EXPECT_EQ(read_mesh(name).faces.size(), n_faces) << name;
-  EXPECT_TRUE(fs::exists(path("each_3.json")));
+  EXPECT_EQ(read_mesh("map_2.off").points.size(), 6u); // its own
+  EXPECT_EQ(json("each_3.json").get<std::size_t>("component"), 3u);
+  EXPECT_EQ(json("each_3.json").get<std::size_t>("components"), 3u);
+  EXPECT_EQ(json("each_1.json").get_child("faces_of_components").size(), 3u);
+  write("values.ply", ply_with_values(1));
+  for(const char* words : {"match three.off sphere.off --features values.ply values.ply -o a.off",
+                           "map three.off --density values.ply -o a.off", "map three.off --initial values.ply -o a.off",
+                           "remesh three.off cube=2 --transfer values.ply -o a.ply"})
+    expect_message(std::string(words) + " --components each", "--components each cannot be combined with 'values.ply'");
+  expect_success("repair three.off -o part.off --components each");
+  expect_success("check part_2.off map_2.off --quiet");
+  // what fails with one of them
+  write_off("with_torus.off", test_meshes::disjoint_union(test_meshes::octahedron(), test_meshes::torus(8, 5)));
+  const Outcome outcome = run("with_torus.off -o of_torus.off --components each");
+  EXPECT_EQ(outcome.status, 1);
+  expect_part(outcome.err, "part 1 of 2: with_torus.off: the surface has the genus 1");
+  EXPECT_FALSE(fs::exists(path("of_torus_1.off")));
+  EXPECT_EQ(read_mesh("of_torus_2.off").faces.size(), 8u);
 
   expect_message("torus.off -o map_of_torus.off", "A path of 6 edges around a handle, of length 6, at vertex");
   expect_part(expect_success("repair torus.off --handles handles.ply"),
