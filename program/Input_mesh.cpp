@@ -122,7 +122,7 @@ Input_mesh::Input_mesh(const std::string& path, File_content soup)
   add_to(m_mesh, soup.points, m_polygons);
 }
 
-std::string Input_mesh::find_defect() const
+std::string Input_mesh::find_defect(bool advises) const
 {
   const auto defect = SP::internal::find_defect_of_mesh(m_mesh);
   if(!defect)
@@ -132,7 +132,7 @@ std::string Input_mesh::find_defect() const
                                ? "\n--components largest maps the largest one, --components each all of them."
                                : "";
   return m_name + ": " + defect->message + cure +
-         (defect->error == SP::ERROR_NO_TOPOLOGICAL_SPHERE ? describe_handles() : "");
+         (defect->error == SP::ERROR_NO_TOPOLOGICAL_SPHERE ? describe_handles(advises) : "");
 }
 
 void Input_mesh::check() const
@@ -287,14 +287,16 @@ void Input_mesh::check_faces_of(const std::string& path, const std::string& is, 
       throw error_in(path, is, ": face ", f, " has other corners, or another orientation. (Faces are counted from 0.)");
 }
 
-std::string Input_mesh::describe_handles() const
+std::string Input_mesh::describe_handles(bool advises) const
 {
   constexpr std::size_t max_named = 5; // each takes time
   std::string text;
   for(const Handle& handle : find_handles(max_named))
     text += "\nA path of " + describe(handle) + '.';
-  return text + "\nrepair SURFACE --handles FILE writes such a path for each, show shows where they are. (Vertices are "
-                "counted from 0.)";
+  if(advises)
+    text +=
+        "\nrepair SURFACE --handles FILE writes such a path for each, show SURFACE -o PAGE.html shows where they are.";
+  return text + " (Vertices are counted from 0.)";
 }
 
 } // namespace Program

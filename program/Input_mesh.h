@@ -47,7 +47,9 @@ public:
 
   /// returns why the mesh has no map, where, and what helps; empty if the mesh is in order. A parameterizer asks the same
   /// before it begins.
-  std::string find_defect() const;
+  ///
+  /// \param advises whether it names the commands that show where handles are
+  std::string find_defect(bool advises = true) const;
 
   /// throws what keeps the mesh from having a map, as a `Program_error`.
   void check() const;
@@ -107,7 +109,7 @@ public:
                       const std::vector<Polygon>& polygons) const;
 
 private:
-  std::string describe_handles() const;
+  std::string describe_handles(bool advises) const;
 
   std::string m_name;
   bool m_is_of_cortical_format;

@@ -72,8 +72,6 @@ void Mesh_run::take(File_content soup)
   m_input.emplace(m_names.input, std::move(soup));
   if(m_options.max_hole_edges > 0)
     m_report.holes = m_input->fill_holes(m_options.max_hole_edges);
-  if(!m_names.handles.empty() || !m_names.page.empty())
-    show_handles();
   m_report.subject = m_names.subject;
   m_report.hemisphere = m_input->hemispheres().front().second;
   m_report.mixed_hemispheres = mixed_hemispheres(m_input->hemispheres());
@@ -118,9 +116,22 @@ void Mesh_run::count_surface()
 void Mesh_run::repair()
 {
   count_surface();
+  constexpr std::size_t all = (std::numeric_limits<std::size_t>::max)();
+  m_files.write(m_names.handles, [&](std::ostream& out) { m_input->write_handles(out, m_input->find_handles(all)); });
   m_files.write(m_names.filled,
                 [&](std::ostream& out) { m_input->write_filled(out, m_options.format_of(m_names.filled)); });
   commit();
+}
+
+bool Mesh_run::show_handles()
+{
+  const std::vector<Input_mesh::Handle> handles = m_input->find_handles((std::numeric_limits<std::size_t>::max)());
+  if(handles.empty())
+    return false;
+  count_surface();
+  m_files.write(m_names.page, [&](std::ostream& out) { write_page(out, page_of_handles(*m_input, handles)); });
+  commit();
+  return true;
 }
 
 void Mesh_run::sample()
@@ -263,20 +274,6 @@ std::optional<double> Mesh_run::radius_of(const std::string& name) const
   return !name.empty() && m_options.follows_convention(name) && !m_options.has("radius")
              ? std::optional<double>(SP::cortical_sphere_radius)
              : std::nullopt;
-}
-
-// Writes where the handles are. Their files appear at once if there are any, as there is nothing else to wait for.
-void Mesh_run::show_handles()
-{
-  const std::vector<Input_mesh::Handle> handles = m_input->find_handles((std::numeric_limits<std::size_t>::max)());
-  m_files.write(m_names.handles, [&](std::ostream& out) { m_input->write_handles(out, handles); });
-  if(handles.empty())
-    return;
-  if(!m_names.handles.empty())
-    m_files.commit(m_names.handles);
-  m_files.write(m_names.page, [&](std::ostream& out) { write_page(out, page_of_handles(*m_input, handles)); });
-  if(!m_names.page.empty())
-    m_files.commit(m_names.page);
 }
 
 // Measures the map, and each face, with the radius that balances the areas, at which maps are usually compared; does nothing if

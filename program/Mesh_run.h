@@ -23,8 +23,11 @@ public:
   void read();
   void take(File_content part, const Run_report::Component& component);
 
-  /// writes the mesh as it has been repaired, if that is wanted, and counts what it has.
+  /// writes the mesh as it has been repaired, and where its handles are, if that is wanted, and counts what it has.
   void repair();
+
+  /// writes a page that shows where the handles of the mesh are; returns whether it has any.
+  bool show_handles();
 
   /// writes the page of the surface and another one with the same faces, which needs no map.
   void show_beside();
@@ -42,7 +45,7 @@ public:
   void write();
 
   /// returns what keeps the surface from being mapped, and what helps; empty if nothing does.
-  std::string find_defect() const { return m_input->find_defect(); }
+  std::string find_defect() const { return m_input->find_defect(m_names.handles.empty() && m_names.page.empty()); }
 
   const Run_report& report() const { return m_report; }
 
@@ -61,7 +64,6 @@ private:
   void take(File_content soup);
   void take_map(const std::string& file);
   void count_surface();
-  void show_handles();
   void measure_balanced();
   void write_surfaces();
   void write_colors();

@@ -97,9 +97,9 @@ reached is written.
   --completion bash   print what completes commands and options in this shell
 
 Exit status: 0, all that was asked for was written, and every map in it is certified as one-to-one;
-1, an error, with a message; 2, a map has inverted faces, which --method conformal and arap do not
-exclude, but all files were written. With batch: 1, some meshes have no map; 2, all have one, but some
-have inverted faces.
+1, an error, with a message; 2, a map has inverted faces, which --method conformal and arap, and
+resample --through, do not exclude, but all files were written. With batch: 1, some meshes have no map;
+2, all have one, but some have inverted faces.
 )";
 }
 

@@ -9,7 +9,8 @@ namespace Program {
 
 namespace {
 
-int report_repair(const Mesh_run& mesh, const Options& options)
+// Prints what has been done with a surface that was not mapped.
+int report_surface(const Mesh_run& mesh, const Options& options)
 {
   if(options.has("quiet"))
     return EXIT_SUCCESS;
@@ -33,13 +34,15 @@ int run(const Options& options, const File_names& names, const std::function<voi
     if(options.is("repair"))
     {
       mesh.repair();
-      return report_repair(mesh, options);
+      return report_surface(mesh, options);
     }
     if(options.has("beside"))
     {
       mesh.show_beside();
       return EXIT_SUCCESS;
     }
+    if(options.is("show") && options.sphere_file.empty() && mesh.show_handles())
+      return report_surface(mesh, options);
     mesh.map();
     mesh.sample();
     mesh.match();

@@ -183,11 +183,10 @@ public:
 
   void commit()
   {
-    if(m_is_direct || m_is_committed)
+    if(m_is_direct)
       return;
     std::filesystem::rename(m_temporary_path, path, m_error);
     check_error();
-    m_is_committed = true;
   }
 
   bool is_direct() const { return m_is_direct; }
@@ -214,7 +213,6 @@ private:
 
   std::filesystem::path m_temporary_path;
   bool m_is_direct = false; // written under its own name, at once
-  bool m_is_committed = false;
   std::optional<std::filesystem::perms> m_permissions;
   std::error_code m_error;
 };
@@ -256,11 +254,6 @@ void Output_files::commit()
     lock.emplace(m_files.front()->path.parent_path());
   for(const auto& file : m_files)
     file->commit();
-}
-
-void Output_files::commit(const std::string& name)
-{
-  file_of(name).commit();
 }
 
 Words Output_files::names() const

@@ -73,7 +73,6 @@ public:
   /// gives all files their names, and replaces those that had them. Of several runs that write the same files at the
   /// same time, all are of the last one.
   void commit();
-  void commit(const std::string& name);
 
   Words names() const;
 

@@ -206,8 +206,9 @@ TEST_F(Surface_program, maps_one_part_or_each_and_finds_handles)
   EXPECT_EQ(read_mesh("of_torus_2.off").faces.size(), 8u);
 
   expect_message("torus.off -o map_of_torus.off", "A path of 6 edges around a handle, of length 6, at vertex");
-  expect_part(expect_success("repair torus.off --handles handles.ply"),
-              "cannot be mapped: torus.off: the surface has the genus 1");
+  const std::string repaired = expect_success("repair torus.off --handles handles.ply");
+  expect_part(repaired, "cannot be mapped: torus.off: the surface has the genus 1");
+  EXPECT_EQ(repaired.find("--handles"), std::string::npos) << "advises what was given";
   expect_part(content(path("handles.ply")), "element edge 6\n");
   expect_success("repair sphere.off --handles handles.ply");
   expect_part(content(path("handles.ply")), "element edge 0\n");
@@ -217,6 +218,9 @@ TEST_F(Surface_program, writes_a_page)
 {
   if(run("show sphere.off -o page.html").err.find("was built without the page") != std::string::npos)
     GTEST_SKIP() << "The program was built without the page.";
+  expect_message("torus.off --page page.html", "show SURFACE -o PAGE.html shows where they are");
+  expect_part(expect_success("show torus.off -o page_of_handles.html"), "Written:   page_of_handles.html\n");
+  expect_part(content(path("page_of_handles.html")), "near handles");
   const std::string name = "a<!--b.off";
   write_off(name, test_meshes::icosphere(2));
   expect_success("'" + name + "' --page page.html --quiet");
