@@ -206,9 +206,10 @@ double Command_line::number(const std::string& option, double min, double max, c
   return x;
 }
 
-unsigned int Command_line::count(const std::string& option, unsigned int min, unsigned int usual) const
+unsigned int Command_line::count(const std::string& option, unsigned int min, unsigned int usual,
+                                 const std::string& other_words) const
 {
-  const std::string range = "a whole number from " + std::to_string(min) + " to 1e9";
+  const std::string range = "a whole number from " + std::to_string(min) + " to 1e9" + other_words;
   const double x = number(option, min, 1e9, range, usual);
   if(x != std::floor(x))
     refuse(option, range);

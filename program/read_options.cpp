@@ -239,9 +239,11 @@ void read_sampling(Options& o)
 {
   constexpr unsigned int max_size = 2 * SP::Sphere_domain_3::max_subdivision + 1;
   read_domain(o);
-  o.image_size = o.has("geometry-image") ? o.count("image-size", 3, 257) : 0;
-  if(o.has("geometry-image") && (o.image_size % 2 == 0 || o.image_size > max_size))
-    o.refuse("image-size", "an odd number from 3 to " + std::to_string(max_size));
+  const std::string sizes = "an odd number from 3 to " + std::to_string(max_size);
+  const double size = o.number("image-size", 3, max_size, sizes, 257);
+  if(std::fmod(size, 2.) != 1.)
+    o.refuse("image-size", sizes);
+  o.image_size = o.has("geometry-image") ? static_cast<unsigned int>(size) : 0;
   o.file_names.image = o.text("geometry-image");
   if(o.has("geometry-image") && !is_among(file_format(o.file_names.image), {".png", ".exr"}))
     o.refuse("geometry-image", "a name that ends with .png or .exr");
@@ -280,9 +282,7 @@ void read_repair(Options& o)
   {
     const std::string wanted = o.has("fill-holes") ? o.text("fill-holes") : "all";
     o.max_hole_edges =
-        wanted == "all"
-            ? (std::numeric_limits<std::size_t>::max)()
-            : static_cast<std::size_t>(o.number("fill-holes", 3, 1e9, "a number of edges from 3 on, or all", 0.));
+        wanted == "all" ? (std::numeric_limits<std::size_t>::max)() : o.count("fill-holes", 3, 0, ", or all");
     o.describe("holes filled: " + wanted);
     if(!o.start_file.empty())
       o.fail("--initial with a file and --fill-holes cannot be combined, as the file has no images of the filler; "

@@ -125,6 +125,10 @@ TEST_F(Surface_files, a_sphere_does_not_fold_in_short_numbers)
   expect_success("end.off" + settings + "lh.end");
   expect_success("end.off --initial lh.end --iterations 0 -o again.off"); // read, and found to be one-to-one
 
+  for(const char* radius : {"1e308", "1e-100"})
+    expect_message("end.off -o lh.range --radius fixed=" + std::string(radius),
+                   "--radius fixed=R has to be from 1e-30 to 1e+38");
+
   // There is no room for much more.
   write_off("end.off", test::tube(32, 100, 0.8, 1.));
   expect_success("end.off" + settings + "sphere.off");

@@ -84,7 +84,8 @@ TEST_F(Surface_program, remeshes_through_the_sphere)
                    {"--geometry-image image.gif", ".png or .exr"},
                    {"cube=2 --image-size 65", "--geometry-image"},
                    {"--geometry-image image.png --image-size 64", "an odd number from 3 to 10001"},
-                   {"--geometry-image image.png --image-size 1", "from 3"}});
+                   {"--geometry-image image.png --image-size 1", "an odd number from 3 to 10001"},
+                   {"--geometry-image image.png --image-size 8.5", "an odd number from 3 to 10001"}});
   expect_messages("remesh other.off cube=3 -o result.ply --transfer values.ply",
                   {{"", "has no values for this mesh"}, {" --values-sphere other.off", "is no map of this mesh"}});
 }
