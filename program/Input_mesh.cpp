@@ -88,6 +88,25 @@ std::vector<std::vector<Polygon>> parts_of(std::vector<Polygon> polygons)
   return parts;
 }
 
+File_content part_of(const File_content& whole, std::vector<Polygon> polygons)
+{
+  std::vector<std::size_t> vertices;
+  for(const Polygon& polygon : polygons)
+    vertices.insert(vertices.end(), polygon.begin(), polygon.end());
+  std::sort(vertices.begin(), vertices.end());
+  vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+  for(Polygon& polygon : polygons)
+    for(auto& v : polygon)
+      v = static_cast<std::size_t>(std::lower_bound(vertices.begin(), vertices.end(), v) - vertices.begin());
+  File_content part;
+  for(const std::size_t v : vertices)
+    part.points.push_back(whole.points[v]);
+  part.polygons = std::move(polygons);
+  part.origin = whole.origin;
+  part.hemispheres = whole.hemispheres;
+  return part;
+}
+
 Input_mesh::Input_mesh(const std::string& path, File_content soup)
   : m_name(printable(path))
   , m_is_of_cortical_format(!is_among(file_format(path), input_formats))
@@ -103,7 +122,7 @@ Input_mesh::Input_mesh(const std::string& path, File_content soup)
   add_to(m_mesh, soup.points, m_polygons);
 }
 
-std::string Input_mesh::find_defect() const
+std::string Input_mesh::find_defect(bool advises) const
 {
   const auto defect = SP::internal::find_defect_of_mesh(m_mesh);
   if(!defect)
@@ -113,7 +132,7 @@ std::string Input_mesh::find_defect() const
                                ? "\n--components largest maps the largest one, --components each all of them."
                                : "";
   return m_name + ": " + defect->message + cure +
-         (defect->error == SP::ERROR_NO_TOPOLOGICAL_SPHERE ? describe_handles() : "");
+         (defect->error == SP::ERROR_NO_TOPOLOGICAL_SPHERE ? describe_handles(advises) : "");
 }
 
 void Input_mesh::check() const
@@ -268,14 +287,16 @@ void Input_mesh::check_faces_of(const std::string& path, const std::string& is, 
       throw error_in(path, is, ": face ", f, " has other corners, or another orientation. (Faces are counted from 0.)");
 }
 
-std::string Input_mesh::describe_handles() const
+std::string Input_mesh::describe_handles(bool advises) const
 {
   constexpr std::size_t max_named = 5; // each takes time
   std::string text;
   for(const Handle& handle : find_handles(max_named))
     text += "\nA path of " + describe(handle) + '.';
-  return text + "\nrepair SURFACE --handles FILE writes such a path for each, show shows where they are. (Vertices are "
-                "counted from 0.)";
+  if(advises)
+    text +=
+        "\nrepair SURFACE --handles FILE writes such a path for each, show SURFACE -o PAGE.html shows where they are.";
+  return text + " (Vertices are counted from 0.)";
 }
 
 } // namespace Program

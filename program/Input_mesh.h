@@ -25,6 +25,9 @@ SP::Distortion_summary measured_distortion(const Mesh& mesh, const Sphere_map& m
 /// that with the first face.
 std::vector<std::vector<Polygon>> parts_of(std::vector<Polygon> polygons);
 
+/// returns some polygons of a mesh as a mesh of their own: with no other vertices, in the order of the file.
+File_content part_of(const File_content& whole, std::vector<Polygon> polygons);
+
 /// The mesh of a file, if a halfedge data structure can hold it. It keeps the faces as they were in the file, whose first
 /// corners `Surface_mesh` forgets.
 class Input_mesh
@@ -44,7 +47,9 @@ public:
 
   /// returns why the mesh has no map, where, and what helps; empty if the mesh is in order. A parameterizer asks the same
   /// before it begins.
-  std::string find_defect() const;
+  ///
+  /// \param advises whether it names the commands that show where handles are
+  std::string find_defect(bool advises = true) const;
 
   /// throws what keeps the mesh from having a map, as a `Program_error`.
   void check() const;
@@ -104,7 +109,7 @@ public:
                       const std::vector<Polygon>& polygons) const;
 
 private:
-  std::string describe_handles() const;
+  std::string describe_handles(bool advises) const;
 
   std::string m_name;
   bool m_is_of_cortical_format;

@@ -28,10 +28,9 @@ double seconds_now()
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
-Mesh_run::Mesh_run(const Options& options, const File_names& names, std::size_t component)
+Mesh_run::Mesh_run(const Options& options, const File_names& names)
   : m_options(options)
   , m_names(names)
-  , m_component(component)
   , m_files(names.outputs(), inputs_of(options, names),
             options.is_batch() ? Output_policy::replace : Output_policy::follow)
   , m_report(options, names.input)
@@ -41,32 +40,41 @@ Mesh_run::Mesh_run(const Options& options, const File_names& names, std::size_t 
       check_file(name);
   if(!names.page.empty())
     check_pages();
+  m_report.input_stamp = File_stamp(names.input);
+  if(!options.start_or_template().empty())
+    m_report.start_stamp = File_stamp(options.start_or_template());
 }
 
 void Mesh_run::read()
 {
   const double start = seconds_now();
-  m_report.input_stamp = File_stamp(m_names.input);
-  if(!m_options.start_or_template().empty())
-    m_report.start_stamp = File_stamp(m_options.start_or_template());
   File_content soup = read_file_content(m_names.input);
-  if(m_options.has("components"))
+  if(m_options.has("components") && !soup.polygons.empty())
   {
     std::vector<std::vector<Polygon>> parts = parts_of(std::move(soup.polygons));
-    for(const std::vector<Polygon>& part : parts)
-      m_report.components.push_back(part.size());
-    soup.polygons = m_component < parts.size() ? std::move(parts[m_component]) : std::vector<Polygon>();
-    m_report.component = m_component;
+    m_report.component = Run_report::Component(parts);
+    soup.polygons = std::move(parts.front());
   }
+  take(std::move(soup));
+  m_report.seconds_for_input = seconds_now() - start;
+}
+
+void Mesh_run::take(File_content part, const Run_report::Component& component)
+{
+  const double start = seconds_now();
+  m_report.component = component;
+  take(std::move(part));
+  m_report.seconds_for_input = seconds_now() - start;
+}
+
+void Mesh_run::take(File_content soup)
+{
   m_input.emplace(m_names.input, std::move(soup));
   if(m_options.max_hole_edges > 0)
     m_report.holes = m_input->fill_holes(m_options.max_hole_edges);
-  if(!m_names.handles.empty() || !m_names.page.empty())
-    show_handles();
   m_report.subject = m_names.subject;
   m_report.hemisphere = m_input->hemispheres().front().second;
   m_report.mixed_hemispheres = mixed_hemispheres(m_input->hemispheres());
-  m_report.seconds_for_input = seconds_now() - start;
 }
 
 void Mesh_run::map()
@@ -108,9 +116,22 @@ void Mesh_run::count_surface()
 void Mesh_run::repair()
 {
   count_surface();
+  constexpr std::size_t all = (std::numeric_limits<std::size_t>::max)();
+  m_files.write(m_names.handles, [&](std::ostream& out) { m_input->write_handles(out, m_input->find_handles(all)); });
   m_files.write(m_names.filled,
                 [&](std::ostream& out) { m_input->write_filled(out, m_options.format_of(m_names.filled)); });
   commit();
+}
+
+bool Mesh_run::show_handles()
+{
+  const std::vector<Input_mesh::Handle> handles = m_input->find_handles((std::numeric_limits<std::size_t>::max)());
+  if(handles.empty())
+    return false;
+  count_surface();
+  m_files.write(m_names.page, [&](std::ostream& out) { write_page(out, page_of_handles(*m_input, handles)); });
+  commit();
+  return true;
 }
 
 void Mesh_run::sample()
@@ -255,20 +276,6 @@ std::optional<double> Mesh_run::radius_of(const std::string& name) const
   return !name.empty() && m_options.follows_convention(name) && !m_options.has("radius")
              ? std::optional<double>(SP::cortical_sphere_radius)
              : std::nullopt;
-}
-
-// Writes where the handles are. Their files appear at once if there are any, as there is nothing else to wait for.
-void Mesh_run::show_handles()
-{
-  const std::vector<Input_mesh::Handle> handles = m_input->find_handles((std::numeric_limits<std::size_t>::max)());
-  m_files.write(m_names.handles, [&](std::ostream& out) { m_input->write_handles(out, handles); });
-  if(handles.empty())
-    return;
-  if(!m_names.handles.empty())
-    m_files.commit(m_names.handles);
-  m_files.write(m_names.page, [&](std::ostream& out) { write_page(out, page_of_handles(*m_input, handles)); });
-  if(!m_names.page.empty())
-    m_files.commit(m_names.page);
 }
 
 // Measures the map, and each face, with the radius that balances the areas, at which maps are usually compared; does nothing if

@@ -17,17 +17,17 @@ public:
   /// checks that all files can be written, and those beside the mesh can be opened, before any work.
   ///
   /// \param options have to live longer
-  /// \param component the part of the surface that is mapped, if the options ask for one: 0 is the largest
-  Mesh_run(const Options& options, const File_names& names, std::size_t component = 0);
+  Mesh_run(const Options& options, const File_names& names);
 
-  /// removes the files that an earlier run has left under the same names.
-  void remove_earlier_files() { m_files.remove_earlier(); }
-
-  /// reads the mesh, and repairs it as the options say. This comes before all that follows.
+  /// reads the mesh, or takes a part of it, and repairs it as the options say. This comes before all that follows.
   void read();
+  void take(File_content part, const Run_report::Component& component);
 
-  /// writes the mesh as it has been repaired, if that is wanted, and counts what it has.
+  /// writes the mesh as it has been repaired, and where its handles are, if that is wanted, and counts what it has.
   void repair();
+
+  /// writes a page that shows where the handles of the mesh are; returns whether it has any.
+  bool show_handles();
 
   /// writes the page of the surface and another one with the same faces, which needs no map.
   void show_beside();
@@ -45,7 +45,7 @@ public:
   void write();
 
   /// returns what keeps the surface from being mapped, and what helps; empty if nothing does.
-  std::string find_defect() const { return m_input->find_defect(); }
+  std::string find_defect() const { return m_input->find_defect(m_names.handles.empty() && m_names.page.empty()); }
 
   const Run_report& report() const { return m_report; }
 
@@ -61,9 +61,9 @@ private:
   // Throws an error if the map is not one-to-one, so that something cannot be done.
   void check_map(const std::string& what) const;
 
+  void take(File_content soup);
   void take_map(const std::string& file);
   void count_surface();
-  void show_handles();
   void measure_balanced();
   void write_surfaces();
   void write_colors();
@@ -71,7 +71,6 @@ private:
 
   const Options& m_options;
   File_names m_names;
-  std::size_t m_component;
   Output_files m_files;
   Run_report m_report;
   std::optional<Input_mesh> m_input;

@@ -235,6 +235,10 @@ void Remesh::carry_values(const Options& options, Input_mesh& input, const Spher
     left_out.push_back("the property '" + printable(property) + "' of the vertices, whose name is taken");
   for(const std::string& property : leave_out_taken_names(of_faces, false))
     left_out.push_back("the property '" + printable(property) + "' of the faces, whose name is taken");
+  constexpr std::size_t max_properties = 4096 - 6; // of a .ply file, which is read again, beside points and normals
+  if(options.file_names.values.empty() && of_vertices.size() > max_properties)
+    throw error_in(name, "has ", of_vertices.size(), " values for each vertex, but a .ply file holds at most ",
+                   max_properties, ".\nWrite a .gii file, which has them in a file of its own.");
   for(const std::string& what : left_out)
     m_warnings += printable(name) + ": not carried over: " + what + '\n';
   carry(values, is_of_input ? sphere : values.read_map(options.text("values-sphere")), std::move(of_vertices),

@@ -26,13 +26,14 @@ double share_of_filler(const std::vector<Input_mesh::Hole>& holes)
                          [](double sum, const Input_mesh::Hole& hole) { return sum + hole.share; });
 }
 
-std::string sizes_of_others(const std::vector<std::size_t>& components, std::size_t component)
+std::string sizes_of_others(const Run_report::Component& component)
 {
+  const std::vector<std::size_t>& all = *component.sizes;
   Words sizes;
-  for(std::size_t k = 0; k < components.size() && sizes.size() < max_listed; ++k)
-    if(k != component)
-      sizes.push_back(std::to_string(components[k]));
-  const std::size_t n_rest = components.size() - 1 - sizes.size();
+  for(std::size_t k = 0; k < all.size() && sizes.size() < max_listed; ++k)
+    if(k != component.index)
+      sizes.push_back(std::to_string(all[k]));
+  const std::size_t n_rest = all.size() - 1 - sizes.size();
   return sizes.empty() ? ""
                        : joined("; the others have ", list_of(sizes, " and "),
                                 n_rest > 0 ? joined(", and ", n_rest, " less") : "");
@@ -67,6 +68,14 @@ void print_remesh(std::ostream& out, const Run_report::Remesh_figures& remesh)
 }
 
 } // namespace
+
+Run_report::Component::Component(const std::vector<std::vector<Polygon>>& parts)
+{
+  std::vector<std::size_t> all;
+  for(const std::vector<Polygon>& part : parts)
+    all.push_back(part.size());
+  sizes = std::make_shared<const std::vector<std::size_t>>(std::move(all));
+}
 
 std::vector<std::pair<std::string, double>> Run_report::phases() const
 {
@@ -112,9 +121,9 @@ void Run_report::print_surface(std::ostream& out) const
     out << "; " << run.number_of_flat_faces << (run.number_of_flat_faces == 1 ? " face is" : " faces are")
         << " nearly flat";
   out << '\n';
-  if(!components.empty())
-    out << "Part      " << component + 1 << " of " << components.size() << ", with " << components[component]
-        << " faces" << sizes_of_others(components, component) << '\n';
+  if(component)
+    out << "Part      " << component->index + 1 << " of " << component->sizes->size() << ", with "
+        << (*component->sizes)[component->index] << " faces" << sizes_of_others(*component) << '\n';
   if(!holes.empty())
     out << "Holes     " << describe_holes(holes) << '\n';
 }

@@ -42,6 +42,19 @@ public:
   /// The reason to stop, as JSON tells it, of a run that was asked for its map before the method had come to its end.
   static constexpr const char* stop_reason_interrupted = "interrupted";
 
+  /// The part of a surface that was picked.
+  struct Component
+  {
+    Component() = default;
+
+    /// picks the first part.
+    explicit Component(const std::vector<std::vector<Polygon>>& parts);
+
+    std::size_t index = 0;
+    std::shared_ptr<const std::vector<std::size_t>>
+        sizes; ///< in faces, of all parts; the reports of all of them share it
+  };
+
   /// What is told of a remesh.
   struct Remesh_figures
   {
@@ -77,11 +90,10 @@ public:
   Words files;                             ///< that were written
   std::string subject, hemisphere;         ///< that the surface is of; empty if that is not known
   std::string mixed_hemispheres;           ///< a line, if the name and the metadata of the file disagree
-  File_stamp input_stamp;                  ///< of the file, before it was read
+  File_stamp input_stamp;                  ///< of the file, before it was read, but for its parts
   File_stamp start_stamp;                  ///< of the file with the map to start from; empty if there is none
   std::optional<Checksum> sphere_checksum; ///< if it was written, and to an ordinary file
-  std::vector<std::size_t> components;     ///< the numbers of their faces, if one was picked
-  std::size_t component = 0;               ///< which
+  std::optional<Component> component;      ///< none if all of the surface was taken
   std::vector<Input_mesh::Hole> holes;     ///< if they were to be filled
   std::optional<Remesh_figures> remesh;
   std::optional<Match_figures> match;

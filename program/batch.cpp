@@ -61,6 +61,18 @@ public:
 
   bool is_one_to_one() const { return has_value("one_to_one", true); }
 
+  // removes the report and its map, if they are of another input or of other options, and no other run has replaced them since.
+  void remove_what_is_outdated(const Options& options) const
+  {
+    const Folder_lock lock(std::filesystem::path(m_names.json).parent_path());
+    if(m_text.empty() || Earlier_report(m_names).m_text != m_text || tells_the_same_run(options))
+      return;
+    std::error_code ignored;
+    if(tells_sphere())
+      std::filesystem::remove(m_names.sphere, ignored);
+    std::filesystem::remove(m_names.json, ignored);
+  }
+
 private:
   // Returns whether a member has this value.
   bool has_value(const std::string& name, const Json& value) const
@@ -158,31 +170,36 @@ private:
                      ".\nChoose another --output-folder, or replace such files by --overwrite.");
   }
 
-  // A mesh that is interrupted leaves nothing: whatever is in the output folder has all the sweeps that the options ask
-  // for. What an earlier run has left goes first, so that nothing there is of another mesh or of other options.
+  // A mesh that is interrupted leaves nothing new: whatever is in the output folder has all the sweeps that the options ask
+  // for. What was there stays until it is replaced; but where a mesh fails, an outdated map would be taken for that of this run.
   void run(const File_names& names)
   {
     if(Interrupt_guard::is_interrupted())
       return;
+    const Earlier_report earlier(names);
+    std::optional<Mesh_run> run; // none until it is known that all files may be replaced
     try
     {
+      if(!names.fault.empty())
+        throw Program_error(names.fault);
       const std::filesystem::path folder = std::filesystem::path(names.json).parent_path();
       std::error_code error;
       if(!std::filesystem::create_directories(folder, error) && error)
         throw error_in(folder.string(), "cannot be made: ", error.message());
-      Mesh_run run(m_options, names);
-      run.remove_earlier_files();
-      run.read();
-      run.map();
-      if(!run.report().is_interrupted())
-        run.match(m_template ? &*m_template : nullptr);
-      if(run.report().is_interrupted())
+      run.emplace(m_options, names);
+      run->read();
+      run->map();
+      if(!run->report().is_interrupted())
+        run->match(m_template ? &*m_template : nullptr);
+      if(run->report().is_interrupted())
         return;
-      run.write();
-      tell_map(run.report());
+      run->write();
+      tell_map(run->report());
     }
     catch(const std::exception& error)
     {
+      if(run)
+        earlier.remove_what_is_outdated(m_options);
       tell_failure(printable(names.input), message_of(error));
     }
   }

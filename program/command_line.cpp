@@ -97,9 +97,9 @@ reached is written.
   --completion bash   print what completes commands and options in this shell
 
 Exit status: 0, all that was asked for was written, and every map in it is certified as one-to-one;
-1, an error, with a message; 2, a map has inverted faces, which --method conformal and arap do not
-exclude, but all files were written. With batch: 1, some meshes have no map; 2, all have one, but some
-have inverted faces.
+1, an error, with a message; 2, a map has inverted faces, which --method conformal and arap, and
+resample --through, do not exclude, but all files were written. With batch: 1, some meshes have no map;
+2, all have one, but some have inverted faces.
 )";
 }
 
@@ -206,9 +206,10 @@ double Command_line::number(const std::string& option, double min, double max, c
   return x;
 }
 
-unsigned int Command_line::count(const std::string& option, unsigned int min, unsigned int usual) const
+unsigned int Command_line::count(const std::string& option, unsigned int min, unsigned int usual,
+                                 const std::string& other_words) const
 {
-  const std::string range = "a whole number from " + std::to_string(min) + " to 1e9";
+  const std::string range = "a whole number from " + std::to_string(min) + " to 1e9" + other_words;
   const double x = number(option, min, 1e9, range, usual);
   if(x != std::floor(x))
     refuse(option, range);

@@ -57,7 +57,8 @@ struct Command_line
   /// reads one of some words, a number in [min, max], which is `range` in words, or a whole number up to 10^9; or returns what is usual.
   std::string word(const std::string& option, const Words& words, const std::string& usual) const;
   double number(const std::string& option, double min, double max, const std::string& range, double usual) const;
-  unsigned int count(const std::string& option, unsigned int min, unsigned int usual) const;
+  unsigned int count(const std::string& option, unsigned int min, unsigned int usual,
+                     const std::string& other_words = "") const;
 };
 
 /// parses the command line.

@@ -59,6 +59,7 @@ std::string with_suffix(const std::string& path, const std::string& suffix);
 struct File_names
 {
   std::string input;
+  std::string fault; ///< why the input cannot be read, empty if nothing is known of that
   std::string sphere, handles, filled, remesh, values, image, page, json; ///< empty if not wanted
   std::string onto, target_sphere, overlay, morph; ///< of a map onto another surface, empty if not wanted
   std::string subject;                             ///< of a study that the mesh is of, empty otherwise

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <iostream>
 #include <iterator>
+#include <map>
 #include <regex>
 #include <set>
 
@@ -101,7 +102,8 @@ bool is_no_surface(const fs::path& path)
 }
 
 // The surfaces of a study: files in the folders below one, such as those of the subjects of FreeSurfer, which have the same
-// names. Those that match a pattern are found, but for files of values.
+// names. Those that match a pattern are found, but for files of values. A folder below that cannot be read is among them: it fails
+// alone, as a surface does.
 class Surface_finder
 {
 public:
@@ -129,16 +131,29 @@ public:
     std::sort(paths.begin(), paths.end());
   }
 
-  std::vector<fs::path> paths;          // of the surfaces within the folder, sorted
-  std::vector<fs::path> links_left_out; // to other folders
+  std::vector<fs::path> paths;            // of the surfaces within the folder, sorted
+  std::map<fs::path, std::string> faults; // of those that cannot be read
+  std::vector<fs::path> links_left_out;   // to other folders
 
 private:
   void search(const fs::path& folder)
   {
     if(!m_visited.insert(true_place(m_folder / folder)).second)
       return;
+    std::vector<fs::path> entries;
+    try
+    {
+      entries = entries_of(m_folder / folder);
+    }
+    catch(const Program_error& error)
+    {
+      if(folder.empty())
+        throw;
+      paths.push_back(folder);
+      faults[folder] = error.what();
+    }
     std::error_code ignored;
-    for(const fs::path& path : entries_of(m_folder / folder))
+    for(const fs::path& path : entries)
     {
       const bool is_folder = fs::is_directory(path, ignored);
       const fs::path name = folder / path.filename();
@@ -244,6 +259,8 @@ std::vector<File_names> names_in_study(const fs::path& folder, const Options& op
     const fs::path result = !options.has("template") ? path.parent_path() / name_of_sphere(name) : path;
     File_names& names = meshes.emplace_back(names_in_batch(folder / path, name_of_folder / result, options));
     names.subject = subject_of(place, path);
+    if(const auto fault = found.faults.find(path); fault != found.faults.end())
+      names.fault = fault->second;
     const fs::path result_in_place = true_place(options.text("output-folder")) / name_of_folder / path;
     if(canonical_place(result_in_place) != result_in_place)
       throw error_in(fs::path(names.sphere).parent_path().string(),

@@ -55,7 +55,9 @@ void occupy_closed_streams()
 int main(int argc, char** argv)
 {
   occupy_closed_streams();
-  std::signal(SIGXFSZ, SIG_IGN); // a file that grows larger than permitted cannot be written: an error as others
+  // a file that grows larger than permitted, or a pipe that nobody reads any more, cannot be written: an error as others
+  for(const int signal : {SIGXFSZ, SIGPIPE})
+    std::signal(signal, SIG_IGN);
   try
   {
     const int status = run_program(parse_command_line(argc, argv));

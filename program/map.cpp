@@ -9,7 +9,8 @@ namespace Program {
 
 namespace {
 
-int report_repair(const Mesh_run& mesh, const Options& options)
+// Prints what has been done with a surface that was not mapped.
+int report_surface(const Mesh_run& mesh, const Options& options)
 {
   if(options.has("quiet"))
     return EXIT_SUCCESS;
@@ -22,22 +23,26 @@ int report_repair(const Mesh_run& mesh, const Options& options)
 }
 
 // Maps a surface, or a part of it, and returns the exit status.
-int run(const Options& options, const File_names& names, std::size_t component)
+//
+// \param read gives the run its surface
+int run(const Options& options, const File_names& names, const std::function<void(Mesh_run&)>& read)
 {
-  Mesh_run mesh(options, names, component);
+  Mesh_run mesh(options, names);
   try
   {
-    mesh.read();
+    read(mesh);
     if(options.is("repair"))
     {
       mesh.repair();
-      return report_repair(mesh, options);
+      return report_surface(mesh, options);
     }
     if(options.has("beside"))
     {
       mesh.show_beside();
       return EXIT_SUCCESS;
     }
+    if(options.is("show") && options.sphere_file.empty() && mesh.show_handles())
+      return report_surface(mesh, options);
     mesh.map();
     mesh.sample();
     mesh.match();
@@ -61,20 +66,30 @@ int run(const Options& options, const File_names& names, std::size_t component)
   return report.result.is_one_to_one ? EXIT_SUCCESS : exit_status_folded;
 }
 
-// Maps each part of a surface; what fails with one of them does not stop the others. Returns the exit status.
+// Maps each part of a surface, which has no vertices but its own; what fails with one of them does not stop the others. Returns the
+// exit status.
 int run_components(const Options& options)
 {
-  const std::size_t n = parts_of(read_file_content(options.file_names.input).polygons).size();
+  File_content whole = read_file_content(options.file_names.input);
+  std::vector<std::vector<Polygon>> parts = parts_of(std::move(whole.polygons));
+  if(parts.empty())
+    parts.emplace_back(); // of which reading says what is wrong
+  Run_report::Component component(parts);
+  const std::size_t n = parts.size();
   int status = EXIT_SUCCESS;
-  for(std::size_t k = 0; k < (std::max)(n, std::size_t(1)); ++k)
+  for(std::size_t& k = component.index; k < n; ++k)
     try
     {
-      const int status_of_part = run(options, options.file_names.of_part(k), k);
+      const int status_of_part = run(options, options.file_names.of_part(k), [&](Mesh_run& mesh) {
+        mesh.take(part_of(whole, std::move(parts[k])), component);
+      });
       status = status == EXIT_FAILURE ? status : (std::max)(status, status_of_part);
     }
     catch(const std::exception& error)
     {
-      std::cerr << "spherical_parameterization: part " << k + 1 << " of " << n << ": " << message_of(error) << '\n';
+      std::cerr << "spherical_parameterization: part " << k + 1 << " of " << n << ": " << message_of(error)
+                << (n > 1 ? "\nThe vertices and faces of a part have numbers of their own, in the order of the file.\n"
+                          : "\n");
       status = EXIT_FAILURE;
     }
   return status;
@@ -84,7 +99,8 @@ int run_components(const Options& options)
 
 int run_map(const Options& options)
 {
-  return options.text("components") == "each" ? run_components(options) : run(options, options.file_names, 0);
+  return options.text("components") == "each" ? run_components(options)
+                                              : run(options, options.file_names, [](Mesh_run& mesh) { mesh.read(); });
 }
 
 int run_check(const Options& options)

@@ -9,8 +9,11 @@
 #include <cstdio>
 #include <ios>
 #include <random>
+#include <set>
 #include <streambuf>
 
+#include <fcntl.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <sys/types.h>
 #include <unistd.h>
@@ -71,6 +74,9 @@ void sweep_temporary_files(const std::filesystem::path& folder)
 {
   namespace fs = std::filesystem;
   std::error_code error, ignored;
+  static std::set<fs::path> swept; // one after the other, a process may write thousands of files to a folder
+  if(!swept.insert(folder).second)
+    return;
   const std::string begin = beginning_of_temporary_names();
   for(fs::directory_iterator entry(folder, error); !error && entry != fs::directory_iterator(); entry.increment(error))
   {
@@ -81,6 +87,32 @@ void sweep_temporary_files(const std::filesystem::path& folder)
        process > 0 && kill(process, 0) != 0 && errno == ESRCH)
       fs::remove(entry->path(), ignored);
   }
+}
+
+Folder_lock::Folder_lock(const std::filesystem::path& folder)
+  : m_path(folder / ".spherical_parameterization.lock")
+{
+  constexpr int max_attempts = 1000; // where files have no lasting numbers
+  for(int k = 0; k < max_attempts; ++k)
+  {
+    m_file = open(m_path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0666);
+    if(m_file == -1 || flock(m_file, LOCK_EX) != 0)
+      return;
+    struct stat locked, named;
+    if(fstat(m_file, &locked) == 0 && lstat(m_path.c_str(), &named) == 0 && locked.st_dev == named.st_dev &&
+       locked.st_ino == named.st_ino)
+      return;
+    close(m_file); // who had the lock has removed the file
+    m_file = -1;
+  }
+}
+
+Folder_lock::~Folder_lock()
+{
+  if(m_file == -1)
+    return;
+  unlink(m_path.c_str());
+  close(m_file);
 }
 
 // A file that appears complete or not at all: it is written under another name in the same folder, and renamed in the end.
@@ -149,21 +181,15 @@ public:
       checksum = buffer.checksum;
   }
 
-  void remove_earlier()
-  {
-    if(!m_is_direct)
-      std::filesystem::remove(path, m_error);
-    check_error();
-  }
-
   void commit()
   {
-    if(m_is_direct || m_is_committed)
+    if(m_is_direct)
       return;
     std::filesystem::rename(m_temporary_path, path, m_error);
     check_error();
-    m_is_committed = true;
   }
+
+  bool is_direct() const { return m_is_direct; }
 
   std::string name;                 // as it was given
   std::filesystem::path path;       // of the file itself, behind links if these are followed
@@ -187,7 +213,6 @@ private:
 
   std::filesystem::path m_temporary_path;
   bool m_is_direct = false; // written under its own name, at once
-  bool m_is_committed = false;
   std::optional<std::filesystem::perms> m_permissions;
   std::error_code m_error;
 };
@@ -211,12 +236,6 @@ Output_files::Output_files(const Words& names, const Words& inputs, Output_polic
 
 Output_files::~Output_files() = default;
 
-void Output_files::remove_earlier()
-{
-  for(auto file = m_files.rbegin(); file != m_files.rend(); ++file)
-    (*file)->remove_earlier();
-}
-
 void Output_files::write(const std::string& name, const std::function<void(std::ostream&)>& write)
 {
   if(!name.empty())
@@ -230,13 +249,11 @@ std::optional<Checksum> Output_files::checksum(const std::string& name) const
 
 void Output_files::commit()
 {
+  std::optional<Folder_lock> lock;
+  if(m_files.size() > 1 && !m_files.front()->is_direct())
+    lock.emplace(m_files.front()->path.parent_path());
   for(const auto& file : m_files)
     file->commit();
-}
-
-void Output_files::commit(const std::string& name)
-{
-  file_of(name).commit();
 }
 
 Words Output_files::names() const

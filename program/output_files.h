@@ -38,6 +38,21 @@ enum class Output_policy
 /// removes from a folder the incomplete files that processes of this computer have left that are no more.
 void sweep_temporary_files(const std::filesystem::path& folder);
 
+/// As long as it lives, no other run has such a lock on the folder. Where the file system has no locks, there is none.
+class Folder_lock
+{
+public:
+  explicit Folder_lock(const std::filesystem::path& folder);
+  ~Folder_lock();
+
+  Folder_lock(const Folder_lock&) = delete;
+  Folder_lock& operator=(const Folder_lock&) = delete;
+
+private:
+  std::filesystem::path m_path;
+  int m_file = -1;
+};
+
 /// All files that a run is to write. They appear together, once all of them are complete. What fails throws a `Program_error`.
 class Output_files
 {
@@ -49,18 +64,15 @@ public:
 
   ~Output_files();
 
-  /// removes the files that have these names now, the last one first: a report is never beside the map of another run.
-  void remove_earlier();
-
   /// writes all of a file by `write(stream)`, still under another name; nothing if the name is empty.
   void write(const std::string& name, const std::function<void(std::ostream&)>& write);
 
   /// returns the checksum of what has been written; there is none if it went elsewhere than to a file.
   std::optional<Checksum> checksum(const std::string& name) const;
 
-  /// gives all files their names, or one of them, and replaces those that had them.
+  /// gives all files their names, and replaces those that had them. Of several runs that write the same files at the
+  /// same time, all are of the last one.
   void commit();
-  void commit(const std::string& name);
 
   Words names() const;
 

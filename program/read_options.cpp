@@ -239,9 +239,11 @@ void read_sampling(Options& o)
 {
   constexpr unsigned int max_size = 2 * SP::Sphere_domain_3::max_subdivision + 1;
   read_domain(o);
-  o.image_size = o.has("geometry-image") ? o.count("image-size", 3, 257) : 0;
-  if(o.has("geometry-image") && (o.image_size % 2 == 0 || o.image_size > max_size))
-    o.refuse("image-size", "an odd number from 3 to " + std::to_string(max_size));
+  const std::string sizes = "an odd number from 3 to " + std::to_string(max_size);
+  const double size = o.number("image-size", 3, max_size, sizes, 257);
+  if(std::fmod(size, 2.) != 1.)
+    o.refuse("image-size", sizes);
+  o.image_size = o.has("geometry-image") ? static_cast<unsigned int>(size) : 0;
   o.file_names.image = o.text("geometry-image");
   if(o.has("geometry-image") && !is_among(file_format(o.file_names.image), {".png", ".exr"}))
     o.refuse("geometry-image", "a name that ends with .png or .exr");
@@ -255,6 +257,24 @@ void read_sampling(Options& o)
     o.file_names.values = name.substr(0, name.size() - ending_of(name).size()) + ".func" + format;
 }
 
+// Refuses what has values or numbers of the vertices of the whole surface, where each of its parts is one of its own.
+void check_parts(const Options& o)
+{
+  if(o.is("batch"))
+    o.fail("--components each is for one mesh: leave out --output-folder");
+  Words lists = {o.start_file, o.density_file};
+  for(const char* option : {"landmarks", "features", "masks", "labels", "transfer"})
+    for(const std::string& list : o.words(option))
+      if(option != std::string("transfer") || !o.has("values-sphere"))
+        lists.push_back(list);
+  for(const std::string& list : lists)
+    for(const std::string& name : split_list(list))
+      if(!name.empty() && !is_among(name, own_feature_names))
+        o.fail("--components each cannot be combined with '" + printable(name) +
+               "', as the vertices of each part have numbers of their own; write the parts by the command repair, and "
+               "map these");
+}
+
 // What is done to a surface before it is mapped.
 void read_repair(Options& o)
 {
@@ -262,9 +282,7 @@ void read_repair(Options& o)
   {
     const std::string wanted = o.has("fill-holes") ? o.text("fill-holes") : "all";
     o.max_hole_edges =
-        wanted == "all"
-            ? (std::numeric_limits<std::size_t>::max)()
-            : static_cast<std::size_t>(o.number("fill-holes", 3, 1e9, "a number of edges from 3 on, or all", 0.));
+        wanted == "all" ? (std::numeric_limits<std::size_t>::max)() : o.count("fill-holes", 3, 0, ", or all");
     o.describe("holes filled: " + wanted);
     if(!o.start_file.empty())
       o.fail("--initial with a file and --fill-holes cannot be combined, as the file has no images of the filler; "
@@ -273,8 +291,8 @@ void read_repair(Options& o)
   o.file_names.handles = o.text("handles");
   if(o.has("handles") && file_format(o.file_names.handles) != ".ply")
     o.refuse("handles", "the name of a .ply file");
-  if(o.text("components") == "each" && o.is("batch"))
-    o.fail("--components each is for one mesh: leave out --output-folder");
+  if(o.text("components") == "each")
+    check_parts(o);
   if(o.has("components"))
     o.describe(o.text("components") + " component");
 }

@@ -146,8 +146,12 @@ std::string Run_report::json() const
     all.add("written_radius", *written_radius);
   if(result.areas)
     all.add("areas", json_of(*result.areas));
-  if(!components.empty())
-    all.add("component", component + 1).add("faces_of_components", components);
+  if(component)
+  {
+    all.add("component", component->index + 1).add("components", component->sizes->size());
+    if(component->index == 0) // of many parts, not each report names all
+      all.add("faces_of_components", *component->sizes);
+  }
   if(m_options.max_hole_edges > 0)
   {
     std::vector<Json> figures;

@@ -144,6 +144,8 @@ void write_sphere(std::ostream& out, const std::string& path, const std::string&
                   const Sphere_map& map, std::optional<double> radius)
 {
   Sphere_map written = map;
+  constexpr double least = 1e-30, largest = 1e38; // of a radius; even small coordinates have all digits then
+  double written_radius = 0.;
   if(radius || is_cortical(format))
   {
     Mesh& mesh = input.mesh();
@@ -152,11 +154,17 @@ void write_sphere(std::ostream& out, const std::string& path, const std::string&
       if(!mesh.is_isolated(v))
       {
         const Point_3& p = map[v];
-        const double scale = radius ? *radius / std::hypot(p.x(), p.y(), p.z()) : 1.;
+        const double length = std::hypot(p.x(), p.y(), p.z()), scale = radius ? *radius / length : 1.;
+        written_radius = radius.value_or(length);
         written[v] = Point_3(scale * p.x(), scale * p.y(), scale * p.z());
       }
     const bool is_held =
         is_cortical(format) ? SP::round_to_float(mesh, written, written) == SP::OK : SP::is_bijective(mesh, written);
+    if(!is_held && is_cortical(format) && !(written_radius >= least && written_radius <= largest))
+      throw error_in(path, "cannot hold a sphere of the radius ", written_radius,
+                     ", as the numbers of this format have 32 bits.\n"
+                     "--radius fixed=R has to be from ",
+                     least, " to ", largest, "; or write a .off or .ply file.");
     if(!is_held && SP::is_bijective(mesh, map))
       throw error_in(path, is_cortical(format)
                                ? "cannot hold the map: large parts of the surface have less room on the sphere than "

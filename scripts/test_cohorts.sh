@@ -172,6 +172,8 @@ collect_reports() (
   cd "$folder/slurm"
   run_printed 0 "cohort.csv"
   expect [ "$(wc -l <cohort.csv)" = 56 ]
+  echo '{"input": "of another program"}' >spheres/other.json
+  echo '{"distortion": {"D_iso": {"maximum": null, "average": null}}}' >spheres/infinite.json
   printed "import json" | python3 - >statistics
   expect grep "^55 maps" statistics
   expect [ "$(run_printed 0 "while read")" = "$PWD/meshes/border.off" ]

@@ -10,6 +10,7 @@ from ._arguments import check_word, refuse, to_array
 from ._sampling import Remesh
 
 MAX_ALIGNMENTS = 100
+MAX_MAGNITUDE = 1e300
 
 
 @dataclass(frozen=True)
@@ -107,7 +108,7 @@ def shape_modes(shapes: Sequence[ArrayLike], *, align: str = "rotation") -> Shap
     Raises
     ------
     Error
-        If there are fewer than two shapes, they are not of one shape, or a number is not finite.
+        If there are fewer than two shapes, they are not of one shape, or a number is not finite, or beyond 1e300.
 
     Notes
     -----
@@ -146,6 +147,11 @@ def shape_modes(shapes: Sequence[ArrayLike], *, align: str = "rotation") -> Shap
         if not np.isfinite(array).all():
             refuse(f"shapes[{i}] is infinite or not a number at {tuple(np.argwhere(~np.isfinite(array))[0].tolist())}")
     stack: NDArray[Any] = np.array(arrays, dtype=np.float64)
+    magnitude = np.abs(stack).max()
+    if magnitude > MAX_MAGNITUDE:
+        refuse(f"shapes have numbers up to {magnitude:.3g}, but sums of squares hold none beyond {MAX_MAGNITUDE:g}: choose another unit")
+    unit = np.ldexp(1.0, np.frexp(magnitude)[1])  # a power of 2, which changes no digits, but squares overflow without it
+    stack /= unit
     if align != "none":
         if stack.ndim != 3 or stack.shape[2] != 3:
             refuse(f'shapes have the shape {stack.shape[1:]}; only (n, 3) can be aligned, others take align="none"')
@@ -161,9 +167,9 @@ def shape_modes(shapes: Sequence[ArrayLike], *, align: str = "rotation") -> Shap
     signs = np.sign(modes[rows, np.abs(modes).argmax(axis=1)]) if n else np.ones(0)
     variances = singular**2
     return ShapeModes(
-        mean,
+        mean * unit,
         (signs[:, None] * modes).reshape(n, *mean.shape),
-        singular / np.sqrt(len(stack) - 1),
+        singular * unit / np.sqrt(len(stack) - 1),
         signs * left * np.sqrt(len(stack) - 1),
         variances / variances.sum() if n else variances,
     )

@@ -955,6 +955,17 @@ def test_finds_modes_and_makes_shapes_of_them():
     assert sp.shape_modes([[1, 2], [1, 2]], align="none").modes.shape == (0, 2)
 
 
+def test_finds_the_same_modes_in_any_unit():
+    shapes = np.random.default_rng(3).normal(size=(5, 20, 3))
+    for align in ("none", "rotation", "similarity"):
+        expected = sp.shape_modes(shapes, align=align)
+        for unit in (2.0**-1000, 2.0**660, 2.0**990):
+            result = sp.shape_modes(unit * shapes, align=align)
+            for name in ("modes", "scores", "shares"):
+                assert (getattr(result, name) == getattr(expected, name)).all(), (align, unit, name)
+            assert (result.mean == unit * expected.mean).all() and (result.deviations == unit * expected.deviations).all()
+
+
 def test_aligns_shapes():
     random = np.random.default_rng(5)
     points = random.normal(size=(50, 3)) * [3, 2, 1]
@@ -981,6 +992,7 @@ def test_says_what_is_wrong_with_shapes():
         assert "at least 2" in str(refused(wrong, sp.shape_modes, shapes))
     assert "shapes[1]" in str(refused(wrong, sp.shape_modes, [shape, shape[1:]]))
     assert "shapes[1]" in str(refused(wrong, sp.shape_modes, [shape, np.where(shape == 1, np.nan, shape)]))
+    assert "1e+300" in str(refused(wrong, sp.shape_modes, [shape, 1e301 * shape]))
     assert "align" in str(refused(wrong, sp.shape_modes, [shape, shape], align="scale"))
     assert "none" in str(refused(wrong, sp.shape_modes, np.zeros((2, 3, 2, 4, 4))))
     assert "shapes[1]" in str(refused(wrong, sp.shape_modes, [shape, np.ones((4, 3))], align="similarity"))

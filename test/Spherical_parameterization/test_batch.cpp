@@ -169,6 +169,9 @@ TEST_F(Batch, goes_on_where_a_file_cannot_be_written)
   fs::remove(path("out/b.json"));
   fs::remove(path("out/c.off"));
   EXPECT_EQ(redone("in"), (Names{"b.off", "c.off", "long.off"}));
+  // what was there is as good as what could not be written
+  EXPECT_EQ(run_script("ulimit -f 100; \"$PROGRAM\" batch in --output-folder out").status, 1);
+  EXPECT_EQ(redone("in"), Names());
 }
 
 TEST_F(Batch, writes_nowhere_but_to_its_folder)
@@ -191,6 +194,26 @@ TEST_F(Batch, writes_nowhere_but_to_its_folder)
   for(const char* name : {"out/a.off", "out/a.json", "out/b.off", "out/b.json", "out/c.off", "out/c.json"})
     EXPECT_FALSE(fs::is_symlink(path(name))) << name;
   EXPECT_EQ(redone("in"), Names());
+}
+
+TEST_F(Batch, removes_no_file_of_others_before_there_is_another_one)
+{
+  write_meshes({"a.off"});
+  write_off("in/torus.off", test_meshes::torus(8, 5));
+  for(const char* name : {"out/a.off", "out/torus.off", "out/torus.json"})
+    write(name, "of somebody else\n");
+  run_batch("in --output-folder out", 1);
+  EXPECT_NE(content(path("out/a.off")), "of somebody else\n");
+  EXPECT_EQ(content(path("out/torus.off")), "of somebody else\n");
+  EXPECT_EQ(content(path("out/torus.json")), "of somebody else\n");
+}
+
+TEST_F(Batch, goes_on_if_nobody_reads_what_it_tells)
+{
+  write_meshes({"a.off", "b.off", "c.off"});
+  m_outcome = run_script("{ \"$PROGRAM\" batch in --output-folder out --threads 1; echo $? >&2; } | true");
+  EXPECT_EQ(m_outcome.err, "spherical_parameterization: the standard output cannot be written\n1\n");
+  EXPECT_EQ(names_of_files("out").size(), 6u);
 }
 
 TEST_F(Batch, keeps_the_modes_of_files)

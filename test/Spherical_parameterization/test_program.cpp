@@ -259,8 +259,9 @@ TEST_F(Map_program, refuses_bad_values_with_the_good_ones)
        {"--threads 0", "from 1"},
        {"--page page.txt", "a name that ends with .html"},
        {"--components all", "largest or each"},
-       {"--fill-holes 2", "from 3 on, or all"},
-       {"--fill-holes some", "from 3 on, or all"},
+       {"--fill-holes 2", "a whole number from 3 to 1e9, or all"},
+       {"--fill-holes 3.5", "a whole number from 3 to 1e9, or all"},
+       {"--fill-holes some", "a whole number from 3 to 1e9, or all"},
        {"--convention freesurfer", "cortex or none"},
        {"--format bmp", "one of off, obj, ply, ts, gifti or freesurfer"}});
   for(const char* radius : {"0", "-1", "1e-320", "nan", "inf", "", "1x"})

@@ -48,6 +48,8 @@ TEST_F(Commands, are_explained_on_one_screen)
   for(const std::string& command : commands)
     expect_part(help, ' ' + command + ' ');
   expect_part(help.substr(0, help.find("\n\n")), "spherical_parameterization ");
+  expect_part(help.substr(help.find("; 2, a map has inverted faces")),
+              "resample --through"); // whose exit status is 2 then
   EXPECT_EQ(expect_success("--version").substr(0, 27), "spherical_parameterization ");
 }
 

@@ -1,4 +1,4 @@
-// Parts of the command line program by themselves: signals, the spread of meshes over the cores, messages of errors.
+// Parts of the command line program by themselves: signals, files, the spread of meshes over the cores, messages of errors.
 
 #include "Program_fixture.h"
 
@@ -6,6 +6,7 @@
 
 #include "../../program/Interrupt_guard.h"
 #include "../../program/for_each_mesh.h"
+#include "../../program/output_files.h"
 #include "../../program/surface_hints.h"
 #include "../../program/text.h"
 
@@ -13,6 +14,7 @@
 #include <csignal>
 #include <iostream>
 #include <mutex>
+#include <thread>
 
 namespace {
 
@@ -75,6 +77,27 @@ TEST(Interrupt_guard, tells_all_threads_of_a_signal) // as the sanitizer of thre
         std::exit(EXIT_SUCCESS);
       },
       ::testing::ExitedWithCode(EXIT_SUCCESS), "");
+}
+
+TEST(Output_files, are_all_of_the_same_run_where_two_write_them)
+{
+  const fs::path folder = fs::path("program") / "two_runs";
+  fs::create_directories(folder);
+  const std::vector<std::string> names = {(folder / "sphere").string(), (folder / "report").string()};
+  const auto run = [&](const std::string& text) {
+    Program::Output_files files(names, {}, Program::Output_policy::replace);
+    for(const std::string& name : names)
+      files.write(name, [&](std::ostream& out) { out << text; });
+    files.commit();
+  };
+  for(int k = 0; k < 1000; ++k)
+  {
+    std::thread other(run, "one");
+    run("other");
+    other.join();
+    ASSERT_EQ(content(names[0]), content(names[1])) << k;
+  }
+  EXPECT_EQ(std::distance(fs::directory_iterator(folder), fs::directory_iterator()), 2);
 }
 
 using Program::large;

@@ -106,6 +106,33 @@ TEST_F(Studies, nothing_of_others_is_replaced)
   expect_message("batch " + beside + " --resume", "SUBJECTS/ernie/surf/lh.sphere: is there already");
 }
 
+TEST_F(Studies, nothing_of_others_is_removed_for_a_surface_that_fails)
+{
+  write_surface("SUBJECTS/ernie/surf/lh.sphere", surface);
+  const std::string own = content(path("SUBJECTS/ernie/surf/lh.sphere"));
+  write("SUBJECTS/ernie/surf/lh.white", "");
+  const std::string beside = "SUBJECTS --surfaces 'lh.white' --output-folder SUBJECTS --overwrite";
+  expect_mapped(beside, 1, 0, 1);
+  EXPECT_EQ(content(path("SUBJECTS/ernie/surf/lh.sphere")), own);
+}
+
+TEST_F(Studies, a_folder_that_cannot_be_read_fails_alone)
+{
+  fs::create_directories(path("SUBJECTS/lost+found"));
+  fs::create_symlink("lost+found", path("SUBJECTS/again"));
+  // for which the superuser has to be one who may not read everything
+  const Outcome outcome = run_script("chmod 0 SUBJECTS/lost+found; [ $(id -u) != 0 ] || may_not='setpriv "
+                                     "--bounding-set=-dac_override,-dac_read_search'; $may_not ls SUBJECTS/lost+found "
+                                     "2>/dev/null && exit 77; $may_not "
+                                     "\"$PROGRAM\" batch SUBJECTS --surfaces lh.white --output-folder out; status=$?; "
+                                     "chmod 755 SUBJECTS/lost+found; exit $status");
+  if(outcome.status == 77)
+    GTEST_SKIP() << "The test may read all folders.";
+  EXPECT_EQ(outcome.status, 1);
+  expect_part(outcome.err, "spherical_parameterization: SUBJECTS/lost+found: cannot be read: Permission denied\n");
+  expect_part(outcome.out, "Mapped 2, left out 0, folded 0, failed 1");
+}
+
 TEST_F(Studies, links_are_followed_but_not_written_through)
 {
   write_surface("elsewhere/fsaverage/surf/lh.white", surface);

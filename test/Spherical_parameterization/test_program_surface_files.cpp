@@ -125,6 +125,10 @@ TEST_F(Surface_files, a_sphere_does_not_fold_in_short_numbers)
   expect_success("end.off" + settings + "lh.end");
   expect_success("end.off --initial lh.end --iterations 0 -o again.off"); // read, and found to be one-to-one
 
+  for(const char* radius : {"1e308", "1e-100"})
+    expect_message("end.off -o lh.range --radius fixed=" + std::string(radius),
+                   "--radius fixed=R has to be from 1e-30 to 1e+38");
+
   // There is no room for much more.
   write_off("end.off", test::tube(32, 100, 0.8, 1.));
   expect_success("end.off" + settings + "sphere.off");
@@ -157,6 +161,9 @@ TEST_F(Surface_files, values_are_carried_over)
   write_by("lh.both.mgz", [&](auto& out, auto& message) { return SP::IO::write_MGH(out, values, message, true); });
   expect_success(remesh_white + "-o even.ply --transfer lh.both.mgz");
   expect_part(content(path("even.ply")), "property float both_1\nproperty float both_2\n");
+  values.columns.resize(4091, values.columns[0]);
+  write_by("lh.many.mgz", [&](std::ostream& out) { return SP::IO::write_MGH(out, values, true); });
+  expect_message(remesh_white + "-o many.ply --transfer lh.many.mgz", "but a .ply file holds at most 4090");
 #endif
   // those of another surface, whose sphere has its faces
   expect_success("lh.white -o lh.sphere");

@@ -84,7 +84,8 @@ TEST_F(Surface_program, remeshes_through_the_sphere)
                    {"--geometry-image image.gif", ".png or .exr"},
                    {"cube=2 --image-size 65", "--geometry-image"},
                    {"--geometry-image image.png --image-size 64", "an odd number from 3 to 10001"},
-                   {"--geometry-image image.png --image-size 1", "from 3"}});
+                   {"--geometry-image image.png --image-size 1", "an odd number from 3 to 10001"},
+                   {"--geometry-image image.png --image-size 8.5", "an odd number from 3 to 10001"}});
   expect_messages("remesh other.off cube=3 -o result.ply --transfer values.ply",
                   {{"", "has no values for this mesh"}, {" --values-sphere other.off", "is no map of this mesh"}});
 }
@@ -186,11 +187,29 @@ TEST_F(Surface_program, maps_one_part_or_each_and_finds_handles)
   expect_success("three.off -o map.off --components each --json each.json");
   for(const auto& [name, n_faces] : {std::pair("map_1.off", 320u), {"map_2.off", 8u}, {"map_3.off", 4u}})
     EXPECT_EQ(read_mesh(name).faces.size(), n_faces) << name;
-  EXPECT_TRUE(fs::exists(path("each_3.json")));
+  EXPECT_EQ(read_mesh("map_2.off").points.size(), 6u); // its own
+  EXPECT_EQ(json("each_3.json").get<std::size_t>("component"), 3u);
+  EXPECT_EQ(json("each_3.json").get<std::size_t>("components"), 3u);
+  EXPECT_EQ(json("each_1.json").get_child("faces_of_components").size(), 3u);
+  write("values.ply", ply_with_values(1));
+  for(const char* words : {"match three.off sphere.off --features values.ply values.ply -o a.off",
+                           "map three.off --density values.ply -o a.off", "map three.off --initial values.ply -o a.off",
+                           "remesh three.off cube=2 --transfer values.ply -o a.ply"})
+    expect_message(std::string(words) + " --components each", "--components each cannot be combined with 'values.ply'");
+  expect_success("repair three.off -o part.off --components each");
+  expect_success("check part_2.off map_2.off --quiet");
+  // what fails with one of them
+  write_off("with_torus.off", test_meshes::disjoint_union(test_meshes::octahedron(), test_meshes::torus(8, 5)));
+  const Outcome outcome = run("with_torus.off -o of_torus.off --components each");
+  EXPECT_EQ(outcome.status, 1);
+  expect_part(outcome.err, "part 1 of 2: with_torus.off: the surface has the genus 1");
+  EXPECT_FALSE(fs::exists(path("of_torus_1.off")));
+  EXPECT_EQ(read_mesh("of_torus_2.off").faces.size(), 8u);
 
   expect_message("torus.off -o map_of_torus.off", "A path of 6 edges around a handle, of length 6, at vertex");
-  expect_part(expect_success("repair torus.off --handles handles.ply"),
-              "cannot be mapped: torus.off: the surface has the genus 1");
+  const std::string repaired = expect_success("repair torus.off --handles handles.ply");
+  expect_part(repaired, "cannot be mapped: torus.off: the surface has the genus 1");
+  EXPECT_EQ(repaired.find("--handles"), std::string::npos) << "advises what was given";
   expect_part(content(path("handles.ply")), "element edge 6\n");
   expect_success("repair sphere.off --handles handles.ply");
   expect_part(content(path("handles.ply")), "element edge 0\n");
@@ -200,6 +219,9 @@ TEST_F(Surface_program, writes_a_page)
 {
   if(run("show sphere.off -o page.html").err.find("was built without the page") != std::string::npos)
     GTEST_SKIP() << "The program was built without the page.";
+  expect_message("torus.off --page page.html", "show SURFACE -o PAGE.html shows where they are");
+  expect_part(expect_success("show torus.off -o page_of_handles.html"), "Written:   page_of_handles.html\n");
+  expect_part(content(path("page_of_handles.html")), "near handles");
   const std::string name = "a<!--b.off";
   write_off(name, test_meshes::icosphere(2));
   expect_success("'" + name + "' --page page.html --quiet");
