@@ -153,6 +153,11 @@ public:
     check_number(m_to_name, m_to.points.size(), m_from_name, m_from.points.size());
     if(m_to.triangles != m_from.triangles)
       throw error_in(m_to_name, "has other faces than ", printable(m_from_name));
+    for(std::size_t v = 0; v < m_to.points.size(); ++v)
+      for(const double x : m_to.points[v])
+        if(!std::isfinite(x))
+          throw error_in(m_to_name, "has a coordinate that is infinite or not a number, of vertex ", v,
+                         ". (Vertices are counted from 0.)");
     int status = EXIT_SUCCESS;
     for(std::size_t k = 0; k < m_options.inputs.size(); ++k)
     {

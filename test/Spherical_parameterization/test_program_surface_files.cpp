@@ -162,7 +162,7 @@ TEST_F(Surface_files, values_are_carried_over)
   expect_success(remesh_white + "-o even.ply --transfer lh.both.mgz");
   expect_part(content(path("even.ply")), "property float both_1\nproperty float both_2\n");
   values.columns.resize(4091, values.columns[0]);
-  write_by("lh.many.mgz", [&](std::ostream& out) { return SP::IO::write_MGH(out, values, true); });
+  write_by("lh.many.mgz", [&](auto& out, auto& message) { return SP::IO::write_MGH(out, values, message, true); });
   expect_message(remesh_white + "-o many.ply --transfer lh.many.mgz", "but a .ply file holds at most 4090");
 #endif
   // those of another surface, whose sphere has its faces

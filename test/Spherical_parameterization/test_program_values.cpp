@@ -256,10 +256,20 @@ TEST_F(Resampling_program, spheres_are_carried_through_a_registration)
   const Outcome outcome = run("resample coarse.off fine.off folded.off --through -o result.off");
   EXPECT_EQ(outcome.status, 2);
   expect_part(outcome.err, "result.off: folds");
+  SP::IO::Surface_file sphere; // with a point that is none
+  const test_meshes::Triangle_list fine = test_meshes::icosphere(3);
+  sphere.points.assign(fine.points.begin(), fine.points.end());
+  for(const auto& t : fine.triangles)
+    sphere.triangles.push_back(
+        {static_cast<std::uint32_t>(t[0]), static_cast<std::uint32_t>(t[1]), static_cast<std::uint32_t>(t[2])});
+  sphere.points[5][1] = NAN;
+  write_surface("lh.nan", sphere);
   expect_messages(
       "resample ",
       {{"coarse.off fine.off coarse.off --through -o a.off", "coarse.off: is of 42 vertices, but fine.off has 642"},
        {"lh.height fine.off turned.off --through -o a.off", "lh.height: has values of vertices"},
+       {"coarse.off fine.off lh.nan --through -o a.off",
+        "lh.nan: has a coordinate that is infinite or not a number, of vertex 5"},
        {"coarse.off fine.off fine.off --through --valid a -o a.off", "--valid"}});
 }
 
