@@ -121,7 +121,9 @@ TEST(Triangles, have_the_exact_distance)
                                                         : CGAL::squared_distance(exact(p), triangle);
     for(const CGAL::Epeck::Segment_3& edge : edges)
       expected = (std::min)(expected, CGAL::squared_distance(exact(p), edge));
-    EXPECT_NEAR(std::sqrt(SP::internal::squared_distance(p, {a, b, c})), std::sqrt(CGAL::to_double(expected)), 1e-14);
+    const std::array<Coordinates, 3> corners = {a, b, c};
+    EXPECT_NEAR(std::sqrt(SP::internal::squared_distance(p, corners.data())), std::sqrt(CGAL::to_double(expected)),
+                1e-14);
   }
 }
 
@@ -160,7 +162,7 @@ TEST(Triangles, have_a_tree_that_finds_the_nearest_one)
         std::size_t i = 0;
         for(const Vertex_index v : mesh.vertices_around_face(mesh.halfedge(f)))
           t[i++] = {mesh.point(v).x(), mesh.point(v).y(), mesh.point(v).z()};
-        expected = (std::min)(expected, SP::internal::squared_distance(q, t));
+        expected = (std::min)(expected, SP::internal::squared_distance(q, t.data()));
       }
       EXPECT_NEAR(set.squared_distance_to(q), expected, 1e-15);
       EXPECT_NEAR(set.squared_distance_to(p), 0., 1e-30);

@@ -73,6 +73,7 @@ Error_code append_corners(const TriangleMesh& tmesh, const VertexPointMap& vpm, 
   const std::vector<Vector_3d> points = read_points(mesh.vertices_of_mesh, vpm);
   if(!are_finite(points))
     return ERROR_NON_FINITE_COORDINATE;
+  corners.reserve(corners.size() + 3 * mesh.triangles.size());
   for(const auto& triangle : mesh.triangles)
     for(const std::uint32_t v : triangle)
       corners.push_back(points[v]);

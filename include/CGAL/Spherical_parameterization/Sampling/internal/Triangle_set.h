@@ -29,7 +29,7 @@ namespace CGAL::Spherical_parameterization::internal {
 // The square of the distance to a triangle, which may be an edge or a point: to the foot of the perpendicular where that is
 // inside, or to a place on an edge. The foot has its coordinates along the longest edge and the height above it, so that it
 // is as exact on needles.
-inline double squared_distance(const Vector_3d& p, const std::array<Vector_3d, 3>& t)
+inline double squared_distance(const Vector_3d& p, const Vector_3d* t)
 {
   double result = (std::numeric_limits<double>::max)(), longest = 0.;
   std::size_t base = 0;
@@ -64,20 +64,22 @@ inline double squared_distance(const Vector_3d& p, const std::array<Vector_3d, 3
 class Triangle_set
 {
 public:
-  // Takes triangles by their corners, which are normalized.
+  // Takes triangles by their corners, which are normalized, and have to stay where they are.
   Triangle_set(const Vector_3d* corners, std::size_t n_corners)
+    : m_corners(corners)
+    , m_areas(n_corners / 3)
+    , m_order(n_corners / 3)
+    , m_boxes(n_corners / 3)
   {
     double area = 0.;
-    for(std::size_t k = 0; k < n_corners; k += 3)
+    for(std::size_t i = 0; i < m_areas.size(); ++i)
     {
-      const auto& t = m_triangles.emplace_back(std::array<Vector_3d, 3>{corners[k], corners[k + 1], corners[k + 2]});
-      m_areas.push_back(area += length(cross(t[1] - t[0], t[2] - t[0])));
+      const Vector_3d* const t = triangle(i);
+      m_areas[i] = area += length(cross(t[1] - t[0], t[2] - t[0]));
     }
     if(!(area > 0.))
       std::iota(m_areas.begin(), m_areas.end(), 1.);
-    m_order.resize(m_triangles.size());
     std::iota(m_order.begin(), m_order.end(), std::size_t(0));
-    m_boxes.resize(m_triangles.size());
     build(0, m_order.size());
   }
 
@@ -93,7 +95,7 @@ public:
   {
     const double area = (static_cast<double>(k) + 0.5) / static_cast<double>(n) * m_areas.back();
     const auto i = std::lower_bound(m_areas.begin(), m_areas.end() - 1, area) - m_areas.begin();
-    const auto& t = m_triangles[static_cast<std::size_t>(i)];
+    const Vector_3d* const t = triangle(static_cast<std::size_t>(i));
     constexpr double plastic_number = 1.32471795724474602596;
     double u = std::fmod(static_cast<double>(k + 1) / plastic_number, 1.);
     double v = std::fmod(static_cast<double>(k + 1) / (plastic_number * plastic_number), 1.);
@@ -116,6 +118,8 @@ private:
   using Frame = std::array<Vector_3d, 3>;
   static constexpr double huge = (std::numeric_limits<double>::max)();
   static constexpr std::size_t leaf_size = 4, none = (std::numeric_limits<std::size_t>::max)();
+
+  const Vector_3d* triangle(std::size_t i) const { return m_corners + 3 * i; }
 
   static Vector_3d in_frame(const Frame& frame, const Vector_3d& p)
   {
@@ -163,8 +167,8 @@ private:
   {
     Box box;
     for(std::size_t k = begin; k < end; ++k)
-      for(const Vector_3d& corner : m_triangles[m_order[k]])
-        box.extend(coordinates(corner));
+      for(std::size_t i = 0; i < 3; ++i)
+        box.extend(coordinates(triangle(m_order[k])[i]));
     return box;
   }
 
@@ -180,7 +184,7 @@ private:
     Frame frame = {};
     for(std::size_t k = begin; k < end; ++k)
     {
-      const auto& t = m_triangles[m_order[k]];
+      const Vector_3d* const t = triangle(m_order[k]);
       const Vector_3d normal = cross(t[1] - t[0], t[2] - t[0]);
       area += 0.5 * length(normal);
       for(std::size_t i = 0; i < 3; ++i)
@@ -222,7 +226,7 @@ private:
     if(end - begin <= leaf_size)
       return;
     // Halved where the centres, not the boxes, reach farthest: needles around a vertex all reach as far.
-    const auto center = [&](std::size_t t) { return m_triangles[t][0] + m_triangles[t][1] + m_triangles[t][2]; };
+    const auto center = [&](std::size_t t) { return triangle(t)[0] + triangle(t)[1] + triangle(t)[2]; };
     Box centers;
     for(std::size_t k = begin; k < end; ++k)
       centers.extend(center(m_order[k]));
@@ -241,7 +245,7 @@ private:
     if(end - begin <= leaf_size)
     {
       for(std::size_t k = begin; k < end; ++k)
-        nearest = (std::min)(nearest, squared_distance(p, m_triangles[m_order[k]]));
+        nearest = (std::min)(nearest, squared_distance(p, triangle(m_order[k])));
       return;
     }
     const std::size_t m = middle(begin, end);
@@ -255,7 +259,7 @@ private:
       find_nearest(begin, m, p, nearest);
   }
 
-  std::vector<std::array<Vector_3d, 3>> m_triangles;
+  const Vector_3d* m_corners;
   std::vector<double> m_areas; // of the triangles up to each; their numbers, if no triangle has an area
   std::vector<std::size_t> m_order;
   std::vector<Box> m_boxes;
