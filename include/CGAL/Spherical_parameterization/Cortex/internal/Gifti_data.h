@@ -94,6 +94,27 @@ inline std::string to_base64(std::string_view bytes)
   return result;
 }
 
+// Returns a text without blanks around it.
+inline std::string stripped(std::string_view text)
+{
+  constexpr const char* blanks = " \t\r\n";
+  const std::size_t begin = (std::min)(text.find_first_not_of(blanks), text.size());
+  return std::string(text.substr(begin, text.find_last_not_of(blanks) + 1 - begin));
+}
+
+// Returns the name of an entity in a text of XML that is none of the five that XML has, or empty.
+inline std::string_view undeclared_entity(std::string_view text)
+{
+  constexpr std::array<std::string_view, 5> known = {"lt", "gt", "amp", "quot", "apos"};
+  for(std::size_t k = text.find('&'); k < text.size(); k = text.find('&', k + 1))
+  {
+    const std::string_view name = text.substr(k + 1, (std::min)(text.find(';', k), text.size()) - k - 1);
+    if(name.substr(0, 1) != "#" && std::find(known.begin(), known.end(), name) == known.end())
+      return name;
+  }
+  return {};
+}
+
 // An array of a GIFTI file as its attributes tell of it.
 struct Gifti_array
 {

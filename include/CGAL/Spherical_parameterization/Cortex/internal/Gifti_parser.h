@@ -21,7 +21,6 @@
 
 #include <expat.h>
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -30,7 +29,6 @@
 #include <limits>
 #include <memory>
 #include <new>
-#include <numeric>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -38,6 +36,15 @@
 #include <vector>
 
 namespace CGAL::Spherical_parameterization::internal {
+
+// Returns an attribute of an element, empty if it has none of that name.
+inline std::string attribute(const XML_Char* const* attributes, std::string_view name)
+{
+  for(; *attributes != nullptr; attributes += 2)
+    if(attributes[0] == name)
+      return attributes[1];
+  return "";
+}
 
 // Reads a GIFTI file. Expat calls back for each element; what is thrown then waits until expat has returned.
 class Gifti_parser
@@ -76,8 +83,8 @@ public:
                        ". The file is truncated or damaged.");
     if(!m_is_gifti)
       throw File_error("This is an XML file, but no GIFTI file.");
-    check_all();
-    sort_by_indices();
+    check_arrays(file);
+    sort_by_vertices(file);
     if(m_n_arrays != m_n_declared)
       message = File_error::join("The header tells of ", m_n_declared, " arrays, but there are ", m_n_arrays, ".\n");
   }
@@ -140,17 +147,11 @@ private:
   void check_entities_of_attributes() const
   {
     int begin = 0, size = 0;
-    const char* const text = XML_GetInputContext(m_parser, &begin, &size);
-    std::string_view tag(text == nullptr ? "" : text, text == nullptr ? 0 : static_cast<std::size_t>(size));
-    tag = tag.substr(static_cast<std::size_t>(begin));
-    tag = tag.substr(0, static_cast<std::size_t>(XML_GetCurrentByteCount(m_parser)));
-    for(std::size_t k = tag.find('&'); k < tag.size(); k = tag.find('&', k + 1))
-    {
-      const std::string_view name = tag.substr(k + 1, (std::min)(tag.find(';', k), tag.size()) - k - 1);
-      constexpr std::array<std::string_view, 5> known = {"lt", "gt", "amp", "quot", "apos"};
-      if(name.substr(0, 1) != "#" && std::find(known.begin(), known.end(), name) == known.end())
+    if(const char* const text = XML_GetInputContext(m_parser, &begin, &size))
+      if(const std::string_view name =
+             undeclared_entity({text + begin, std::size_t(XML_GetCurrentByteCount(m_parser))});
+         !name.empty())
         fail("the entity ", in_quotes(name), " is not declared: the file is damaged.");
-    }
   }
 
   // what is wrong with an array, or an element
@@ -161,14 +162,6 @@ private:
       throw File_error("Array ", m_n_arrays, " (", in_quotes(m_array->intent), ", line ", m_array->line,
                        "): ", what...);
     throw File_error("Line ", XML_GetCurrentLineNumber(m_parser), ": ", what...);
-  }
-
-  static std::string attribute(const XML_Char** attributes, std::string_view name)
-  {
-    for(; *attributes != nullptr; attributes += 2)
-      if(attributes[0] == name)
-        return attributes[1];
-    return "";
   }
 
   // a whole number from 0 on that is not too large
@@ -280,13 +273,6 @@ private:
       *text = stripped(m_text);
   }
 
-  static std::string stripped(std::string_view text)
-  {
-    constexpr const char* blanks = " \t\r\n";
-    const std::size_t begin = (std::min)(text.find_first_not_of(blanks), text.size());
-    return std::string(text.substr(begin, text.find_last_not_of(blanks) + 1 - begin));
-  }
-
   void read_matrix()
   {
     Number_text numbers(m_text);
@@ -395,44 +381,6 @@ private:
       column.values.push_back(x);
     }
     m_file->columns.push_back(std::move(column));
-  }
-
-  // what concerns several arrays
-  void check_all() const
-  {
-    check_corners(*m_file);
-    const std::size_t n =
-        !m_file->vertices.empty() || m_file->points.empty() ? m_file->vertices.size() : m_file->points.size();
-    for(const IO::Vertex_values& column : m_file->columns)
-    {
-      const std::size_t expected = n > 0 ? n : m_file->columns.front().values.size();
-      if(column.values.size() != expected)
-        throw File_error("The values ", in_quotes(column.name), " are those of ", column.values.size(),
-                         " vertices, but other arrays of the file are of ", expected, ": it is damaged.");
-    }
-  }
-
-  // Sorts the values by the indices of their vertices.
-  void sort_by_indices() const
-  {
-    std::vector<std::uint32_t>& vertices = m_file->vertices;
-    const std::vector<std::uint32_t> indices = vertices;
-    std::vector<std::size_t> order(indices.size());
-    std::iota(order.begin(), order.end(), std::size_t(0));
-    std::sort(order.begin(), order.end(), [&](std::size_t i, std::size_t j) { return indices[i] < indices[j]; });
-    const auto sort = [&](auto& items) {
-      const auto unsorted = items;
-      std::transform(order.begin(), order.end(), items.begin(), [&](std::size_t i) { return unsorted[i]; });
-    };
-    sort(vertices);
-    if(!vertices.empty())
-      for(IO::Vertex_values& column : m_file->columns)
-        sort(column.values);
-    if(const auto twice = std::adjacent_find(vertices.begin(), vertices.end()); twice != vertices.end())
-      throw File_error("The indices of vertices have ", *twice, " twice: the file is damaged.");
-    if(!vertices.empty() && !m_file->points.empty() && vertices.back() >= m_file->points.size())
-      throw File_error("The indices of vertices have ", vertices.back(), ", but there are ", m_file->points.size(),
-                       " vertices, counted from 0: the file is damaged.");
   }
 
   XML_Parser m_parser = nullptr;

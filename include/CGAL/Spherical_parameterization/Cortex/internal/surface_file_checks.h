@@ -23,6 +23,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <numeric>
 #include <ostream>
 #include <string>
 #include <vector>
@@ -136,6 +137,43 @@ inline void check_corners(const IO::Surface_file& file)
       if(v >= file.points.size())
         throw File_error("Triangle ", f, " has the corner ", static_cast<std::int32_t>(v), ", but there are ",
                          file.points.size(), " vertices, counted from 0: the file is damaged.");
+}
+
+// Throws unless the corners, the columns and the vertices that these are of agree.
+inline void check_arrays(const IO::Surface_file& file)
+{
+  check_corners(file);
+  const std::size_t n = !file.vertices.empty() || file.points.empty() ? file.vertices.size() : file.points.size();
+  for(const IO::Vertex_values& column : file.columns)
+  {
+    const std::size_t expected = n > 0 ? n : file.columns.front().values.size();
+    if(column.values.size() != expected)
+      throw File_error("The values ", in_quotes(column.name), " are those of ", column.values.size(),
+                       " vertices, but other arrays of the file are of ", expected, ": it is damaged.");
+  }
+}
+
+// Sorts the values by the vertices that they are of, if the file names these. Throws if one is there twice, or does not exist.
+inline void sort_by_vertices(IO::Surface_file& file)
+{
+  if(file.vertices.empty())
+    return;
+  const std::vector<std::uint32_t> vertices = file.vertices;
+  std::vector<std::size_t> order(vertices.size());
+  std::iota(order.begin(), order.end(), std::size_t(0));
+  std::sort(order.begin(), order.end(), [&](std::size_t i, std::size_t j) { return vertices[i] < vertices[j]; });
+  const auto sort = [&](auto& items) {
+    const auto unsorted = items;
+    std::transform(order.begin(), order.end(), items.begin(), [&](std::size_t i) { return unsorted[i]; });
+  };
+  sort(file.vertices);
+  for(IO::Vertex_values& column : file.columns)
+    sort(column.values);
+  if(const auto twice = std::adjacent_find(file.vertices.begin(), file.vertices.end()); twice != file.vertices.end())
+    throw File_error("The indices of vertices have ", *twice, " twice: the file is damaged.");
+  if(!file.points.empty() && file.vertices.back() >= file.points.size())
+    throw File_error("The indices of vertices have ", file.vertices.back(), ", but there are ", file.points.size(),
+                     " vertices, counted from 0: the file is damaged.");
 }
 
 } // namespace CGAL::Spherical_parameterization::internal
