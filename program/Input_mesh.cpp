@@ -129,7 +129,8 @@ std::string Input_mesh::find_defect(bool advises) const
     return "";
   const char* const cure = defect->error == SP::ERROR_NON_CLOSED_MESH ? "\n--fill-holes all fills them."
                            : defect->error == SP::ERROR_SEVERAL_COMPONENTS
-                               ? "\n--components largest maps the largest one, --components each all of them."
+                               ? "\nOf SURFACE, --components largest maps the largest one, --components each all of "
+                                 "them; of another file, the command repair writes the largest one."
                                : "";
   return m_name + ": " + defect->message + cure +
          (defect->error == SP::ERROR_NO_TOPOLOGICAL_SPHERE ? describe_handles(advises) : "");

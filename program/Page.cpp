@@ -337,7 +337,10 @@ void add_anatomy(Page& page, Input_mesh& input, const std::string& labels)
     std::vector<Page::Class> classes = grey;
     for(Page::Class& one : classes)
       one.name = "no label";
-    read_named(labels, [&] { add_labels(read_file_of_values(labels), mesh, input.triangles(), classes, areas); });
+    {
+      const File_content content = read_file_of_values(labels);
+      read_named(labels, [&] { add_labels(content, mesh, input.triangles(), classes, areas); });
+    }
     page.add_classes("labels", name_of(labels), classes, areas);
     page.shown = "labels";
   }

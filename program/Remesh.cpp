@@ -111,8 +111,9 @@ Words leave_out_taken_names(std::vector<Values>& all, bool are_of_vertices)
   const bool has_normals = are_of_vertices && number_of(is_of_normal) == 3;
   const bool has_color = number_of([](const Values& values) { return channel_of(values) % 4 != 0; }) == 3;
   const bool lacks_alpha = has_color && number_of([](const Values& values) { return channel_of(values) == 4; }) == 0;
-  Words left_out, taken = are_of_vertices ? Words{"nx", "ny", "nz", "point", "normal", "removed", "connectivity"}
-                                          : Words{"vertex_indices", "vertex_index", "removed", "connectivity"};
+  Words left_out, taken = are_of_vertices
+                              ? Words{"x", "y", "z", "nx", "ny", "nz", "point", "normal", "removed", "connectivity"}
+                              : Words{"vertex_indices", "vertex_index", "removed", "connectivity"};
   if(has_color)
     taken.push_back("color");
   if(lacks_alpha)
@@ -190,9 +191,9 @@ void Remesh::write_values(std::ostream& out, const std::string& format) const
       file.origin.metadata.push_back(pair);
   using Type = SP::IO::Vertex_values::Type;
   for(const Values& values : m_values)
-    if(!is_among(values.name, {"red", "green", "blue", "alpha", "nx", "ny", "nz"}))
+    if(!is_among(values.name, {"nx", "ny", "nz"}))
     {
-      const bool is_label = !m_labels.empty() && std::holds_alternative<std::int32_t>(values.type);
+      const bool is_label = m_label_names.count(values.name) > 0;
       const auto is_kept = [](double x) { return x != x || x == static_cast<double>(static_cast<float>(x)); };
       const bool is_long =
           !values.has_fractions() && !std::all_of(values.numbers.begin(), values.numbers.end(), is_kept);
@@ -225,7 +226,10 @@ void Remesh::carry_values(const Options& options, Input_mesh& input, const Spher
   std::vector<Values> of_vertices = std::move(soup.values_of_vertices), of_faces = std::move(soup.values_of_faces);
   Words left_out = std::move(soup.left_out);
   if(!options.file_names.values.empty())
+  {
     m_labels = std::move(soup.labels);
+    m_label_names = std::move(soup.label_names);
+  }
   else if(!soup.labels.empty())
     left_out.push_back("the names and colours of its labels, which a GIFTI file can hold");
   Input_mesh values(name, std::move(soup));

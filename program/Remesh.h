@@ -49,6 +49,7 @@ private:
   Sphere_map m_images;
   std::vector<Values> m_values; // of vertices, as they have been carried over
   std::vector<SP::IO::Label> m_labels;
+  std::set<std::string> m_label_names; // of the values that are keys of them
   Mesh::Property_map<Vertex_index, Kernel::Vector_3> m_normals;
   std::string m_warnings;
 };

@@ -1,3 +1,4 @@
+#include "Interrupt_guard.h"
 #include "Mesh_run.h"
 
 #include <algorithm>
@@ -80,6 +81,12 @@ int run_components(const Options& options)
   for(std::size_t& k = component.index; k < n; ++k)
     try
     {
+      if(Interrupt_guard::is_interrupted())
+      {
+        std::cerr << "spherical_parameterization: interrupted: " << n - k << " of " << n
+                  << " parts have not been mapped\n";
+        return EXIT_FAILURE;
+      }
       const int status_of_part = run(options, options.file_names.of_part(k), [&](Mesh_run& mesh) {
         mesh.take(part_of(whole, std::move(parts[k])), component);
       });

@@ -61,10 +61,12 @@ File_content content_of_surface_file(Surface_file_kind kind, const std::string& 
     std::string name = !column.name.empty()       ? column.name
                        : file.columns.size() == 1 ? usual_name
                                                   : usual_name + '_' + std::to_string(k + 1);
-    const auto is_no_letter = [](char c) { return c <= ' ' || c > '~'; }; // for a PLY file
+    const auto is_no_letter = [](char c) { return c <= ' ' || c > '~' || c == '#'; }; // for a PLY file
     std::replace_if(name.begin(), name.end(), is_no_letter, '_');
     while(!names.insert(name).second)
       name += '_' + std::to_string(k + 1);
+    if(column.intent == "NIFTI_INTENT_LABEL")
+      soup.label_names.insert(name);
     soup.values_of_vertices.push_back({name,
                                        column.type == Type::uint8   ? SP::internal::File_number(std::uint8_t())
                                        : column.type == Type::int32 ? SP::internal::File_number(std::int32_t())
@@ -210,10 +212,19 @@ SP::IO::Surface_file read_surface_file(Surface_file_kind kind, const std::string
   return file;
 }
 
-bool is_of_all(const std::vector<std::uint32_t>& vertices)
+bool has_all_vertices(const std::vector<std::uint32_t>& vertices, std::size_t n_points)
 {
   std::size_t n = 0;
-  return std::all_of(vertices.begin(), vertices.end(), [&](std::uint32_t v) { return v == n++; });
+  const bool are_first = std::all_of(vertices.begin(), vertices.end(), [&](std::uint32_t v) { return v == n++; });
+  return are_first && (n == 0 || n_points == 0 || n == n_points);
+}
+
+void check_mask_file(const std::string& path)
+{
+  if(!is_among(file_format(path), input_formats) && kind_of_file(path) == Surface_file_kind::freesurfer_annotation)
+    throw error_in(path,
+                   "is an annotation, which does not say which of its labels count.\nGive a label of FreeSurfer, or "
+                   "a file with a number for each vertex.");
 }
 
 File_content read_file_content(const std::string& path, bool keeps_values)
@@ -245,7 +256,7 @@ File_content read_file_content(const std::string& path, bool keeps_values)
 File_content read_file_of_values(const std::string& path)
 {
   File_content content = read_file_content(path, true);
-  if(!is_of_all(content.vertices))
+  if(!has_all_vertices(content.vertices, content.points.size()))
     throw error_in(path, "has values of ", content.vertices.size(),
                    " vertices of a surface, not of all.\nWrite a file with a value for each vertex.");
   content.vertices.clear();
@@ -274,7 +285,10 @@ File_content read_values(const std::string& paths, const std::function<File_cont
                 std::back_inserter(result.values_of_vertices));
       std::move(soup.hemispheres.begin(), soup.hemispheres.end(), std::back_inserter(result.hemispheres));
       if(result.labels.empty())
+      {
         result.labels = std::move(soup.labels);
+        result.label_names = std::move(soup.label_names);
+      }
       else if(!soup.labels.empty())
         result.left_out.push_back("the names and colours of the labels of " + printable(path) +
                                   ", as a file before it has some");

@@ -8,6 +8,7 @@
 #include <CGAL/Simple_cartesian.h>
 
 #include <functional>
+#include <set>
 
 namespace Program {
 
@@ -20,7 +21,8 @@ using Values = SP::internal::Property_values;
 struct File_content : SP::internal::Polygon_soup
 {
   std::vector<std::uint32_t> vertices = {}; ///< that the values are of; empty: all
-  std::vector<SP::IO::Label> labels = {};   ///< what integers among the values stand for
+  std::vector<SP::IO::Label> labels = {};   ///< what the values of `label_names` stand for
+  std::set<std::string> label_names = {};   ///< of the values that are keys of labels
   SP::IO::Surface_origin origin = {};       ///< what a file of a cortical surface says of its origin
   Hemispheres hemispheres = {};             ///< of the files that this is from
 };
@@ -65,8 +67,11 @@ SP::IO::Surface_file read_surface_file(Surface_file_kind kind, const std::string
 /// \param keeps_values whether values of vertices and faces are wanted; then the file may have no mesh
 File_content read_file_content(const std::string& path, bool keeps_values = false);
 
-/// returns whether values of these vertices are those of all vertices, in their order.
-bool is_of_all(const std::vector<std::uint32_t>& vertices);
+/// returns whether a file has values of all vertices, in their order, of its surface, if it has one.
+bool has_all_vertices(const std::vector<std::uint32_t>& vertices, std::size_t n_points);
+
+/// checks that the mask `path` can be one: annotations say nothing of which of their labels count.
+void check_mask_file(const std::string& path);
 
 /// reads a file with a value for each vertex or face. One with values of some of the vertices is refused.
 File_content read_file_of_values(const std::string& path);

@@ -261,7 +261,7 @@ void read_sampling(Options& o)
 void check_parts(const Options& o)
 {
   if(o.is("batch"))
-    o.fail("--components each is for one mesh: leave out --output-folder");
+    o.fail("--components each is for one mesh: give it to the command map, without --output-folder");
   Words lists = {o.start_file, o.density_file};
   for(const char* option : {"landmarks", "features", "masks", "labels", "transfer"})
     for(const std::string& list : o.words(option))

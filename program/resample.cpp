@@ -10,6 +10,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <iostream>
+#include <limits>
 
 namespace Program {
 
@@ -59,6 +60,10 @@ void check_holds(const std::string& name, const Surface_file& file)
                          "for the format of FreeSurfer, as values are written");
   if(file.points.empty() && format == freesurfer_format && file.columns.size() > 1)
     throw error_in(name, "cannot hold ", file.columns.size(), " columns: choose a name that ends with .gii or .mgh");
+  if(!file.points.empty() && !file.columns.empty() && !is_gifti(output_format(name)))
+    throw error_in(name, "cannot hold the values that come with the surface: choose a name that ends with .gii");
+  if(format == ".annot" && file.columns.size() > 1)
+    throw error_in(name, "cannot hold ", file.columns.size(), " columns: choose a name that ends with .gii");
   if(format == ".annot" && file.labels.empty())
     throw error_in(name, "cannot hold values without a table of labels: choose another format");
 }
@@ -153,11 +158,7 @@ public:
     check_number(m_to_name, m_to.points.size(), m_from_name, m_from.points.size());
     if(m_to.triangles != m_from.triangles)
       throw error_in(m_to_name, "has other faces than ", printable(m_from_name));
-    for(std::size_t v = 0; v < m_to.points.size(); ++v)
-      for(const double x : m_to.points[v])
-        if(!std::isfinite(x))
-          throw error_in(m_to_name, "has a coordinate that is infinite or not a number, of vertex ", v,
-                         ". (Vertices are counted from 0.)");
+    check_points(m_to_name, m_to);
     int status = EXIT_SUCCESS;
     for(std::size_t k = 0; k < m_options.inputs.size(); ++k)
     {
@@ -229,11 +230,21 @@ private:
     return file;
   }
 
+  static void check_points(const std::string& name, const Surface_file& file)
+  {
+    for(std::size_t v = 0; v < file.points.size(); ++v)
+      for(const double x : file.points[v])
+        if(!std::isfinite(x))
+          throw error_in(name, "has a coordinate that is infinite or not a number, of vertex ", v,
+                         ". (Vertices are counted from 0.)");
+  }
+
   // checks that a file has what can be carried over
   void check_content(const std::string& name, const Surface_file& file) const
   {
-    if(!is_of_all(file.vertices))
+    if(!has_all_vertices(file.vertices, file.points.size()))
       throw error_in(name, "has values of some vertices of a surface, not of all");
+    check_points(name, file);
     if(file.points.empty() && file.columns.empty())
       throw error_in(name, "has nothing that vertices have");
     if(!file.points.empty() && m_options.has("mask"))
@@ -245,8 +256,10 @@ private:
   std::vector<double> read_areas(const std::string& name, std::size_t n, const std::string& sphere)
   {
     const Surface_file file = read_arrays(name);
-    if(!is_of_all(file.vertices))
+    if(!has_all_vertices(file.vertices, file.points.size()))
       throw error_in(name, "has areas of some vertices of a surface, not of all");
+    if(file.points.empty() && file.columns.size() > 1)
+      throw error_in(name, "has ", file.columns.size(), " columns: areas are one number for each vertex");
     for(const auto& t : file.triangles)
       if((std::max)({t[0], t[1], t[2]}) >= file.points.size())
         throw error_in(name, "has a triangle with a vertex that is none");
@@ -258,16 +271,20 @@ private:
       if(!(areas[v] >= 0. && std::isfinite(areas[v])))
         throw error_in(name, "has an area that is negative or not finite, of vertex ", v,
                        ". (Vertices are counted from 0.)");
+    if(std::all_of(areas.begin(), areas.end(), [](double x) { return x == 0.; }))
+      throw error_in(name, "has no area: all are 0");
     return areas;
   }
 
   std::vector<bool> read_mask(const std::string& name)
   {
+    check_mask_file(name);
     const Surface_file file = read_arrays(name);
     const std::size_t n = m_from.points.size();
     std::vector<bool> mask(n, false);
-    if(file.columns.empty())
-      throw error_in(name, "has no values of vertices, which a mask consists of");
+    if(file.columns.size() != 1)
+      throw error_in(name, file.columns.empty() ? "has no values of vertices, which a mask consists of"
+                                                : "is no mask: it has several values for each vertex");
     const std::vector<double>& values = file.columns[0].values;
     if(file.vertices.empty())
       check_number(name, values.size(), m_from_name, n);
@@ -276,8 +293,12 @@ private:
       const std::size_t v = file.vertices.empty() ? i : file.vertices[i];
       if(v >= n)
         check_number(name, v + 1, m_from_name, n);
+      if(values[i] != values[i])
+        throw error_in(name, "is no mask: vertex ", v, " has a value that is not a number");
       mask[v] = values[i] > 0.;
     }
+    if(std::find(mask.begin(), mask.end(), true) == mask.end())
+      throw error_in(name, "is no mask: no vertex has a positive value");
     return mask;
   }
 
@@ -296,10 +317,27 @@ private:
     check(error, m_from_name);
   }
 
+  // The key of what gets no label: 0, unless it is that of a region.
+  static std::int32_t find_key_of_nothing(const std::vector<SP::IO::Label>& labels)
+  {
+    std::int32_t next = 1;
+    bool is_0_free = true;
+    for(const SP::IO::Label& label : labels)
+    {
+      if(label.key == 0)
+        is_0_free = is_among(label.name, {"", "???", "unknown", "Unknown"});
+      if(label.key >= next && label.key < (std::numeric_limits<std::int32_t>::max)())
+        next = label.key + 1;
+    }
+    return is_0_free ? 0 : next;
+  }
+
   // Replaces what the vertices of the first sphere have by what those of the second one get.
   void resample(Surface_file& file, const std::string& name) const
   {
     file.vertices.clear(); // which were all
+    const std::int32_t key_of_nothing = find_key_of_nothing(file.labels);
+    const std::vector<bool> has_value = m_resampler.has_value();
     for(SP::IO::Vertex_values& column : file.columns)
       if(column.type == Type::float32)
         check(m_resampler.resample(column.values, column.values), name);
@@ -308,6 +346,10 @@ private:
         std::vector<std::int32_t> labels(column.values.begin(), column.values.end());
         check(m_resampler.resample(labels, labels), name);
         column.values.assign(labels.begin(), labels.end());
+        if(!file.labels.empty())
+          for(std::size_t v = 0; v < has_value.size(); ++v)
+            if(!has_value[v])
+              column.values[v] = key_of_nothing;
       }
     if(!file.points.empty())
     {
@@ -316,9 +358,9 @@ private:
       file.origin = inherited(std::move(file.origin), false);
       return;
     }
-    const auto is_of_nothing = [](const SP::IO::Label& label) { return label.key == 0; };
-    if(!file.labels.empty() && std::none_of(file.labels.begin(), file.labels.end(), is_of_nothing))
-      file.labels.push_back({0, "", {{0., 0., 0., 0.}}}); // which what gets nothing has
+    if(!file.labels.empty() && std::none_of(file.labels.begin(), file.labels.end(),
+                                            [&](const SP::IO::Label& label) { return label.key == key_of_nothing; }))
+      file.labels.push_back({key_of_nothing, "", {{0., 0., 0., 0.}}});
     add_structure(file, name, m_to);
     if(file.columns.size() == 1 && file.columns[0].name.empty())
       file.columns[0].name = name_of_values(name);

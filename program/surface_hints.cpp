@@ -81,6 +81,7 @@ public:
       hints.masks[k].assign(m_numbers[k], 1);
     for(std::size_t k = 0; k < names.size(); ++k)
     {
+      check_mask_file(names[k]);
       const File_content content = read_file_content(names[k], true);
       add(content.hemispheres);
       hints.masks[k] = read_named(names[k], [&] { return mask_of(content, m_numbers[k]); });

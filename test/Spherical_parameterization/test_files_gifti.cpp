@@ -171,6 +171,11 @@ TEST(GIFTI, sorts_values_by_the_indices_of_their_vertices)
                  "The indices of vertices have 1 twice");
   expect_refused(read_gifti, gifti(indices("0 1 2 3") + indices("0 1 2 3"), 2), "line 5): the file has two of them");
   expect_refused(read_gifti, gifti(points() + indices("0 1 2 4"), 2), "have 4, but there are 4 vertices");
+  expect_refused(
+      read_gifti,
+      gifti(array("NODE_INDEX", "INT32", R"(Dimensionality="1" Dim0="0")", "ASCII", "") + values("UINT8", "1 2 3 4"),
+            2),
+      "it has no index");
 }
 
 TEST(GIFTI, takes_labels_for_whole_numbers)
@@ -350,7 +355,27 @@ TEST(GIFTI, refuses_what_is_wrong)
     deep += "<a>";
   expect(gifti(deep), "nested deeper than in any GIFTI file");
   expect(gifti("<LabelTable><Label Key=\"x\">a</Label></LabelTable>", 0), "the key of a label is 'x'");
-  expect(gifti("<LabelTable><Label Key=\"1\" Red=\"x\">a</Label></LabelTable>", 0), "the colour of a label is 'x'");
+  for(const std::string color : {"x", "nan", "inf"})
+    expect(gifti("<LabelTable><Label Key=\"1\" Red=\"" + color + "\">a</Label></LabelTable>", 0),
+           "the colour of a label is '" + color + "'");
+  expect(gifti("<LabelTable><Label Key=\"1\">a</Label><Label Key=\"1\">b</Label></LabelTable>", 0),
+         "two labels have the key 1");
+  expect(gifti(array("SHAPE", "UINT8", four, "ASCII", "1 2 3 4",
+                     "ArrayIndexingOrder=\"GIFTI_ENDIAN_BIG\" Endian=\"LittleEndian\"")),
+         "an order is 'GIFTI_ENDIAN_BIG', not RowMajorOrder or ColumnMajorOrder");
+  // what is short in the file, and long in memory
+  const auto repeated = [](const std::string& text, int n) {
+    std::string result;
+    for(int k = 0; k < n; ++k)
+      result += text;
+    return result;
+  };
+  std::string many_columns =
+      array("SHAPE", "UINT8", R"(Dimensionality="2" Dim0="1" Dim1="10000")", "ASCII", repeated("0 ", 10000),
+            R"(ArrayIndexingOrder="RowMajorOrder" Endian="LittleEndian")",
+            "<MetaData><MD><Name>a</Name><Value>" + std::string(10000, 'b') + "</Value></MD></MetaData>");
+  for(const std::string& content : {many_columns, "<MetaData>" + repeated("<MD/>", 1000000) + "</MetaData>"})
+    expect_refused(read_gifti, pack(gifti(content), true), "which no measurements are");
   expect(
       gifti(array("POINTSET", "FLOAT32", points_dimensions, "ASCII", "", "",
                   "<CoordinateSystemTransformMatrix><MatrixData>1 0 0</MatrixData></CoordinateSystemTransformMatrix>")),

@@ -188,6 +188,11 @@ TEST_F(Surface_files, features_are_compared_in_their_order_and_masks_may_be_labe
   write_curv("lh.mask", {1., 1., 0., 1.});
   write("lh.cortex.label", "#!ascii label\n3\n0 0 0 0 0\n1 0 0 0 0\n3 0 0 0 0\n");
   write("lh.large.label", "#!ascii label\n1\n4 0 0 0 0\n");
+  Surface_file regions;
+  regions.columns = {{"", "NIFTI_INTENT_LABEL", Vertex_values::Type::int32, {0., 0., 1., 1.}, {}}};
+  regions.labels = {{0, "a", {{1., 0., 0., 1.}}}, {1, "b", {{0., 1., 0., 1.}}}};
+  write_by("lh.regions.annot",
+           [&](auto& out, auto& message) { return SP::IO::write_FreeSurfer_annotation(out, regions, message); });
   const std::string map = "match lh.white lh.white --method hierarchical -o on.off ";
   const Outcome outcome = run(map + "--features lh.sulc,lh.curv rh.depth,rh.curv");
   EXPECT_EQ(outcome.status, 0) << outcome.err;
@@ -200,6 +205,7 @@ TEST_F(Surface_files, features_are_compared_in_their_order_and_masks_may_be_labe
        {"--features lh.cortex.label lh.sulc", "lh.cortex.label: has values of 3 vertices of a surface, not of all"},
        {"--masks lh.cortex.label lh.large.label",
         "lh.large.label: is no mask for the mesh: it has a vertex 4, the mesh has 4 vertices"},
+       {"--masks lh.cortex.label lh.regions.annot", "lh.regions.annot: is an annotation, which does not say"},
        {"--masks lh.cortex.label lh.short", "it has 2 vertices, the mesh has 4"}});
 }
 
@@ -388,6 +394,13 @@ TEST_F(Surface_files, GIFTI_values_are_those_of_the_vertices_that_the_file_names
     EXPECT_EQ(result(arguments + "values.shape.gii"), result(arguments + "lh.values"));
     expect_message(arguments + "some.shape.gii", "some.shape.gii: has values of 2 vertices of a surface, not of all");
   }
+  // The first vertices of a surface are not all of it.
+  Surface_file first = surface;
+  first.vertices = {0, 1};
+  first.columns = {{"first", "NIFTI_INTENT_SHAPE", Vertex_values::Type::float32, {1., 2.}, {}}};
+  write_gifti("first.surf.gii", first);
+  expect_message(remesh_white + "-o even.ply --transfer first.surf.gii",
+                 "first.surf.gii: has values of 2 vertices of a surface, not of all");
 }
 
 TEST_F(Surface_files, values_are_carried_over_to_GIFTI)
@@ -417,6 +430,23 @@ TEST_F(Surface_files, values_are_carried_over_to_GIFTI)
   file = read_gifti("even.func.gii");
   EXPECT_EQ(file.columns.at(0).type, Vertex_values::Type::int32);
   EXPECT_EQ(file.columns[0].values, std::vector<double>(18, 16777217.));
+  // Names that points, colours and comments have in other files; numbers beside labels stay numbers.
+  whole.columns[0].name = "x";
+  whole.columns.push_back({"red #1", "NIFTI_INTENT_SHAPE", Vertex_values::Type::uint8, {1., 1., 1., 1.}, {}});
+  write_gifti("names.shape.gii", whole);
+  expect_success(remesh_white + "-o even.ply --transfer names.shape.gii",
+                 "names.shape.gii: not carried over: the property 'x' of the vertices, whose name is taken\n");
+  expect_part(content(path("even.ply")), "property uchar red__1\n");
+  whole.columns[0].name = "count";
+  whole.columns[0].values = {1., 1., 1., 1.};
+  whole.columns[1].name = "red";
+  write_gifti("names.shape.gii", whole);
+  expect_success(remesh_white + "-o even.surf.gii --transfer v.func.gii,names.shape.gii");
+  file = read_gifti("even.func.gii");
+  ASSERT_EQ(file.columns.size(), 4u);
+  EXPECT_EQ(file.columns[0].name, "red"); // colours come first
+  EXPECT_EQ(file.columns[2].intent, "NIFTI_INTENT_LABEL");
+  EXPECT_EQ(file.columns[3].intent, "NIFTI_INTENT_SHAPE");
   values.columns.erase(values.columns.begin());
   values.columns[0].name = "region2";
   write_gifti("w.label.gii", values);

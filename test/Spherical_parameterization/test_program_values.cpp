@@ -280,6 +280,10 @@ TEST_F(Resampling_program, errors_are_named)
     x = -x;
   write_off("folded.off", folded);
   write_off("torus.off", test_meshes::torus(20, 30));
+  std::vector<double> numbers(642, 0.);
+  write_curv("lh.zero", numbers);
+  numbers.back() = NAN;
+  write_curv("lh.nan", numbers);
   expect_messages("resample lh.height fine.off coarse.off ",
                   {{"", "-o"},
                    {"-o lh.a --output-folder b", "--output-folder"},
@@ -293,6 +297,9 @@ TEST_F(Resampling_program, errors_are_named)
                    {"-o lh.a --valid lh.a", "lh.a: would be written twice"},
                    {"--areas coarse.off fine.off -o lh.a", "coarse.off: is of 42 vertices, but fine.off has 642"},
                    {"--areas lh.height coarse.off -o lh.a", "lh.height: has an area that is negative"},
+                   {"--areas lh.zero coarse.off -o lh.a --method adaptive", "lh.zero: has no area: all are 0"},
+                   {"--mask lh.zero -o lh.a", "lh.zero: is no mask: no vertex has a positive value"},
+                   {"--mask lh.nan -o lh.a", "lh.nan: is no mask: vertex 641 has a value that is not a number"},
                    {"--mask coarse.off -o lh.a", "coarse.off: has no values of vertices"}});
   expect_messages("resample ",
                   {{"lh.height coarse.off fine.off -o lh.a", "lh.height: is of 642 vertices, but coarse.off has 42"},
@@ -356,6 +363,19 @@ TEST_F(Resampling_program, names_labels_and_metadata_survive)
   for(std::size_t v = 0; v < directions.size(); ++v)
     EXPECT_TRUE(north.columns[0].values[v] == 3. || (north.columns[0].values[v] == 0. && directions[v][2] < 0.));
 
+  // FreeSurfer's annotations have the colour 0 there.
+  const SP::IO::Surface_file annotation = read_by("lh.north.annot", SP::IO::read_FreeSurfer_annotation);
+  EXPECT_EQ(annotation.labels.back().name, "");
+  EXPECT_EQ(annotation.labels.back().color, (std::array<double, 4>{0., 0., 0., 1.}));
+  // Where 0 is a region, another key is that of nothing.
+  file.labels.push_back({0, "middle", {{0., 1., 0., 1.}}});
+  write_by("halves.label.gii", write);
+  expect_success("resample halves.label.gii fine.off coarse.off --mask lh.height -o north.label.gii");
+  const SP::IO::Surface_file with_region = read_by("north.label.gii", SP::IO::read_GIFTI);
+  EXPECT_EQ(with_region.labels.back().key, 8);
+  for(std::size_t v = 0; v < directions.size(); ++v)
+    EXPECT_EQ(with_region.columns[0].values[v], north.columns[0].values[v] == 3. ? 3. : 8.);
+
   // What FreeSurfer says by the name becomes metadata.
   expect_success("resample lh.height fine.off coarse.off -o height.shape.gii");
   const SP::IO::Surface_file values = read_by("height.shape.gii", SP::IO::read_GIFTI);
@@ -363,7 +383,25 @@ TEST_F(Resampling_program, names_labels_and_metadata_survive)
   EXPECT_EQ(values.origin.metadata, (SP::IO::Metadata{{"AnatomicalStructurePrimary", "CortexLeft"}}));
   file.columns.push_back(file.columns[0]);
   write_by("two.label.gii", write);
-  expect_message("resample two.label.gii fine.off coarse.off -o lh.a", "lh.a: cannot hold 2 columns");
+  SP::IO::Surface_file both = file;
+  both.points.assign(directions.size(), {{1., 2., 3.}});
+  both.columns = {{"a", "NIFTI_INTENT_SHAPE", SP::IO::Vertex_values::Type::float32, {}, {}}};
+  both.columns[0].values.assign(directions.size(), 1.);
+  write_by("both.surf.gii", [&](auto& out, auto& message) { return SP::IO::write_GIFTI(out, both, message); });
+  SP::IO::Surface_file wrong = both;
+  wrong.columns.clear();
+  wrong.points[7][2] = NAN;
+  write_by("nan.surf.gii", [&](auto& out, auto& message) { return SP::IO::write_GIFTI(out, wrong, message); });
+  expect_messages(
+      "resample ",
+      {{"two.label.gii fine.off coarse.off -o lh.a", "lh.a: cannot hold 2 columns"},
+       {"two.label.gii fine.off coarse.off -o a.annot", "a.annot: cannot hold 2 columns"},
+       {"both.surf.gii coarse.off fine.off -o a.off", "a.off: cannot hold the values that come with"},
+       {"nan.surf.gii coarse.off fine.off -o a.off",
+        "nan.surf.gii: has a coordinate that is infinite or not a number, of vertex 7"},
+       {"lh.height fine.off coarse.off --mask two.label.gii -o lh.a",
+        "two.label.gii: is no mask: it has several values"},
+       {"lh.height fine.off coarse.off --mask lh.north.annot -o lh.a", "lh.north.annot: is an annotation"}});
 }
 #endif
 

@@ -108,9 +108,12 @@ inline void read_freesurfer_curv(std::string_view content, IO::Surface_file& fil
                      " values: it is damaged, or no curv file of FreeSurfer.");
 }
 
-// The colour that an annotation has for each vertex with a label. One without a name has all four bytes of it.
+// The colour that an annotation has for each vertex with a label. One without a name has all four bytes of it, but 0 if it is
+// transparent and black, which means that a vertex has no label.
 inline std::uint32_t color_of_annotation(const IO::Label& label)
 {
+  if(label.name.empty() && label.color == std::array<double, 4>{})
+    return 0;
   std::array<std::uint32_t, 4> bytes;
   for(std::size_t k = 0; k < 4; ++k)
     bytes[k] = static_cast<std::uint32_t>(std::lround(255. * (std::min)((std::max)(label.color[k], 0.), 1.)));

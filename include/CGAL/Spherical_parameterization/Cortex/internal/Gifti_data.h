@@ -94,27 +94,6 @@ inline std::string to_base64(std::string_view bytes)
   return result;
 }
 
-// Returns a text without blanks around it.
-inline std::string stripped(std::string_view text)
-{
-  constexpr const char* blanks = " \t\r\n";
-  const std::size_t begin = (std::min)(text.find_first_not_of(blanks), text.size());
-  return std::string(text.substr(begin, text.find_last_not_of(blanks) + 1 - begin));
-}
-
-// Returns the name of an entity in a text of XML that is none of the five that XML has, or empty.
-inline std::string_view undeclared_entity(std::string_view text)
-{
-  constexpr std::array<std::string_view, 5> known = {"lt", "gt", "amp", "quot", "apos"};
-  for(std::size_t k = text.find('&'); k < text.size(); k = text.find('&', k + 1))
-  {
-    const std::string_view name = text.substr(k + 1, (std::min)(text.find(';', k), text.size()) - k - 1);
-    if(name.substr(0, 1) != "#" && std::find(known.begin(), known.end(), name) == known.end())
-      return name;
-  }
-  return {};
-}
-
 // An array of a GIFTI file as its attributes tell of it.
 struct Gifti_array
 {
@@ -209,8 +188,6 @@ private:
   // of the two values of an attribute
   static bool is_second(const std::string& value, const std::string& first, const std::string& second)
   {
-    if(value == "GIFTI_ENDIAN_LITTLE" || value == "GIFTI_ENDIAN_BIG") // as some programs have written
-      return value == "GIFTI_ENDIAN_BIG";
     if(value != first && value != second)
       throw File_error("an order is ", in_quotes(value), ", not ", first, " or ", second, ": the file is damaged.");
     return value == second;
@@ -219,7 +196,9 @@ private:
   template <class Number>
   std::vector<double> read_binary(const std::string& bytes, std::size_t n)
   {
-    Byte_reader in(bytes, is_second(m_array.endian, "LittleEndian", "BigEndian"));
+    const bool is_old_word = m_array.endian.substr(0, 13) == "GIFTI_ENDIAN_"; // as some programs have written
+    Byte_reader in(bytes, is_old_word ? is_second(m_array.endian, "GIFTI_ENDIAN_LITTLE", "GIFTI_ENDIAN_BIG")
+                                      : is_second(m_array.endian, "LittleEndian", "BigEndian"));
     std::vector<double> numbers;
     for(numbers.reserve(n); numbers.size() < n;)
       numbers.push_back(static_cast<double>(in.read<Number>("an array")));

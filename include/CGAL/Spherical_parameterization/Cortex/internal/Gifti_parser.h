@@ -16,12 +16,12 @@
 
 #include <CGAL/Spherical_parameterization/Cortex/Surface_file.h>
 #include <CGAL/Spherical_parameterization/Cortex/internal/Gifti_data.h>
+#include <CGAL/Spherical_parameterization/Cortex/internal/Gifti_elements.h>
 #include <CGAL/Spherical_parameterization/Cortex/internal/surface_file_checks.h>
 #include <CGAL/Spherical_parameterization/internal/files/File_bytes.h>
 
 #include <expat.h>
 
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -30,21 +30,13 @@
 #include <memory>
 #include <new>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
 namespace CGAL::Spherical_parameterization::internal {
-
-// Returns an attribute of an element, empty if it has none of that name.
-inline std::string attribute(const XML_Char* const* attributes, std::string_view name)
-{
-  for(; *attributes != nullptr; attributes += 2)
-    if(attributes[0] == name)
-      return attributes[1];
-  return "";
-}
 
 // Reads a GIFTI file. Expat calls back for each element; what is thrown then waits until expat has returned.
 class Gifti_parser
@@ -138,20 +130,12 @@ private:
   // As the DTD is not read, expat skips what might be declared there, and numbers would lose digits.
   static void XMLCALL refuse_entity(void* data, const XML_Char* name, int)
   {
-    guard(data, [&](Gifti_parser& self) {
-      self.fail("the entity ", in_quotes(name), " is not declared: the file is damaged.");
-    });
+    guard(data, [&](Gifti_parser& self) { self.fail_for_entity(name); });
   }
 
-  // In attributes, expat skips them without a call.
-  void check_entities_of_attributes() const
+  [[noreturn]] void fail_for_entity(const std::string& name) const
   {
-    int begin = 0, size = 0;
-    if(const char* const text = XML_GetInputContext(m_parser, &begin, &size))
-      if(const std::string_view name =
-             undeclared_entity({text + begin, std::size_t(XML_GetCurrentByteCount(m_parser))});
-         !name.empty())
-        fail("the entity ", in_quotes(name), " is not declared: the file is damaged.");
+    fail("the entity ", in_quotes(name), " is not declared: the file is damaged.");
   }
 
   // what is wrong with an array, or an element
@@ -162,6 +146,27 @@ private:
       throw File_error("Array ", m_n_arrays, " (", in_quotes(m_array->intent), ", line ", m_array->line,
                        "): ", what...);
     throw File_error("Line ", XML_GetCurrentLineNumber(m_parser), ": ", what...);
+  }
+
+  // returns read(), and says where its errors are
+  template <class Read>
+  auto or_fail(const Read& read) const
+  {
+    try
+    {
+      return read();
+    }
+    catch(const File_error& error)
+    {
+      fail(error.what());
+    }
+  }
+
+  // of what is kept in memory
+  void add_size(std::size_t n_bytes)
+  {
+    m_unpacked_size += n_bytes;
+    or_fail([&] { check_unpacked_size(m_unpacked_size, m_file_size); });
   }
 
   // a whole number from 0 on that is not too large
@@ -178,7 +183,8 @@ private:
     constexpr std::size_t max_depth = 32;
     if(++m_depth > max_depth)
       fail("elements are nested deeper than in any GIFTI file: it is damaged.");
-    check_entities_of_attributes();
+    if(const std::string entity = undeclared_entity(m_parser); !entity.empty())
+      fail_for_entity(entity);
     if(m_depth == 1)
     {
       m_is_gifti = name == "GIFTI";
@@ -230,22 +236,10 @@ private:
 
   void start_label(const XML_Char** attributes)
   {
-    IO::Label& label = m_file->labels.emplace_back();
-    std::string key = attribute(attributes, "Key");
-    if(key.empty())
-      key = attribute(attributes, "Index"); // as some programs call it
-    constexpr double max = (std::numeric_limits<std::int32_t>::max)();
-    Number_text number("");
-    double x = 0.;
-    if(!number.is_number(key, x) || !(x == std::floor(x) && x >= -max && x <= max))
-      fail("the key of a label is ", in_quotes(key), ", which is no whole number: the file is damaged.");
-    label.key = static_cast<std::int32_t>(x);
-    label.color = {{0., 0., 0., 1.}};
-    constexpr std::array<const char*, 4> names = {"Red", "Green", "Blue", "Alpha"};
-    for(std::size_t k = 0; k < names.size(); ++k)
-      if(const std::string text = attribute(attributes, names[k]);
-         !text.empty() && !number.is_number(text, label.color[k]))
-        fail("the colour of a label is ", in_quotes(text), ", which is no number: the file is damaged.");
+    add_size(sizeof(IO::Label));
+    m_file->labels.push_back(or_fail([&] { return label_of(attributes); }));
+    if(!m_keys.insert(m_file->labels.back().key).second)
+      fail("two labels have the key ", m_file->labels.back().key, ": the file is damaged.");
   }
 
   void end_element(std::string_view name)
@@ -254,9 +248,15 @@ private:
     if(name == "DataArray")
       end_array();
     else if(name == "MD")
+    {
+      add_size(sizeof m_pair + m_pair.first.size() + m_pair.second.size());
       (m_array ? m_array->metadata : m_file->origin.metadata).push_back(std::move(m_pair));
+    }
     else if(name == "CoordinateSystemTransformMatrix" && m_array)
+    {
+      add_size(sizeof m_system + m_system.data_space.size() + m_system.transformed_space.size());
       m_array->systems.push_back(std::move(m_system));
+    }
     if(!m_has_text)
       return;
     m_has_text = false;
@@ -288,14 +288,7 @@ private:
     if(m_array->has_data)
       fail("it has data twice: the file is damaged.");
     m_array->has_data = true;
-    try
-    {
-      m_numbers = Gifti_data(*m_array, m_file_size, m_unpacked_size)(m_text);
-    }
-    catch(const File_error& error)
-    {
-      fail(error.what());
-    }
+    m_numbers = or_fail([&] { return Gifti_data(*m_array, m_file_size, m_unpacked_size)(m_text); });
     m_text = {}; // its memory as well
   }
 
@@ -320,6 +313,8 @@ private:
     {
       if(std::exchange(m_has_indices, true))
         fail("the file has two of them, but values are of one choice of vertices.");
+      if(m_numbers.empty())
+        fail("it has no index: the file is damaged.");
       for(const double x : m_numbers)
         m_file->vertices.push_back(index_of(x));
     }
@@ -365,11 +360,15 @@ private:
     const bool is_label = column.intent == "NIFTI_INTENT_LABEL";
     if(is_label && column.type == Type::float32)
       column.type = Type::int32; // as keys are not to be averaged
+    add_size(sizeof column + column.intent.size());
     for(const auto& pair : m_array->metadata)
+    {
+      add_size(sizeof pair + pair.first.size() + pair.second.size());
       if(pair.first == "Name")
         column.name = pair.second;
       else
         column.metadata.push_back(pair);
+    }
     if(n_columns > 1)
       column.name += (column.name.empty() ? "" : " ") + std::to_string(k + 1);
     column.values.reserve(n);
@@ -393,6 +392,7 @@ private:
   IO::Coordinate_system m_system;
   std::optional<Gifti_array> m_array; // that is being read
   std::vector<double> m_numbers;      // of that
+  std::set<std::int32_t> m_keys;      // of labels
 };
 
 } // namespace CGAL::Spherical_parameterization::internal

@@ -51,8 +51,13 @@ std::size_t lower_area_differences(const Surface& surface, const Area_shares& sh
   constexpr double min_fall = 1e-4;        // of the objective in a step, relative: with less, it has settled
   constexpr double sufficient_fall = 1e-4; // of what the slope promises
 
-  Area_step<Energy> step(surface.rings(), surface.points(), shares.of_faces, shares.of_vertices, energy);
   Parameterization_report& report = control.report();
+  if(!control.check_clock())
+  {
+    report.stop_reason = control.stop_reason();
+    return 0;
+  }
+  Area_step<Energy> step(surface.rings(), surface.points(), shares.of_faces, shares.of_vertices, energy);
   std::vector<Vector_3d> moved;
   double penalty = first_penalty, damping = first_damping;
   double value = step.objective(positions, penalty);

@@ -16,6 +16,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -59,8 +60,9 @@ public:
     }
     for(std::size_t k = 0; k < matrix.size(); ++k)
       m_starts[k + 1] += m_starts[k];
-    m_rows.resize(m_starts.back());
-    m_values.resize(m_starts.back());
+    // Without a value: to fill what a large mesh needs takes seconds.
+    m_rows.reset(new std::uint32_t[m_starts.back()]);
+    m_values.reset(new double[m_starts.back()]);
   }
 
   // Factorizes a matrix of the pattern. Returns false if there is no factorization, or goes_on(), asked every few milliseconds, is
@@ -151,13 +153,13 @@ private:
 
   std::vector<std::size_t> m_row_starts;
   std::vector<std::pair<std::uint32_t, std::size_t>> m_entries;
-  std::vector<std::uint32_t> m_parents; // in the tree of elimination
-  std::vector<std::size_t> m_starts;    // of the columns of L, without its diagonal of ones
-  std::vector<std::uint32_t> m_rows;    // of the entries of L
-  std::vector<double> m_values;         // of the entries of L
-  std::vector<double> m_diagonal;       // D
-  std::vector<std::uint32_t> m_marks;   // the last row in which a column has been visited
-  std::vector<std::uint32_t> m_pattern; // of a row of L
+  std::vector<std::uint32_t> m_parents;    // in the tree of elimination
+  std::vector<std::size_t> m_starts;       // of the columns of L, without its diagonal of ones
+  std::unique_ptr<std::uint32_t[]> m_rows; // of the entries of L
+  std::unique_ptr<double[]> m_values;      // of the entries of L
+  std::vector<double> m_diagonal;          // D
+  std::vector<std::uint32_t> m_marks;      // the last row in which a column has been visited
+  std::vector<std::uint32_t> m_pattern;    // of a row of L
 };
 
 } // namespace CGAL::Spherical_parameterization::internal
