@@ -8,6 +8,7 @@
 #include <csignal>
 #include <cstdio>
 #include <ios>
+#include <mutex>
 #include <random>
 #include <set>
 #include <streambuf>
@@ -74,9 +75,13 @@ void sweep_temporary_files(const std::filesystem::path& folder)
 {
   namespace fs = std::filesystem;
   std::error_code error, ignored;
-  static std::set<fs::path> swept; // one after the other, a process may write thousands of files to a folder
-  if(!swept.insert(folder).second)
-    return;
+  static std::set<fs::path> swept; // a process may write thousands of files to a folder, on several threads
+  static std::mutex mutex;
+  {
+    const std::lock_guard<std::mutex> lock(mutex);
+    if(!swept.insert(folder).second)
+      return;
+  }
   const std::string begin = beginning_of_temporary_names();
   for(fs::directory_iterator entry(folder, error); !error && entry != fs::directory_iterator(); entry.increment(error))
   {
