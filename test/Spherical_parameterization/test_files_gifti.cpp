@@ -255,6 +255,17 @@ TEST(GIFTI, writes_what_XML_can_hold)
   file.columns[0].type = Vertex_values::Type::float32;
   file.columns[0].values[0] = 1e39;
   expect_not_written(write, SP::ERROR_OUT_OF_FLOAT_RANGE, "The value 1e+39 of vertex 0 in column 'a' is too large");
+  file.columns[0].values[0] = 1.;
+  const Surface_file right = file;
+  file.vertices = {7, 7};
+  file.columns[0].values = {1., 2.};
+  expect_not_written(write, SP::ERROR_WRONG_PARAMETER, "The values are of vertex 7 twice");
+  file = right;
+  file.labels = {{1, "a", {}}, {1, "b", {}}};
+  expect_not_written(write, SP::ERROR_WRONG_PARAMETER, "Two labels have the key 1");
+  file.labels = {{1, "a", {{NAN, 0., 0., 0.}}}};
+  expect_not_written(write, SP::ERROR_WRONG_PARAMETER, "Label 1 has a colour that is not finite");
+  file.labels.clear();
   file.columns.clear();
   file.points = {{{1e39, 0., 0.}}};
   expect_not_written(write, SP::ERROR_OUT_OF_FLOAT_RANGE, "Vertex 0 has the coordinate 1e+39");

@@ -229,11 +229,14 @@ inline Error_code read_GIFTI(std::istream& in, Surface_file& file, std::string& 
 /// \param message receives why nothing is written, in one line; empty with `OK`
 /// \param is_packed whether the file as a whole is packed by gzip, as the name `.gii.gz` says
 ///
-/// \return `OK`; `ERROR_WRONG_PARAMETER` if a number of a column is not of its type; `ERROR_OUT_OF_FLOAT_RANGE` if a
+/// \return `OK`; `ERROR_WRONG_PARAMETER` if a number of a column is not of its type, two labels have the same key, a colour is
+///         not finite, or `vertices` has one twice; `ERROR_OUT_OF_FLOAT_RANGE` if a
 ///         number is finite but beyond 32-bit numbers; or `ERROR_CANNOT_WRITE_FILE`
 inline Error_code write_GIFTI(std::ostream& out, const Surface_file& file, std::string& message, bool is_packed = false)
 {
   message.clear();
+  if(const Error_code error = internal::check_labels_and_vertices(file, message); error != OK)
+    return error;
   if(const Error_code error = internal::check_columns(file.columns, false, message); error != OK)
     return error;
   if(const Error_code error = internal::check_points(file.points, message); error != OK)

@@ -25,6 +25,7 @@
 #include <cstdint>
 #include <numeric>
 #include <ostream>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -51,6 +52,24 @@ inline Error_code check_points(const std::vector<std::array<double, 3>>& points,
       if(!is_in_float_range(x))
         return refuse(message, ERROR_OUT_OF_FLOAT_RANGE, "Vertex ", v, " has the coordinate ", x,
                       ", which is too large for a 32-bit number: scale the surface first, or write an OFF file.");
+  return OK;
+}
+
+// Checks that labels have different keys and finite colours, and that vertices are named once, as the readers want it.
+inline Error_code check_labels_and_vertices(const IO::Surface_file& file, std::string& message)
+{
+  std::set<std::int32_t> keys;
+  for(const IO::Label& label : file.labels)
+  {
+    if(!keys.insert(label.key).second)
+      return refuse(message, ERROR_WRONG_PARAMETER, "Two labels have the key ", label.key, ".");
+    if(!std::all_of(label.color.begin(), label.color.end(), [](double x) { return std::isfinite(x); }))
+      return refuse(message, ERROR_WRONG_PARAMETER, "Label ", label.key, " has a colour that is not finite.");
+  }
+  std::set<std::uint32_t> vertices;
+  for(const std::uint32_t v : file.vertices)
+    if(!vertices.insert(v).second)
+      return refuse(message, ERROR_WRONG_PARAMETER, "The values are of vertex ", v, " twice.");
   return OK;
 }
 
