@@ -1,6 +1,7 @@
 #include "read_file.h"
 
 #include <CGAL/Spherical_parameterization/Cortex/FreeSurfer.h>
+#include <CGAL/Spherical_parameterization/Cortex/internal/surface_file_checks.h>
 #include <CGAL/Spherical_parameterization/Error_code.h>
 #include <CGAL/Spherical_parameterization/internal/files/read_mesh_file.h>
 #ifdef PROGRAM_READS_GIFTI
@@ -214,9 +215,7 @@ SP::IO::Surface_file read_surface_file(Surface_file_kind kind, const std::string
 
 bool has_all_vertices(const std::vector<std::uint32_t>& vertices, std::size_t n_points)
 {
-  std::size_t n = 0;
-  const bool are_first = std::all_of(vertices.begin(), vertices.end(), [&](std::uint32_t v) { return v == n++; });
-  return are_first && (n == 0 || n_points == 0 || n == n_points);
+  return SP::internal::are_consecutive(vertices) && (vertices.empty() || n_points == 0 || vertices.size() == n_points);
 }
 
 void check_mask_file(const std::string& path)

@@ -158,7 +158,7 @@ public:
     check_number(m_to_name, m_to.points.size(), m_from_name, m_from.points.size());
     if(m_to.triangles != m_from.triangles)
       throw error_in(m_to_name, "has other faces than ", printable(m_from_name));
-    check_points(m_to_name, m_to);
+    check_finite(m_to_name, m_to);
     int status = EXIT_SUCCESS;
     for(std::size_t k = 0; k < m_options.inputs.size(); ++k)
     {
@@ -230,7 +230,7 @@ private:
     return file;
   }
 
-  static void check_points(const std::string& name, const Surface_file& file)
+  static void check_finite(const std::string& name, const Surface_file& file)
   {
     for(std::size_t v = 0; v < file.points.size(); ++v)
       for(const double x : file.points[v])
@@ -244,7 +244,7 @@ private:
   {
     if(!has_all_vertices(file.vertices, file.points.size()))
       throw error_in(name, "has values of some vertices of a surface, not of all");
-    check_points(name, file);
+    check_finite(name, file);
     if(file.points.empty() && file.columns.empty())
       throw error_in(name, "has nothing that vertices have");
     if(!file.points.empty() && m_options.has("mask"))

@@ -204,7 +204,7 @@ TEST(FreeSurfer_curv, reads_and_writes_values)
   using Type = Vertex_values::Type;
   for(const auto& [type, value, part] :
       {std::tuple(Type::float32, -1e300, "The value -1e+300 of vertex 0 in column 'name' is too large"),
-       {Type::int32, 16777217., "The whole number 16777217 of vertex 0 in column 'name' would lose digits"}})
+       {Type::int32, 16777217., "The integer 16777217 of vertex 0 in column 'name' would lose digits"}})
   {
     const Vertex_values column{"name", "", type, {value}, {}};
     const auto write = [&](auto& out, auto& message) { return SP::IO::write_FreeSurfer_curv(out, column, 7, message); };
@@ -309,6 +309,7 @@ TEST(FreeSurfer_annotation, is_not_written_if_labels_would_be_lost)
     expect_not_written(write, SP::ERROR_WRONG_PARAMETER, part);
   };
   expect("There is no column", [](Surface_file& file) { file.columns.clear(); });
+  expect("of 3 vertices of a surface, not of all from 0 on", [](Surface_file& file) { file.vertices = {0, 1, 3}; });
   expect("the label 7, whose colour is that of a label before it", [](auto& file) { file.columns[0].values[0] = 7.; });
   expect("the label 8, which is not in the table", [](Surface_file& file) { file.columns[0].values[0] = 8.; });
   expect("the label 0.5, which is not in the table", [](Surface_file& file) { file.columns[0].values[0] = 0.5; });
@@ -333,17 +334,16 @@ TEST(FreeSurfer_label, reads_some_of_the_vertices)
   EXPECT_TRUE(std::isnan(file.columns[0].values.at(1)));
   EXPECT_EQ(read(read_label, "0\n").columns.at(0).values.size(), 0u);
 
-  expect_all_refused(read_label,
-                     {{"", "ends before the number of vertices of line 1"},
-                      {"#!ascii label\nmany\n", "Line 2: the number of vertices is 'many'"},
-                      {"#!ascii label\n-2\n", "Line 2: the number of vertices is '-2'"},
-                      {"2000000000\n1 0 0 0 0\n", "too short for 2000000000 vertices"},
-                      {"1\n1.5 0 0 0 0 \n", "Line 2: the vertex is '1.5', which is no whole number from 0 on"},
-                      {"1\n-1 0 0 0 0 \n", "Line 2: the vertex is '-1'"},
-                      {"1\n1 0 x 0 0 \n", "Line 2: coordinate y is 'x', which is no number"},
-                      {"1\n1 0 1e999 0 \n", "coordinate y is '1e999'"},
-                      {"1\n1 0 0 0  \n", "ends before the value of line 2"},
-                      {content + "5 0 0 0 0\n", "goes on after 2 vertices with '5'"}});
+  expect_all_refused(read_label, {{"", "ends before the number of vertices of line 1"},
+                                  {"#!ascii label\nmany\n", "Line 2: the number of vertices is 'many'"},
+                                  {"#!ascii label\n-2\n", "Line 2: the number of vertices is '-2'"},
+                                  {"2000000000\n1 0 0 0 0\n", "too short for 2000000000 vertices"},
+                                  {"1\n1.5 0 0 0 0 \n", "Line 2: the vertex is '1.5', which is no integer from 0 on"},
+                                  {"1\n-1 0 0 0 0 \n", "Line 2: the vertex is '-1'"},
+                                  {"1\n1 0 x 0 0 \n", "Line 2: coordinate y is 'x', which is no number"},
+                                  {"1\n1 0 1e999 0 \n", "coordinate y is '1e999'"},
+                                  {"1\n1 0 0 0  \n", "ends before the value of line 2"},
+                                  {content + "5 0 0 0 0\n", "goes on after 2 vertices with '5'"}});
 }
 
 #ifdef TEST_MGH
@@ -448,12 +448,12 @@ TEST(MGH, is_not_written_if_values_would_be_lost)
       {{column(Type::float32, {})}, SP::ERROR_WRONG_PARAMETER, "There are no values"},
       {{column(Type::float32, {1.}), column(Type::float32, {1., 2.})}, SP::ERROR_WRONG_PARAMETER, "has 2 values, but"},
       {{column(Type::uint8, {256.})}, SP::ERROR_WRONG_PARAMETER, "The value 256 of vertex 0"},
-      {{column(Type::int32, {0.5})}, SP::ERROR_WRONG_PARAMETER, "no whole number from -2147483648 to 2147483647"},
+      {{column(Type::int32, {0.5})}, SP::ERROR_WRONG_PARAMETER, "no integer from -2147483648 to 2147483647"},
       {{column(Type::int32, {NAN})}, SP::ERROR_WRONG_PARAMETER, "The value nan of vertex 0"},
       {{column(Type::float32, {1e39})}, SP::ERROR_OUT_OF_FLOAT_RANGE, "The value 1e+39 of vertex 0"},
       {{column(Type::int32, {16777216.}), column(Type::float32, {0.5}), column(Type::int32, {-16777217.})},
        SP::ERROR_OUT_OF_FLOAT_RANGE,
-       "The whole number -16777217 of vertex 0 in column '' would lose digits"}};
+       "The integer -16777217 of vertex 0 in column '' would lose digits"}};
   for(const auto& [columns, error, part] : cases)
   {
     Surface_file file;
@@ -461,6 +461,13 @@ TEST(MGH, is_not_written_if_values_would_be_lost)
     const auto write = [&](auto& out, auto& message) { return SP::IO::write_MGH(out, file, message, false); };
     expect_not_written(write, error, part);
   }
+  Surface_file some;
+  some.columns = {column(Type::float32, {1., 2.})};
+  some.vertices = {0, 2};
+  const auto write = [&](auto& out, auto& message) { return SP::IO::write_MGH(out, some, message, false); };
+  expect_not_written(write, SP::ERROR_WRONG_PARAMETER, "of 2 vertices of a surface, not of all from 0 on");
+  some.vertices = {0, 1};
+  write_mgh(some, false);
 }
 
 #endif

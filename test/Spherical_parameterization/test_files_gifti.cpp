@@ -187,7 +187,7 @@ TEST(GIFTI, takes_labels_for_whole_numbers)
   EXPECT_EQ(file.columns.at(0).type, Vertex_values::Type::int32);
   EXPECT_TRUE(are_same(file.columns[0].values, {3., -7., 16777216., 0.}));
   for(const char* wrong : {"1 2 2.5 3", "1 2 nan 3", "1 2 3e9 3"})
-    expect_refused(read_gifti, labels(wrong), "but the keys of labels are whole numbers");
+    expect_refused(read_gifti, labels(wrong), "but the keys of labels are 32-bit integers");
 }
 
 TEST(GIFTI, writes_all_that_it_reads)
@@ -251,7 +251,7 @@ TEST(GIFTI, writes_what_XML_can_hold)
   const auto write = [&](auto& out, auto& message) { return SP::IO::write_GIFTI(out, file, message); };
   file.columns[0].values[0] = -1.;
   expect_not_written(write, SP::ERROR_WRONG_PARAMETER,
-                     "The value -1 of vertex 0 in column 'a' is no whole number from 0 to 255");
+                     "The value -1 of vertex 0 in column 'a' is no integer from 0 to 255");
   file.columns[0].type = Vertex_values::Type::float32;
   file.columns[0].values[0] = 1e39;
   expect_not_written(write, SP::ERROR_OUT_OF_FLOAT_RANGE, "The value 1e+39 of vertex 0 in column 'a' is too large");

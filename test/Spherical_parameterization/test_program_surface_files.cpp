@@ -422,7 +422,7 @@ TEST_F(Surface_files, values_are_carried_over_to_GIFTI)
   ASSERT_EQ(file.labels.size(), 1u);
   EXPECT_EQ(file.labels[0].name, "all");
   EXPECT_EQ(file.origin.metadata.at(0).second, "CortexLeft");
-  // Whole numbers that floating-point numbers of 32 bits do not hold
+  // Integers that 32-bit floating-point numbers do not hold
   Surface_file whole;
   whole.columns = {{"long", "NIFTI_INTENT_SHAPE", Vertex_values::Type::int32, std::vector<double>(4, 16777217.), {}}};
   write_gifti("long.shape.gii", whole);

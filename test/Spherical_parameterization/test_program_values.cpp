@@ -347,7 +347,7 @@ TEST_F(Resampling_program, names_labels_and_metadata_survive)
     x = x == 3. ? 3. : 16777217.;
   write_by("large.label.gii", [&](auto& out, auto& message) { return SP::IO::write_GIFTI(out, long_keys, message); });
   expect_messages("resample large.label.gii fine.off coarse.off ",
-                  {{"-o lh.a", "lh.a: The whole number 16777217 of vertex "},
+                  {{"-o lh.a", "lh.a: The integer 16777217 of vertex "},
                    {"-o lh.a.annot", "lh.a.annot: A vertex has the label 16777217, which is not in the table"}});
   expect_success("resample large.label.gii fine.off coarse.off -o a.mgh");
 

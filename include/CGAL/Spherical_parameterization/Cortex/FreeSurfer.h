@@ -100,7 +100,7 @@ Error_code read_FreeSurfer_annotation(std::istream& in, Surface_file& file, std:
 /// \param file the column and the labels
 /// \param message receives why nothing is written, in one line; empty with `OK`
 ///
-/// \return `OK`; `ERROR_WRONG_PARAMETER` if the reader would refuse the file or find other labels: there is no column, a vertex
+/// \return `OK`; `ERROR_WRONG_PARAMETER` if the reader would refuse the file or find other labels: there is no column, `vertices` are not those from 0 on, a vertex
 ///         has a key without label, two labels have the same key, the key of a label with a name is negative or above
 ///         2<sup>24</sup>, a component of a colour is not from 0 to 1, or a label that a vertex has is of the same colour as one
 ///         before it; or `ERROR_CANNOT_WRITE_FILE`

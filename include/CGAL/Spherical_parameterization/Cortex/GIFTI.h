@@ -193,7 +193,7 @@ namespace IO {
 /// (`.label.gii`), or all of them. All encodings but that in a second file are read, both orders of bytes, and numbers of all
 /// types that doubles can hold. Metadata and coordinate systems are kept; points are not transformed. An array of several columns
 /// becomes as many columns, numbered from 1. Values with node indices are sorted by these, which `vertices` receives, whether they
-/// are of all vertices or not. Numbers with the intent of labels have to be whole, of whatever type. The file may be packed
+/// are of all vertices or not. Numbers with the intent of labels have to be integers, of whatever type. The file may be packed
 /// by gzip (`.gii.gz`). Memory is bounded by the size of the file: what is packed may unpack to 32 MB of doubles, or to 250 times
 /// the size of the file.
 ///

@@ -161,8 +161,8 @@ inline Error_code read_MGH(std::istream& in, Surface_file& file, std::string& me
 /// \param message receives why nothing is written, in one line; empty with `OK`
 /// \param is_packed whether the file is packed by gzip, as the name `.mgz` says
 ///
-/// \return `OK`; `ERROR_WRONG_PARAMETER` if there is no column, their lengths differ or are 0, or a number is not of the type of its
-///         column; `ERROR_OUT_OF_FLOAT_RANGE` if a number is too large for 32 bits, or an integer beside a column of floating-point
+/// \return `OK`; `ERROR_WRONG_PARAMETER` if there is no column, their lengths differ or are 0, a number is not of the type of its
+///         column, or `vertices` are not those from 0 on; `ERROR_OUT_OF_FLOAT_RANGE` if a number is too large for 32 bits, or an integer beside a column of floating-point
 ///         numbers would lose digits; or `ERROR_CANNOT_WRITE_FILE`
 inline Error_code write_MGH(std::ostream& out, const Surface_file& file, std::string& message, bool is_packed)
 {
@@ -180,6 +180,8 @@ inline Error_code write_MGH(std::ostream& out, const Surface_file& file, std::st
   }
   if(n == 0)
     return internal::refuse(message, ERROR_WRONG_PARAMETER, "There are no values, which an MGH file holds.");
+  if(const Error_code error = internal::check_consecutive(file.vertices, message); error != OK)
+    return error;
   if(const Error_code error = internal::check_columns(file.columns, !is_whole, message); error != OK)
     return error;
   using Header = internal::Mgh_header;

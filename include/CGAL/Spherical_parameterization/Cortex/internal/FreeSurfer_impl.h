@@ -245,7 +245,7 @@ inline void read_freesurfer_label(std::string_view content, IO::Surface_file& fi
     constexpr double max = (std::numeric_limits<std::int32_t>::max)();
     if(!text.is_number(word, x) || (is_whole && !(x == std::floor(x) && x >= 0. && x <= max)))
       throw File_error("Line ", line_number, ": ", what, " is ", in_quotes(word), ", which is no ",
-                       is_whole ? "whole number from 0 on" : "number", ": the file is damaged, or no label file.");
+                       is_whole ? "integer from 0 on" : "number", ": the file is damaged, or no label file.");
     return x;
   };
   const double n = read("the number of vertices", true);
@@ -334,6 +334,8 @@ CGAL_SPHERICAL_PARAMETERIZATION_INLINE Error_code write_FreeSurfer_annotation(st
   const auto refuse = [&](const auto&... parts) { return internal::refuse(message, ERROR_WRONG_PARAMETER, parts...); };
   if(file.columns.empty())
     return refuse("There is no column of labels, which an annotation holds.");
+  if(const Error_code error = internal::check_consecutive(file.vertices, message); error != OK)
+    return error;
   std::map<double, std::uint32_t> colors;
   std::map<std::uint32_t, std::int32_t> keys; // of the first label with a colour
   std::set<double> all_keys;

@@ -376,7 +376,7 @@ private:
     {
       const double x = m_numbers[i * n_columns + k];
       if(is_label && !(x == std::floor(x) && std::abs(x) <= (std::numeric_limits<std::int32_t>::max)()))
-        fail("it has the label ", x, ", but the keys of labels are whole numbers of 32 bits: the file is damaged.");
+        fail("it has the label ", x, ", but the keys of labels are 32-bit integers: the file is damaged.");
       column.values.push_back(x);
     }
     m_file->columns.push_back(std::move(column));

@@ -55,6 +55,21 @@ inline Error_code check_points(const std::vector<std::array<double, 3>>& points,
   return OK;
 }
 
+// Returns whether these are the vertices from 0 on, as none are: those of the values in formats without indices.
+inline bool are_consecutive(const std::vector<std::uint32_t>& vertices)
+{
+  std::size_t n = 0;
+  return std::all_of(vertices.begin(), vertices.end(), [&](std::uint32_t v) { return v == n++; });
+}
+
+// Checks that a format without indices holds the values.
+inline Error_code check_consecutive(const std::vector<std::uint32_t>& vertices, std::string& message)
+{
+  return are_consecutive(vertices) ? OK
+                                   : refuse(message, ERROR_WRONG_PARAMETER, "The values are of ", vertices.size(),
+                                            " vertices of a surface, not of all from 0 on: write a GIFTI file.");
+}
+
 // Checks that labels have different keys and finite colours, and that vertices are named once, as the readers want it.
 inline Error_code check_labels_and_vertices(const IO::Surface_file& file, std::string& message)
 {
@@ -91,11 +106,11 @@ inline Error_code check_columns(const std::vector<IO::Vertex_values>& columns, b
       }
       else if(!(x >= min && x <= max && x == std::floor(x)))
         return refuse(message, ERROR_WRONG_PARAMETER, "The value ", x, " of vertex ", v, " in column ",
-                      in_quotes(column.name), " is no whole number from ", static_cast<std::int64_t>(min), " to ",
+                      in_quotes(column.name), " is no integer from ", static_cast<std::int64_t>(min), " to ",
                       static_cast<std::int64_t>(max), ", as its type says: change the type to float32.");
       else if(are_floats && x != static_cast<double>(static_cast<float>(x)))
-        return refuse(message, ERROR_OUT_OF_FLOAT_RANGE, "The whole number ", static_cast<std::int64_t>(x),
-                      " of vertex ", v, " in column ", in_quotes(column.name),
+        return refuse(message, ERROR_OUT_OF_FLOAT_RANGE, "The integer ", static_cast<std::int64_t>(x), " of vertex ", v,
+                      " in column ", in_quotes(column.name),
                       " would lose digits as a 32-bit floating-point number: write a GIFTI file.");
     }
   return OK;

@@ -53,8 +53,7 @@ public:
   {
     std::ostringstream text;
     text.imbue(std::locale::classic());
-    text.precision(std::numeric_limits<std::int32_t>::digits10 +
-                   1); // so that whole numbers of 32 bits are what they are
+    text.precision(std::numeric_limits<std::int32_t>::digits10 + 1); // so that 32-bit integers have all digits
     (text << ... << parts);
     return text.str();
   }
