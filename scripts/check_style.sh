@@ -2,7 +2,8 @@
 # Usage: scripts/check_style.sh
 #
 # Checks the layout of all C++ files (clang-format 14, whose output differs from that of other versions), the first
-# lines and the include guard of every header, and the blanks of every text file. Prints what is wrong; changes nothing.
+# lines and the include guard of every header, that what computes is compiled without contraction, and the blanks of every text
+# file. Prints what is wrong; changes nothing.
 
 # shellcheck source-path=SCRIPTDIR source=common.sh
 . "$(dirname "${BASH_SOURCE[0]}")/common.sh"
@@ -40,7 +41,15 @@ else
   echo "clang-format 14 is not installed: the layout remains unchecked."
 fi
 
+computes='\b(double|float|FT|Vector_3d?)\b|\b[0-9]+\.'
 for header in "${headers[@]}"; do
+  [[ $header != */numbers/@(begin|end)_arithmetic.h ]] || continue # included several times
+  if sed 's,//.*,,; /^#include/d' "$header" | grep -qE "$computes" && grep -q '^namespace CGAL' "$header"; then
+    between=$(sed -n '\,numbers/begin_arithmetic.h>$,,\,numbers/end_arithmetic.h>$,p' "$header")
+    [ "$(grep -c '^namespace CGAL' "$header")" -eq "$(grep -c '^namespace CGAL' <<<"$between")" ] &&
+      [ "$(grep -c '^#include <\(CGAL\|[a-z]\)' <<<"$between")" -eq 2 ] ||
+      report "$header: it computes, and is not between internal/numbers/begin_arithmetic.h and end_arithmetic.h"
+  fi
   boilerplate=$(head -n 8 "$header")
   [[ $boilerplate == "// Copyright (c) "*"// This file is part of the Spherical_parameterization package for CGAL"* ]] ||
     report "$header: the copyright is missing"

@@ -19,6 +19,8 @@
 #include <array>
 #include <cmath>
 
+#include <CGAL/Spherical_parameterization/internal/numbers/begin_arithmetic.h>
+
 namespace CGAL::Spherical_parameterization {
 
 /// \ingroup PkgSphericalParameterizationRadius
@@ -49,5 +51,7 @@ public:
 };
 
 } // namespace CGAL::Spherical_parameterization
+
+#include <CGAL/Spherical_parameterization/internal/numbers/end_arithmetic.h>
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_AREA_BALANCING_RADIUS_3_H

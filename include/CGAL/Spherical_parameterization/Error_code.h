@@ -17,6 +17,8 @@
 #include <iterator>
 #include <utility>
 
+#include <CGAL/Spherical_parameterization/internal/numbers/begin_arithmetic.h>
+
 namespace CGAL::Spherical_parameterization {
 
 // clang-format off
@@ -153,5 +155,7 @@ inline const char* get_error_message(Error_code error_code)
 }
 
 } // namespace CGAL::Spherical_parameterization
+
+#include <CGAL/Spherical_parameterization/internal/numbers/end_arithmetic.h>
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_ERROR_CODE_H

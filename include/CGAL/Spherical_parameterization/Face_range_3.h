@@ -20,6 +20,8 @@
 #include <cstddef>
 #include <vector>
 
+#include <CGAL/Spherical_parameterization/internal/numbers/begin_arithmetic.h>
+
 namespace CGAL::Spherical_parameterization {
 
 #ifndef DOXYGEN_RUNNING
@@ -124,5 +126,7 @@ private:
 };
 
 } // namespace CGAL::Spherical_parameterization
+
+#include <CGAL/Spherical_parameterization/internal/numbers/end_arithmetic.h>
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_FACE_RANGE_3_H

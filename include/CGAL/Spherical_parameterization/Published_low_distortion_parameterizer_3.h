@@ -32,6 +32,8 @@
 
 #include <type_traits>
 
+#include <CGAL/Spherical_parameterization/internal/numbers/begin_arithmetic.h>
+
 namespace CGAL::Spherical_parameterization {
 
 /// \ingroup PkgSphericalParameterizationMethods
@@ -151,5 +153,7 @@ private:
 };
 
 } // namespace CGAL::Spherical_parameterization
+
+#include <CGAL/Spherical_parameterization/internal/numbers/end_arithmetic.h>
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_PUBLISHED_LOW_DISTORTION_PARAMETERIZER_3_H

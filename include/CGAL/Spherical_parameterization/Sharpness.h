@@ -16,6 +16,8 @@
 
 #include <cstddef>
 
+#include <CGAL/Spherical_parameterization/internal/numbers/begin_arithmetic.h>
+
 namespace CGAL::Spherical_parameterization {
 
 #ifndef DOXYGEN_RUNNING
@@ -126,5 +128,7 @@ private:
 };
 
 } // namespace CGAL::Spherical_parameterization
+
+#include <CGAL/Spherical_parameterization/internal/numbers/end_arithmetic.h>
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_SHARPNESS_H

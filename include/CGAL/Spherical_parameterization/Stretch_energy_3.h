@@ -17,6 +17,8 @@
 #include <CGAL/Spherical_parameterization/Energy_derivatives_3.h>
 #include <CGAL/Spherical_parameterization/internal/numbers/Vector_3.h>
 
+#include <CGAL/Spherical_parameterization/internal/numbers/begin_arithmetic.h>
+
 namespace CGAL::Spherical_parameterization {
 
 /// \ingroup PkgSphericalParameterizationEnergies
@@ -78,5 +80,7 @@ private:
 };
 
 } // namespace CGAL::Spherical_parameterization
+
+#include <CGAL/Spherical_parameterization/internal/numbers/end_arithmetic.h>
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_STRETCH_ENERGY_3_H

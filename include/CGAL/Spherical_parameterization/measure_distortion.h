@@ -28,6 +28,8 @@
 #include <cmath>
 #include <cstddef>
 
+#include <CGAL/Spherical_parameterization/internal/numbers/begin_arithmetic.h>
+
 namespace CGAL::Spherical_parameterization {
 
 /// \ingroup PkgSphericalParameterizationMeasuring
@@ -216,5 +218,7 @@ Error_code measure_distortion(const TriangleMesh& tmesh, VertexSphereMap vertex_
 }
 
 } // namespace CGAL::Spherical_parameterization
+
+#include <CGAL/Spherical_parameterization/internal/numbers/end_arithmetic.h>
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_MEASURE_DISTORTION_H

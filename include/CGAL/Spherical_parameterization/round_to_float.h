@@ -33,6 +33,8 @@
 #include <utility>
 #include <vector>
 
+#include <CGAL/Spherical_parameterization/internal/numbers/begin_arithmetic.h>
+
 namespace CGAL::Spherical_parameterization {
 
 /// \ingroup PkgSphericalParameterizationMeasuring
@@ -100,5 +102,7 @@ Error_code round_to_float(const TriangleMesh& tmesh, VertexSphereMap vertex_sphe
 }
 
 } // namespace CGAL::Spherical_parameterization
+
+#include <CGAL/Spherical_parameterization/internal/numbers/end_arithmetic.h>
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_ROUND_TO_FLOAT_H

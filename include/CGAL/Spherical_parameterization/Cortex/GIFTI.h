@@ -35,6 +35,8 @@
 #include <type_traits>
 #include <vector>
 
+#include <CGAL/Spherical_parameterization/internal/numbers/begin_arithmetic.h>
+
 namespace CGAL::Spherical_parameterization {
 namespace internal {
 
@@ -247,5 +249,7 @@ inline Error_code write_GIFTI(std::ostream& out, const Surface_file& file, std::
 
 } // namespace IO
 } // namespace CGAL::Spherical_parameterization
+
+#include <CGAL/Spherical_parameterization/internal/numbers/end_arithmetic.h>
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_CORTEX_GIFTI_H

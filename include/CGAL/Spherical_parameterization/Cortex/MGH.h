@@ -28,6 +28,8 @@
 #include <string>
 #include <string_view>
 
+#include <CGAL/Spherical_parameterization/internal/numbers/begin_arithmetic.h>
+
 namespace CGAL::Spherical_parameterization {
 namespace internal {
 
@@ -207,5 +209,7 @@ inline Error_code write_MGH(std::ostream& out, const Surface_file& file, std::st
 
 } // namespace IO
 } // namespace CGAL::Spherical_parameterization
+
+#include <CGAL/Spherical_parameterization/internal/numbers/end_arithmetic.h>
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_CORTEX_MGH_H

@@ -20,6 +20,8 @@
 #include <utility>
 #include <vector>
 
+#include <CGAL/Spherical_parameterization/internal/numbers/begin_arithmetic.h>
+
 namespace CGAL::Spherical_parameterization::IO {
 
 /// \ingroup PkgSphericalParameterizationFiles
@@ -94,5 +96,7 @@ struct Surface_file
 };
 
 } // namespace CGAL::Spherical_parameterization::IO
+
+#include <CGAL/Spherical_parameterization/internal/numbers/end_arithmetic.h>
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_CORTEX_SURFACE_FILE_H

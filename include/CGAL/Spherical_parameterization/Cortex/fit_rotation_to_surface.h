@@ -27,6 +27,8 @@
 
 #include <vector>
 
+#include <CGAL/Spherical_parameterization/internal/numbers/begin_arithmetic.h>
+
 namespace CGAL::Spherical_parameterization {
 
 namespace internal {
@@ -91,6 +93,8 @@ Error_code fit_rotation_to_surface(const TriangleMesh& tmesh, VertexSphereMap ve
 }
 
 } // namespace CGAL::Spherical_parameterization
+
+#include <CGAL/Spherical_parameterization/internal/numbers/end_arithmetic.h>
 
 #ifdef CGAL_SPHERICAL_PARAMETERIZATION_HEADER_ONLY
 #include <CGAL/Spherical_parameterization/Cortex/internal/sulcal_measures_impl.h>

@@ -24,6 +24,8 @@
 
 #include <boost/property_map/property_map.hpp>
 
+#include <CGAL/Spherical_parameterization/internal/numbers/begin_arithmetic.h>
+
 namespace CGAL::Spherical_parameterization {
 
 /// \ingroup PkgSphericalParameterizationSurfaces
@@ -70,5 +72,7 @@ template <class TriangleMesh, class VertexSphereMap>
 }
 
 } // namespace CGAL::Spherical_parameterization
+
+#include <CGAL/Spherical_parameterization/internal/numbers/end_arithmetic.h>
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_CORTEX_ROTATE_TO_SURFACE_H

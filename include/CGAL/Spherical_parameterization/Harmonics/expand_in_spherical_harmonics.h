@@ -40,6 +40,8 @@
 #include <utility>
 #include <vector>
 
+#include <CGAL/Spherical_parameterization/internal/numbers/begin_arithmetic.h>
+
 namespace CGAL::Spherical_parameterization {
 
 /// \ingroup PkgSphericalParameterizationHarmonics
@@ -262,6 +264,8 @@ Error_code expand_in_spherical_harmonics(const TriangleMesh& tmesh, VertexSphere
 }
 
 } // namespace CGAL::Spherical_parameterization
+
+#include <CGAL/Spherical_parameterization/internal/numbers/end_arithmetic.h>
 
 #ifdef CGAL_SPHERICAL_PARAMETERIZATION_HEADER_ONLY
 #include <CGAL/Spherical_parameterization/Harmonics/internal/harmonics_impl.h>

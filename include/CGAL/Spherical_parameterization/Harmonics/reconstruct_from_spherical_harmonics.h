@@ -29,6 +29,8 @@
 #include <cstddef>
 #include <vector>
 
+#include <CGAL/Spherical_parameterization/internal/numbers/begin_arithmetic.h>
+
 namespace CGAL::Spherical_parameterization {
 
 /// \ingroup PkgSphericalParameterizationHarmonics
@@ -98,5 +100,7 @@ Error_code reconstruct_from_spherical_harmonics(const Spherical_harmonics_3& har
 }
 
 } // namespace CGAL::Spherical_parameterization
+
+#include <CGAL/Spherical_parameterization/internal/numbers/end_arithmetic.h>
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_HARMONICS_RECONSTRUCT_FROM_SPHERICAL_HARMONICS_H

@@ -40,6 +40,8 @@
 #include <type_traits>
 #include <vector>
 
+#include <CGAL/Spherical_parameterization/internal/numbers/begin_arithmetic.h>
+
 namespace CGAL::Spherical_parameterization {
 
 /// \ingroup PkgSphericalParameterizationMeasuring
@@ -319,5 +321,7 @@ Error_code fill_holes(TriangleMesh& tmesh, std::vector<Filled_hole<TriangleMesh>
 }
 
 } // namespace CGAL::Spherical_parameterization
+
+#include <CGAL/Spherical_parameterization/internal/numbers/end_arithmetic.h>
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_REPAIR_FILL_HOLES_H

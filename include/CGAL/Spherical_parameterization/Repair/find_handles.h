@@ -31,6 +31,8 @@
 #include <limits>
 #include <vector>
 
+#include <CGAL/Spherical_parameterization/internal/numbers/begin_arithmetic.h>
+
 namespace CGAL::Spherical_parameterization {
 
 /// \ingroup PkgSphericalParameterizationMeasuring
@@ -115,6 +117,8 @@ Error_code find_handles(const TriangleMesh& tmesh, std::vector<Handle<TriangleMe
 }
 
 } // namespace CGAL::Spherical_parameterization
+
+#include <CGAL/Spherical_parameterization/internal/numbers/end_arithmetic.h>
 
 #ifdef CGAL_SPHERICAL_PARAMETERIZATION_HEADER_ONLY
 #include <CGAL/Spherical_parameterization/Repair/internal/find_handles_impl.h>

@@ -40,6 +40,8 @@
 #include <utility>
 #include <vector>
 
+#include <CGAL/Spherical_parameterization/internal/numbers/begin_arithmetic.h>
+
 namespace CGAL::Spherical_parameterization {
 namespace internal {
 
@@ -244,5 +246,7 @@ Error_code read_EXR_geometry_image(std::istream& in, TriangleMesh& tmesh)
 
 } // namespace IO
 } // namespace CGAL::Spherical_parameterization
+
+#include <CGAL/Spherical_parameterization/internal/numbers/end_arithmetic.h>
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_SAMPLING_EXR_GEOMETRY_IMAGE_H

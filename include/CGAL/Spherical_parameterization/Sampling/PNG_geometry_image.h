@@ -35,6 +35,8 @@
 #include <string>
 #include <vector>
 
+#include <CGAL/Spherical_parameterization/internal/numbers/begin_arithmetic.h>
+
 namespace CGAL::Spherical_parameterization {
 namespace internal {
 
@@ -284,5 +286,7 @@ Error_code read_PNG_geometry_image(std::istream& in, TriangleMesh& tmesh)
 
 } // namespace IO
 } // namespace CGAL::Spherical_parameterization
+
+#include <CGAL/Spherical_parameterization/internal/numbers/end_arithmetic.h>
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_SAMPLING_PNG_GEOMETRY_IMAGE_H

@@ -29,6 +29,8 @@
 #include <utility>
 #include <vector>
 
+#include <CGAL/Spherical_parameterization/internal/numbers/begin_arithmetic.h>
+
 namespace CGAL::Spherical_parameterization {
 
 class Sphere_domain_3;
@@ -128,6 +130,8 @@ Error_code make_sphere_domain(const TriangleMesh& tmesh, VertexSphereMap vertex_
 }
 
 } // namespace CGAL::Spherical_parameterization
+
+#include <CGAL/Spherical_parameterization/internal/numbers/end_arithmetic.h>
 
 #ifdef CGAL_SPHERICAL_PARAMETERIZATION_HEADER_ONLY
 #include <CGAL/Spherical_parameterization/Sampling/internal/sampling_impl.h>

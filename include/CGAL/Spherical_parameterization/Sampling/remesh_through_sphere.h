@@ -35,6 +35,8 @@
 #include <utility>
 #include <vector>
 
+#include <CGAL/Spherical_parameterization/internal/numbers/begin_arithmetic.h>
+
 namespace CGAL::Spherical_parameterization {
 namespace internal {
 
@@ -171,5 +173,7 @@ Error_code remesh_through_sphere(const TriangleMesh& tmesh, VertexSphereMap vert
 }
 
 } // namespace CGAL::Spherical_parameterization
+
+#include <CGAL/Spherical_parameterization/internal/numbers/end_arithmetic.h>
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_SAMPLING_REMESH_THROUGH_SPHERE_H

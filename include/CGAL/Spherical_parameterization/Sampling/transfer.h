@@ -29,6 +29,8 @@
 #include <type_traits>
 #include <utility>
 
+#include <CGAL/Spherical_parameterization/internal/numbers/begin_arithmetic.h>
+
 namespace CGAL::Spherical_parameterization {
 namespace internal {
 
@@ -182,5 +184,7 @@ Error_code transfer(const Surface_mesh<SourcePoint>& source, SourceSphereMap sou
 }
 
 } // namespace CGAL::Spherical_parameterization
+
+#include <CGAL/Spherical_parameterization/internal/numbers/end_arithmetic.h>
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_SAMPLING_TRANSFER_H

@@ -31,6 +31,8 @@
 #include <utility>
 #include <vector>
 
+#include <CGAL/Spherical_parameterization/internal/numbers/begin_arithmetic.h>
+
 namespace CGAL::Spherical_parameterization::IO {
 
 /// \ingroup PkgSphericalParameterizationSampling
@@ -101,5 +103,7 @@ Error_code write_OBJ(std::ostream& out, const Graph& g, HalfedgeTextureMap halfe
 }
 
 } // namespace CGAL::Spherical_parameterization::IO
+
+#include <CGAL/Spherical_parameterization/internal/numbers/end_arithmetic.h>
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_SAMPLING_WRITE_OBJ_H

@@ -22,6 +22,8 @@
 #include <cstddef>
 #include <vector>
 
+#include <CGAL/Spherical_parameterization/internal/numbers/begin_arithmetic.h>
+
 namespace CGAL::Spherical_parameterization {
 
 /// \ingroup PkgSphericalParameterizationSurfaces
@@ -57,5 +59,7 @@ Error_code measure_distortion_between(const Surface_overlay_3<TriangleMesh1, Tri
 }
 
 } // namespace CGAL::Spherical_parameterization
+
+#include <CGAL/Spherical_parameterization/internal/numbers/end_arithmetic.h>
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_SURFACE_MAPS_MEASURE_DISTORTION_BETWEEN_H

@@ -32,6 +32,8 @@
 #include <utility>
 #include <vector>
 
+#include <CGAL/Spherical_parameterization/internal/numbers/begin_arithmetic.h>
+
 namespace CGAL::Spherical_parameterization {
 
 /// \ingroup PkgSphericalParameterizationSurfaces
@@ -209,5 +211,7 @@ Error_code split_blocking_edges(TriangleMesh& tmesh, VertexSphereMap vertex_sphe
 }
 
 } // namespace CGAL::Spherical_parameterization
+
+#include <CGAL/Spherical_parameterization/internal/numbers/end_arithmetic.h>
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_SURFACE_MAPS_SPLIT_BLOCKING_EDGES_H

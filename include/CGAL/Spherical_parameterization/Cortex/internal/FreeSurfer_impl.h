@@ -31,6 +31,8 @@
 #include <utility>
 #include <vector>
 
+#include <CGAL/Spherical_parameterization/internal/numbers/begin_arithmetic.h>
+
 namespace CGAL::Spherical_parameterization {
 namespace internal {
 
@@ -398,5 +400,7 @@ CGAL_SPHERICAL_PARAMETERIZATION_INLINE Error_code read_FreeSurfer_label(std::ist
 } // namespace IO
 
 } // namespace CGAL::Spherical_parameterization
+
+#include <CGAL/Spherical_parameterization/internal/numbers/end_arithmetic.h>
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_CORTEX_INTERNAL_FREESURFER_IMPL_H

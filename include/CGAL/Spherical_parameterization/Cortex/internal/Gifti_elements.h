@@ -28,6 +28,8 @@
 #include <string>
 #include <string_view>
 
+#include <CGAL/Spherical_parameterization/internal/numbers/begin_arithmetic.h>
+
 namespace CGAL::Spherical_parameterization::internal {
 
 // Returns a text without blanks around it.
@@ -88,5 +90,7 @@ inline IO::Label label_of(const XML_Char* const* attributes)
 }
 
 } // namespace CGAL::Spherical_parameterization::internal
+
+#include <CGAL/Spherical_parameterization/internal/numbers/end_arithmetic.h>
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_CORTEX_INTERNAL_GIFTI_ELEMENTS_H

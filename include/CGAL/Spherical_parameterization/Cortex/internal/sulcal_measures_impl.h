@@ -27,6 +27,8 @@
 #include <optional>
 #include <utility>
 
+#include <CGAL/Spherical_parameterization/internal/numbers/begin_arithmetic.h>
+
 namespace CGAL::Spherical_parameterization::internal {
 
 CGAL_SPHERICAL_PARAMETERIZATION_INLINE Sulcal_measures sulcal_measures_of(const Surface& surface,
@@ -60,8 +62,7 @@ CGAL_SPHERICAL_PARAMETERIZATION_INLINE Sulcal_measures sulcal_measures_of(const 
     inflated.swap(next);
   }
   const Vertex_scalars areas = vertex_areas(rings, points);
-  const double mean = std::inner_product(areas.begin(), areas.end(), result.depth.begin(), 0.) /
-                      std::accumulate(areas.begin(), areas.end(), 0.);
+  const double mean = inner_product(areas, result.depth) / std::accumulate(areas.begin(), areas.end(), 0.);
   for(double& x : result.depth)
     x = unit * (x - mean);
   result.depth = surface.in_callers_order(result.depth);
@@ -94,5 +95,7 @@ fit_rotation_to_surface(const Surface& surface, const std::vector<Vector_3d>& im
 }
 
 } // namespace CGAL::Spherical_parameterization::internal
+
+#include <CGAL/Spherical_parameterization/internal/numbers/end_arithmetic.h>
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_CORTEX_INTERNAL_SULCAL_MEASURES_IMPL_H

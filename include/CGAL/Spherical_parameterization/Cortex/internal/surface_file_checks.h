@@ -29,6 +29,8 @@
 #include <string>
 #include <vector>
 
+#include <CGAL/Spherical_parameterization/internal/numbers/begin_arithmetic.h>
+
 namespace CGAL::Spherical_parameterization::internal {
 
 // Says what cannot be written, and returns its code.
@@ -211,5 +213,7 @@ inline void sort_by_vertices(IO::Surface_file& file)
 }
 
 } // namespace CGAL::Spherical_parameterization::internal
+
+#include <CGAL/Spherical_parameterization/internal/numbers/end_arithmetic.h>
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_CORTEX_INTERNAL_SURFACE_FILE_CHECKS_H

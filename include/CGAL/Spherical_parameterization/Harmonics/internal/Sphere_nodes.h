@@ -23,6 +23,8 @@
 #include <utility>
 #include <vector>
 
+#include <CGAL/Spherical_parameterization/internal/numbers/begin_arithmetic.h>
+
 namespace CGAL::Spherical_parameterization::internal {
 
 // Nodes on parallels of the sphere: those of a parallel share its Legendre functions. A direction that is on no grid is the
@@ -168,5 +170,7 @@ private:
 };
 
 } // namespace CGAL::Spherical_parameterization::internal
+
+#include <CGAL/Spherical_parameterization/internal/numbers/end_arithmetic.h>
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_HARMONICS_INTERNAL_SPHERE_NODES_H

@@ -24,6 +24,8 @@
 #include <cstddef>
 #include <vector>
 
+#include <CGAL/Spherical_parameterization/internal/numbers/begin_arithmetic.h>
+
 namespace CGAL::Spherical_parameterization::internal {
 
 // The sums of three functions over the real harmonics up to a degree, and the adjoint map. The harmonics are those with
@@ -291,5 +293,7 @@ inline Spherical_harmonics_3 in_normalization_of_transform(Spherical_harmonics_3
 }
 
 } // namespace CGAL::Spherical_parameterization::internal
+
+#include <CGAL/Spherical_parameterization/internal/numbers/end_arithmetic.h>
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_HARMONICS_INTERNAL_SPHERICAL_HARMONIC_TRANSFORM_H

@@ -27,6 +27,8 @@
 #include <cmath>
 #include <utility>
 
+#include <CGAL/Spherical_parameterization/internal/numbers/begin_arithmetic.h>
+
 namespace CGAL::Spherical_parameterization::internal {
 
 CGAL_SPHERICAL_PARAMETERIZATION_INLINE
@@ -315,5 +317,7 @@ Error_code move_harmonics(Spherical_harmonics_3& harmonics, Standard_position& p
 }
 
 } // namespace CGAL::Spherical_parameterization::internal
+
+#include <CGAL/Spherical_parameterization/internal/numbers/end_arithmetic.h>
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_HARMONICS_INTERNAL_HARMONICS_IMPL_H

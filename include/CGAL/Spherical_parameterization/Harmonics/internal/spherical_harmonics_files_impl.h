@@ -27,6 +27,8 @@
 #include <utility>
 #include <vector>
 
+#include <CGAL/Spherical_parameterization/internal/numbers/begin_arithmetic.h>
+
 namespace CGAL::Spherical_parameterization {
 namespace internal {
 
@@ -301,5 +303,7 @@ CGAL_SPHERICAL_PARAMETERIZATION_INLINE Error_code write_harmonics_table(std::ost
 
 } // namespace IO
 } // namespace CGAL::Spherical_parameterization
+
+#include <CGAL/Spherical_parameterization/internal/numbers/end_arithmetic.h>
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_HARMONICS_INTERNAL_SPHERICAL_HARMONICS_FILES_IMPL_H

@@ -23,6 +23,8 @@
 #include <queue>
 #include <utility>
 
+#include <CGAL/Spherical_parameterization/internal/numbers/begin_arithmetic.h>
+
 namespace CGAL::Spherical_parameterization::internal {
 
 // Finds handles of a closed connected surface, one after the other: a short closed path of edges that does not separate the
@@ -259,5 +261,7 @@ CGAL_SPHERICAL_PARAMETERIZATION_INLINE std::vector<Handle_path> find_handle_path
 }
 
 } // namespace CGAL::Spherical_parameterization::internal
+
+#include <CGAL/Spherical_parameterization/internal/numbers/end_arithmetic.h>
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_REPAIR_INTERNAL_FIND_HANDLES_IMPL_H

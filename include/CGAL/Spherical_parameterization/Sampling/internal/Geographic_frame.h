@@ -28,6 +28,8 @@
 #include <optional>
 #include <type_traits>
 
+#include <CGAL/Spherical_parameterization/internal/numbers/begin_arithmetic.h>
+
 namespace CGAL::Spherical_parameterization::internal {
 
 // Longitude and latitude about a north pole and a zero meridian. The plane of both consists of the zero meridian, the seam
@@ -232,5 +234,7 @@ private:
 };
 
 } // namespace CGAL::Spherical_parameterization::internal
+
+#include <CGAL/Spherical_parameterization/internal/numbers/end_arithmetic.h>
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_SAMPLING_INTERNAL_GEOGRAPHIC_FRAME_H

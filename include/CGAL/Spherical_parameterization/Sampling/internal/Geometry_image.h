@@ -34,6 +34,8 @@
 #include <utility>
 #include <vector>
 
+#include <CGAL/Spherical_parameterization/internal/numbers/begin_arithmetic.h>
+
 namespace CGAL::Spherical_parameterization::internal {
 
 // Which vertex of a domain each pixel of a geometry image shows: of an octahedron that is unfolded to a square, or of
@@ -170,5 +172,7 @@ Error_code add_mesh_of_geometry_image(const Geometry_image& image, TriangleMesh&
 }
 
 } // namespace CGAL::Spherical_parameterization::internal
+
+#include <CGAL/Spherical_parameterization/internal/numbers/end_arithmetic.h>
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_SAMPLING_INTERNAL_GEOMETRY_IMAGE_H

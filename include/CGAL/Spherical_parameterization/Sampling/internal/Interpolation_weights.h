@@ -37,6 +37,8 @@
 #include <utility>
 #include <vector>
 
+#include <CGAL/Spherical_parameterization/internal/numbers/begin_arithmetic.h>
+
 namespace CGAL::Spherical_parameterization::internal {
 
 struct Weighted_source
@@ -285,5 +287,7 @@ inline Interpolation_weights selected(const Interpolation_weights& weights, cons
 }
 
 } // namespace CGAL::Spherical_parameterization::internal
+
+#include <CGAL/Spherical_parameterization/internal/numbers/end_arithmetic.h>
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_SAMPLING_INTERNAL_INTERPOLATION_WEIGHTS_H

@@ -39,6 +39,8 @@
 #include <utility>
 #include <vector>
 
+#include <CGAL/Spherical_parameterization/internal/numbers/begin_arithmetic.h>
+
 namespace CGAL::Spherical_parameterization::internal {
 
 // How values are carried from the vertices and the faces of one mesh to those of another one by a common sphere; the rules
@@ -263,5 +265,7 @@ void transfer_all_properties(Carrier& carrier, const Surface_mesh<SourcePoint>& 
 }
 
 } // namespace CGAL::Spherical_parameterization::internal
+
+#include <CGAL/Spherical_parameterization/internal/numbers/end_arithmetic.h>
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_SAMPLING_INTERNAL_PROPERTY_TRANSFER_H

@@ -26,6 +26,8 @@
 #include <utility>
 #include <vector>
 
+#include <CGAL/Spherical_parameterization/internal/numbers/begin_arithmetic.h>
+
 namespace CGAL::Spherical_parameterization::internal {
 
 // A solid whose edges are divided into n, projected to the sphere. A vertex is the sum of the corners of its face, each
@@ -188,5 +190,7 @@ inline Subdivided_solid<4> subdivided_cube(std::uint32_t n)
 }
 
 } // namespace CGAL::Spherical_parameterization::internal
+
+#include <CGAL/Spherical_parameterization/internal/numbers/end_arithmetic.h>
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_SAMPLING_INTERNAL_SUBDIVIDED_SOLID_H

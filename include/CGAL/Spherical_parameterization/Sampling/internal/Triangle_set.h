@@ -24,6 +24,8 @@
 #include <numeric>
 #include <vector>
 
+#include <CGAL/Spherical_parameterization/internal/numbers/begin_arithmetic.h>
+
 namespace CGAL::Spherical_parameterization::internal {
 
 // The square of the distance to a triangle, which may be an edge or a point: to the foot of the perpendicular where that is
@@ -267,5 +269,7 @@ private:
 };
 
 } // namespace CGAL::Spherical_parameterization::internal
+
+#include <CGAL/Spherical_parameterization/internal/numbers/end_arithmetic.h>
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_SAMPLING_INTERNAL_TRIANGLE_SET_H

@@ -30,6 +30,8 @@
 #include <numeric>
 #include <utility>
 
+#include <CGAL/Spherical_parameterization/internal/numbers/begin_arithmetic.h>
+
 namespace CGAL::Spherical_parameterization {
 
 CGAL_SPHERICAL_PARAMETERIZATION_INLINE Sphere_domain_3 Sphere_domain_3::regular(std::size_t n_faces, std::uint32_t n)
@@ -167,5 +169,7 @@ connect_spheres(const Resampling_settings& settings, const std::vector<Vector_3d
 
 } // namespace internal
 } // namespace CGAL::Spherical_parameterization
+
+#include <CGAL/Spherical_parameterization/internal/numbers/end_arithmetic.h>
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_SAMPLING_INTERNAL_SAMPLING_IMPL_H

@@ -21,6 +21,8 @@
 #include <algorithm>
 #include <cstddef>
 
+#include <CGAL/Spherical_parameterization/internal/numbers/begin_arithmetic.h>
+
 namespace CGAL::Spherical_parameterization::internal {
 
 // The images of a surface on its sphere, in which directions can be located.
@@ -71,5 +73,7 @@ inline std::array<Vector_3d, 3> corners_of(const std::array<std::uint32_t, 3>& t
 }
 
 } // namespace CGAL::Spherical_parameterization::internal
+
+#include <CGAL/Spherical_parameterization/internal/numbers/end_arithmetic.h>
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_SURFACE_MAPS_INTERNAL_SPHERE_MESH_H

@@ -18,6 +18,8 @@
 #include <CGAL/Spherical_parameterization/Surface_maps/internal/alignment/map_score.h>
 #include <CGAL/Spherical_parameterization/Surface_maps/internal/target/Target_levels.h>
 
+#include <CGAL/Spherical_parameterization/internal/numbers/begin_arithmetic.h>
+
 namespace CGAL::Spherical_parameterization::internal {
 
 // The levels of a surface on its sphere, down to that by which it is compared with others.
@@ -86,5 +88,7 @@ private:
 };
 
 } // namespace CGAL::Spherical_parameterization::internal
+
+#include <CGAL/Spherical_parameterization/internal/numbers/end_arithmetic.h>
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_SURFACE_MAPS_INTERNAL_SURFACE_LEVELS_H

@@ -22,6 +22,8 @@
 #include <CGAL/Spherical_parameterization/internal/surface/mesh_measures.h>
 #include <CGAL/Spherical_parameterization/internal/surface/vertex_scalars.h>
 
+#include <CGAL/Spherical_parameterization/internal/numbers/begin_arithmetic.h>
+
 namespace CGAL::Spherical_parameterization::internal {
 
 // A surface on its sphere, in which directions can be located. The length that is 1 for its points is 2 to the power of
@@ -91,5 +93,7 @@ struct Surface_pair
 };
 
 } // namespace CGAL::Spherical_parameterization::internal
+
+#include <CGAL/Spherical_parameterization/internal/numbers/end_arithmetic.h>
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_SURFACE_MAPS_INTERNAL_SURFACE_PAIR_H

@@ -18,6 +18,8 @@
 #include <CGAL/Spherical_parameterization/Surface_maps/internal/Surface_pair.h>
 #include <CGAL/Spherical_parameterization/Surface_maps/internal/alignment/best_alignments.h>
 
+#include <CGAL/Spherical_parameterization/internal/numbers/begin_arithmetic.h>
+
 namespace CGAL::Spherical_parameterization::internal {
 
 // An alignment from which the map between two surfaces is refined.
@@ -85,5 +87,7 @@ inline Surface_start choose_start(const Surface_pair& pair)
 }
 
 } // namespace CGAL::Spherical_parameterization::internal
+
+#include <CGAL/Spherical_parameterization/internal/numbers/end_arithmetic.h>
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_SURFACE_MAPS_INTERNAL_CHOOSE_START_H

@@ -22,6 +22,8 @@
 #include <CGAL/Spherical_parameterization/internal/execution/parallel.h>
 #include <CGAL/Spherical_parameterization/internal/library.h>
 
+#include <CGAL/Spherical_parameterization/internal/numbers/begin_arithmetic.h>
+
 namespace CGAL::Spherical_parameterization::internal {
 
 // Finds a map of the first surface onto the second one: the directions of its vertices on the sphere of the second one, in
@@ -35,6 +37,8 @@ Error_code find_rotations(const Surface_to_align& first, const Surface_to_align&
                           Run_control& control, const Execution& execution);
 
 } // namespace CGAL::Spherical_parameterization::internal
+
+#include <CGAL/Spherical_parameterization/internal/numbers/end_arithmetic.h>
 
 #ifdef CGAL_SPHERICAL_PARAMETERIZATION_HEADER_ONLY
 #include <CGAL/Spherical_parameterization/Surface_maps/internal/find_surface_map_impl.h>

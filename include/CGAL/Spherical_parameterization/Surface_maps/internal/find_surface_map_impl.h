@@ -18,6 +18,8 @@
 #include <CGAL/Spherical_parameterization/Surface_maps/internal/measure_map.h>
 #include <CGAL/Spherical_parameterization/Surface_maps/internal/refine_start.h>
 
+#include <CGAL/Spherical_parameterization/internal/numbers/begin_arithmetic.h>
+
 namespace CGAL::Spherical_parameterization::internal {
 
 CGAL_SPHERICAL_PARAMETERIZATION_INLINE
@@ -122,5 +124,7 @@ Error_code find_rotations(const Surface_to_align& first, const Surface_to_align&
 }
 
 } // namespace CGAL::Spherical_parameterization::internal
+
+#include <CGAL/Spherical_parameterization/internal/numbers/end_arithmetic.h>
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_SURFACE_MAPS_INTERNAL_FIND_SURFACE_MAP_IMPL_H

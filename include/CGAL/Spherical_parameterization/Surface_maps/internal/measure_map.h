@@ -20,6 +20,8 @@
 #include <CGAL/Spherical_parameterization/internal/certificate/Bijectivity_certificate.h>
 #include <CGAL/Spherical_parameterization/internal/measuring/distortion.h>
 
+#include <CGAL/Spherical_parameterization/internal/numbers/begin_arithmetic.h>
+
 namespace CGAL::Spherical_parameterization::internal {
 
 // What a map to a surface makes of the edges of a triangle: of its corners, the directions a, at the location
@@ -176,5 +178,7 @@ inline bool measure_map(const Surface_pair& pair, const std::vector<Vector_3d>& 
 }
 
 } // namespace CGAL::Spherical_parameterization::internal
+
+#include <CGAL/Spherical_parameterization/internal/numbers/end_arithmetic.h>
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_SURFACE_MAPS_INTERNAL_MEASURE_MAP_H

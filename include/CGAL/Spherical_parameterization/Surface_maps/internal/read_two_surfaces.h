@@ -31,6 +31,8 @@
 #include <utility>
 #include <vector>
 
+#include <CGAL/Spherical_parameterization/internal/numbers/begin_arithmetic.h>
+
 namespace CGAL::Spherical_parameterization::internal {
 
 // For functions of two surfaces, which compute with doubles, unless they take all that Exact_predicates_kernel does.
@@ -133,5 +135,7 @@ bool read_mask(const Function& counts, const Vertices& vertices, std::vector<cha
 }
 
 } // namespace CGAL::Spherical_parameterization::internal
+
+#include <CGAL/Spherical_parameterization/internal/numbers/end_arithmetic.h>
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_SURFACE_MAPS_INTERNAL_READ_TWO_SURFACES_H

@@ -16,6 +16,8 @@
 
 #include <CGAL/Spherical_parameterization/Surface_maps/internal/choose_start.h>
 
+#include <CGAL/Spherical_parameterization/internal/numbers/begin_arithmetic.h>
+
 namespace CGAL::Spherical_parameterization::internal {
 
 inline Landmark_goals landmark_goals(const Surface_pair& pair)
@@ -185,5 +187,7 @@ inline bool refine_start(const Surface_pair& pair, Surface_start& start, std::ve
 }
 
 } // namespace CGAL::Spherical_parameterization::internal
+
+#include <CGAL/Spherical_parameterization/internal/numbers/end_arithmetic.h>
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_SURFACE_MAPS_INTERNAL_REFINE_START_H

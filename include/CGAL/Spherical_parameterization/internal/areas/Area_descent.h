@@ -31,6 +31,8 @@
 #include <cstddef>
 #include <vector>
 
+#include <CGAL/Spherical_parameterization/internal/numbers/begin_arithmetic.h>
+
 namespace CGAL::Spherical_parameterization::internal {
 
 // Brings the cells of the vertices to the areas that they are to have, from a bijection that is near enough for steps of
@@ -132,5 +134,7 @@ CGAL_SPHERICAL_PARAMETERIZATION_AREA_DESCENT(extern, Stretch_energy_3)
 #endif
 
 } // namespace CGAL::Spherical_parameterization::internal
+
+#include <CGAL/Spherical_parameterization/internal/numbers/end_arithmetic.h>
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_AREAS_AREA_DESCENT_H

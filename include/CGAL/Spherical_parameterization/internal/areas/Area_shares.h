@@ -30,6 +30,8 @@
 #include <numeric>
 #include <vector>
 
+#include <CGAL/Spherical_parameterization/internal/numbers/begin_arithmetic.h>
+
 namespace CGAL::Spherical_parameterization::internal {
 
 // The area of the spherical triangle of three points of the unit sphere, negative if it is turned over, as a function of its
@@ -166,5 +168,7 @@ inline Area_shares find_area_shares(const Surface& surface, const Index_triangle
 }
 
 } // namespace CGAL::Spherical_parameterization::internal
+
+#include <CGAL/Spherical_parameterization/internal/numbers/end_arithmetic.h>
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_AREAS_AREA_SHARES_H

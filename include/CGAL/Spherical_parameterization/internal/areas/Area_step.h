@@ -30,6 +30,8 @@
 #include <cstdint>
 #include <vector>
 
+#include <CGAL/Spherical_parameterization/internal/numbers/begin_arithmetic.h>
+
 namespace CGAL::Spherical_parameterization::internal {
 
 #ifdef CGAL_EIGEN3_ENABLED
@@ -174,8 +176,9 @@ private:
         a += times(face.rest[k], flat[k]);
         b += times(std::conj(face.rest[k]), flat[k]);
       }
-      i = 2. * (std::norm(a) + std::norm(b));
-      factor = (std::norm(a) - std::norm(b)) / doubled_area;
+      const double aa = squared_length(a), bb = squared_length(b);
+      i = 2. * (aa + bb);
+      factor = (aa - bb) / doubled_area;
       d = factor * determinant;
     }
 
@@ -194,6 +197,8 @@ private:
   {
     return Complex(x.real() * y.real() - x.imag() * y.imag(), x.real() * y.imag() + x.imag() * y.real());
   }
+
+  static double squared_length(const Complex& x) { return x.real() * x.real() + x.imag() * x.imag(); }
 
   void make_faces(const std::vector<Vector_3d>& points, const std::vector<double>& areas)
   {
@@ -341,5 +346,7 @@ private:
 #endif // CGAL_EIGEN3_ENABLED
 
 } // namespace CGAL::Spherical_parameterization::internal
+
+#include <CGAL/Spherical_parameterization/internal/numbers/end_arithmetic.h>
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_AREAS_AREA_STEP_H

@@ -28,6 +28,8 @@
 #include <cstdint>
 #include <vector>
 
+#include <CGAL/Spherical_parameterization/internal/numbers/begin_arithmetic.h>
+
 namespace CGAL::Spherical_parameterization::internal {
 
 #ifdef CGAL_EIGEN3_ENABLED
@@ -159,5 +161,7 @@ private:
 #endif // CGAL_EIGEN3_ENABLED
 
 } // namespace CGAL::Spherical_parameterization::internal
+
+#include <CGAL/Spherical_parameterization/internal/numbers/end_arithmetic.h>
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_AREAS_BLOCK_EQUATIONS_H

@@ -26,6 +26,8 @@
 #include <type_traits>
 #include <vector>
 
+#include <CGAL/Spherical_parameterization/internal/numbers/begin_arithmetic.h>
+
 namespace CGAL::Spherical_parameterization::internal {
 
 // What exact predicates say about a closed triangle mesh around the origin.
@@ -121,5 +123,7 @@ inline bool are_bijective(const Index_triangles& triangles, const std::vector<Ve
 }
 
 } // namespace CGAL::Spherical_parameterization::internal
+
+#include <CGAL/Spherical_parameterization/internal/numbers/end_arithmetic.h>
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_CERTIFICATE_BIJECTIVITY_CERTIFICATE_H

@@ -29,6 +29,8 @@
 #include <type_traits>
 #include <utility>
 
+#include <CGAL/Spherical_parameterization/internal/numbers/begin_arithmetic.h>
+
 namespace CGAL::Spherical_parameterization::internal {
 
 template <class K, class FT>
@@ -95,5 +97,7 @@ using Exact_predicates_kernel_of_map =
     Exact_predicates_kernel<typename Kernel_traits<typename boost::property_traits<PropertyMap>::value_type>::Kernel>;
 
 } // namespace CGAL::Spherical_parameterization::internal
+
+#include <CGAL/Spherical_parameterization/internal/numbers/end_arithmetic.h>
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_CERTIFICATE_EXACT_PREDICATES_KERNEL_H

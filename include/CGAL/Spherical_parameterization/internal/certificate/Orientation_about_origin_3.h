@@ -28,6 +28,8 @@
 #define CGAL_SPHERICAL_PARAMETERIZATION_NO_IEEE_ARITHMETIC
 #endif
 
+#include <CGAL/Spherical_parameterization/internal/numbers/begin_arithmetic.h>
+
 namespace CGAL::Spherical_parameterization::internal {
 
 // The exact sign of det(a, b, c), whose coordinates are finite, by integer arithmetic: about a microsecond for points
@@ -122,6 +124,8 @@ struct Double_points
 };
 
 } // namespace CGAL::Spherical_parameterization::internal
+
+#include <CGAL/Spherical_parameterization/internal/numbers/end_arithmetic.h>
 
 #ifdef CGAL_SPHERICAL_PARAMETERIZATION_HEADER_ONLY
 #include <CGAL/Spherical_parameterization/internal/certificate/Orientation_about_origin_3_impl.h>

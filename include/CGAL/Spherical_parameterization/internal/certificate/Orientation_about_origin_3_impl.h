@@ -26,6 +26,8 @@
 #include <cstdint>
 #include <cstring>
 
+#include <CGAL/Spherical_parameterization/internal/numbers/begin_arithmetic.h>
+
 namespace CGAL::Spherical_parameterization::internal {
 
 // An integer of any size; those that a determinant of coordinates of similar size needs are kept without allocation.
@@ -75,5 +77,7 @@ CGAL_SPHERICAL_PARAMETERIZATION_INLINE Sign exact_determinant_sign(const Vector_
 }
 
 } // namespace CGAL::Spherical_parameterization::internal
+
+#include <CGAL/Spherical_parameterization/internal/numbers/end_arithmetic.h>
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_CERTIFICATE_ORIENTATION_ABOUT_ORIGIN_3_IMPL_H

@@ -21,6 +21,8 @@
 #include <limits>
 #include <vector>
 
+#include <CGAL/Spherical_parameterization/internal/numbers/begin_arithmetic.h>
+
 namespace CGAL::Spherical_parameterization::internal {
 
 // Whether a face on the unit sphere whose determinant was computed from offsets stays positive when its corners are
@@ -53,5 +55,7 @@ inline bool are_safely_positive(const Vertex_rings& rings, const std::vector<Vec
 }
 
 } // namespace CGAL::Spherical_parameterization::internal
+
+#include <CGAL/Spherical_parameterization/internal/numbers/end_arithmetic.h>
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_CERTIFICATE_IS_SAFELY_POSITIVE_H

@@ -25,6 +25,8 @@
 #include <limits>
 #include <numeric>
 
+#include <CGAL/Spherical_parameterization/internal/numbers/begin_arithmetic.h>
+
 namespace CGAL::Spherical_parameterization::internal {
 
 // The energies of many faces in a few figures. Summaries of parts add up to that of the whole. If the sharpness s is
@@ -173,5 +175,7 @@ struct Mesh_summary
 };
 
 } // namespace CGAL::Spherical_parameterization::internal
+
+#include <CGAL/Spherical_parameterization/internal/numbers/end_arithmetic.h>
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_DESCENT_ENERGY_SUMMARY_H

@@ -38,6 +38,8 @@
 #include <cstdint>
 #include <vector>
 
+#include <CGAL/Spherical_parameterization/internal/numbers/begin_arithmetic.h>
+
 namespace CGAL::Spherical_parameterization::internal {
 
 // How a hierarchy is mapped to the unit sphere: a tetrahedron is made regular, new vertices go into the kernels of their
@@ -214,5 +216,7 @@ bool embed_hierarchically(const Surface& mesh, const Energy& energy, const Sharp
 }
 
 } // namespace CGAL::Spherical_parameterization::internal
+
+#include <CGAL/Spherical_parameterization/internal/numbers/end_arithmetic.h>
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_DESCENT_HIERARCHICAL_EMBEDDING_H

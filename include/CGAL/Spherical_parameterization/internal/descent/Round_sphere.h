@@ -25,6 +25,8 @@
 #include <cstdint>
 #include <tuple>
 
+#include <CGAL/Spherical_parameterization/internal/numbers/begin_arithmetic.h>
+
 namespace CGAL::Spherical_parameterization::internal {
 
 // The round sphere as the space that vertices move on: what Block_coordinate_descent asks of one. `Step` says how the
@@ -88,5 +90,7 @@ private:
 };
 
 } // namespace CGAL::Spherical_parameterization::internal
+
+#include <CGAL/Spherical_parameterization/internal/numbers/end_arithmetic.h>
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_DESCENT_ROUND_SPHERE_H

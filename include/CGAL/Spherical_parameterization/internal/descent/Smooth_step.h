@@ -27,8 +27,9 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <numeric>
 #include <vector>
+
+#include <CGAL/Spherical_parameterization/internal/numbers/begin_arithmetic.h>
 
 namespace CGAL::Spherical_parameterization::internal {
 
@@ -112,7 +113,7 @@ private:
       if(cell.is_empty())
         continue;
       const auto along = [&](std::size_t k, const std::array<double, 4>& gradient) {
-        return std::inner_product(gradient.begin(), gradient.end(), cell.motions[k].begin(), 0.);
+        return inner_product(gradient, cell.motions[k]);
       };
       for(std::size_t k = 0; k < 6; ++k)
       {
@@ -140,9 +141,9 @@ private:
     {
       std::array<double, 4> image;
       for(std::size_t i = 0; i < 4; ++i)
-        image[i] = std::inner_product(h[i].begin(), h[i].end(), motions[k].begin(), 0.);
+        image[i] = inner_product(h[i], motions[k]);
       for(std::size_t l = 0; l < 6; ++l)
-        result[l][k] = std::inner_product(image.begin(), image.end(), motions[l].begin(), 0.);
+        result[l][k] = inner_product(image, motions[l]);
     }
     return result;
   }
@@ -214,11 +215,6 @@ private:
     return is_positive_and_finite(inner_product(x, x));
   }
 
-  static double inner_product(const std::vector<double>& a, const std::vector<double>& b)
-  {
-    return std::inner_product(a.begin(), a.end(), b.begin(), 0.);
-  }
-
   void precondition(const std::vector<double>& r, std::vector<double>& z) const
   {
     for(std::size_t k = 0; k < m_diagonal.size(); ++k)
@@ -253,8 +249,7 @@ private:
       for(std::size_t k = 0; k < 6; ++k)
         local[k] = x[2 * nodes[k / 2] + k % 2];
       for(std::size_t k = 0; k < 6; ++k)
-        result[2 * nodes[k / 2] + k % 2] +=
-            std::inner_product(local.begin(), local.end(), m_matrices[c][k].begin(), 0.);
+        result[2 * nodes[k / 2] + k % 2] += inner_product(local, m_matrices[c][k]);
     }
   }
 
@@ -302,5 +297,7 @@ private:
 };
 
 } // namespace CGAL::Spherical_parameterization::internal
+
+#include <CGAL/Spherical_parameterization/internal/numbers/end_arithmetic.h>
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_DESCENT_SMOOTH_STEP_H

@@ -31,6 +31,8 @@
 #include <type_traits>
 #include <vector>
 
+#include <CGAL/Spherical_parameterization/internal/numbers/begin_arithmetic.h>
+
 namespace CGAL::Spherical_parameterization::internal {
 
 using Matrix_4 = std::array<std::array<double, 4>, 4>;
@@ -242,5 +244,7 @@ private:
 };
 
 } // namespace CGAL::Spherical_parameterization::internal
+
+#include <CGAL/Spherical_parameterization/internal/numbers/end_arithmetic.h>
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_DESCENT_STRAIN_SUMS_H

@@ -21,6 +21,8 @@
 #include <cmath>
 #include <limits>
 
+#include <CGAL/Spherical_parameterization/internal/numbers/begin_arithmetic.h>
+
 namespace CGAL::Spherical_parameterization::internal {
 
 // How a vertex moves, and how its energy measures an image: the steps of block coordinate descent. A step sets
@@ -151,5 +153,7 @@ private:
 };
 
 } // namespace CGAL::Spherical_parameterization::internal
+
+#include <CGAL/Spherical_parameterization/internal/numbers/end_arithmetic.h>
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_DESCENT_VERTEX_STEP_H

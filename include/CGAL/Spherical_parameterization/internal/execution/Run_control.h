@@ -21,6 +21,8 @@
 #include <chrono>
 #include <cstddef>
 
+#include <CGAL/Spherical_parameterization/internal/numbers/begin_arithmetic.h>
+
 namespace CGAL::Spherical_parameterization::internal {
 
 // What accompanies a run from stage to stage: the caller's visitor, behind an interface, the clock and the report.
@@ -111,5 +113,7 @@ bool for_each_block_until_stopped(Run_control& control, const Execution& executi
 }
 
 } // namespace CGAL::Spherical_parameterization::internal
+
+#include <CGAL/Spherical_parameterization/internal/numbers/end_arithmetic.h>
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_EXECUTION_RUN_CONTROL_H

@@ -24,6 +24,8 @@
 #include <variant>
 #include <vector>
 
+#include <CGAL/Spherical_parameterization/internal/numbers/begin_arithmetic.h>
+
 namespace CGAL::Spherical_parameterization::internal {
 
 using Polygon = boost::container::small_vector<std::size_t, 3>; // a triangle needs no memory elsewhere
@@ -57,5 +59,7 @@ struct Polygon_soup
 };
 
 } // namespace CGAL::Spherical_parameterization::internal
+
+#include <CGAL/Spherical_parameterization/internal/numbers/end_arithmetic.h>
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_FILES_POLYGON_SOUP_H

@@ -28,6 +28,8 @@
 #include <utility>
 #include <vector>
 
+#include <CGAL/Spherical_parameterization/internal/numbers/begin_arithmetic.h>
+
 namespace CGAL::Spherical_parameterization::internal {
 
 // What keeps vertices and faces from being mapped, and where.
@@ -169,5 +171,7 @@ std::optional<Soup_defect> find_defect_of_mesh(const Mesh& mesh)
 }
 
 } // namespace CGAL::Spherical_parameterization::internal
+
+#include <CGAL/Spherical_parameterization/internal/numbers/end_arithmetic.h>
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_FILES_SOUP_DEFECT_H

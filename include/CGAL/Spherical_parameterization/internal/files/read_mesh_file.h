@@ -27,6 +27,8 @@
 #include <string_view>
 #include <utility>
 
+#include <CGAL/Spherical_parameterization/internal/numbers/begin_arithmetic.h>
+
 namespace CGAL::Spherical_parameterization::internal {
 
 // reads the text variants of the format OFF in three dimensions. Colours, normals and texture coordinates are skipped.
@@ -222,5 +224,7 @@ inline Polygon_soup read_mesh_file(const std::string& format, std::string conten
 }
 
 } // namespace CGAL::Spherical_parameterization::internal
+
+#include <CGAL/Spherical_parameterization/internal/numbers/end_arithmetic.h>
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_FILES_READ_MESH_FILE_H

@@ -31,6 +31,8 @@
 #include <limits>
 #include <vector>
 
+#include <CGAL/Spherical_parameterization/internal/numbers/begin_arithmetic.h>
+
 namespace CGAL::Spherical_parameterization::internal {
 
 // The as-rigid-as-possible energy of a map u to the sphere of radius r: the sum over the faces of
@@ -208,5 +210,7 @@ extern template Error_code lower_energy<Default>(ARAP_map, std::size_t, Run&);
 #endif
 
 } // namespace CGAL::Spherical_parameterization::internal
+
+#include <CGAL/Spherical_parameterization/internal/numbers/end_arithmetic.h>
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_INITIALIZERS_ARAP_MAP_H

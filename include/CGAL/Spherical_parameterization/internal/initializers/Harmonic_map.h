@@ -32,6 +32,8 @@
 #include <numeric>
 #include <vector>
 
+#include <CGAL/Spherical_parameterization/internal/numbers/begin_arithmetic.h>
+
 namespace CGAL::Spherical_parameterization::internal {
 
 // The discrete harmonic energy of a map u to the unit sphere, the sum of w |u_v - u_w|^2 / 2 over the edges, in units of
@@ -142,5 +144,7 @@ extern template Error_code map_harmonically<Default>(Run&, bool, std::size_t);
 #endif
 
 } // namespace CGAL::Spherical_parameterization::internal
+
+#include <CGAL/Spherical_parameterization/internal/numbers/end_arithmetic.h>
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_INITIALIZERS_HARMONIC_MAP_H

@@ -37,6 +37,8 @@
 #include <type_traits>
 #include <vector>
 
+#include <CGAL/Spherical_parameterization/internal/numbers/begin_arithmetic.h>
+
 namespace CGAL::Spherical_parameterization::internal {
 
 // The sparse solver of those parameterizers that need one: the caller's, or by default Eigen's Cholesky factorisation.
@@ -179,5 +181,7 @@ Error_code lower_energy(Method method, std::size_t max_rounds, Run& run)
 }
 
 } // namespace CGAL::Spherical_parameterization::internal
+
+#include <CGAL/Spherical_parameterization/internal/numbers/end_arithmetic.h>
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_INITIALIZERS_LAPLACIAN_SYSTEM_H

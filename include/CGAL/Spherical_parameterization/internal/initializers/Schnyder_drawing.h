@@ -24,6 +24,8 @@
 #include <limits>
 #include <vector>
 
+#include <CGAL/Spherical_parameterization/internal/numbers/begin_arithmetic.h>
+
 namespace CGAL::Spherical_parameterization::internal {
 
 // Theorem. Every simple triangulation T of the sphere with n >= 4 vertices has a one-to-one map to the sphere whose vertices
@@ -249,5 +251,7 @@ private:
 };
 
 } // namespace CGAL::Spherical_parameterization::internal
+
+#include <CGAL/Spherical_parameterization/internal/numbers/end_arithmetic.h>
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_INITIALIZERS_SCHNYDER_DRAWING_H

@@ -35,6 +35,8 @@
 #include <utility>
 #include <vector>
 
+#include <CGAL/Spherical_parameterization/internal/numbers/begin_arithmetic.h>
+
 namespace CGAL::Spherical_parameterization::internal {
 
 // The number of edges from `source` to each vertex of a connected mesh.
@@ -312,5 +314,7 @@ extern template Error_code embed_stereographically<Default>(Run&, bool);
 #endif
 
 } // namespace CGAL::Spherical_parameterization::internal
+
+#include <CGAL/Spherical_parameterization/internal/numbers/end_arithmetic.h>
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_INITIALIZERS_STEREOGRAPHIC_EMBEDDING_H

@@ -20,6 +20,8 @@
 #include <cstddef>
 #include <utility>
 
+#include <CGAL/Spherical_parameterization/internal/numbers/begin_arithmetic.h>
+
 namespace CGAL::Spherical_parameterization::internal {
 
 // Where a direction is on a cube around the sphere, whose sides have n x n squares: in which of them, and between which
@@ -146,5 +148,7 @@ private:
 using Cube_location = Basic_cube_location<double>;
 
 } // namespace CGAL::Spherical_parameterization::internal
+
+#include <CGAL/Spherical_parameterization/internal/numbers/end_arithmetic.h>
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_LOCATE_CUBE_LOCATION_H

@@ -34,6 +34,8 @@
 #include <utility>
 #include <vector>
 
+#include <CGAL/Spherical_parameterization/internal/numbers/begin_arithmetic.h>
+
 namespace CGAL::Spherical_parameterization::internal {
 
 // A grid of n x n cells over the directions: the octahedron |x| + |y| + |z| = 1 with its lower half unfolded, which is
@@ -389,5 +391,7 @@ std::vector<typename Sphere_triangulation<K>::Triangle_location> locations_of_ve
 }
 
 } // namespace CGAL::Spherical_parameterization::internal
+
+#include <CGAL/Spherical_parameterization/internal/numbers/end_arithmetic.h>
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_LOCATE_SPHERE_TRIANGULATION_H

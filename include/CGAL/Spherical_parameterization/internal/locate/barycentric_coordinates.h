@@ -24,6 +24,8 @@
 #include <cstddef>
 #include <type_traits>
 
+#include <CGAL/Spherical_parameterization/internal/numbers/begin_arithmetic.h>
+
 namespace CGAL::Spherical_parameterization::internal {
 
 inline Vector_3d absolute(const Vector_3d& a)
@@ -78,5 +80,7 @@ std::array<FT, 3> barycentric_coordinates(const std::array<Vector_3<FT>, 3>& t, 
 }
 
 } // namespace CGAL::Spherical_parameterization::internal
+
+#include <CGAL/Spherical_parameterization/internal/numbers/end_arithmetic.h>
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_LOCATE_BARYCENTRIC_COORDINATES_H

@@ -30,6 +30,8 @@
 #define CGAL_SP_INLINE inline
 #endif
 
+#include <CGAL/Spherical_parameterization/internal/numbers/begin_arithmetic.h>
+
 namespace CGAL::Spherical_parameterization::internal {
 
 #ifdef __GNUC__ // and all compilers that have its vectors
@@ -365,5 +367,7 @@ void run_in_lanes(const Function& f)
 #undef CGAL_SP_INLINE
 
 } // namespace CGAL::Spherical_parameterization::internal
+
+#include <CGAL/Spherical_parameterization/internal/numbers/end_arithmetic.h>
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_NUMBERS_PACKED_DOUBLE_H

@@ -28,6 +28,8 @@
 #include <utility>
 #include <vector>
 
+#include <CGAL/Spherical_parameterization/internal/numbers/begin_arithmetic.h>
+
 namespace CGAL::Spherical_parameterization::internal {
 
 // A rotation by its matrix, row by row.
@@ -112,5 +114,7 @@ inline std::optional<Rotation_matrix> fitting_rotation(const std::vector<std::pa
 }
 
 } // namespace CGAL::Spherical_parameterization::internal
+
+#include <CGAL/Spherical_parameterization/internal/numbers/end_arithmetic.h>
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_NUMBERS_ROTATION_MATRIX_H

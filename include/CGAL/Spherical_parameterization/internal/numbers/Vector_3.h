@@ -21,8 +21,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <cstring>
+
+#include <CGAL/Spherical_parameterization/internal/numbers/begin_arithmetic.h>
 
 namespace CGAL::Spherical_parameterization::internal {
 
@@ -59,6 +62,16 @@ template <class FT>
 Vector_3<FT> cross(const Vector_3<FT>& a, const Vector_3<FT>& b)
 {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+
+// of ranges of equal size
+template <class Range1, class Range2>
+double inner_product(const Range1& a, const Range2& b)
+{
+  double sum = 0.;
+  for(std::size_t i = 0; i < a.size(); ++i)
+    sum += a[i] * b[i];
+  return sum;
 }
 
 template <class FT>
@@ -191,5 +204,7 @@ inline std::array<Vector_3d, 3> scaled_together(std::array<Vector_3d, 3> points)
 }
 
 } // namespace CGAL::Spherical_parameterization::internal
+
+#include <CGAL/Spherical_parameterization/internal/numbers/end_arithmetic.h>
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_NUMBERS_VECTOR_3_H

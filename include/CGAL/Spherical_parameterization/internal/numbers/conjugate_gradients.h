@@ -22,6 +22,8 @@
 #include <utility>
 #include <vector>
 
+#include <CGAL/Spherical_parameterization/internal/numbers/begin_arithmetic.h>
+
 namespace CGAL::Spherical_parameterization::internal {
 
 // One number for a system of equations, or one for each of N systems that have the same matrix and alternate in vectors.
@@ -77,5 +79,7 @@ std::size_t conjugate_gradients(std::vector<T>& x, std::vector<T>& r, const Mult
 }
 
 } // namespace CGAL::Spherical_parameterization::internal
+
+#include <CGAL/Spherical_parameterization/internal/numbers/end_arithmetic.h>
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_NUMBERS_CONJUGATE_GRADIENTS_H

@@ -32,6 +32,8 @@
 #include <utility>
 #include <vector>
 
+#include <CGAL/Spherical_parameterization/internal/numbers/begin_arithmetic.h>
+
 namespace CGAL::Spherical_parameterization::internal {
 
 // A mesh and its map as flat arrays, in the order of the mesh; vertices without faces are left out.
@@ -89,5 +91,7 @@ struct Mesh_on_sphere
 };
 
 } // namespace CGAL::Spherical_parameterization::internal
+
+#include <CGAL/Spherical_parameterization/internal/numbers/end_arithmetic.h>
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_RUN_MESH_ON_SPHERE_H

@@ -25,6 +25,8 @@
 #include <type_traits>
 #include <utility>
 
+#include <CGAL/Spherical_parameterization/internal/numbers/begin_arithmetic.h>
+
 namespace CGAL::Spherical_parameterization::internal {
 
 // A control by the named parameters of a call: its visitor, and its time limit.
@@ -65,5 +67,7 @@ private:
 };
 
 } // namespace CGAL::Spherical_parameterization::internal
+
+#include <CGAL/Spherical_parameterization/internal/numbers/end_arithmetic.h>
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_RUN_VISITOR_CONTROL_H

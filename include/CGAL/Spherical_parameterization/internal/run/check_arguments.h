@@ -31,6 +31,8 @@
 #include <type_traits>
 #include <utility>
 
+#include <CGAL/Spherical_parameterization/internal/numbers/begin_arithmetic.h>
+
 namespace CGAL::Spherical_parameterization {
 class Symmetric_Dirichlet_energy_3;
 class Isometric_energy_3;
@@ -221,5 +223,7 @@ constexpr bool check_vertex_point_map()
 }
 
 } // namespace CGAL::Spherical_parameterization::internal
+
+#include <CGAL/Spherical_parameterization/internal/numbers/end_arithmetic.h>
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_RUN_CHECK_ARGUMENTS_H

@@ -20,6 +20,8 @@
 
 #include <vector>
 
+#include <CGAL/Spherical_parameterization/internal/numbers/begin_arithmetic.h>
+
 namespace CGAL::Spherical_parameterization::internal {
 
 // Makes a map of the connectivity alone, which never fails.
@@ -29,6 +31,8 @@ void draw_surface(Run& run);
 bool take_map(std::vector<Vector_3d> images, Run& run);
 
 } // namespace CGAL::Spherical_parameterization::internal
+
+#include <CGAL/Spherical_parameterization/internal/numbers/end_arithmetic.h>
 
 #ifdef CGAL_SPHERICAL_PARAMETERIZATION_HEADER_ONLY
 #include <CGAL/Spherical_parameterization/internal/run/first_map_impl.h>

@@ -24,6 +24,8 @@
 #include <cmath>
 #include <vector>
 
+#include <CGAL/Spherical_parameterization/internal/numbers/begin_arithmetic.h>
+
 namespace CGAL::Spherical_parameterization::internal {
 
 CGAL_SPHERICAL_PARAMETERIZATION_INLINE void draw_surface(Run& run)
@@ -45,5 +47,7 @@ CGAL_SPHERICAL_PARAMETERIZATION_INLINE bool take_map(std::vector<Vector_3d> imag
 }
 
 } // namespace CGAL::Spherical_parameterization::internal
+
+#include <CGAL/Spherical_parameterization/internal/numbers/end_arithmetic.h>
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_RUN_FIRST_MAP_IMPL_H

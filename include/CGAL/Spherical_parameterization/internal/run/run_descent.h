@@ -27,6 +27,8 @@
 #include <type_traits>
 #include <vector>
 
+#include <CGAL/Spherical_parameterization/internal/numbers/begin_arithmetic.h>
+
 namespace CGAL::Spherical_parameterization::internal {
 
 // The steps of a vertex, see Vertex_step.h
@@ -82,6 +84,8 @@ void run_descent(const Energy& energy, const Radius& radius, const Sharpness& sh
 }
 
 } // namespace CGAL::Spherical_parameterization::internal
+
+#include <CGAL/Spherical_parameterization/internal/numbers/end_arithmetic.h>
 
 #if defined(CGAL_SPHERICAL_PARAMETERIZATION_HEADER_ONLY) || defined(CGAL_SPHERICAL_PARAMETERIZATION_OWN_ENERGIES)
 #include <CGAL/Spherical_parameterization/internal/run/run_descent_impl.h>

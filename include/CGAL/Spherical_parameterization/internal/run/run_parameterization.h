@@ -40,6 +40,8 @@
 #include <utility>
 #include <vector>
 
+#include <CGAL/Spherical_parameterization/internal/numbers/begin_arithmetic.h>
+
 namespace CGAL::Spherical_parameterization::internal {
 
 // A run from the caller's mesh to the caller's map, as every parameterizer makes it: read(), the work of its method on the
@@ -225,5 +227,7 @@ Error_code make_initial_map(Parameterizer& parameterizer, Parameterization_run& 
 }
 
 } // namespace CGAL::Spherical_parameterization::internal
+
+#include <CGAL/Spherical_parameterization/internal/numbers/end_arithmetic.h>
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_RUN_RUN_PARAMETERIZATION_H

@@ -34,6 +34,8 @@
 #include <type_traits>
 #include <vector>
 
+#include <CGAL/Spherical_parameterization/internal/numbers/begin_arithmetic.h>
+
 namespace CGAL::Spherical_parameterization::internal {
 
 // What a method promises of its maps: that they are one-to-one, or nothing, in which case a map that folds is written
@@ -128,5 +130,7 @@ Error_code write_map(const std::vector<VertexDescriptor>& vertices, const Index_
 }
 
 } // namespace CGAL::Spherical_parameterization::internal
+
+#include <CGAL/Spherical_parameterization/internal/numbers/end_arithmetic.h>
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_RUN_WRITE_MAP_H

@@ -31,6 +31,8 @@
 #include <string>
 #include <vector>
 
+#include <CGAL/Spherical_parameterization/internal/numbers/begin_arithmetic.h>
+
 namespace CGAL::Spherical_parameterization::internal {
 
 // Finds where a mesh has the defect that read_mesh() has found, and says so. Nothing here is on the way of a mesh that
@@ -287,5 +289,7 @@ private:
 };
 
 } // namespace CGAL::Spherical_parameterization::internal
+
+#include <CGAL/Spherical_parameterization/internal/numbers/end_arithmetic.h>
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_SURFACE_MESH_DEFECT_LOCATOR_H

@@ -21,6 +21,8 @@
 #include <cmath>
 #include <cstddef>
 
+#include <CGAL/Spherical_parameterization/internal/numbers/begin_arithmetic.h>
+
 namespace CGAL::Spherical_parameterization::internal {
 
 // How flat and how small the shape of a face may be that a Rest_triangle asks for. A flatter one would ask for
@@ -118,5 +120,7 @@ private:
 };
 
 } // namespace CGAL::Spherical_parameterization::internal
+
+#include <CGAL/Spherical_parameterization/internal/numbers/end_arithmetic.h>
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_SURFACE_REST_TRIANGLE_H

@@ -23,6 +23,8 @@
 #include <optional>
 #include <vector>
 
+#include <CGAL/Spherical_parameterization/internal/numbers/begin_arithmetic.h>
+
 namespace CGAL::Spherical_parameterization::internal {
 
 // What a method works on: a surface, the images of its vertices, and who may stop it. The types of the caller are not seen here.
@@ -42,5 +44,7 @@ struct Run
 };
 
 } // namespace CGAL::Spherical_parameterization::internal
+
+#include <CGAL/Spherical_parameterization/internal/numbers/end_arithmetic.h>
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_SURFACE_RUN_H

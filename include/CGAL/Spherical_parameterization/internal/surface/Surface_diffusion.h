@@ -27,6 +27,8 @@
 #include <numeric>
 #include <vector>
 
+#include <CGAL/Spherical_parameterization/internal/numbers/begin_arithmetic.h>
+
 namespace CGAL::Spherical_parameterization::internal {
 
 // The conduction of heat on a surface, in implicit steps: (M + t L) x = M y, with the cotangents of the triangles in L and areas
@@ -161,5 +163,7 @@ inline Vertex_scalars mean_curvature(const Vertex_rings& rings, const std::vecto
 }
 
 } // namespace CGAL::Spherical_parameterization::internal
+
+#include <CGAL/Spherical_parameterization/internal/numbers/end_arithmetic.h>
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_SURFACE_SURFACE_DIFFUSION_H

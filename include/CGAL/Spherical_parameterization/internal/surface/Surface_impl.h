@@ -31,6 +31,8 @@
 #include <utility>
 #include <vector>
 
+#include <CGAL/Spherical_parameterization/internal/numbers/begin_arithmetic.h>
+
 namespace CGAL::Spherical_parameterization::internal {
 
 CGAL_SPHERICAL_PARAMETERIZATION_INLINE int normalize(std::vector<Vector_3d>& points, Vector_3d* origin)
@@ -158,5 +160,7 @@ CGAL_SPHERICAL_PARAMETERIZATION_INLINE void Surface::scale_to_area_of_unit_spher
 }
 
 } // namespace CGAL::Spherical_parameterization::internal
+
+#include <CGAL/Spherical_parameterization/internal/numbers/end_arithmetic.h>
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_SURFACE_SURFACE_IMPL_H

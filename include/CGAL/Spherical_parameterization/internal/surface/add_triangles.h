@@ -25,6 +25,8 @@
 #include <cstdint>
 #include <vector>
 
+#include <CGAL/Spherical_parameterization/internal/numbers/begin_arithmetic.h>
+
 namespace CGAL::Spherical_parameterization::internal {
 
 // Adds a closed mesh with n vertices to a mesh, and calls write(vertices, faces) with what has been added, in the order of the
@@ -100,5 +102,7 @@ void write_vectors(const VertexMap& map, const Vertices& vertices, const Values&
 }
 
 } // namespace CGAL::Spherical_parameterization::internal
+
+#include <CGAL/Spherical_parameterization/internal/numbers/end_arithmetic.h>
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_SURFACE_ADD_TRIANGLES_H

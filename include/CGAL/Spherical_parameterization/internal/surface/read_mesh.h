@@ -35,6 +35,8 @@
 #include <utility>
 #include <vector>
 
+#include <CGAL/Spherical_parameterization/internal/numbers/begin_arithmetic.h>
+
 namespace CGAL::Spherical_parameterization::internal {
 
 // A caller's mesh as flat arrays: its vertices but for those without a face, and its faces as triples of their numbers, both
@@ -132,5 +134,7 @@ Error_code read_surface(const TriangleMesh& tmesh, const VertexPointMap& vpm, Me
 }
 
 } // namespace CGAL::Spherical_parameterization::internal
+
+#include <CGAL/Spherical_parameterization/internal/numbers/end_arithmetic.h>
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_SURFACE_READ_MESH_H

@@ -16,6 +16,8 @@
 
 #include <CGAL/Spherical_parameterization/Surface_maps/internal/alignment/Rotation_search.h>
 
+#include <CGAL/Spherical_parameterization/internal/numbers/begin_arithmetic.h>
+
 namespace CGAL::Spherical_parameterization::internal {
 
 // Two coarse surfaces that are compared, and the goals of maps from the first one to the sphere of the second one: features,
@@ -208,5 +210,7 @@ private:
 };
 
 } // namespace CGAL::Spherical_parameterization::internal
+
+#include <CGAL/Spherical_parameterization/internal/numbers/end_arithmetic.h>
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_SURFACE_MAPS_INTERNAL_ALIGNMENT_COARSE_PAIR_H

@@ -16,6 +16,8 @@
 
 #include <CGAL/Spherical_parameterization/Surface_maps/internal/alignment/Rotation_search.h>
 
+#include <CGAL/Spherical_parameterization/internal/numbers/begin_arithmetic.h>
+
 namespace CGAL::Spherical_parameterization::internal {
 
 // Extremities of two surfaces that may correspond, by their numbers, and the rotation that brings their tips together.
@@ -133,5 +135,7 @@ private:
 };
 
 } // namespace CGAL::Spherical_parameterization::internal
+
+#include <CGAL/Spherical_parameterization/internal/numbers/end_arithmetic.h>
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_SURFACE_MAPS_INTERNAL_ALIGNMENT_EXTREMITY_SEARCH_H

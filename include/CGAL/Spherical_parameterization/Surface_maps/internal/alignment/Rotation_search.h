@@ -19,6 +19,8 @@
 #include <CGAL/Spherical_parameterization/Surface_maps/internal/alignment/map_score.h>
 #include <CGAL/Spherical_parameterization/internal/execution/Run_control.h>
 
+#include <CGAL/Spherical_parameterization/internal/numbers/begin_arithmetic.h>
+
 namespace CGAL::Spherical_parameterization::internal {
 
 // A rotation of the first sphere, and how well the surfaces agree by it, the more the better.
@@ -236,5 +238,7 @@ inline Rotation_matrix polished(Rotation_matrix rotation, const Sphere_mesh& sph
 }
 
 } // namespace CGAL::Spherical_parameterization::internal
+
+#include <CGAL/Spherical_parameterization/internal/numbers/end_arithmetic.h>
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_SURFACE_MAPS_INTERNAL_ALIGNMENT_ROTATION_SEARCH_H

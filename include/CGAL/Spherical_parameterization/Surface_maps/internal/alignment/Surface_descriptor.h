@@ -37,6 +37,8 @@
 #include <utility>
 #include <vector>
 
+#include <CGAL/Spherical_parameterization/internal/numbers/begin_arithmetic.h>
+
 namespace CGAL::Spherical_parameterization::internal {
 
 // How far points of a surface are from each other along it, which changes little when it is bent: the lengths of shortest paths
@@ -333,7 +335,7 @@ private:
     for(std::size_t k = 0; k < n_sources; ++k)
       for(std::size_t v = 0; v < size(); ++v)
         m_average_distance[v] += weights[k] * m_spread_origins[k].distances[v];
-    const double mean = std::inner_product(m_areas.begin(), m_areas.end(), m_average_distance.begin(), 0.);
+    const double mean = inner_product(m_areas, m_average_distance);
     m_inverse_mean_distance = mean > 0. ? 1. / mean : 1.;
     scale(m_average_distance);
     for(Origin& origin : m_spread_origins)
@@ -356,5 +358,7 @@ private:
 };
 
 } // namespace CGAL::Spherical_parameterization::internal
+
+#include <CGAL/Spherical_parameterization/internal/numbers/end_arithmetic.h>
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_SURFACE_MAPS_INTERNAL_ALIGNMENT_SURFACE_DESCRIPTOR_H

@@ -17,6 +17,8 @@
 #include <CGAL/Spherical_parameterization/Surface_maps/internal/alignment/Alignment_descent.h>
 #include <CGAL/Spherical_parameterization/Surface_maps/internal/alignment/Extremity_search.h>
 
+#include <CGAL/Spherical_parameterization/internal/numbers/begin_arithmetic.h>
+
 // The first two stages of map_surface(): candidates are proposed, and chosen among on coarse surfaces. Spheres of poses of a
 // body differ by more than a rotation: extremities lean to one side or to the other, as both are nearly as good. So many starts are taken to their end, and the outcome decides.
 
@@ -134,5 +136,7 @@ inline std::vector<Alignment> best_alignments(Coarse_pair& surfaces, const Targe
 }
 
 } // namespace CGAL::Spherical_parameterization::internal
+
+#include <CGAL/Spherical_parameterization/internal/numbers/end_arithmetic.h>
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_SURFACE_MAPS_INTERNAL_ALIGNMENT_BEST_ALIGNMENTS_H

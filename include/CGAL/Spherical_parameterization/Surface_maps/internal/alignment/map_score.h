@@ -18,6 +18,8 @@
 #include <CGAL/Spherical_parameterization/internal/hierarchy/Mesh_hierarchy.h>
 #include <CGAL/Spherical_parameterization/internal/surface/Vertex_rings.h>
 
+#include <CGAL/Spherical_parameterization/internal/numbers/begin_arithmetic.h>
+
 // How good a map between surfaces is, on a level of the first one.
 
 namespace CGAL::Spherical_parameterization::internal {
@@ -89,5 +91,7 @@ inline double stretching(const Target_metric& metric, const Mesh_hierarchy::Leve
 }
 
 } // namespace CGAL::Spherical_parameterization::internal
+
+#include <CGAL/Spherical_parameterization/internal/numbers/end_arithmetic.h>
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_SURFACE_MAPS_INTERNAL_ALIGNMENT_MAP_SCORE_H

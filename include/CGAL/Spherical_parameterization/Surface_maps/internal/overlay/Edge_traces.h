@@ -23,6 +23,8 @@
 
 #include <atomic>
 
+#include <CGAL/Spherical_parameterization/internal/numbers/begin_arithmetic.h>
+
 namespace CGAL::Spherical_parameterization::internal {
 
 // A side of a triangle is numbered 3 t + i if it is opposite to vertex i of triangle t, from vertex i + 1 to vertex
@@ -177,5 +179,7 @@ Error_code trace_edges(const Sphere_mesh& of, const Sphere_mesh& in, const std::
 }
 
 } // namespace CGAL::Spherical_parameterization::internal
+
+#include <CGAL/Spherical_parameterization/internal/numbers/end_arithmetic.h>
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_SURFACE_MAPS_INTERNAL_OVERLAY_EDGE_TRACES_H

@@ -20,6 +20,8 @@
 #include <limits>
 #include <numeric>
 
+#include <CGAL/Spherical_parameterization/internal/numbers/begin_arithmetic.h>
+
 namespace CGAL::Spherical_parameterization::internal {
 
 // The common refinement of two triangulations of the sphere, exact but for ties, which are broken as if the points of the
@@ -234,5 +236,7 @@ private:
 };
 
 } // namespace CGAL::Spherical_parameterization::internal
+
+#include <CGAL/Spherical_parameterization/internal/numbers/end_arithmetic.h>
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_SURFACE_MAPS_INTERNAL_OVERLAY_SPHERE_OVERLAY_H

@@ -23,6 +23,8 @@
 
 #include <optional>
 
+#include <CGAL/Spherical_parameterization/internal/numbers/begin_arithmetic.h>
+
 namespace CGAL::Spherical_parameterization::internal {
 
 // Makes the common refinement, of at most so many vertices if a bound is given. Returns the same errors as Sphere_overlay.
@@ -53,6 +55,8 @@ Distortion_between distortion_between(const std::array<std::vector<Vector_3d>, 2
                                       const Execution& execution = Execution(), std::vector<double>* bending = nullptr);
 
 } // namespace CGAL::Spherical_parameterization::internal
+
+#include <CGAL/Spherical_parameterization/internal/numbers/end_arithmetic.h>
 
 #ifdef CGAL_SPHERICAL_PARAMETERIZATION_HEADER_ONLY
 #include <CGAL/Spherical_parameterization/Surface_maps/internal/overlay/overlay_surfaces_impl.h>

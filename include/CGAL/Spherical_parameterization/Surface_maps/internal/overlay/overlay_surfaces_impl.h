@@ -20,6 +20,8 @@
 
 #include <utility>
 
+#include <CGAL/Spherical_parameterization/internal/numbers/begin_arithmetic.h>
+
 namespace CGAL::Spherical_parameterization::internal {
 
 CGAL_SPHERICAL_PARAMETERIZATION_INLINE
@@ -198,5 +200,7 @@ Error_code find_bent_sides(Surface_on_sphere first, Surface_on_sphere second, st
 }
 
 } // namespace CGAL::Spherical_parameterization::internal
+
+#include <CGAL/Spherical_parameterization/internal/numbers/end_arithmetic.h>
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_SURFACE_MAPS_INTERNAL_OVERLAY_OVERLAY_SURFACES_IMPL_H

@@ -19,6 +19,8 @@
 #include <cmath>
 #include <optional>
 
+#include <CGAL/Spherical_parameterization/internal/numbers/begin_arithmetic.h>
+
 namespace CGAL::Spherical_parameterization::internal {
 
 inline Vector_3d point_on_edge(const Vector_3d& p, const Vector_3d& q, double t)
@@ -112,5 +114,7 @@ inline Error_code refine_in_common(const Sphere_mesh& sphere1, const std::vector
 }
 
 } // namespace CGAL::Spherical_parameterization::internal
+
+#include <CGAL/Spherical_parameterization/internal/numbers/end_arithmetic.h>
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_SURFACE_MAPS_INTERNAL_OVERLAY_REFINE_IN_COMMON_H

@@ -20,6 +20,8 @@
 
 #include <cmath>
 
+#include <CGAL/Spherical_parameterization/internal/numbers/begin_arithmetic.h>
+
 namespace CGAL::Spherical_parameterization::internal {
 
 // The bilinear interpolation between the corners of a square, (0, 0), (0, 1), (1, 0) and (1, 1), and its slopes.
@@ -180,5 +182,7 @@ private:
 };
 
 } // namespace CGAL::Spherical_parameterization::internal
+
+#include <CGAL/Spherical_parameterization/internal/numbers/end_arithmetic.h>
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_SURFACE_MAPS_INTERNAL_TARGET_SPHERE_IMAGE_H
