@@ -43,10 +43,8 @@ namespace CGAL::Spherical_parameterization {
 /// \cgalModels{SphericalParameterizer_3}
 ///
 /// \tparam SolverTraits must be a model of `SparseLinearAlgebraWithFactorTraits_d`.<br> <b>%Default:</b> if
-///         \ref thirdpartyEigen "Eigen" 3.1 or greater is available and `CGAL_EIGEN3_ENABLED` is defined,
-/// \code
-///   CGAL::Eigen_solver_traits<Eigen::SimplicialLDLT<Eigen_sparse_symmetric_matrix<double>::EigenType> >
-/// \endcode
+///         \ref thirdpartyEigen "Eigen" 3.1 or greater is available and `CGAL_EIGEN3_ENABLED` is defined, a Cholesky factorization
+///         of the package, in an order of elimination that Eigen chooses, with the same bits on every machine
 ///
 /// \sa `Harmonic_parameterizer_3`
 /// \sa `Hierarchical_parameterizer_3`

@@ -14,13 +14,8 @@
 
 #include <CGAL/license/Spherical_parameterization.h>
 
-#include <CGAL/Spherical_parameterization/internal/areas/Sparse_factorization.h>
+#include <CGAL/Spherical_parameterization/internal/numbers/Sparse_factorization.h>
 #include <CGAL/Spherical_parameterization/internal/surface/Vertex_rings.h>
-
-#ifdef CGAL_EIGEN3_ENABLED
-#include <Eigen/OrderingMethods>
-#include <Eigen/SparseCore>
-#endif
 
 #include <algorithm>
 #include <array>
@@ -85,24 +80,14 @@ private:
 
   const Symmetric_matrix& pattern(const Vertex_rings& rings)
   {
-    const auto n = static_cast<Eigen::Index>(rings.number_of_vertices());
-    {
-      std::vector<Eigen::Triplet<double>> entries;
-      entries.reserve(rings.number_of_corners() + rings.number_of_vertices());
-      for(Eigen::Index v = 0; v < n; ++v)
+    m_order = elimination_order(rings.number_of_vertices(), [&](const auto& add) {
+      for(std::uint32_t v = 0; v < rings.number_of_vertices(); ++v)
       {
-        entries.emplace_back(v, v, 1.);
-        for(const std::uint32_t w : rings.ring(static_cast<std::size_t>(v)))
-          entries.emplace_back(static_cast<Eigen::Index>(w), v, 1.);
+        add(v, v);
+        for(const std::uint32_t w : rings.ring(v))
+          add(w, v);
       }
-      Eigen::SparseMatrix<double> graph(n, n);
-      graph.setFromTriplets(entries.begin(), entries.end());
-      Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> order;
-      Eigen::AMDOrdering<int>()(graph, order);
-      m_order.resize(rings.number_of_vertices());
-      for(Eigen::Index k = 0; k < n; ++k) // the k-th vertex to be eliminated
-        m_order[static_cast<std::size_t>(order.indices()[k])] = static_cast<std::uint32_t>(k);
-    }
+    });
 
     // The columns of a block: its vertex, and then those of its neighbours that come later, in increasing order.
     std::vector<std::uint32_t> vertices(m_order.size());

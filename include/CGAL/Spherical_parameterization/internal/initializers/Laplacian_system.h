@@ -16,17 +16,12 @@
 
 #include <CGAL/Spherical_parameterization/Error_code.h>
 #include <CGAL/Spherical_parameterization/Parameterization_report.h>
+#include <CGAL/Spherical_parameterization/internal/numbers/Sparse_factorization.h>
 #include <CGAL/Spherical_parameterization/internal/numbers/Vector_3.h>
 #include <CGAL/Spherical_parameterization/internal/surface/Run.h>
 #include <CGAL/Spherical_parameterization/internal/surface/Vertex_rings.h>
 
 #include <CGAL/Default.h>
-
-#ifdef CGAL_EIGEN3_ENABLED
-#include <CGAL/Eigen_solver_traits.h>
-
-#include <Eigen/SparseCholesky>
-#endif
 
 #include <algorithm>
 #include <cmath>
@@ -35,19 +30,103 @@
 #include <limits>
 #include <optional>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 #include <CGAL/Spherical_parameterization/internal/numbers/begin_arithmetic.h>
 
 namespace CGAL::Spherical_parameterization::internal {
 
-// The sparse solver of those parameterizers that need one: the caller's, or by default Eigen's Cholesky factorisation.
+#ifdef CGAL_EIGEN3_ENABLED
+
+// The model of `SparseLinearAlgebraTraits_d` that is used by default, for symmetric matrices all entries of which are set once.
+// Eigen chooses the order of elimination; it computes nothing, as what other libraries compile may be contracted.
+class Cholesky_solver_traits
+{
+public:
+  using NT = double;
+
+  class Matrix
+  {
+  public:
+    explicit Matrix(std::size_t size)
+      : m_size(size)
+    {}
+
+    void set_coef(std::uint32_t row, std::uint32_t column, double value, bool)
+    {
+      m_entries.push_back({row, column, value});
+    }
+
+  private:
+    friend class Cholesky_solver_traits;
+
+    struct Entry
+    {
+      std::uint32_t row, column;
+      double value;
+    };
+
+    std::size_t m_size;
+    std::vector<Entry> m_entries;
+  };
+
+  using Vector = std::vector<double>;
+
+  bool factor(const Matrix& matrix, double& denominator)
+  {
+    denominator = 1.;
+    m_order = elimination_order(matrix.m_size, [&](const auto& add) {
+      for(const Matrix::Entry& entry : matrix.m_entries)
+        add(entry.row, entry.column);
+    });
+    // The lower triangle in the order of elimination: of a pair of entries, the one of the lower triangle counts.
+    std::vector<Matrix::Entry> entries;
+    for(const Matrix::Entry& entry : matrix.m_entries)
+      if(entry.row >= entry.column)
+      {
+        const auto [column, row] = std::minmax(m_order[entry.row], m_order[entry.column]);
+        entries.push_back({row, column, entry.value});
+      }
+    std::sort(entries.begin(), entries.end(), [](const Matrix::Entry& a, const Matrix::Entry& b) {
+      return std::pair(a.column, a.row) < std::pair(b.column, b.row);
+    });
+    Symmetric_matrix triangle;
+    triangle.starts.resize(matrix.m_size + 1);
+    for(const Matrix::Entry& entry : entries)
+    {
+      triangle.rows.push_back(entry.row);
+      triangle.values.push_back(entry.value);
+      triangle.starts[entry.column + 1] = triangle.rows.size();
+    }
+    m_factorization.emplace(triangle);
+    return m_factorization->factorize(triangle, [] { return true; });
+  }
+
+  bool linear_solver(const Vector& right_side, Vector& solution)
+  {
+    Vector x(right_side.size());
+    for(std::size_t k = 0; k < x.size(); ++k)
+      x[m_order[k]] = right_side[k];
+    m_factorization->solve(x);
+    for(std::size_t k = 0; k < x.size(); ++k)
+      solution[k] = x[m_order[k]];
+    return true;
+  }
+
+private:
+  std::vector<std::uint32_t> m_order; // the position of each row in the order of elimination
+  std::optional<Sparse_factorization> m_factorization;
+};
+
+#endif // CGAL_EIGEN3_ENABLED
+
+// The sparse solver of those parameterizers that need one: the caller's, or by default the one above.
 template <class SolverTraits>
 struct Solver_traits
 {
 #ifdef CGAL_EIGEN3_ENABLED
-  using Default_traits = Eigen_solver_traits<Eigen::SimplicialLDLT<Eigen_sparse_symmetric_matrix<double>::EigenType>>;
-  using type = typename Default::Get<SolverTraits, Default_traits>::type;
+  using type = typename Default::Get<SolverTraits, Cholesky_solver_traits>::type;
 #else
   static_assert(!std::is_same<SolverTraits, Default>::value,
                 "The parameter `SolverTraits` is required if Eigen is not enabled.");
@@ -116,7 +195,8 @@ private:
   using Traits = typename Solver_traits<SolverTraits>::type;
   using Matrix = typename Traits::Matrix;
   using Vector = typename Traits::Vector;
-  using Index = std::ptrdiff_t;
+  // of a vector, which Eigen counts with a sign
+  using Index = std::conditional_t<std::is_same_v<Vector, std::vector<double>>, std::size_t, std::ptrdiff_t>;
 
   std::optional<Matrix> m_matrix; // the solver may refer to it
   Traits m_solver;

@@ -9,10 +9,15 @@
 //
 // Author(s)     : The Spherical_parameterization authors
 
-#ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_AREAS_SPARSE_FACTORIZATION_H
-#define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_AREAS_SPARSE_FACTORIZATION_H
+#ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_NUMBERS_SPARSE_FACTORIZATION_H
+#define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_NUMBERS_SPARSE_FACTORIZATION_H
 
 #include <CGAL/license/Spherical_parameterization.h>
+
+#ifdef CGAL_EIGEN3_ENABLED
+#include <Eigen/OrderingMethods>
+#include <Eigen/SparseCore>
+#endif
 
 #include <cstddef>
 #include <cstdint>
@@ -33,6 +38,30 @@ struct Symmetric_matrix
   std::vector<std::uint32_t> rows;
   std::vector<double> values;
 };
+
+#ifdef CGAL_EIGEN3_ENABLED
+
+// The position of each row of a symmetric matrix in an order of elimination that leaves few entries in L: approximate minimum degree.
+// for_each_entry(add) calls add(row, column) for all entries.
+template <class For_each_entry>
+std::vector<std::uint32_t> elimination_order(std::size_t size, const For_each_entry& for_each_entry)
+{
+  std::vector<Eigen::Triplet<double>> entries;
+  for_each_entry([&](std::size_t row, std::size_t column) {
+    entries.emplace_back(static_cast<int>(row), static_cast<int>(column), 1.);
+  });
+  const auto n = static_cast<Eigen::Index>(size);
+  Eigen::SparseMatrix<double> graph(n, n);
+  graph.setFromTriplets(entries.begin(), entries.end());
+  Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> order;
+  Eigen::AMDOrdering<int>()(graph, order);
+  std::vector<std::uint32_t> result(size);
+  for(Eigen::Index k = 0; k < n; ++k) // the k-th row to be eliminated
+    result[static_cast<std::size_t>(order.indices()[k])] = static_cast<std::uint32_t>(k);
+  return result;
+}
+
+#endif // CGAL_EIGEN3_ENABLED
 
 // The factorization L D L^T of such a matrix, in the order of its rows, row by row (Davis, Direct Methods for Sparse Linear
 // Systems, section 4.8). For a large mesh it takes seconds, in which it can be stopped, unlike those of Eigen.
@@ -168,4 +197,4 @@ private:
 
 #include <CGAL/Spherical_parameterization/internal/numbers/end_arithmetic.h>
 
-#endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_AREAS_SPARSE_FACTORIZATION_H
+#endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_NUMBERS_SPARSE_FACTORIZATION_H
