@@ -4,6 +4,7 @@
 #include <CGAL/Spherical_parameterization/Cortex/compute_sulcal_measures.h>
 #include <CGAL/Spherical_parameterization/Surface_maps/align_spheres.h>
 #include <CGAL/Spherical_parameterization/Surface_maps/overlay.h>
+#include <CGAL/Spherical_parameterization/internal/numbers/elementary_functions.h>
 #include <CGAL/property_map.h>
 
 #include <algorithm>
@@ -15,7 +16,7 @@ namespace {
 
 double length_of(const Point_3& p)
 {
-  return std::hypot(p.x(), p.y(), p.z());
+  return SP::internal::hypotenuse(p.x(), p.y(), p.z());
 }
 
 Point_3 direction_of(const Point_3& p)

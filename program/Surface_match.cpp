@@ -8,6 +8,7 @@
 #include <CGAL/Spherical_parameterization/Surface_maps/map_surface.h>
 #include <CGAL/Spherical_parameterization/Surface_maps/measure_distortion_between.h>
 #include <CGAL/Spherical_parameterization/Surface_maps/overlay.h>
+#include <CGAL/Spherical_parameterization/internal/numbers/elementary_functions.h>
 #include <CGAL/Spherical_parameterization/is_bijective.h>
 
 #include <algorithm>
@@ -51,7 +52,7 @@ void Mapped_mesh::take_own_sphere()
   for(const Vertex_index v : input.mesh().vertices())
     if(const Point_3& p = input.mesh().point(v); !input.mesh().is_isolated(v))
     {
-      const double distance = std::hypot(p.x(), p.y(), p.z());
+      const double distance = SP::internal::hypotenuse(p.x(), p.y(), p.z());
       least = (std::min)(least, distance);
       largest = (std::max)(largest, distance);
       input.mesh().point(v) = sphere[v] = Point_3(p.x() / distance, p.y() / distance, p.z() / distance);

@@ -2,6 +2,7 @@
 
 #include <CGAL/Spherical_parameterization/Cortex/FreeSurfer.h>
 #include <CGAL/Spherical_parameterization/Cortex/rotate_to_surface.h>
+#include <CGAL/Spherical_parameterization/internal/numbers/elementary_functions.h>
 #include <CGAL/Spherical_parameterization/is_bijective.h>
 #include <CGAL/Spherical_parameterization/round_to_float.h>
 #ifdef PROGRAM_READS_GIFTI
@@ -38,12 +39,13 @@ std::array<int, 3> color_of(double t)
   const double lightness = first_lightness + t * (last_lightness - first_lightness);
   const double hue = first_hue + t * (last_hue - first_hue);
   const double chroma = first_chroma + t * t * t * t * (last_chroma - first_chroma);
-  const double a = chroma * std::cos(hue), b = chroma * std::sin(hue);
+  const double a = chroma * SP::internal::cosine(hue), b = chroma * SP::internal::sine(hue);
 
   // Oklab to linear sRGB
-  const double l = std::pow(lightness + 0.3963377774 * a + 0.2158037573 * b, 3);
-  const double m = std::pow(lightness - 0.1055613458 * a - 0.0638541728 * b, 3);
-  const double s = std::pow(lightness - 0.0894841775 * a - 1.2914855480 * b, 3);
+  const auto cube = [](double x) { return x * x * x; };
+  const double l = cube(lightness + 0.3963377774 * a + 0.2158037573 * b);
+  const double m = cube(lightness - 0.1055613458 * a - 0.0638541728 * b);
+  const double s = cube(lightness - 0.0894841775 * a - 1.2914855480 * b);
   const std::array<double, 3> linear = {4.0767416621 * l - 3.3077115913 * m + 0.2309699292 * s,
                                         -1.2684380046 * l + 2.6097574011 * m - 0.3413193965 * s,
                                         -0.0041960863 * l - 0.7034186147 * m + 1.7076147010 * s};
@@ -51,7 +53,8 @@ std::array<int, 3> color_of(double t)
   for(std::size_t i = 0; i < 3; ++i)
   {
     const double x = (std::min)((std::max)(linear[i], 0.), 1.);
-    const double gamma = x <= 0.0031308 ? 12.92 * x : 1.055 * std::pow(x, 1. / 2.4) - 0.055;
+    const double root = SP::internal::cube_root(x); // The power is x^(1 / 2.4).
+    const double gamma = x <= 0.0031308 ? 12.92 * x : 1.055 * (root * std::sqrt(std::sqrt(root))) - 0.055;
     rgb[i] = static_cast<int>(std::lround(255. * gamma));
   }
   return rgb;
@@ -154,7 +157,7 @@ void write_sphere(std::ostream& out, const std::string& path, const std::string&
       if(!mesh.is_isolated(v))
       {
         const Point_3& p = map[v];
-        const double length = std::hypot(p.x(), p.y(), p.z()), scale = radius ? *radius / length : 1.;
+        const double length = SP::internal::hypotenuse(p.x(), p.y(), p.z()), scale = radius ? *radius / length : 1.;
         written_radius = radius.value_or(length);
         written[v] = Point_3(scale * p.x(), scale * p.y(), scale * p.z());
       }

@@ -2,8 +2,8 @@
 # Usage: scripts/check_style.sh
 #
 # Checks the layout of all C++ files (clang-format 14, whose output differs from that of other versions), the first
-# lines and the include guard of every header, that what computes is compiled without contraction, and the blanks of every text
-# file. Prints what is wrong; changes nothing.
+# lines and the include guard of every header, that what the package computes depends on neither the compiler nor the standard
+# library, and the blanks of every text file. Prints what is wrong; changes nothing.
 
 # shellcheck source-path=SCRIPTDIR source=common.sh
 . "$(dirname "${BASH_SOURCE[0]}")/common.sh"
@@ -61,6 +61,13 @@ for header in "${headers[@]}"; do
   [ "$(grep -m 1 '^#ifndef' "$header")" = "#ifndef $guard" ] || report "$header: the include guard is not $guard"
   [ "$(tail -n 1 "$header")" = "#endif // $guard" ] || report "$header: the last line is not '#endif // $guard'"
 done
+
+# These differ between machines, or are compiled as the user's code is; square roots, std::fma and std::fmod are the same.
+inexact='std::(inner_product|a?(cos|sin|tan)h?|atan2|exp2?|expm1|log|log2|log10|log1p|pow|cbrt|hypot|erfc?|[lt]gamma|polar|arg|norm)\b'
+mapfile -t computing < <(printf '%s\n' "${sources[@]}" | grep -E '^(include|program|src|python)/')
+if grep -nE "^([^/]|/[^/])*$inexact" "${computing[@]}"; then
+  report "The lines above call what is not the same on every machine: see internal/numbers/elementary_functions.h."
+fi
 
 # -I leaves out binary files.
 if grep -nIP '\t|[ \r]$' "${files[@]}" /dev/null; then

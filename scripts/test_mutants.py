@@ -33,8 +33,8 @@ ROOMS = {
     "internal/files": ["files"],
     "Cortex/internal": ["files"],
 }
-TESTS = ["hierarchy", "certificate", "files", "mesh", "descent", "measuring", "initializers", "areas", "parameterizers", "harmonics",
-         "sampling", "corpus", "surfaces", "program"]
+TESTS = ["numbers", "hierarchy", "certificate", "files", "mesh", "descent", "measuring", "initializers", "areas", "parameterizers",
+         "harmonics", "sampling", "corpus", "surfaces", "program"]
 SWITCH = """// Which mutant acts, and the operators that ask; see scripts/test_mutants.py.
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_MUTANTS_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_MUTANTS_H

@@ -22,29 +22,6 @@ namespace SP = CGAL::Spherical_parameterization;
 
 using namespace SP::internal;
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
-
-TEST(Packed_double, has_an_exponential)
-{
-  Random random(1);
-  for(int k = 0; k < 100000; ++k)
-  {
-    const double x = k % 3 == 0 ? random.between(-700., 700.) : random.between(-12., 1.);
-    const Four_lanes packed = Lanes<Four_lanes>::generate([&](std::size_t i) { return x + static_cast<double>(i); });
-    const Four_lanes e = exponential(packed);
-    for(std::size_t i = 0; i < Lanes<Four_lanes>::width; ++i)
-      EXPECT_NEAR(lane(e, i) / std::exp(lane(packed, i)), 1., 1e-15);
-  }
-  const auto exponential_of = [](double x) { return lane(exponential(Four_lanes(x)), 0); };
-  EXPECT_EQ(exponential_of(0.), 1.);
-  EXPECT_NEAR(exponential_of(-708.) / std::exp(-708.), 1., 1e-15);
-  EXPECT_NEAR(exponential_of(709.) / std::exp(709.), 1., 1e-15);
-  for(const double x : {std::nan(""), -1e300, -infinity})
-    EXPECT_LT(exponential_of(x), 1e-307);
-  for(const double x : {1e3, infinity})
-    EXPECT_GT(exponential_of(x), 1e307);
-}
-
 TEST(Packed_double, decides_lane_by_lane)
 {
   const Four_lanes a = Lanes<Four_lanes>::generate([](std::size_t i) { return static_cast<double>(i) - 1.; });

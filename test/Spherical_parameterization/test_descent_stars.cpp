@@ -8,6 +8,7 @@
 #include <CGAL/Spherical_parameterization/internal/descent/Measured_faces.h>
 #include <CGAL/Spherical_parameterization/internal/descent/Star_energy.h>
 #include <CGAL/Spherical_parameterization/internal/descent/Vertex_step.h>
+#include <CGAL/Spherical_parameterization/internal/numbers/run_in_lanes.h>
 
 #include "random_stars.h"
 

@@ -17,6 +17,7 @@
 #include <CGAL/Spherical_parameterization/Energy_derivatives_3.h>
 #include <CGAL/Spherical_parameterization/Face_range_3.h>
 #include <CGAL/Spherical_parameterization/internal/execution/policy_traits.h>
+#include <CGAL/Spherical_parameterization/internal/numbers/elementary_functions.h>
 
 #include <algorithm>
 #include <cmath>
@@ -59,7 +60,7 @@ private:
     double t = 0.;
     for(int k = 0; k < max_steps; ++k)
     {
-      const double q2 = std::exp(2. * t);
+      const double q2 = internal::exponential(2. * t);
       double first = 0., second = 0., size = 0.;
       for(const auto& face : faces)
       {
@@ -79,7 +80,7 @@ private:
       if(!(std::abs(step) > tolerance))
         break;
     }
-    return std::exp(t);
+    return internal::exponential(t);
   }
 };
 

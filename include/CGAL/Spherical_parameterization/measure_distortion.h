@@ -20,6 +20,7 @@
 #include <CGAL/Spherical_parameterization/internal/measuring/distortion.h>
 #include <CGAL/Spherical_parameterization/internal/run/check_arguments.h>
 #include <CGAL/Spherical_parameterization/internal/surface/read_mesh.h>
+#include <CGAL/Spherical_parameterization/internal/numbers/elementary_functions.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/number_utils.h>
@@ -162,7 +163,7 @@ Error_code measure_distortion(const TriangleMesh& tmesh, VertexSphereMap vertex_
 
     internal::Statistics_accumulator isometric, area, angle, radius;
     for(const auto& p : images)
-      radius.add(std::hypot(CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z())));
+      radius.add(internal::hypotenuse(CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z())));
     Distortion_summary summary;
     summary.radius = radius.average();
     summary.number_of_faces = measured.size();

@@ -21,13 +21,13 @@
 #include <CGAL/Spherical_parameterization/internal/numbers/Vector_3.h>
 #include <CGAL/Spherical_parameterization/internal/run/Visitor_control.h>
 #include <CGAL/Spherical_parameterization/internal/surface/read_mesh.h>
+#include <CGAL/Spherical_parameterization/internal/numbers/elementary_functions.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/tags.h>
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -59,7 +59,8 @@ struct Surface_distance
   double psnr() const
   {
     const double larger = (std::max)(from_first.root_mean_square, from_second.root_mean_square);
-    return larger > 0. ? 20. * std::log10(diagonal / larger) : std::numeric_limits<double>::infinity();
+    constexpr double decibels = 8.685889638065037; // twenty over the natural logarithm of ten
+    return larger > 0. ? decibels * internal::logarithm(diagonal / larger) : std::numeric_limits<double>::infinity();
   }
 };
 

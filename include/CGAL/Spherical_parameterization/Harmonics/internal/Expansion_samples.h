@@ -24,6 +24,7 @@
 #include <CGAL/Spherical_parameterization/internal/numbers/conjugate_gradients.h>
 #include <CGAL/Spherical_parameterization/internal/surface/Surface.h>
 #include <CGAL/Spherical_parameterization/internal/surface/mesh_measures.h>
+#include <CGAL/Spherical_parameterization/internal/numbers/elementary_functions.h>
 
 #include <algorithm>
 #include <array>
@@ -304,7 +305,7 @@ public:
     for(std::size_t k = 0; k < coarse.size(); ++k)
       difference += (coefficients[k] - coarse[k]) * (coefficients[k] - coarse[k]);
     const auto add = [&](double& error, double square) {
-      error = std::hypot(error, std::ldexp(std::sqrt(square), exponent));
+      error = hypotenuse(error, std::ldexp(std::sqrt(square), exponent));
     };
     add(m_fit.aliasing, difference);
     add(m_fit.error_over_surface, squared_error(m_over_surface, values, coefficients));

@@ -15,6 +15,7 @@
 #include <CGAL/license/Spherical_parameterization.h>
 
 #include <CGAL/Spherical_parameterization/internal/numbers/Vector_3.h>
+#include <CGAL/Spherical_parameterization/internal/numbers/elementary_functions.h>
 
 #include <CGAL/number_type_config.h>
 
@@ -42,7 +43,7 @@ public:
     for(std::size_t k = 0; k < directions.size(); ++k)
     {
       const Vector_3d& q = directions[k];
-      const double r = std::hypot(q[0], q[1]);
+      const double r = hypotenuse(q[0], q[1]);
       set_parallel(k, q[2], r);
       if(r > 0.)
         set_longitude(k, q[0] / r, q[1] / r);
@@ -62,7 +63,7 @@ public:
     {
       const double longitude = 2. * CGAL_PI * static_cast<double>(i) / static_cast<double>(width);
       for(std::size_t k = 0; k < lanes; ++k)
-        set_longitude(i * lanes + k, std::cos(longitude), std::sin(longitude));
+        set_longitude(i * lanes + k, cosine(longitude), sine(longitude));
     }
   }
 
@@ -148,7 +149,7 @@ private:
     const double size = static_cast<double>(n);
     for(std::size_t k = 0; k < n; ++k)
     {
-      double x = std::cos(CGAL_PI * (static_cast<double>(k) + 0.75) / (size + 0.5)), slope = 1.;
+      double x = cosine(CGAL_PI * (static_cast<double>(k) + 0.75) / (size + 0.5)), slope = 1.;
       constexpr int n_steps = 5; // Three are enough for all n; the first guess is off by less than 1 / n^2.
       for(int step = 0; step < n_steps; ++step)
       {

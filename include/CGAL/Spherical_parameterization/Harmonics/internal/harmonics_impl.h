@@ -21,6 +21,7 @@
 #include <CGAL/Spherical_parameterization/Harmonics/rotate_spherical_harmonics.h>
 #include <CGAL/Spherical_parameterization/internal/numbers/Rotation_matrix.h>
 #include <CGAL/Spherical_parameterization/internal/surface/read_mesh.h>
+#include <CGAL/Spherical_parameterization/internal/numbers/elementary_functions.h>
 
 #include <algorithm>
 #include <array>
@@ -188,8 +189,8 @@ struct First_degree_ellipsoid
           if(product == 0.)
             continue;
           const double theta = (squared_length(columns[j]) - squared_length(columns[i])) / (2. * product);
-          const double t = (theta < 0. ? -1. : 1.) / (std::abs(theta) + std::hypot(theta, 1.));
-          const double c = 1. / std::hypot(t, 1.), s = t * c;
+          const double t = (theta < 0. ? -1. : 1.) / (std::abs(theta) + hypotenuse(theta, 1.));
+          const double c = 1. / hypotenuse(t, 1.), s = t * c;
           for(Rotation_matrix* const m : {&columns, &v})
           {
             const Vector_3d x = (*m)[i], y = (*m)[j];

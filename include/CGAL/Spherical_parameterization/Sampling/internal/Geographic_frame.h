@@ -16,6 +16,7 @@
 
 #include <CGAL/Spherical_parameterization/internal/certificate/Orientation_about_origin_3.h>
 #include <CGAL/Spherical_parameterization/internal/numbers/Vector_3.h>
+#include <CGAL/Spherical_parameterization/internal/numbers/elementary_functions.h>
 
 #include <CGAL/Exact_rational.h>
 #include <CGAL/enum.h>
@@ -24,7 +25,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <optional>
 #include <type_traits>
 
@@ -121,7 +121,7 @@ public:
     Crossing result = {share, site(place, normalized(d), share * b.distance * length(d))};
     const Vector_3d& e = result.site.direction;
     constexpr double min_distance = 1e-9; // from a pole; below it, rounding decides about the longitude
-    if(has_longitude(a.place) && has_longitude(b.place) && std::hypot(e[0], e[1]) < min_distance)
+    if(has_longitude(a.place) && has_longitude(b.place) && hypotenuse(e[0], e[1]) < min_distance)
       result.site.u = 0.5 * (a.u + b.u);
     return result;
   }
@@ -209,12 +209,12 @@ private:
   static Site site(Triangle_location place, const Vector_3d& direction, double distance)
   {
     const double x = direction[0], y = direction[1], z = direction[2];
-    const double longitude = place == Triangle_location::east   ? std::atan2((std::max)(0., y), x)
-                             : place == Triangle_location::west ? -std::atan2((std::max)(0., -y), x)
+    const double longitude = place == Triangle_location::east   ? arc_tangent((std::max)(0., y), x)
+                             : place == Triangle_location::west ? -arc_tangent((std::max)(0., -y), x)
                                                                 : 0.;
     const double latitude = place == Triangle_location::north_pole   ? CGAL_PI / 2.
                             : place == Triangle_location::south_pole ? -CGAL_PI / 2.
-                                                                     : std::atan2(z, std::hypot(x, y));
+                                                                     : arc_tangent(z, hypotenuse(x, y));
     return {place, 0.5 + longitude / (2. * CGAL_PI), 0.5 + latitude / CGAL_PI, direction, distance};
   }
 

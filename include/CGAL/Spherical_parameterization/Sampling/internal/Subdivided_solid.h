@@ -15,6 +15,7 @@
 #include <CGAL/license/Spherical_parameterization.h>
 
 #include <CGAL/Spherical_parameterization/internal/numbers/Vector_3.h>
+#include <CGAL/Spherical_parameterization/internal/numbers/elementary_functions.h>
 
 #include <CGAL/number_type_config.h>
 
@@ -130,12 +131,12 @@ private:
   std::vector<Edge> m_edges;
 };
 
-// Weights that divide an edge between corners of length 1 into n arcs of the same angle.
+// Weights that divide an edge between two directions at this angle into n arcs of the same angle.
 inline std::vector<double> weights_of_equal_arcs(double angle_of_edge, std::uint32_t n)
 {
   std::vector<double> weights;
   for(std::uint32_t i = 0; i <= n; ++i)
-    weights.push_back(std::sin(angle_of_edge * i / n));
+    weights.push_back(sine(angle_of_edge * i / n));
   return weights;
 }
 
@@ -157,7 +158,7 @@ inline Subdivided_solid<3> subdivided_icosahedron(std::uint32_t n)
     for(int i = 0; i < 5; ++i) // five vertices around each pole, at a height of 1 / sqrt(5)
     {
       const double angle = (2 * i + (z < 0.)) * CGAL_PI / 5.;
-      corners.push_back({std::sqrt(0.8) * std::cos(angle), std::sqrt(0.8) * std::sin(angle), z * std::sqrt(0.2)});
+      corners.push_back({std::sqrt(0.8) * cosine(angle), std::sqrt(0.8) * sine(angle), z * std::sqrt(0.2)});
     }
   corners.push_back({0., 0., -1.});
   std::vector<std::array<std::uint32_t, 3>> faces;
@@ -169,7 +170,7 @@ inline Subdivided_solid<3> subdivided_icosahedron(std::uint32_t n)
     faces.push_back({6 + i, 6 + next, 1 + next});
     faces.push_back({6 + i, 11, 6 + next});
   }
-  return {corners, faces, weights_of_equal_arcs(std::atan(2.), n)};
+  return {corners, faces, weights_of_equal_arcs(arc_tangent(2., 1.), n)};
 }
 
 // Bit k of the number of a corner tells the sign of its coordinate k.
@@ -182,11 +183,7 @@ inline Subdivided_solid<4> subdivided_cube(std::uint32_t n)
   std::vector<Vector_3d> corners;
   for(int i = 0; i < 8; ++i)
     corners.push_back({i & 1 ? 1. : -1., i & 2 ? 1. : -1., i & 4 ? 1. : -1.});
-  std::vector<double> weights;
-  for(std::uint32_t i = 0; i <= n; ++i)
-    weights.push_back(1. + std::tan(CGAL_PI / 4. * (2. * i / n - 1.)));
-  weights.front() = 0.;
-  return {corners, {cube_faces.begin(), cube_faces.end()}, weights};
+  return {corners, {cube_faces.begin(), cube_faces.end()}, weights_of_equal_arcs(CGAL_PI / 2., n)};
 }
 
 } // namespace CGAL::Spherical_parameterization::internal

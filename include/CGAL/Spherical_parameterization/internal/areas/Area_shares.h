@@ -19,6 +19,7 @@
 #include <CGAL/Spherical_parameterization/internal/surface/Surface.h>
 #include <CGAL/Spherical_parameterization/internal/surface/Vertex_rings.h>
 #include <CGAL/Spherical_parameterization/internal/surface/mesh_measures.h>
+#include <CGAL/Spherical_parameterization/internal/numbers/elementary_functions.h>
 
 #include <CGAL/number_type_basic.h>
 
@@ -48,7 +49,7 @@ public:
     , m_sum(4. - 0.5 * (squared_length(m_to_p) + squared_length(m_to_q) + squared_length(q - p)))
   {}
 
-  double value() const { return 2. * std::atan2(m_determinant, m_sum); }
+  double value() const { return 2. * arc_tangent(m_determinant, m_sum); }
 
   // the derivative in x, without its part along x
   Vector_3d gradient(const Vector_3d& x) const

@@ -21,6 +21,7 @@
 #include <CGAL/Spherical_parameterization/internal/numbers/Vector_3.h>
 #include <CGAL/Spherical_parameterization/internal/surface/Rest_triangle.h>
 #include <CGAL/Spherical_parameterization/internal/surface/Vertex_rings.h>
+#include <CGAL/Spherical_parameterization/internal/numbers/elementary_functions.h>
 
 #include <algorithm>
 #include <array>
@@ -192,7 +193,7 @@ private:
     double i, d;
   };
 
-  // Without the test for NaN that the language asks for.
+  // Neither the tests for NaN that the language asks for, nor what a standard library makes of them.
   static Complex times(const Complex& x, const Complex& y)
   {
     return Complex(x.real() * y.real() - x.imag() * y.imag(), x.real() * y.imag() + x.imag() * y.real());
@@ -301,7 +302,7 @@ private:
   // Raises the eigenvalues of a symmetric matrix where they are below the minimum.
   static void make_positive(double& pp, double& pq, double& qq)
   {
-    const double mean = 0.5 * (pp + qq), half = 0.5 * (pp - qq), radius = std::hypot(half, pq);
+    const double mean = 0.5 * (pp + qq), half = 0.5 * (pp - qq), radius = hypotenuse(half, pq);
     if(mean - radius >= min_curvature)
       return;
     const double larger = (std::max)(mean + radius, min_curvature), scale = 0.5 * (larger - min_curvature),

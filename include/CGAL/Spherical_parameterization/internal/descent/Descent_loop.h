@@ -30,6 +30,7 @@
 #include <CGAL/Spherical_parameterization/internal/surface/Rest_triangle.h>
 #include <CGAL/Spherical_parameterization/internal/surface/Surface.h>
 #include <CGAL/Spherical_parameterization/internal/surface/mesh_measures.h>
+#include <CGAL/Spherical_parameterization/internal/numbers/elementary_functions.h>
 
 #include <algorithm>
 #include <cmath>
@@ -61,7 +62,7 @@ inline bool has_converged(const Descent_state& now, const Descent_state& last, c
     return false;
   const Energy_summary all = now.summary.all(), last_all = last.summary.all();
   if(!settings.is_accelerated && sharpness > 0.)
-    return std::abs(std::expm1(sharpness * (now.value - last.value))) <= energy_tolerance;
+    return std::abs(exponential(sharpness * (now.value - last.value)) - 1.) <= energy_tolerance;
   if(!settings.is_accelerated)
     return is_settled(all.average(), last_all.average(), energy_tolerance);
   const auto has_settled = [&](double value, double last_value, double factor) {
@@ -242,7 +243,7 @@ private:
     double step = 0.5 * radius_step(&Face_invariants_3::d);
     for(int k = 0; k < max_halvings && step != 0.; ++k, step *= 0.5)
     {
-      set_radius(radius * std::exp(step));
+      set_radius(radius * exponential(step));
       sum_up();
       if(m_objective.value(m_state.summary) <= value)
         return;
@@ -258,10 +259,10 @@ private:
   {
     const double radius = m_objective.of_faces().sliver_radius, value = m_state.value;
     const double bound = value + 0.5 * (std::max)(last_value - value, 0.);
-    double step = std::log(scaled_radius() / radius);
+    double step = logarithm(scaled_radius() / radius);
     for(int k = 0; k <= max_halvings; ++k, step *= 0.5)
     {
-      m_objective.set_sliver_radius(k < max_halvings ? radius * std::exp(step) : radius);
+      m_objective.set_sliver_radius(k < max_halvings ? radius * exponential(step) : radius);
       sum_up();
       m_state.value = m_objective.value(m_state.summary);
       if(m_state.value <= bound)
@@ -305,7 +306,7 @@ private:
     for(int k = 0; k < max_steps; ++k)
     {
       const double step = radius_step(&Face_invariants_3::flat_d);
-      set_radius(m_state.radius * std::exp(step));
+      set_radius(m_state.radius * exponential(step));
       if(!(std::abs(step) > min_step))
         return;
     }

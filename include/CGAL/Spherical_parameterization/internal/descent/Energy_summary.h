@@ -17,6 +17,7 @@
 #include <CGAL/Spherical_parameterization/internal/descent/Face_energy.h>
 #include <CGAL/Spherical_parameterization/internal/descent/Star_packets.h>
 #include <CGAL/Spherical_parameterization/internal/numbers/Packed_double.h>
+#include <CGAL/Spherical_parameterization/internal/numbers/elementary_functions.h>
 
 #include <algorithm>
 #include <array>
@@ -81,7 +82,7 @@ public:
         const FT sharpness = m_sharpness, shift = part.m_max;
         FT weights = 0., firsts = 0., seconds = 0.;
         for_each_row(column, [&](const FT& energy, const FT& count) {
-          const FT weight = count * exponential(sharpness * (energy - shift)), first = weight * energy;
+          const FT weight = count * clamped_exponential(sharpness * (energy - shift)), first = weight * energy;
           weights += weight;
           firsts += first;
           seconds += first * energy;
@@ -121,7 +122,7 @@ public:
   {
     if(!(m_sharpness > 0.))
       return average();
-    return m_max + std::log(m_moments[0] / size()) / m_sharpness;
+    return m_max + logarithm(m_moments[0] / size()) / m_sharpness;
   }
 
   // the means of E and E^2 with the weights exp(s E)
@@ -140,7 +141,7 @@ public:
   }
 
 private:
-  double rescaling(double new_max) const { return is_empty() ? 0. : std::exp(m_sharpness * (m_max - new_max)); }
+  double rescaling(double new_max) const { return is_empty() ? 0. : exponential(m_sharpness * (m_max - new_max)); }
 
   static constexpr std::size_t n_columns = packet_width;
 

@@ -206,7 +206,7 @@ bool embed_hierarchically(const Surface& mesh, const Energy& energy, const Sharp
   bool is_embedded = embed(0., sharpness, Rest_limits(), 1);
   for(const double guard : {1e-10, 1e-8, 1e-6, 1e-4, 1e-2})
     is_embedded =
-        is_embedded || embed(guard, Sharpness::lowest_average(), {std::pow(guard, 0.25), 0.1 * guard, false}, 1);
+        is_embedded || embed(guard, Sharpness::lowest_average(), {std::sqrt(std::sqrt(guard)), 0.1 * guard, false}, 1);
   Rest_limits without_shape;
   without_shape.is_uniform = true;
   for(const std::size_t sweeps_factor : {std::size_t(1), std::size_t(4), std::size_t(16)})

@@ -20,7 +20,7 @@
 #include <CGAL/Spherical_parameterization/internal/descent/Face_energy.h>
 #include <CGAL/Spherical_parameterization/internal/descent/Star_packets.h>
 #include <CGAL/Spherical_parameterization/internal/execution/parallel.h>
-#include <CGAL/Spherical_parameterization/internal/numbers/Packed_double.h>
+#include <CGAL/Spherical_parameterization/internal/numbers/run_in_lanes.h>
 #include <CGAL/Spherical_parameterization/internal/numbers/Vector_3.h>
 
 #include <CGAL/assertions.h>
@@ -151,7 +151,7 @@ public:
         FT first = 1., second = 0.;
         if(!objective.is_average())
         {
-          const FT weight = objective.share * exponential(sharpness * (e.value - level));
+          const FT weight = objective.share * clamped_exponential(sharpness * (e.value - level));
           first = (1. - objective.share) + weight;
           second = sharpness * weight;
         }

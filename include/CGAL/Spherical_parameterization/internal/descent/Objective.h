@@ -19,6 +19,7 @@
 #include <CGAL/Spherical_parameterization/internal/descent/Energy_summary.h>
 #include <CGAL/Spherical_parameterization/internal/descent/Face_energy.h>
 #include <CGAL/Spherical_parameterization/internal/numbers/Vector_3.h>
+#include <CGAL/Spherical_parameterization/internal/numbers/elementary_functions.h>
 
 #include <algorithm>
 #include <cmath>
@@ -173,8 +174,8 @@ private:
     const double curvature = s * s * summary.weighted_mean_square();
     if(!is_finite(curvature)) // squares of energies beyond what a double holds
       return 0.;
-    const double excess = slope > 0. && m_b >= 2. ? slope * (exponent + std::log(share * slope / (m_b - 1.)))
-                                                  : slope - (m_b - 1.) / (share * std::exp(exponent));
+    const double excess = slope > 0. && m_b >= 2. ? slope * (exponent + logarithm(share * slope / (m_b - 1.)))
+                                                  : slope - (m_b - 1.) / (share * exponential(exponent));
     const double step = (std::min)((std::max)(excess / curvature, -1.), 0.5);
     const double level = (std::max)(e.level / (1. - step), (std::min)(e.level, min_level));
     const double change = std::abs(level - e.level) / e.level;
@@ -187,7 +188,7 @@ private:
   {
     if(summary.is_empty())
       return 0.;
-    const double mean = summary.size() / size * std::exp(e.sharpness * (summary.exponential_mean() - e.level));
+    const double mean = summary.size() / size * exponential(e.sharpness * (summary.exponential_mean() - e.level));
     return (1. - 1. / m_b) * e.level + mean / e.sharpness;
   }
 

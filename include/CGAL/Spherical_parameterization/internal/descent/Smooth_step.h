@@ -22,6 +22,7 @@
 #include <CGAL/Spherical_parameterization/internal/execution/parallel.h>
 #include <CGAL/Spherical_parameterization/internal/numbers/Vector_3.h>
 #include <CGAL/Spherical_parameterization/internal/numbers/conjugate_gradients.h>
+#include <CGAL/Spherical_parameterization/internal/numbers/elementary_functions.h>
 
 #include <algorithm>
 #include <array>
@@ -70,7 +71,7 @@ public:
 
   // what R gets more, and how many times the radius gets as large
   double level_step(double t) const { return t * m_level_step; }
-  double radius_factor(double t) const { return std::exp(t * m_log_radius_step); }
+  double radius_factor(double t) const { return exponential(t * m_log_radius_step); }
 
 private:
   using Matrix_6 = std::array<std::array<double, 6>, 6>;

@@ -209,7 +209,7 @@ private:
   // a exp(s (E - R)), see Face_objective
   FT weight_of(std::size_t j, const FT& energy) const
   {
-    return m_objective.share * exponential(m_faces[j].sharpness * (energy - m_faces[j].level));
+    return m_objective.share * clamped_exponential(m_faces[j].sharpness * (energy - m_faces[j].level));
   }
 
   double linear_weight() const { return m_objective.ordinary.sharpness * (1. - m_objective.share); }

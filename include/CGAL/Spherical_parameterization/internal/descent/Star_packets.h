@@ -259,7 +259,7 @@ public:
   // for a processor to see what comes next.
   void prefetch_rest([[maybe_unused]] std::size_t corner) const
   {
-#ifdef __GNUC__
+#ifdef CGAL_SPHERICAL_PARAMETERIZATION_HAS_VECTORS
     for(std::size_t k = 0; k < 4; ++k)
       __builtin_prefetch(m_rest.data() + rest_index(corner, k));
 #endif

@@ -138,7 +138,7 @@ private:
       if(objective.is_average())
         return;
       const double s = objective.ordinary.sharpness, level = objective.ordinary.level, b = s * level;
-      const FT weight = objective.share * exponential(s * (energy - level));
+      const FT weight = objective.share * clamped_exponential(s * (energy - level));
       first = (1. - objective.share) + weight;
       second = s * weight;
       if(!objective.has_levels())

@@ -23,12 +23,12 @@
 #include <CGAL/Spherical_parameterization/internal/surface/Surface.h>
 #include <CGAL/Spherical_parameterization/internal/surface/Vertex_rings.h>
 #include <CGAL/Spherical_parameterization/internal/surface/mesh_measures.h>
+#include <CGAL/Spherical_parameterization/internal/numbers/elementary_functions.h>
 
 #include <CGAL/number_type_basic.h>
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <numeric>
@@ -202,7 +202,7 @@ private:
     {
       const Vector_3d p = m_mesh.points()[ring[j]] - m_mesh.points()[m_pole];
       const Vector_3d q = m_mesh.points()[ring.around(j + 1)] - m_mesh.points()[m_pole];
-      sum += angles[j] = std::atan2(length(cross(p, q)), dot(p, q));
+      sum += angles[j] = arc_tangent(length(cross(p, q)), dot(p, q));
     }
     const double equal_share = 1. / static_cast<double>(ring.size());
     double phi = 0.;
@@ -211,7 +211,7 @@ private:
     m_is_fixed[m_pole] = 1;
     for(std::size_t j = 0; j < ring.size(); ++j)
     {
-      m_plane[ring[j]] = {std::cos(phi), std::sin(phi), 0.};
+      m_plane[ring[j]] = {cosine(phi), sine(phi), 0.};
       m_is_fixed[ring[j]] = 1;
       const double own_share = sum > 0. ? angles[j] / sum : equal_share;
       phi += turn * (own_blend * (std::min)(own_share, 0.5) + (1. - own_blend) * equal_share);

@@ -18,6 +18,7 @@
 #include <CGAL/Spherical_parameterization/internal/execution/parallel.h>
 #include <CGAL/Spherical_parameterization/internal/numbers/Vector_3.h>
 #include <CGAL/Spherical_parameterization/internal/surface/Linked_triangle.h>
+#include <CGAL/Spherical_parameterization/internal/numbers/elementary_functions.h>
 
 #include <CGAL/enum.h>
 #include <CGAL/number_utils.h>
@@ -90,7 +91,7 @@ struct Triangle_stretch
     const double a = q.base / p.base;
     const double c = q.height / p.height;
     const double b = (q.foot - p.foot * a) / p.height;
-    const double s2 = 0.5 * (std::hypot(a + c, b) + std::hypot(a - c, b));
+    const double s2 = 0.5 * (hypotenuse(a + c, b) + hypotenuse(a - c, b));
     const double s1 = a * (c / s2);
     const int exponent = image_exponent - source_exponent;
     ratio = a * c;

@@ -23,8 +23,14 @@
 #include <emmintrin.h>
 #endif
 
+// Whether the compiler has vectors beyond the standard. A program that defines CGAL_SPHERICAL_PARAMETERIZATION_STANDARD_CXX is
+// compiled as by one that has nothing of the kind.
+#if defined(__GNUC__) && !defined(CGAL_SPHERICAL_PARAMETERIZATION_STANDARD_CXX)
+#define CGAL_SPHERICAL_PARAMETERIZATION_HAS_VECTORS
+#endif
+
 // What is compiled for a better processor than the rest of the program has to be inlined into the function that is.
-#ifdef __GNUC__
+#ifdef CGAL_SPHERICAL_PARAMETERIZATION_HAS_VECTORS
 #define CGAL_SP_INLINE inline __attribute__((always_inline))
 #else
 #define CGAL_SP_INLINE inline
@@ -34,7 +40,7 @@
 
 namespace CGAL::Spherical_parameterization::internal {
 
-#ifdef __GNUC__ // and all compilers that have its vectors
+#ifdef CGAL_SPHERICAL_PARAMETERIZATION_HAS_VECTORS
 
 // The vectors of W numbers that compilers offer beyond the standard, and what they lack.
 //
@@ -218,35 +224,14 @@ public:
     return result;
   }
 
-  // exp(a) from -708 to 709, with a relative error of some 1e-16 (1e-11 where doubles are not rounded to nearest); what
-  // is smaller, or no number, gets the value at the lower end, what is larger that at the upper one.
-  friend CGAL_SP_INLINE Packed_double exponential(const Packed_double& a)
+  // what clamped_exponential() needs of the bits
+  friend CGAL_SP_INLINE Packed_double without_fraction(const Packed_double& shifted)
   {
-    const Packed_double lowest(-708.), highest(709.);
-    const Packed_double x = select(a > lowest, minimum(a, highest), lowest);
-
-    // x = k log(2) + r with |r| <= log(2) / 2, if k is rounded to nearest: next to this shift, doubles are integers, so
-    // that the last bits of the sum are k. The sign, which is not set, is masked for compilers that may reorder sums
-    // (-ffast-math): they would take the shift out again without any rounding.
-    const Packed_double shift(6755399441055744.); // 3 * 2^51
-    const Packed_double shifted = x * Packed_double(1.4426950408889634074) + shift;
-    const Integers bits = Integers(shifted.m_lanes), exponent = bits << 52;
-    const Packed_double k = Packed_double(Doubles(bits & 0x7fffffffffffffff)) - shift;
-    const Packed_double r =
-        (x - k * Packed_double(6.93147180369123816490e-01)) - k * Packed_double(1.90821492927058770002e-10);
-
-    // exp(r) = 1 + r + r^2 q(r), where q interpolates at the zeros of a Chebyshev polynomial, to 2e-17. The
-    // coefficients are written out, as a quotient of two numbers is not evaluated by compilers that have to respect the
-    // rounding mode, but whenever it is needed.
-    const Packed_double r2 = r * r, r4 = r2 * r2;
-    const Packed_double q0 = (Packed_double(5.00000000000000111e-01) + r * Packed_double(1.66666666666666685e-01)) +
-                             r2 * (Packed_double(4.16666666666241289e-02) + r * Packed_double(8.33333333333006153e-03));
-    const Packed_double q1 = (Packed_double(1.38888889172137167e-03) + r * Packed_double(1.98412698630536177e-04)) +
-                             r2 * (Packed_double(2.48015212959543761e-05) + r * Packed_double(2.75572684599970641e-06));
-    const Packed_double q2 = Packed_double(2.76200884454097462e-07) + r * Packed_double(2.51003854955103203e-08);
-    const Packed_double power = Packed_double(1.) + (r + r2 * (q0 + r4 * (q1 + r4 * q2)));
-
-    return Packed_double(Doubles(Integers(power.m_lanes) + exponent)); // times 2^k
+    return Packed_double(Doubles(Integers(shifted.m_lanes) & 0x7fffffffffffff00));
+  }
+  friend CGAL_SP_INLINE Packed_double times_power_of_two(const Packed_double& a, const Packed_double& shifted)
+  {
+    return Packed_double(Doubles(Integers(a.m_lanes) + (Integers(shifted.m_lanes) << 44)));
   }
 
 private:
@@ -262,9 +247,9 @@ private:
   Doubles m_lanes;
 };
 
-#endif // __GNUC__
+#endif // CGAL_SPHERICAL_PARAMETERIZATION_HAS_VECTORS
 
-// The same for a single number, but for the ends of the exponential.
+// The same for a single number.
 
 template <class T>
 CGAL_SP_INLINE T lane(T a, std::size_t)
@@ -295,9 +280,65 @@ CGAL_SP_INLINE double square_root(double a)
 {
   return std::sqrt(a);
 }
-CGAL_SP_INLINE double exponential(double a)
+CGAL_SP_INLINE std::uint64_t bits_of(double a)
 {
-  return std::exp(a);
+  std::uint64_t result;
+  std::memcpy(&result, &a, sizeof(double));
+  return result;
+}
+CGAL_SP_INLINE double double_of_bits(std::uint64_t bits)
+{
+  double result;
+  std::memcpy(&result, &bits, sizeof(double));
+  return result;
+}
+CGAL_SP_INLINE double without_fraction(double shifted)
+{
+  return double_of_bits(bits_of(shifted) & 0x7fffffffffffff00);
+}
+CGAL_SP_INLINE double times_power_of_two(double a, double shifted)
+{
+  return double_of_bits(bits_of(a) + (bits_of(shifted) << 44));
+}
+
+// Next to this number, 3 * 2^43, doubles have eight bits behind the point: those before them are the integer k, if the
+// number k + exponential_shift is looked at.
+constexpr double exponential_shift = 26388279066624.;
+
+// exp(x) = 2^k power with 3/4 <= power < 3/2, but for a thousandth, where `shifted` becomes k + exponential_shift. So 1 + r
+// below is rounded less than it would be from sqrt(1/2) to sqrt(2), and the sum it is made of as well.
+template <class FT>
+CGAL_SP_INLINE FT exponential_of_rest(const FT& x, FT& shifted)
+{
+  // x = k log(2) + r, with k rounded down where x / log(2) is 0.584 above it, the nearest of these steps to log2(3/2). The
+  // sign, which is not set, is masked, too: compilers that may reorder sums (-ffast-math) could not take the shift out again
+  // without any rounding.
+  shifted = without_fraction(x * FT(1.4426950408889634074) + FT(exponential_shift + 0.4140625));
+  const FT k = shifted - FT(exponential_shift);
+  const FT r = (x - k * FT(6.93147180369123816490e-01)) - k * FT(1.90821492927058770002e-10);
+
+  // exp(r) = 1 + r + r^2 q(r), where the largest error, 4.2e-18 of it, is the least that a polynomial q of this degree can
+  // have (by Remez' algorithm). The coefficients are written out, as a quotient of two numbers is not evaluated by compilers
+  // that have to respect the rounding mode, but whenever it is needed.
+  const FT r2 = r * r, r4 = r2 * r2;
+  const FT q0 = (FT(4.99999999999999889e-01) + r * FT(1.66666666666677399e-01)) +
+                r2 * (FT(4.16666666666841712e-02) + r * FT(8.33333333242222522e-03));
+  const FT q1 = (FT(1.38888888857992081e-03) + r * FT(1.98412724721398775e-04)) +
+                r2 * (FT(2.48015754038370876e-05) + r * FT(2.75541345723716236e-06));
+  const FT q2 = FT(2.75906785373925631e-07) + r * FT(2.64542900341025883e-08);
+  return FT(1.) + (r + r2 * (q0 + r4 * (q1 + r4 * q2)));
+}
+
+// exp(a) from -708 to 709, with an error below 1 ulp (and a relative one of 1e-11 where doubles are not rounded to
+// nearest); what is smaller, or no number, gets the value at the lower end, what is larger that at the upper one. Every
+// number type gives the same bits. See exponential() for all doubles.
+template <class FT>
+CGAL_SP_INLINE FT clamped_exponential(const FT& a)
+{
+  const FT lowest(-708.), highest(709.);
+  FT shifted;
+  const FT power = exponential_of_rest(FT(select(a > lowest, minimum(a, highest), lowest)), shifted);
+  return times_power_of_two(power, shifted);
 }
 
 // How to make a number, be it a single one or a packed one, whose static members do it.
@@ -319,50 +360,13 @@ struct Lanes<double>
   }
 };
 
-// Stands for a number type in the call of a generic function.
-template <class FT_>
-struct Number_type
-{
-  using FT = FT_;
-};
-
-#ifdef __GNUC__
+#ifdef CGAL_SPHERICAL_PARAMETERIZATION_HAS_VECTORS
 using Two_lanes = Packed_double<2>;
 using Four_lanes = Packed_double<4>;
-
-#ifdef __x86_64__
-template <class Function>
-__attribute__((target("avx2"), flatten)) void run_in_four_lanes(const Function& f)
-{
-  f(Number_type<Four_lanes>());
-}
-#endif
-
-template <class Function>
-__attribute__((flatten)) void run_in_two_lanes(const Function& f)
-{
-  f(Number_type<Two_lanes>());
-}
 #else
 using Two_lanes = double;
 using Four_lanes = double;
 #endif
-
-// Calls f(Number_type<FT>()) with the packed number type that this processor works on best, compiled for it, whatever
-// the rest of the program is compiled for. As nothing about a lane depends on the others, all of them give the same.
-template <class Function>
-void run_in_lanes(const Function& f)
-{
-#ifndef __GNUC__
-  f(Number_type<double>());
-#else
-#ifdef __x86_64__
-  if(__builtin_cpu_supports("avx2"))
-    return run_in_four_lanes(f);
-#endif
-  run_in_two_lanes(f);
-#endif
-}
 
 #undef CGAL_SP_INLINE
 

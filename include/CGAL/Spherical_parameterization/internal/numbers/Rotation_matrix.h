@@ -15,6 +15,7 @@
 #include <CGAL/license/Spherical_parameterization.h>
 
 #include <CGAL/Spherical_parameterization/internal/numbers/Vector_3.h>
+#include <CGAL/Spherical_parameterization/internal/numbers/elementary_functions.h>
 
 #include <CGAL/Aff_transformation_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -65,11 +66,10 @@ inline Rotation_matrix rotation_matrix(const Quaternion& q)
           Vector_3d{s * (x * z - w * y), s * (y * z + w * x), 1. - s * (x * x + y * y)}};
 }
 
-// the angle between two rotations, in radians
-inline double angle_between(const Rotation_matrix& a, const Rotation_matrix& b)
+// the cosine of the angle between two rotations
+inline double cosine_between(const Rotation_matrix& a, const Rotation_matrix& b)
 {
-  const double cosine = 0.5 * (dot(a[0], b[0]) + dot(a[1], b[1]) + dot(a[2], b[2]) - 1.);
-  return std::acos((std::min)((std::max)(cosine, -1.), 1.));
+  return 0.5 * (dot(a[0], b[0]) + dot(a[1], b[1]) + dot(a[2], b[2]) - 1.);
 }
 
 // The rotation that brings directions nearest to others, by least squares: the eigenvector of Horn's symmetric matrix
@@ -94,8 +94,8 @@ inline std::optional<Rotation_matrix> fitting_rotation(const std::vector<std::pa
         if(a[i][j] != 0.)
         {
           const double theta = (a[j][j] - a[i][i]) / (2. * a[i][j]);
-          const double t = (theta < 0. ? -1. : 1.) / (std::abs(theta) + std::hypot(theta, 1.));
-          const double c = 1. / std::hypot(t, 1.), d = t * c;
+          const double t = (theta < 0. ? -1. : 1.) / (std::abs(theta) + hypotenuse(theta, 1.));
+          const double c = 1. / hypotenuse(t, 1.), d = t * c;
           const auto turn = [&](double& x, double& y) { std::tie(x, y) = std::pair(c * x - d * y, d * x + c * y); };
           for(std::size_t k = 0; k < 4; ++k)
             turn(a[k][i], a[k][j]);

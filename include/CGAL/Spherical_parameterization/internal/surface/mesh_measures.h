@@ -17,9 +17,9 @@
 #include <CGAL/Spherical_parameterization/internal/numbers/Vector_3.h>
 #include <CGAL/Spherical_parameterization/internal/surface/Rest_triangle.h>
 #include <CGAL/Spherical_parameterization/internal/surface/Vertex_rings.h>
+#include <CGAL/Spherical_parameterization/internal/numbers/elementary_functions.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <numeric>
@@ -105,7 +105,7 @@ inline std::vector<double> curvature_masses(const Vertex_rings& rings, const std
   double mass = 0.;
   for(std::size_t v = 0; v < masses.size(); ++v)
   {
-    masses[v] = std::cbrt((squares[v] * (area / square) + flat * masses[v]) * masses[v] * masses[v]);
+    masses[v] = cube_root((squares[v] * (area / square) + flat * masses[v]) * masses[v] * masses[v]);
     mass += masses[v];
   }
   for(double& m : masses)

@@ -18,6 +18,7 @@
 #include <CGAL/Spherical_parameterization/Surface_maps/internal/alignment/Surface_descriptor.h>
 #include <CGAL/Spherical_parameterization/Surface_maps/internal/alignment/map_score.h>
 #include <CGAL/Spherical_parameterization/internal/execution/Run_control.h>
+#include <CGAL/Spherical_parameterization/internal/numbers/elementary_functions.h>
 
 #include <CGAL/Spherical_parameterization/internal/numbers/begin_arithmetic.h>
 
@@ -35,10 +36,11 @@ template <class Rotation>
 std::vector<Rotation> select_rotations(std::vector<Rotation> found, std::size_t n, double min_angle)
 {
   std::stable_sort(found.begin(), found.end(), [](const Rotation& a, const Rotation& b) { return a.score > b.score; });
+  const double max_cosine = cosine(min_angle);
   std::vector<Rotation> result;
   for(const Rotation& candidate : found)
     if(result.size() < n && std::all_of(result.begin(), result.end(), [&](const Rotation& other) {
-         return angle_between(candidate.rotation, other.rotation) >= min_angle;
+         return cosine_between(candidate.rotation, other.rotation) <= max_cosine;
        }))
       result.push_back(candidate);
   return result;
@@ -86,7 +88,7 @@ private:
     {
       const double s = static_cast<double>(i) + 0.5, t = s / n, d = 2. * CGAL_PI * s;
       const double r = std::sqrt(t), R = std::sqrt(1. - t);
-      result.push_back({r * std::sin(d / phi), r * std::cos(d / phi), R * std::sin(d / psi), R * std::cos(d / psi)});
+      result.push_back({r * sine(d / phi), r * cosine(d / phi), R * sine(d / psi), R * cosine(d / psi)});
     }
     return result;
   }
@@ -119,7 +121,7 @@ private:
     std::vector<std::size_t> order(scores.size());
     std::iota(order.begin(), order.end(), std::size_t(0));
     std::stable_sort(order.begin(), order.end(), [&](std::size_t i, std::size_t j) { return scores[i] > scores[j]; });
-    const double min_cosine = std::cos(0.5 * max_radius);
+    const double min_cosine = cosine(0.5 * max_radius);
     std::vector<Scored_rotation> found;
     for(std::size_t i = 0; i < (std::min)(n_looked_at, order.size()) && found.size() < n_found; ++i)
     {
@@ -187,8 +189,8 @@ private:
       for(std::size_t axis = 1; axis < 4; ++axis)
         for(const double sign : {-1., 1.})
         {
-          Quaternion q = {std::cos(0.5 * angle), 0., 0., 0.};
-          q[axis] = sign * std::sin(0.5 * angle);
+          Quaternion q = {cosine(0.5 * angle), 0., 0., 0.};
+          q[axis] = sign * sine(0.5 * angle);
           const Rotation_matrix r = product(rotation_matrix(q), result.rotation);
           if(const double s = score(r, *samples); s > best.score)
             best = {r, s};

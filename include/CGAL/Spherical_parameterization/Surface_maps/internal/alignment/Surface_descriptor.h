@@ -24,6 +24,7 @@
 #include <CGAL/Spherical_parameterization/internal/surface/Vertex_rings.h>
 #include <CGAL/Spherical_parameterization/internal/surface/mesh_measures.h>
 #include <CGAL/Spherical_parameterization/internal/surface/vertex_scalars.h>
+#include <CGAL/Spherical_parameterization/internal/numbers/elementary_functions.h>
 
 #include <algorithm>
 #include <cmath>
@@ -106,7 +107,7 @@ private:
     const double cx = dot(c - a, u), cy = std::sqrt((std::max)(squared_length(c - a) - cx * cx, 0.));
     const double dx = dot(d - a, u), dy = std::sqrt((std::max)(squared_length(d - a) - dx * dx, 0.));
     const double x = cy + dy > 0. ? (cx * dy + dx * cy) / (cy + dy) : 0.; // where the straight line meets the edge
-    return x >= 0. && x <= edge ? std::hypot(cx - dx, cy + dy)
+    return x >= 0. && x <= edge ? hypotenuse(cx - dx, cy + dy)
                                 : (std::min)(length(c - a) + length(d - a), length(c - b) + length(d - b));
   }
 

@@ -16,6 +16,7 @@
 
 #include <CGAL/Spherical_parameterization/Surface_maps/internal/alignment/Alignment_descent.h>
 #include <CGAL/Spherical_parameterization/Surface_maps/internal/alignment/Extremity_search.h>
+#include <CGAL/Spherical_parameterization/internal/numbers/elementary_functions.h>
 
 #include <CGAL/Spherical_parameterization/internal/numbers/begin_arithmetic.h>
 
@@ -63,7 +64,7 @@ inline void keep_best(const Vertex_scalars& areas, double min_angle, std::vector
         sum += areas[v] * dot(start.alignment.directions[v], other.alignment.directions[v]);
         area += areas[v];
       }
-      return sum > std::cos(min_angle) * area;
+      return sum > cosine(min_angle) * area;
     };
     if(std::none_of(result.begin(), result.end(), is_near))
       result.push_back(std::move(start));

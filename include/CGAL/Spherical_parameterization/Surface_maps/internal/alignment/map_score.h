@@ -17,6 +17,7 @@
 #include <CGAL/Spherical_parameterization/Surface_maps/internal/target/Target_sphere.h>
 #include <CGAL/Spherical_parameterization/internal/hierarchy/Mesh_hierarchy.h>
 #include <CGAL/Spherical_parameterization/internal/surface/Vertex_rings.h>
+#include <CGAL/Spherical_parameterization/internal/numbers/elementary_functions.h>
 
 #include <CGAL/Spherical_parameterization/internal/numbers/begin_arithmetic.h>
 
@@ -84,7 +85,7 @@ inline double stretching(const Target_metric& metric, const Mesh_hierarchy::Leve
     if(!(squared_area > 0.) || !(squared_image > 0.))
       return;
     const double squared_norm = (pp * ww - 2. * pq * uw + qq * uu) / squared_area, face = std::sqrt(squared_area);
-    sum += face * std::sqrt(std::log((std::max)(0.25 * squared_norm * (1. + squared_area / squared_image), 1.)));
+    sum += face * std::sqrt(logarithm((std::max)(0.25 * squared_norm * (1. + squared_area / squared_image), 1.)));
     area += face;
   });
   return area > 0. ? sum / area : 0.;

@@ -17,6 +17,7 @@
 #include <CGAL/Spherical_parameterization/Surface_maps/internal/overlay/overlay_surfaces.h>
 #include <CGAL/Spherical_parameterization/Surface_maps/internal/overlay/refine_in_common.h>
 #include <CGAL/Spherical_parameterization/internal/measuring/distortion.h>
+#include <CGAL/Spherical_parameterization/internal/numbers/elementary_functions.h>
 
 #include <utility>
 
@@ -116,7 +117,7 @@ Distortion_between distortion_between(const std::array<std::vector<Vector_3d>, 2
       part.weights[0] += shares[0];
       part.weights[1] += shares[1];
       if(bending)
-        (*bending)[k] = 0.5 * (shares[0] + shares[1]) * std::log(0.5 * energy);
+        (*bending)[k] = 0.5 * (shares[0] + shares[1]) * logarithm(0.5 * energy);
     }
     parts[block] = part;
   });
