@@ -1,5 +1,7 @@
 #include "command_line.h"
 
+#include <CGAL/Spherical_parameterization/reproducibility.h>
+
 #include <CLI/CLI.hpp>
 
 #include <CGAL/version_macros.h>
@@ -177,7 +179,9 @@ std::string program_version()
 #else
   constexpr const char* version = "of CGAL"; // within which the package has no version of its own
 #endif
-  return std::string(program) + ' ' + version + ", built with CGAL " + CGAL_VERSION_STR;
+  return std::string(program) + ' ' + version + ", results " +
+         (SP::is_reproducible() ? SP::results_version : "of this build alone") + ", built with CGAL " +
+         CGAL_VERSION_STR;
 }
 
 void Command_line::fail(const std::string& what) const

@@ -6,6 +6,8 @@
 
 #include "standard_library.h"
 
+#include <CGAL/Spherical_parameterization/internal/numbers/elementary_functions.h>
+
 #include <CGAL/Dynamic_property_map.h>
 #include <CGAL/Kernel_traits.h>
 #include <CGAL/boost/graph/Euler_operations.h>
@@ -13,7 +15,14 @@
 
 #include <boost/graph/graph_traits.hpp>
 
+#include <CGAL/Spherical_parameterization/internal/numbers/begin_arithmetic.h>
+
 namespace test_meshes {
+
+using CGAL::Spherical_parameterization::internal::cosine;
+using CGAL::Spherical_parameterization::internal::exponential;
+using CGAL::Spherical_parameterization::internal::hypotenuse;
+using CGAL::Spherical_parameterization::internal::sine;
 
 using Coordinates = std::array<double, 3>;
 using Triangle = std::array<std::size_t, 3>;
@@ -29,7 +38,7 @@ constexpr double pi = 3.14159265358979323846;
 // The point at distance 1 from the origin in the direction of p.
 inline Coordinates normalized(const Coordinates& p)
 {
-  const double length = std::hypot(p[0], p[1], p[2]);
+  const double length = hypotenuse(p[0], p[1], p[2]);
   return {p[0] / length, p[1] / length, p[2] / length};
 }
 
@@ -45,7 +54,7 @@ inline Triangle_list scaled(Triangle_list list, double x, double y, double z)
 inline Triangle_list turned(Triangle_list list, double angle)
 {
   for(Coordinates& p : list.points)
-    p = {std::cos(angle) * p[0] - std::sin(angle) * p[1], std::sin(angle) * p[0] + std::cos(angle) * p[1], p[2]};
+    p = {cosine(angle) * p[0] - sine(angle) * p[1], sine(angle) * p[0] + cosine(angle) * p[1], p[2]};
   return list;
 }
 
@@ -130,7 +139,7 @@ inline Triangle_list suspension(std::size_t n, unsigned int turns = 1)
   for(std::size_t i = 0; i < n; ++i)
   {
     const double longitude = 2. * pi * static_cast<double>(turns) * static_cast<double>(i) / static_cast<double>(n);
-    list.points.push_back({std::cos(longitude), std::sin(longitude), 0.});
+    list.points.push_back({cosine(longitude), sine(longitude), 0.});
     list.triangles.push_back({i, (i + 1) % n, n});
     list.triangles.push_back({(i + 1) % n, i, n + 1});
   }
@@ -190,7 +199,7 @@ inline Triangle_list bumpy_sphere(unsigned int subdivisions)
   Triangle_list list = icosphere(subdivisions);
   const auto bump = [](const Coordinates& p, const Coordinates& direction, double sharpness, double height) {
     const Coordinates c = normalized(direction);
-    return height * std::exp(sharpness * (p[0] * c[0] + p[1] * c[1] + p[2] * c[2] - 1.));
+    return height * exponential(sharpness * (p[0] * c[0] + p[1] * c[1] + p[2] * c[2] - 1.));
   };
   for(Coordinates& p : list.points)
   {
@@ -230,8 +239,8 @@ inline Triangle_list with_tentacle(std::size_t n_rings, double length)
   const auto point = [&](std::size_t k, double angle) -> Coordinates {
     const double latitude = pi * (static_cast<double>(k + 1) / 12. - 0.5),
                  share = (static_cast<double>(k) - 11.) / static_cast<double>(n_rings),
-                 r = k < 11 ? std::cos(latitude) : 0.1, z = k < 11 ? std::sin(latitude) : 1. + length * share;
-    return {r * std::cos(angle), r * std::sin(angle), z};
+                 r = k < 11 ? cosine(latitude) : 0.1, z = k < 11 ? sine(latitude) : 1. + length * share;
+    return {r * cosine(angle), r * sine(angle), z};
   };
   return surface_of_rings({0., 0., -1.}, 11 + n_rings, 8, point, {0., 0., 1. + length});
 }
@@ -304,8 +313,8 @@ inline Triangle_list torus(std::size_t m, std::size_t n)
     for(std::size_t j = 0; j < n; ++j)
     {
       const double angle = 2. * pi * static_cast<double>(j) / static_cast<double>(n);
-      const double r = 2. + std::cos(angle);
-      list.points.push_back({r * std::cos(longitude), r * std::sin(longitude), std::sin(angle)});
+      const double r = 2. + cosine(angle);
+      list.points.push_back({r * cosine(longitude), r * sine(longitude), sine(angle)});
       const std::size_t i1 = (i + 1) % m, j1 = (j + 1) % n;
       list.triangles.push_back({i * n + j, i1 * n + j, i1 * n + j1});
       list.triangles.push_back({i * n + j, i1 * n + j1, i * n + j1});
@@ -367,5 +376,7 @@ auto make_vertex_map(const Mesh& mesh, const std::vector<Coordinates>& points)
 }
 
 } // namespace test_meshes
+
+#include <CGAL/Spherical_parameterization/internal/numbers/end_arithmetic.h>
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_TEST_MESHES_H
