@@ -1,6 +1,7 @@
 // Functions that the standard library has, too, against numbers of 160 bits, and the exponential in lanes.
 
 #include <CGAL/Spherical_parameterization/internal/numbers/elementary_functions.h>
+#include <CGAL/Spherical_parameterization/internal/numbers/nearest_double.h>
 
 #include "random_meshes.h"
 
@@ -11,8 +12,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <cstdio>
 #include <limits>
+#include <random>
 #include <vector>
 
 using namespace test;
@@ -229,6 +232,29 @@ TEST(Packed_double, has_the_exponential_of_a_double)
   expect_same_exponential<double>();
   expect_same_exponential<Two_lanes>();
   expect_same_exponential<Four_lanes>();
+}
+
+TEST(Nearest_double, rounds_rational_numbers_to_the_even_one_of_two)
+{
+  using Rational = CGAL::Exact_rational;
+  std::mt19937_64 random(1);
+  const auto odd_integer = [&] { return static_cast<double>((random() >> 12) | (std::uint64_t(1) << 52) | 1u); };
+  for(int k = 0; k < 5000; ++k)
+  {
+    const double sign = k % 2 == 0 ? 1. : -1., a = sign * std::ldexp(odd_integer(), -60), b = odd_integer();
+    EXPECT_EQ(nearest_double(Rational(Rational(a) / Rational(b))), a / b);
+    const Rational middle = (Rational(a) + Rational(std::nextafter(a, sign * HUGE_VAL))) / 2;
+    EXPECT_EQ(nearest_double(middle), std::nextafter(a, sign * HUGE_VAL)); // a is odd
+    EXPECT_EQ(nearest_double(Rational(middle - Rational(std::ldexp(sign, -300)))), a);
+  }
+
+  // The quotient of numbers beyond the range of doubles is a double.
+  const Rational large(std::ldexp(1., 1000));
+  const Rational quotient = (large * large + 1) / (large * large * 3);
+  EXPECT_EQ(nearest_double(quotient), 1. / 3.);
+  EXPECT_EQ(nearest_double(Rational(-quotient)), -1. / 3.);
+  EXPECT_EQ(nearest_double(Rational(0)), 0.);
+  EXPECT_EQ(nearest_double(Rational(1. / 3.)), 1. / 3.);
 }
 
 } // namespace

@@ -17,6 +17,7 @@
 #include <CGAL/Spherical_parameterization/internal/certificate/Orientation_about_origin_3.h>
 #include <CGAL/Spherical_parameterization/internal/numbers/Vector_3.h>
 #include <CGAL/Spherical_parameterization/internal/numbers/elementary_functions.h>
+#include <CGAL/Spherical_parameterization/internal/numbers/nearest_double.h>
 
 #include <CGAL/Exact_rational.h>
 #include <CGAL/enum.h>
@@ -176,7 +177,7 @@ private:
   static Vector_3d scaled(const Vector_3<Number>& p)
   {
     const Number s = size(p);
-    return {CGAL::to_double(Number(p[0] / s)), CGAL::to_double(Number(p[1] / s)), CGAL::to_double(Number(p[2] / s))};
+    return {nearest_double(Number(p[0] / s)), nearest_double(Number(p[1] / s)), nearest_double(Number(p[2] / s))};
   }
 
   Triangle_location place(const Point_3& p) const
@@ -202,7 +203,7 @@ private:
   {
     const Vector_3d q = scaled(p);
     return site(place, normalized(Vector_3d{dot(q, m_axes[0]), dot(q, m_axes[1]), dot(q, m_axes[2])}),
-                CGAL::to_double(size(p)) * length(q));
+                nearest_double(size(p)) * length(q));
   }
 
   // Rounding must not take a point to the other side of the plane, nor must the sign of a zero.
@@ -224,7 +225,7 @@ private:
     const Vector_3<Exact_FT> p = exact(a), q = exact(b);
     const Exact_FT at_p = dot(normal, p), at_q = dot(normal, q);
     const Exact_FT share = at_p / (at_p - at_q);
-    return {CGAL::to_double(share), site(place, p + share * (q - p))};
+    return {nearest_double(share), site(place, p + share * (q - p))};
   }
 
   Orientation_about_origin_3<K> m_orientation;

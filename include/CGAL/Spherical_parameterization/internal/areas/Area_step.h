@@ -200,6 +200,7 @@ private:
   }
 
   static double squared_length(const Complex& x) { return x.real() * x.real() + x.imag() * x.imag(); }
+  static double absolute(const Complex& x) { return std::sqrt(squared_length(x)); }
 
   void make_faces(const std::vector<Vector_3d>& points, const std::vector<double>& areas)
   {
@@ -244,7 +245,7 @@ private:
     make_positive(pp, pq, qq);
     const double aa = (std::max)(of_argument_a, min_curvature), bb = (std::max)(of_argument_b, min_curvature);
 
-    const double flat_p = std::abs(image.a), flat_q = std::abs(image.b);
+    const double flat_p = absolute(image.a), flat_q = absolute(image.b);
     const Complex direction_a = std::conj(image.a) / flat_p,
                   direction_b = flat_q > 0. ? std::conj(image.b) / flat_q : Complex(1., 0.);
     const Gradients own = gradients(image.flat, image.doubled_area);

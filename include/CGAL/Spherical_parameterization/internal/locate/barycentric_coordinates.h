@@ -15,9 +15,7 @@
 #include <CGAL/license/Spherical_parameterization.h>
 
 #include <CGAL/Spherical_parameterization/internal/numbers/Vector_3.h>
-
-#include <CGAL/Exact_rational.h>
-#include <CGAL/number_utils.h>
+#include <CGAL/Spherical_parameterization/internal/numbers/nearest_double.h>
 
 #include <array>
 #include <cmath>
@@ -70,7 +68,7 @@ std::array<FT, 3> barycentric_coordinates(const std::array<Vector_3<FT>, 3>& t, 
         };
         const auto result =
             barycentric_coordinates<Exact_rational>({exact(t[0]), exact(t[1]), exact(t[2])}, exact(q), is_positive);
-        return {CGAL::to_double(result[0]), CGAL::to_double(result[1]), CGAL::to_double(result[2])};
+        return {nearest_double(result[0]), nearest_double(result[1]), nearest_double(result[2])};
       }
       else
         w[i] = dot(q, cross(b, c));

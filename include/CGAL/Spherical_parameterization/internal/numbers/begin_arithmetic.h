@@ -15,7 +15,8 @@
 // result is another one in the last digit: on AArch64, and on x86-64 with -march=native. So each header that computes is between
 // these two files, its includes are not: what the package takes from other libraries (std::inner_product, products of
 // std::complex) is compiled as the user wants, and must not round. There is nothing to do for a target without such an operation.
-// g++ inlines none of these functions into functions of others.
+// g++ inlines none of these functions into functions of others. Its vectorizer multiplies and adds in one operation even so (the
+// patterns of complex numbers in g++ 12, with -ffp-contract=off as well), and is left out: what counts is written in lanes.
 //
 // It has no include guard, as CGAL/disable_warnings.h has none.
 #if defined(__clang__)
@@ -23,7 +24,7 @@
 #pragma clang fp contract(off)
 #elif defined(__GNUC__) && defined(__FP_FAST_FMA)
 #pragma GCC push_options
-#pragma GCC optimize("fp-contract=off")
+#pragma GCC optimize("fp-contract=off", "no-tree-vectorize")
 #elif defined(_MSC_VER)
 #pragma float_control(push)
 #pragma fp_contract(off)

@@ -1,0 +1,78 @@
+// Copyright (c) 2026  The Spherical_parameterization authors.
+// All rights reserved.
+//
+// This file is part of the Spherical_parameterization package for CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Spherical_parameterization authors
+
+#ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_NUMBERS_NEAREST_DOUBLE_H
+#define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_NUMBERS_NEAREST_DOUBLE_H
+
+#include <CGAL/license/Spherical_parameterization.h>
+
+#include <CGAL/Spherical_parameterization/internal/numbers/Packed_double.h>
+
+#include <CGAL/Exact_rational.h>
+#include <CGAL/enum.h>
+#include <CGAL/number_utils.h>
+
+#include <cmath>
+#include <cstdint>
+
+#include <CGAL/Spherical_parameterization/internal/numbers/begin_arithmetic.h>
+
+namespace CGAL::Spherical_parameterization::internal {
+
+template <class Number>
+double nearest_double(const Number& x)
+{
+  return CGAL::to_double(x);
+}
+
+// The largest double that is not larger than x >= 0: doubles are in the order of their bits.
+inline double largest_double_below(const Exact_rational& x)
+{
+  std::uint64_t low = 0, high = bits_of(HUGE_VAL);
+  while(high - low > 1)
+  {
+    const std::uint64_t middle = low + (high - low) / 2;
+    (CGAL::compare(Exact_rational(double_of_bits(middle)), x) == LARGER ? high : low) = middle;
+  }
+  return double_of_bits(low);
+}
+
+// A rational number, rounded to the nearest double, of two as near to the even one. CGAL::to_double() rounds towards zero or to
+// nearest, or errs by more, and has NaN where numerator and denominator are both beyond the range of doubles: that depends on the
+// library that computes with such numbers.
+inline double nearest_double(const Exact_rational& x)
+{
+  double y = CGAL::to_double(x);
+  if(!std::isfinite(y))
+    y = CGAL::sign(x) == NEGATIVE ? -largest_double_below(-x) : largest_double_below(x);
+  for(;;)
+  {
+    const Exact_rational difference = x - Exact_rational(y);
+    const Sign side = CGAL::sign(difference);
+    const double next = std::nextafter(y, side == POSITIVE ? HUGE_VAL : -HUGE_VAL);
+    if(side == ZERO || !std::isfinite(next))
+      break;
+    const Exact_rational half_a_step = (Exact_rational(next) - Exact_rational(y)) / 2;
+    const Comparison_result distance = CGAL::compare(CGAL::abs(difference), CGAL::abs(half_a_step));
+    if(distance == SMALLER || (distance == EQUAL && bits_of(y) % 2 == 0))
+      break;
+    y = next;
+    if(distance == EQUAL)
+      break;
+  }
+  return y;
+}
+
+} // namespace CGAL::Spherical_parameterization::internal
+
+#include <CGAL/Spherical_parameterization/internal/numbers/end_arithmetic.h>
+
+#endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_NUMBERS_NEAREST_DOUBLE_H
