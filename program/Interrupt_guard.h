@@ -1,6 +1,8 @@
 #ifndef PROGRAM_INTERRUPT_GUARD_H
 #define PROGRAM_INTERRUPT_GUARD_H
 
+#include "system.h"
+
 #include <atomic>
 #include <csignal>
 #include <utility>
@@ -8,18 +10,18 @@
 
 namespace Program {
 
-/// As long as the object lives, SIGINT, SIGTERM and SIGHUP do not end the program but are noted, for all threads. A second
-/// one ends it.
+/// As long as the object lives, SIGINT, SIGTERM and SIGHUP, or SIGBREAK on Windows, do not end the program but are noted, for all
+/// threads. A second one ends it.
 /// SIGHUP stays ignored if it is, as nohup has asked for that.
 class Interrupt_guard
 {
 public:
   Interrupt_guard()
   {
-    for(const int signal : {SIGINT, SIGTERM, SIGHUP})
+    for(const int signal : {SIGINT, SIGTERM, signal_of_hangup})
     {
       m_previous.emplace_back(signal, std::signal(signal, &note));
-      if(signal == SIGHUP && m_previous.back().second == SIG_IGN)
+      if(signal == signal_of_hangup && m_previous.back().second == SIG_IGN)
         std::signal(signal, SIG_IGN);
     }
   }

@@ -38,9 +38,8 @@ public:
   /// constructs a number of 17 digits, or null for what JSON has no words for.
   Json(double value)
   {
-    std::array<char, 32> digits;
-    std::snprintf(digits.data(), digits.size(), "%.17g", value);
-    m_value = std::isfinite(value) ? digits.data() : "null";
+    constexpr int digits = 17;
+    m_value = std::isfinite(value) ? fixed_text(value, digits, false) : "null";
   }
 
   template <class Count, class = std::enable_if_t<std::is_unsigned<Count>::value>>

@@ -25,9 +25,9 @@ Point_3 direction_of(const Point_3& p)
   return length > 0. ? Point_3(p.x() / length, p.y() / length, p.z() / length) : p;
 }
 
-std::string name_of(const std::string& path)
+std::string shown_name(const std::string& path)
 {
-  return printable(std::filesystem::path(path).filename().string());
+  return printable(name_of(path_of(path).filename()));
 }
 
 float to_float(double value)
@@ -50,7 +50,7 @@ void show_surface(Page& page, const Input_mesh& input, const Mesh& mesh)
 {
   for(const Polygon& triangle : input.triangles())
     page.triangles.push_back({std::uint32_t(triangle[0]), std::uint32_t(triangle[1]), std::uint32_t(triangle[2])});
-  page.left.title = name_of(input.name());
+  page.left.title = shown_name(input.name());
   page.left.points.assign(mesh.points().begin(), mesh.points().end());
 }
 
@@ -256,8 +256,8 @@ Page page_of_match(const Overlay& overlay, const Run_report& report)
   Page page;
   page.triangles = overlay.triangles;
   page.has_numbers = true;
-  page.left.title = name_of(report.input());
-  page.right.title = name_of(report.match->other);
+  page.left.title = shown_name(report.input());
+  page.right.title = shown_name(report.match->other);
   for(const auto& [p, q] : overlay.points)
   {
     page.left.points.emplace_back(p.x(), p.y(), p.z());
@@ -284,7 +284,7 @@ Page page_of_same_faces(Input_mesh& input, Input_mesh& other)
   const Mesh &mesh = input.mesh_of_file(), &second = other.mesh();
   input.check_faces_of(other.name(), "is no surface to show beside", second.number_of_vertices(), other.triangles());
   show_surface(page, input, mesh);
-  page.right.title = name_of(other.name());
+  page.right.title = shown_name(other.name());
   page.right.points.assign(second.points().begin(), second.points().end());
   place(page, {&page.left, &page.right});
   page.has_one_frame = true;
@@ -342,7 +342,7 @@ void add_anatomy(Page& page, Input_mesh& input, const std::string& labels)
       const File_content content = read_file_of_values(labels);
       read_named(labels, [&] { add_labels(content, mesh, input.triangles(), classes, areas); });
     }
-    page.add_classes("labels", name_of(labels), classes, areas);
+    page.add_classes("labels", shown_name(labels), classes, areas);
     page.shown = "labels";
   }
   page.add_classes("folds", "ridges and furrows, by the sign of the mean curvature", grey, folds);

@@ -13,8 +13,6 @@
 #include <sstream>
 #include <string>
 
-#include <unistd.h>
-
 namespace Program {
 
 /// A visitor that keeps what each sweep over the mesh, or each global step, has reached, shows it in one line of the
@@ -24,7 +22,7 @@ class Progress_visitor : public CGAL::Spherical_parameterization::Default_visito
 public:
   /// constructs the visitor, which shows something if that is wanted and the standard error stream is a terminal.
   explicit Progress_visitor(bool is_shown)
-    : m_is_shown(is_shown && isatty(STDERR_FILENO) != 0)
+    : m_is_shown(is_shown && has_terminal())
   {}
 
   ~Progress_visitor() { erase(); }

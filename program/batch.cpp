@@ -2,6 +2,7 @@
 #include "Mesh_run.h"
 #include "find_batch.h"
 #include "for_each_mesh.h"
+#include "system.h"
 
 #include <fstream>
 #include <iomanip>
@@ -23,7 +24,7 @@ public:
     constexpr std::uintmax_t max_size = std::uintmax_t(64) << 20;
     try
     {
-      if(std::filesystem::file_size(names.json) <= max_size)
+      if(std::filesystem::file_size(path_of(names.json)) <= max_size)
         m_text = read_file(names.json);
     }
     catch(const std::exception&) // what cannot be read is the report of no run
@@ -38,7 +39,7 @@ public:
   {
     const std::string begin = "\n  \"input\": \"";
     const std::size_t found = (std::min)(m_text.find(begin) + begin.size(), m_text.size());
-    const auto file_name = [](const std::string& path) { return std::filesystem::path(path).filename(); };
+    const auto file_name = [](const std::string& path) { return path_of(path).filename(); };
     return has_value("program", program_version()) && has_value("method", options.description) &&
            file_name(m_text.substr(found, m_text.find(",\n", found) - found)) ==
                file_name(Json(m_names.input).text().substr(1)) &&
@@ -52,7 +53,7 @@ public:
   {
     const auto exists = [](const std::string& name) {
       std::error_code error;
-      return std::filesystem::exists(std::filesystem::symlink_status(name, error));
+      return std::filesystem::exists(std::filesystem::symlink_status(path_of(name), error));
     };
     return exists(m_names.sphere) && !tells_sphere() ? m_names.sphere
            : exists(m_names.json) && m_text.empty()  ? m_names.json
@@ -64,13 +65,13 @@ public:
   // removes the report and its map, if they are of another input or of other options, and no other run has replaced them since.
   void remove_what_is_outdated(const Options& options) const
   {
-    const Folder_lock lock(std::filesystem::path(m_names.json).parent_path());
+    const Folder_lock lock(path_of(m_names.json).parent_path());
     if(m_text.empty() || Earlier_report(m_names).m_text != m_text || tells_the_same_run(options))
       return;
     std::error_code ignored;
     if(tells_sphere())
-      std::filesystem::remove(m_names.sphere, ignored);
-    std::filesystem::remove(m_names.json, ignored);
+      std::filesystem::remove(path_of(m_names.sphere), ignored);
+    std::filesystem::remove(path_of(m_names.json), ignored);
   }
 
 private:
@@ -91,11 +92,11 @@ private:
   bool tells_sphere() const
   {
     std::error_code error;
-    if(!std::filesystem::is_regular_file(m_names.sphere, error) ||
-       !has_value("sphere_bytes", std::filesystem::file_size(m_names.sphere, error)))
+    if(!std::filesystem::is_regular_file(path_of(m_names.sphere), error) ||
+       !has_value("sphere_bytes", std::filesystem::file_size(path_of(m_names.sphere), error)))
       return false;
     Checksum checksum;
-    std::ifstream in(m_names.sphere, std::ios::binary);
+    std::ifstream in(path_of(m_names.sphere), std::ios::binary);
     std::array<char, 1 << 16> block;
     while(in.read(block.data(), block.size()) || in.gcount() > 0)
       checksum.add(block.data(), static_cast<std::size_t>(in.gcount()));
@@ -124,7 +125,7 @@ public:
     for(const File_names& names : m_meshes)
     {
       std::error_code error; // reading fails as well, and says why
-      const std::uintmax_t size = std::filesystem::file_size(names.input, error);
+      const std::uintmax_t size = std::filesystem::file_size(path_of(names.input), error);
       sizes.push_back(error ? 0 : size);
     }
     if(m_options.has("template") && !m_meshes.empty())
@@ -182,10 +183,10 @@ private:
     {
       if(!names.fault.empty())
         throw Program_error(names.fault);
-      const std::filesystem::path folder = std::filesystem::path(names.json).parent_path();
+      const std::filesystem::path folder = path_of(names.json).parent_path();
       std::error_code error;
       if(!std::filesystem::create_directories(folder, error) && error)
-        throw error_in(folder.string(), "cannot be made: ", error.message());
+        throw error_in(name_of(folder), "cannot be made: ", error.message());
       run.emplace(m_options, names);
       run->read();
       run->map();

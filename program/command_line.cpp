@@ -134,6 +134,7 @@ Command_line parse(const Command& command, Words words)
   CLI::App app;
   Command_line line;
   line.command = command.name;
+  app.allow_windows_style_options(false); // nor is /home/mesh.off one
   app.set_help_flag("-h,--help", "explain this command");
   app.add_option("names", line.names)->expected(0, -1);
   for(const Command_option& option : options_of(command.name))
@@ -220,9 +221,8 @@ unsigned int Command_line::count(const std::string& option, unsigned int min, un
   return static_cast<unsigned int>(x);
 }
 
-Command_line parse_command_line(int argc, const char* const* argv)
+Command_line parse_command_line(Words words)
 {
-  Words words(argv + 1, argv + argc);
   const std::string first = words.empty() ? "" : words.front();
   if(is_among(first, {"-h", "--help", "--version", "--completion"}))
     return {"",

@@ -61,8 +61,8 @@ struct Command_line
                      const std::string& other_words = "") const;
 };
 
-/// parses the command line.
-Command_line parse_command_line(int argc, const char* const* argv);
+/// parses the words of the command line behind the name of the program.
+Command_line parse_command_line(Words words);
 
 /// returns the name of the program, its version, and that of CGAL.
 std::string program_version();

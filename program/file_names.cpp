@@ -1,7 +1,6 @@
 #include "file_names.h"
 
 #include <algorithm>
-#include <cctype>
 
 namespace Program {
 
@@ -17,16 +16,14 @@ bool is_cortical(const std::string& format)
 
 std::string file_format(const std::string& path)
 {
-  const std::filesystem::path name(path);
-  std::string extension = name.extension().string();
-  for(char& c : extension)
-    c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return extension == ".gz" && file_format(name.stem().string()) == ".gii" ? ".gii.gz" : extension;
+  const std::filesystem::path name = path_of(path);
+  const std::string extension = SP::internal::lower_case(name_of(name.extension()));
+  return extension == ".gz" && file_format(name_of(name.stem())) == ".gii" ? ".gii.gz" : extension;
 }
 
 std::string structure_of(const std::string& path)
 {
-  const std::string begin = std::filesystem::path(path).filename().string().substr(0, 3);
+  const std::string begin = name_of(path_of(path).filename()).substr(0, 3);
   return begin == "lh." ? "CortexLeft" : begin == "rh." ? "CortexRight" : "";
 }
 
@@ -44,7 +41,7 @@ std::string ending_of(const std::string& path)
   if(output_format(path) == freesurfer_format && !is_among(format, {".json", ".html", ".png", ".exr", ".stl"}))
     return "";
   const std::string beginning = path.substr(0, path.size() - format.size()),
-                    before = std::filesystem::path(beginning).extension().string();
+                    before = name_of(path_of(beginning).extension());
   const bool is_double = is_gifti(format) && is_among(before, {".surf", ".shape", ".func", ".label"});
   return (is_double ? before : "") + path.substr(beginning.size());
 }
@@ -57,8 +54,8 @@ std::string with_suffix(const std::string& path, const std::string& suffix)
 
 std::string File_names::image_of_normals() const
 {
-  const std::filesystem::path path(image);
-  return image.empty() ? "" : (path.parent_path() / path.stem()).string() + "_normals" + path.extension().string();
+  const std::filesystem::path path = path_of(image);
+  return image.empty() ? "" : name_of(path.parent_path() / path.stem()) + "_normals" + name_of(path.extension());
 }
 
 Words File_names::outputs() const
@@ -102,7 +99,7 @@ Hemispheres hemispheres_of(const std::string& path, const SP::IO::Surface_origin
         for(const char* side : {"Left", "Right"})
           if(value.find(side) != value.npos)
             by_metadata = side[0] == 'L' ? "left" : "right";
-  const std::string name = '.' + std::filesystem::path(path).filename().string();
+  const std::string name = '.' + name_of(path_of(path).filename());
   for(const auto& [left, right] :
       {std::pair(".lh.", ".rh."), std::pair("_hemi-L_", "_hemi-R_"), std::pair(".L.", ".R.")})
     if(by_name.empty())

@@ -2,6 +2,7 @@
 
 #include "output_files.h"
 #include "read_file.h"
+#include "system.h"
 
 #include <algorithm>
 #include <iostream>
@@ -9,8 +10,6 @@
 #include <map>
 #include <regex>
 #include <set>
-
-#include <fnmatch.h>
 
 namespace Program {
 
@@ -41,10 +40,10 @@ std::vector<fs::path> entries_of(const fs::path& folder)
   std::vector<fs::path> paths;
   std::error_code error;
   for(fs::directory_iterator entry(folder, error); !error && entry != fs::directory_iterator(); entry.increment(error))
-    if(entry->path().filename().string().front() != '.')
+    if(name_of(entry->path().filename()).front() != '.')
       paths.push_back(entry->path());
   if(error)
-    throw error_in(folder.string(), "cannot be read: ", error.message());
+    throw error_in(name_of(folder), "cannot be read: ", error.message());
   std::sort(paths.begin(), paths.end());
   return paths;
 }
@@ -56,12 +55,12 @@ std::vector<fs::path> meshes_of_folder(const fs::path& folder)
   std::vector<fs::path> paths = entries_of(folder);
   const auto is_no_mesh = [](const fs::path& path) {
     std::error_code ignored;
-    return fs::is_directory(path, ignored) || !(is_among(file_format(path.string()), input_formats) ||
-                                                is_among(ending_of(path.string()), {".surf.gii", ".surf.gii.gz"}));
+    return fs::is_directory(path, ignored) || !(is_among(file_format(name_of(path)), input_formats) ||
+                                                is_among(ending_of(name_of(path)), {".surf.gii", ".surf.gii.gz"}));
   };
   paths.erase(std::remove_if(paths.begin(), paths.end(), is_no_mesh), paths.end());
   if(paths.empty())
-    throw error_in(folder.string(), "there is no mesh file in this folder, whose name ends with one of ",
+    throw error_in(name_of(folder), "there is no mesh file in this folder, whose name ends with one of ",
                    list_of(input_formats), ", .surf.gii; --surfaces names those of folders below it");
   return paths;
 }
@@ -71,7 +70,7 @@ std::vector<fs::path> meshes_of_folder(const fs::path& folder)
 bool matches(const std::string& pattern, const fs::path& path, bool is_folder)
 {
   if(pattern.find('/') == pattern.npos)
-    return is_folder || fnmatch(pattern.c_str(), path.filename().c_str(), FNM_PERIOD) == 0;
+    return is_folder || matches_pattern(pattern, path.filename());
   std::size_t end = pattern.size();
   if(is_folder) // as many names as the folder has
   {
@@ -81,7 +80,7 @@ bool matches(const std::string& pattern, const fs::path& path, bool is_folder)
     if(end == pattern.npos)
       return false;
   }
-  return fnmatch(pattern.substr(0, end).c_str(), path.c_str(), FNM_PATHNAME | FNM_PERIOD) == 0;
+  return matches_pattern(pattern.substr(0, end), path);
 }
 
 // Returns whether a file is one of values of vertices, or a report. What cannot be read or is damaged is a mesh that fails.
@@ -90,8 +89,8 @@ bool is_no_surface(const fs::path& path)
   using Kind = Surface_file_kind;
   try
   {
-    const std::string format = file_format(path.string());
-    const Kind kind = is_among(format, input_formats) ? Kind::none : kind_of_file(path.string());
+    const std::string format = file_format(name_of(path));
+    const Kind kind = is_among(format, input_formats) ? Kind::none : kind_of_file(name_of(path));
     return format == ".json" || kind == Kind::freesurfer_curv || kind == Kind::freesurfer_annotation ||
            kind == Kind::freesurfer_label || kind == Kind::mgh;
   }
@@ -178,11 +177,11 @@ private:
   void add_missing(const std::string& pattern)
   {
     if(pattern.find('/') == pattern.npos || pattern.find_first_of("*?[\\") != pattern.npos)
-      throw error_in(m_folder.string(), "no surface below this folder is called ", printable(pattern),
+      throw error_in(name_of(m_folder), "no surface below this folder is called ", printable(pattern),
                      (links_left_out.empty() ? ""
                                              : "; links to other folders are left out, as results beside the "
                                                "surfaces are not written through links"));
-    paths.emplace_back(pattern);
+    paths.push_back(path_of(pattern));
   }
 
   fs::path m_folder;
@@ -199,14 +198,14 @@ std::string subject_of(const fs::path& study, const fs::path& path)
   std::string last; // of the folders
   for(fs::path folder = (study / path).parent_path(); folder.has_relative_path(); folder = folder.parent_path())
   {
-    const std::string name = folder.filename().string();
+    const std::string name = name_of(folder.filename());
     if(name.compare(0, 4, "sub-") == 0)
       return name + (last.compare(0, 4, "ses-") == 0 ? '/' + last : "");
     if(last == "surf")
       return name;
     last = name;
   }
-  return (path.has_parent_path() ? *path.begin() : study.filename()).string();
+  return name_of(path.has_parent_path() ? *path.begin() : study.filename());
 }
 
 // Returns what the sphere of a surface is called: `lh.sphere` for `lh.white`, `sub-1_hemi-L_sphere.surf.gii` for
@@ -222,10 +221,10 @@ std::string name_of_sphere(const std::string& name)
 // Returns the names of the files of the mesh `path` in a batch, whose results are called as `result` in the output folder.
 File_names names_in_batch(const fs::path& path, const fs::path& result_path, const Options& options)
 {
-  const std::string input = path.string(), ending = ending_of(input);
+  const std::string input = name_of(path), ending = ending_of(input);
   File_names names;
   names.input = input;
-  const std::string result = (options.text("output-folder") / result_path).string(),
+  const std::string result = name_of(path_of(options.text("output-folder")) / result_path),
                     beginning = result.substr(0, result.size() - ending.size());
   const std::string& format = options.format;
   if(format.empty())
@@ -241,34 +240,34 @@ std::vector<File_names> names_in_study(const fs::path& folder, const Options& op
 {
   std::error_code ignored;
   if(!fs::is_directory(folder, ignored))
-    throw error_in(folder.string(), "is a file; with --surfaces, each INPUT is a folder that has them below it");
-  fs::path results = options.text("output-folder"),
+    throw error_in(name_of(folder), "is a file; with --surfaces, each INPUT is a folder that has them below it");
+  fs::path results = path_of(options.text("output-folder")),
            name_of_folder; // results of several folders go to folders of their names
   if(options.inputs.size() > 1)
     results /= name_of_folder = fs::absolute(folder / "x").lexically_normal().parent_path().filename();
   const fs::path place = true_place(folder);
   const Surface_finder found(folder, options.surfaces, results);
   for(const fs::path& link : found.links_left_out)
-    std::cerr << "spherical_parameterization: " << printable((folder / link).string())
+    std::cerr << "spherical_parameterization: " << printable(name_of(folder / link))
               << ": left out, as it is a link, and results beside the surfaces are not written through links\n";
   std::vector<File_names> meshes;
   for(const fs::path& path : found.paths)
   {
     // The faces of a template are no sphere.
-    const std::string name = path.filename().string();
+    const std::string name = name_of(path.filename());
     const fs::path result = !options.has("template") ? path.parent_path() / name_of_sphere(name) : path;
     File_names& names = meshes.emplace_back(names_in_batch(folder / path, name_of_folder / result, options));
     names.subject = subject_of(place, path);
     if(const auto fault = found.faults.find(path); fault != found.faults.end())
       names.fault = fault->second;
-    const fs::path result_in_place = true_place(options.text("output-folder")) / name_of_folder / path;
+    const fs::path result_in_place = true_place(path_of(options.text("output-folder"))) / name_of_folder / path;
     if(canonical_place(result_in_place) != result_in_place)
-      throw error_in(fs::path(names.sphere).parent_path().string(),
+      throw error_in(name_of(path_of(names.sphere).parent_path()),
                      "there is a link on the way to this folder, and results are not written through links; "
                      "choose another --output-folder");
     if(place == true_place(results))
       for(const std::string& pattern : options.surfaces)
-        if(matches(pattern, path.parent_path() / fs::path(names.sphere).filename(), false))
+        if(matches(pattern, path.parent_path() / path_of(names.sphere).filename(), false))
           throw error_in(names.sphere, "the next run would take this result for a surface, as --surfaces has ",
                          printable(pattern));
   }
@@ -283,58 +282,58 @@ std::vector<File_names> find_batch(const Options& options)
   std::vector<File_names> meshes;
   for(const std::string& input : options.inputs)
   {
-    if(!fs::exists(input, error)) // in a folder, such a link is a mesh that fails
+    if(!fs::exists(path_of(input), error)) // in a folder, such a link is a mesh that fails
       throw error_in(input, error ? error.message() : "there is no such file");
     if(!options.surfaces.empty())
     {
-      for(File_names& names : names_in_study(input, options))
+      for(File_names& names : names_in_study(path_of(input), options))
         meshes.push_back(std::move(names));
       continue;
     }
-    if(!fs::is_directory(input, error))
+    if(!fs::is_directory(path_of(input), error))
     {
       if(!is_among(file_format(input), input_formats) && kind_of_file(input) == Surface_file_kind::none)
         throw error_in(input, "the name of a mesh file has to end with one of ", input_names);
-      meshes.push_back(names_in_batch(input, fs::path(input).filename(), options));
+      meshes.push_back(names_in_batch(path_of(input), path_of(input).filename(), options));
       continue;
     }
-    if(true_place(input) == true_place(options.text("output-folder")))
+    if(true_place(path_of(input)) == true_place(path_of(options.text("output-folder"))))
       throw error_in(options.text("output-folder"),
                      "the results would be among the meshes; choose another --output-folder");
-    for(const fs::path& path : meshes_of_folder(input))
+    for(const fs::path& path : meshes_of_folder(path_of(input)))
       meshes.push_back(names_in_batch(path, path.filename(), options));
   }
 
   std::set<fs::path> inputs;
   for(const File_names& names : meshes)
-    inputs.insert({true_place(names.input), canonical_place(names.input)});
+    inputs.insert({true_place(path_of(names.input)), canonical_place(path_of(names.input))});
   if(const std::string& name = options.start_or_template(); !name.empty())
-    inputs.insert({true_place(name), canonical_place(name)});
+    inputs.insert({true_place(path_of(name)), canonical_place(path_of(name))});
   std::map<fs::path, std::string> input_of;
   for(const File_names& names : meshes)
     for(const std::string& name : {names.json, names.sphere})
     {
-      const fs::path path = canonical_place(name); // a link is replaced itself
+      const fs::path path = canonical_place(path_of(name)); // a link is replaced itself
       if(inputs.count(path) > 0)
         throw error_in(name, "would replace an input; choose another --output-folder");
       const auto [entry, is_new] = input_of.emplace(path, names.input);
       if(!is_new)
       {
-        if(true_place(entry->second) == true_place(names.input))
+        if(true_place(path_of(entry->second)) == true_place(path_of(names.input)))
           throw error_in(names.input, "is given twice");
         throw error_in(name, "would be written for both ", printable(entry->second), " and ", printable(names.input),
                        "; rename one of them, or map them to different folders");
       }
     }
 
-  fs::create_directories(options.text("output-folder"), error);
+  fs::create_directories(path_of(options.text("output-folder")), error);
   if(error)
     throw error_in(options.text("output-folder"), "cannot be made: ", error.message());
-  const fs::path trial = fs::path(options.text("output-folder")) / ".spherical_parameterization";
-  const Output_files check({trial.string()}, {}, Output_policy::replace);
-  std::set<fs::path> folders = {options.text("output-folder")};
+  const fs::path trial = path_of(options.text("output-folder")) / ".spherical_parameterization";
+  const Output_files check({name_of(trial)}, {}, Output_policy::replace);
+  std::set<fs::path> folders = {path_of(options.text("output-folder"))};
   for(const File_names& names : meshes)
-    folders.insert(fs::path(names.json).parent_path());
+    folders.insert(path_of(names.json).parent_path());
   for(const fs::path& folder : folders)
     sweep_temporary_files(folder);
   return meshes;

@@ -2,13 +2,10 @@
 
 #include "Options.h"
 #include "for_each_mesh.h"
+#include "system.h"
 
-#include <csignal>
 #include <cstdlib>
 #include <iostream>
-
-#include <fcntl.h>
-#include <unistd.h>
 
 using namespace Program;
 
@@ -42,25 +39,14 @@ int run_program(const Command_line& line)
                                 : run_map(options); // all others map a surface to a sphere first
 }
 
-// What is written to a standard stream that is closed would go to the file that is opened next. Now it fails.
-void occupy_closed_streams()
-{
-  for(const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
-    if(fcntl(stream, F_GETFD) == -1)
-      open("/dev/null", O_RDONLY);
-}
-
 } // namespace
 
 int main(int argc, char** argv)
 {
-  occupy_closed_streams();
-  // a file that grows larger than permitted, or a pipe that nobody reads any more, cannot be written: an error as others
-  for(const int signal : {SIGXFSZ, SIGPIPE})
-    std::signal(signal, SIG_IGN);
+  const Words words = start_process(argc, argv);
   try
   {
-    const int status = run_program(parse_command_line(argc, argv));
+    const int status = run_program(parse_command_line(words));
     if(!std::cout.flush())
       throw Program_error("the standard output cannot be written");
     return status;

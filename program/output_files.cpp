@@ -1,11 +1,11 @@
 #include "output_files.h"
 
 #include "file_names.h"
+#include "system.h"
 
 #include <algorithm>
 #include <cerrno>
 #include <charconv>
-#include <csignal>
 #include <cstdio>
 #include <ios>
 #include <mutex>
@@ -13,32 +13,21 @@
 #include <set>
 #include <streambuf>
 
-#include <fcntl.h>
-#include <sys/file.h>
-#include <sys/stat.h>
-#include <sys/types.h>
-#include <unistd.h>
-
 namespace Program {
 
 namespace {
 
 std::string beginning_of_temporary_names()
 {
-  // A folder may be shared with other computers and containers, whose processes have numbers of their own.
-  char host[65] = {};
-  gethostname(host, sizeof host - 1);
-  struct stat processes;
-  const bool is_known = stat("/proc/self/ns/pid", &processes) == 0;
-  return std::string(".spherical_parameterization.") + host + '.' +
-         std::to_string(is_known ? std::uintmax_t(processes.st_ino) : 0) + '.';
+  return ".spherical_parameterization." + name_of_computer() + '.';
 }
 
 // The names of files that are not complete yet are hidden, and tell which process writes them: so those that a process has left
 // which was killed are known.
 std::string temporary_name()
 {
-  return beginning_of_temporary_names() + std::to_string(getpid()) + '.' + std::to_string(std::random_device()());
+  return beginning_of_temporary_names() + std::to_string(number_of_process()) + '.' +
+         std::to_string(std::random_device()());
 }
 
 // Writes to a file, which has a buffer of its own, and adds up the checksum.
@@ -85,39 +74,13 @@ void sweep_temporary_files(const std::filesystem::path& folder)
   const std::string begin = beginning_of_temporary_names();
   for(fs::directory_iterator entry(folder, error); !error && entry != fs::directory_iterator(); entry.increment(error))
   {
-    const std::string name = entry->path().filename().string();
-    pid_t process = 0;
+    const std::string name = name_of(entry->path().filename());
+    std::int64_t process = 0;
     if(name.compare(0, begin.size(), begin) == 0 &&
        std::from_chars(name.data() + begin.size(), name.data() + name.size(), process).ec == std::errc() &&
-       process > 0 && kill(process, 0) != 0 && errno == ESRCH)
+       !is_running(process))
       fs::remove(entry->path(), ignored);
   }
-}
-
-Folder_lock::Folder_lock(const std::filesystem::path& folder)
-  : m_path(folder / ".spherical_parameterization.lock")
-{
-  constexpr int max_attempts = 1000; // where files have no lasting numbers
-  for(int k = 0; k < max_attempts; ++k)
-  {
-    m_file = open(m_path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0666);
-    if(m_file == -1 || flock(m_file, LOCK_EX) != 0)
-      return;
-    struct stat locked, named;
-    if(fstat(m_file, &locked) == 0 && lstat(m_path.c_str(), &named) == 0 && locked.st_dev == named.st_dev &&
-       locked.st_ino == named.st_ino)
-      return;
-    close(m_file); // who had the lock has removed the file
-    m_file = -1;
-  }
-}
-
-Folder_lock::~Folder_lock()
-{
-  if(m_file == -1)
-    return;
-  unlink(m_path.c_str());
-  close(m_file);
 }
 
 // A file that appears complete or not at all: it is written under another name in the same folder, and renamed in the end.
@@ -127,7 +90,7 @@ public:
   // checks that the file can be written, and leaves no trace of the check.
   File(const std::string& name_as_given, Output_policy policy)
     : name(name_as_given)
-    , path(name_as_given)
+    , path(path_of(name_as_given))
   {
     namespace fs = std::filesystem;
     const bool follows = policy == Output_policy::follow;
@@ -137,7 +100,7 @@ public:
     if(fs::exists(status) && !fs::is_symlink(status))
     {
       // Renaming would replace a write-protected file as well, against the will of its owner.
-      check(access(path.c_str(), W_OK) == 0);
+      check(is_writable(path));
       m_is_direct = !fs::is_regular_file(status);
       if(m_is_direct && !follows)
         fail("it is a pipe or a device, not a file; remove it, or choose another folder");
@@ -172,10 +135,10 @@ public:
   {
     errno = 0;
     std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(
-        m_is_direct ? std::fopen(path.c_str(), "wb") : std::fopen(m_temporary_path.c_str(), "wbx"), &std::fclose);
+        m_is_direct ? open_to_write(path, false) : open_to_write(m_temporary_path, true), &std::fclose);
     check(file != nullptr);
     if(m_permissions)
-      fchmod(fileno(file.get()), static_cast<mode_t>(*m_permissions)); // some file systems have none
+      set_permissions(file.get(), *m_permissions);
     Summing_buffer buffer(file.get());
     std::ostream out(&buffer);
     errno = 0;
@@ -190,7 +153,7 @@ public:
   {
     if(m_is_direct)
       return;
-    std::filesystem::rename(m_temporary_path, path, m_error);
+    rename_file(m_temporary_path, path, m_error);
     check_error();
   }
 
@@ -232,7 +195,7 @@ Output_files::Output_files(const Words& names, const Words& inputs, Output_polic
   {
     const std::filesystem::path& path = (*file)->path;
     for(const std::string& input : inputs)
-      if(!std::filesystem::is_symlink(path, ignored) && std::filesystem::equivalent(path, input, ignored))
+      if(!std::filesystem::is_symlink(path, ignored) && std::filesystem::equivalent(path, path_of(input), ignored))
         throw error_in((*file)->name, "would replace the input; choose another name");
     if(std::any_of(m_files.begin(), file, [&](const auto& other) { return other->path == path; }))
       throw error_in((*file)->name, "would be written twice; choose another name");

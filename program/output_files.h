@@ -38,21 +38,6 @@ enum class Output_policy
 /// removes from a folder the incomplete files that processes of this computer have left that are no more.
 void sweep_temporary_files(const std::filesystem::path& folder);
 
-/// As long as it lives, no other run has such a lock on the folder. Where the file system has no locks, there is none.
-class Folder_lock
-{
-public:
-  explicit Folder_lock(const std::filesystem::path& folder);
-  ~Folder_lock();
-
-  Folder_lock(const Folder_lock&) = delete;
-  Folder_lock& operator=(const Folder_lock&) = delete;
-
-private:
-  std::filesystem::path m_path;
-  int m_file = -1;
-};
-
 /// All files that a run is to write. They appear together, once all of them are complete. What fails throws a `Program_error`.
 class Output_files
 {

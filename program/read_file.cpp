@@ -28,13 +28,13 @@ std::ifstream open_file(const std::string& path)
 {
   namespace fs = std::filesystem;
   std::error_code error;
-  const fs::file_status status = fs::status(path, error);
+  const fs::file_status status = fs::status(path_of(path), error);
   if(fs::is_directory(status))
     throw Program_error("this is a directory, not a file");
   if(fs::exists(status) && !fs::is_regular_file(status))
     throw Program_error("this is a pipe or a device, not a file"); // it might never end
   errno = 0;
-  std::ifstream in(path, std::ios::binary);
+  std::ifstream in(path_of(path), std::ios::binary);
   if(!in)
     throw Program_error(std::generic_category().message(errno));
   return in;
@@ -113,7 +113,7 @@ std::string read_file(const std::string& path)
 {
   std::ifstream in = open_file(path);
   std::error_code error;
-  const std::uintmax_t size = std::filesystem::file_size(path, error);
+  const std::uintmax_t size = std::filesystem::file_size(path_of(path), error);
   if(error)
     throw Program_error(error.message());
   std::string content;
@@ -138,7 +138,7 @@ Surface_file_kind kind_of_file(const std::string& path)
   in.read(&beginning[0], static_cast<std::streamsize>(beginning.size()));
   beginning.resize(static_cast<std::size_t>(in.gcount()));
   std::error_code error;
-  const std::uintmax_t size = std::filesystem::file_size(path, error);
+  const std::uintmax_t size = std::filesystem::file_size(path_of(path), error);
   const auto number = [&](std::size_t begin, std::size_t length) {
     std::uint32_t result = 0;
     for(std::size_t k = begin; k < begin + length; ++k)
@@ -169,7 +169,7 @@ Surface_file_kind kind_of_file(const std::string& path)
 
 std::string name_of_values(const std::string& path)
 {
-  std::string name = std::filesystem::path(path).filename().string();
+  std::string name = name_of(path_of(path).filename());
   if(!structure_of(path).empty())
     name.erase(0, 3);
   for(const char* ending : {".gz", ".gii", ".mgz", ".mgh", ".annot", ".shape", ".func", ".label"})
@@ -234,7 +234,7 @@ File_content read_file_content(const std::string& path, bool keeps_values)
       return File_content{SP::internal::read_mesh_file(format, read_file(path), keeps_values)};
     const Surface_file_kind kind = kind_of_file(path);
     std::error_code ignored;
-    if(std::filesystem::file_size(path, ignored) == 0)
+    if(std::filesystem::file_size(path_of(path), ignored) == 0)
       throw Program_error("the file is empty");
     if(kind == Surface_file_kind::none)
       throw Program_error(keeps_values ? "this is no file with values of vertices: those are .ply, .gii, .mgh and .mgz "

@@ -70,7 +70,7 @@ void read_initial(Options& o)
 {
   const std::string value = o.has("initial") ? o.text("initial") : o.has("paper") ? "harmonic" : "hierarchical";
   o.start = is_among(value, starts) ? value : "";
-  if(o.start.empty() && !std::filesystem::exists(value))
+  if(o.start.empty() && !std::filesystem::exists(path_of(value)))
     o.refuse("initial", list_of(starts, " or ") + ", or the name of a file with a map");
   if(o.start.empty())
     o.start_file = value;

@@ -81,7 +81,7 @@ void read_names(Options& o)
   o.inputs.resize(1);
   o.file_names.input = o.names.front();
   std::error_code ignored;
-  if(std::filesystem::is_directory(o.file_names.input, ignored))
+  if(std::filesystem::is_directory(path_of(o.file_names.input), ignored))
     o.fail(printable(o.file_names.input) + " is a folder; to map the meshes in it, say with --output-folder where to");
   o.is_onto_atlas = o.is("register");
   (o.is("check") || o.is("show") ? o.sphere_file : o.is("remesh") ? o.domain : o.onto) = second;
@@ -130,7 +130,7 @@ void read_features(Options& o)
     for(const std::string& name : split_list(list))
       if(std::error_code ignored; !is_among(name, own_feature_names))
       {
-        if(name.find_first_of("./") == name.npos && !std::filesystem::exists(name, ignored))
+        if(name.find_first_of("./") == name.npos && !std::filesystem::exists(path_of(name), ignored))
           o.fail("--features has '" + printable(name) + "', which is neither a file nor one of " +
                  list_of(own_feature_names));
       }
@@ -180,7 +180,7 @@ void read_batch(Options& o)
   o.surfaces = o.words("surfaces");
   for(std::string& name : o.surfaces)
   {
-    name = std::filesystem::path(name).lexically_normal().string();
+    name = name_of(path_of(name).lexically_normal());
     if(name.empty() || name == "." || name.front() == '/' || name.back() == '/' || name.compare(0, 2, "..") == 0)
       o.fail("--surfaces takes names of files, or their paths from INPUT on, not '" + printable(name) + "'");
   }
@@ -229,7 +229,7 @@ void read_domain(Options& o)
     o.domain.resize(equals);
     o.domain_size = static_cast<unsigned int>(n);
   }
-  else if(!o.domain.empty() && (is_solid || !std::filesystem::is_regular_file(o.domain, ignored)))
+  else if(!o.domain.empty() && (is_solid || !std::filesystem::is_regular_file(path_of(o.domain), ignored)))
     o.fail("DOMAIN has to be octahedron=N, cube=N or icosahedron=N with a whole number N from 1 to " +
            std::to_string(max_subdivision) + ", or the name of a file with a mesh of the sphere, not '" +
            printable(o.domain) + "'");

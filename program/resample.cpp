@@ -22,14 +22,13 @@ using SP::IO::Surface_file;
 // something, if that is wanted.
 Words names_of_outputs(const Options& options)
 {
-  const std::filesystem::path folder = options.text("output-folder");
+  const std::filesystem::path folder = path_of(options.text("output-folder"));
   std::error_code error;
   if(options.is_batch() && !std::filesystem::create_directories(folder, error) && error)
     throw error_in(options.text("output-folder"), "cannot be made: ", error.message());
   Words names;
   for(const std::string& input : options.inputs)
-    names.push_back(options.is_batch() ? (folder / std::filesystem::path(input).filename()).string()
-                                       : options.file_names.sphere);
+    names.push_back(options.is_batch() ? name_of(folder / path_of(input).filename()) : options.file_names.sphere);
   names.push_back(options.text("valid"));
   return names;
 }

@@ -72,8 +72,8 @@ Json json_of(const SP::Distortion_statistics& of)
 File_stamp::File_stamp(const std::string& name)
 {
   std::error_code size_error, time_error;
-  const std::uintmax_t size = std::filesystem::file_size(name, size_error);
-  const std::filesystem::file_time_type time = std::filesystem::last_write_time(name, time_error);
+  const std::uintmax_t size = std::filesystem::file_size(path_of(name), size_error);
+  const std::filesystem::file_time_type time = std::filesystem::last_write_time(path_of(name), time_error);
   if(size_error || time_error)
     return;
   bytes = size;
@@ -103,7 +103,7 @@ Json Run_report::summary() const
                 {"Method", m_options.description},
                 {"Radius", fixed_text(run.radius, 10, false)}};
   if(match)
-    texts.add("Mapped onto", printable(std::filesystem::path(match->other).filename().string()) + ": " +
+    texts.add("Mapped onto", printable(name_of(path_of(match->other).filename())) + ": " +
                                  std::to_string(match->number_of_vertices) + " vertices");
   else if(balanced)
     texts.add("Radius of the distortions", fixed_text(balanced->radius, 10, false) + ", of balanced areas (eq. 11)");

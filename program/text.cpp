@@ -2,14 +2,35 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <cstdlib>
 #include <filesystem>
 #include <iomanip>
+#include <locale>
 #include <new>
 #include <sstream>
 #include <system_error>
 
 namespace Program {
+
+std::filesystem::path path_of(const std::string& name)
+{
+#ifndef _WIN32
+  return name;
+#elif defined(__cpp_char8_t)
+  return std::u8string(name.begin(), name.end());
+#else
+  return std::filesystem::u8path(name);
+#endif
+}
+
+std::string name_of(const std::filesystem::path& path)
+{
+#ifdef _WIN32
+  const auto name = path.generic_u8string();
+  return std::string(name.begin(), name.end());
+#else
+  return path.string();
+#endif
+}
 
 std::string message_of(const std::exception& error)
 {
@@ -32,7 +53,7 @@ std::string list_of(const Words& words, const std::string& last_separator)
 Words split_list(const std::string& names)
 {
   std::error_code ignored;
-  if(std::filesystem::exists(names, ignored))
+  if(std::filesystem::exists(path_of(names), ignored))
     return {names};
   Words result;
   for(std::size_t begin = 0; begin <= names.size();)
@@ -46,14 +67,15 @@ Words split_list(const std::string& names)
 
 bool is_number(const std::string& text, double& x)
 {
-  char* end = nullptr;
-  x = std::strtod(text.c_str(), &end);
-  return !text.empty() && *end == '\0';
+  const SP::internal::Parsed_number<double> number = SP::internal::parse_number(text);
+  x = number.value;
+  return !text.empty() && number.size == text.size();
 }
 
 std::string fixed_text(double x, int digits, bool is_fixed)
 {
   std::ostringstream text;
+  text.imbue(std::locale::classic());
   if(is_fixed)
     text << std::fixed;
   text << std::setprecision(digits) << x;

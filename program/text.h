@@ -5,6 +5,7 @@
 #include <CGAL/Spherical_parameterization/internal/files/printable_text.h>
 
 #include <exception>
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -55,6 +56,11 @@ inline void check(SP::Error_code error, const std::string& file_name)
   if(error != SP::OK)
     throw error_in(file_name, SP::get_error_message(error));
 }
+
+/// returns the path with a name, and the name of a path. Names are UTF-8, with slashes, on every system; what `std::filesystem::path`
+/// takes and returns is not.
+std::filesystem::path path_of(const std::string& name);
+std::string name_of(const std::filesystem::path& path);
 
 /// returns what the user is told of an error.
 std::string message_of(const std::exception& error);

@@ -1,4 +1,5 @@
 import copy
+import locale
 import os
 import pickle
 import re
@@ -8,7 +9,7 @@ import sys
 import threading
 import time
 import warnings
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from pathlib import Path
 
 import numpy as np
@@ -221,6 +222,37 @@ def test_reads_meshes(tmp_path):
     refused(sp.ErrorCode.INVALID_SURFACE_FILE, sp.read_mesh, tmp_path)
     with pytest.raises(FileNotFoundError, match="none.off"):
         sp.read_mesh(tmp_path / "none.off")
+
+
+def test_reads_meshes_in_a_locale_of_commas(tmp_path, monkeypatch):
+    name = "de_DE.ISO-8859-1"
+    write_off(tmp_path / "mesh.off", *surface(4))
+    vertices, faces = sp.read_mesh(tmp_path / "mesh.off")
+    coefficients = ellipsoid(1234.5, 2, 3, 2)
+    sp.write_coefficients(tmp_path / "table.csv", coefficients)
+    table = (tmp_path / "table.csv").read_bytes()
+    with suppress(OSError):  # where glibc can make it
+        subprocess.run(["localedef", "-i", "de_DE", "-f", "ISO-8859-1", tmp_path / name])
+    for folder in (None, tmp_path):
+        try:
+            with monkeypatch.context() as patch:
+                if folder:
+                    patch.setenv("LOCPATH", str(folder))
+                locale.setlocale(locale.LC_ALL, name)
+            break
+        except locale.Error:
+            pass
+    else:
+        pytest.skip("no locale with commas")
+    try:
+        assert locale.localeconv()["decimal_point"] == ","
+        assert all(map(same, sp.read_mesh(tmp_path / "mesh.off"), (vertices, faces)))
+        assert same(sp.read_coefficients(tmp_path / "table.csv"), coefficients)
+        sp.write_coefficients(tmp_path / "table.csv", coefficients)
+        assert (tmp_path / "table.csv").read_bytes() == table
+    finally:
+        locale.setlocale(locale.LC_ALL, "C")
+
 
 
 def test_writes_and_reads_coefficients(tmp_path):

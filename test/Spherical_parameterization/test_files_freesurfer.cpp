@@ -1,5 +1,6 @@
 // The files of FreeSurfer: what is in them, what becomes of damaged ones, and what is written.
 
+#include "locale_of_commas.h"
 #include "surface_files.h"
 
 #include <CGAL/Spherical_parameterization/Cortex/FreeSurfer.h>
@@ -331,6 +332,7 @@ TEST(FreeSurfer_label, reads_some_of_the_vertices)
   const Surface_file file = read(read_label, content);
   EXPECT_EQ(file.vertices, (std::vector<std::uint32_t>{17, 4}));
   EXPECT_EQ(file.columns.at(0).values.at(0), 0.25);
+  expect_same_with_commas([&] { return read(read_label, content).columns.at(0).values.at(0); });
   EXPECT_TRUE(std::isnan(file.columns[0].values.at(1)));
   EXPECT_EQ(read(read_label, "0\n").columns.at(0).values.size(), 0u);
 

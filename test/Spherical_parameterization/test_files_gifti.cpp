@@ -1,5 +1,6 @@
 // GIFTI files: every encoding, what becomes of damaged ones, and what is written.
 
+#include "locale_of_commas.h"
 #include "surface_files.h"
 
 #ifdef TEST_GIFTI
@@ -269,6 +270,20 @@ TEST(GIFTI, writes_what_XML_can_hold)
   file.columns.clear();
   file.points = {{{1e39, 0., 0.}}};
   expect_not_written(write, SP::ERROR_OUT_OF_FLOAT_RANGE, "Vertex 0 has the coordinate 1e+39");
+}
+
+TEST(GIFTI, is_read_and_written_alike_in_every_locale)
+{
+  Surface_file file = read(read_gifti, gifti(points() + triangles(), 2));
+  file.labels = {{1234567, "a", {{0.25, 0.5, 0.75, 1.}}}};
+  file.origin.coordinate_systems = {{"a", "b", {}}};
+  file.origin.coordinate_systems[0].matrix.fill(1234.5);
+  expect_same_with_commas([&] { return write_gifti(file); });
+  expect_same_with_commas([&] {
+    const Surface_file again = read(read_gifti, write_gifti(file));
+    return std::tuple(again.labels.at(0).color, again.origin.coordinate_systems.at(0).matrix,
+                      read(read_gifti, gifti(points())).points);
+  });
 }
 
 TEST(GIFTI, refuses_what_is_wrong)

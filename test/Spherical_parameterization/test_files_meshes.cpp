@@ -1,5 +1,6 @@
 // Mesh files: all variants of a format are read alike; and what is wrong with one, and where.
 
+#include "locale_of_commas.h"
 #include "mesh_texts.h"
 #include "test_meshes.h"
 
@@ -8,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include <cctype>
+#include <cerrno>
 
 namespace {
 
@@ -111,6 +113,117 @@ TEST(Mesh_file, is_read_alike_in_every_format)
   for(const std::string& text : {corner_stl, replaced(corner_stl, "\n", "\r\n"), in_capitals(corner_stl),
                                  binary_stl("a corner", 4), binary_stl("solid corner", 4)})
     expect_same_mesh(".stl", text, SP::internal::read_mesh_file(".off", other));
+}
+
+// A word is the number that the function of C has for it, in a program that sets no locale, or is refused.
+template <class Read, class Convert>
+void expect_as_in_C(const std::string& word, const Read& read, const Convert& convert)
+{
+  const std::string line = word + " 1";
+  char* end = nullptr;
+  errno = 0;
+  const auto expected = convert(line.c_str(), &end);
+  const bool is_number = end != line.c_str() && *end == ' ';
+  const bool is_too_large = errno == ERANGE && std::abs(static_cast<double>(expected)) > 1.;
+  std::string found;
+  try
+  {
+    SP::internal::Text_scanner in(line);
+    in.next_line();
+    const auto x = read(in);
+    EXPECT_EQ(in.word(), "1") << word;
+    const bool is_none = x != x && expected != expected;
+    found = is_none || std::memcmp(&x, &expected, sizeof x) == 0 ? "" : "is " + std::to_string(x);
+  }
+  catch(const SP::internal::File_error& error)
+  {
+    found = error.what();
+  }
+  const std::string part = is_number && !is_too_large ? "" : is_too_large && is_number ? "too large" : "not a number";
+  EXPECT_EQ(found.empty(), part.empty()) << word << ": " << found;
+  EXPECT_NE(found.find(std::is_integral_v<decltype(expected)> ? "" : part), std::string::npos) << word << ": " << found;
+}
+
+TEST(Text_scanner, reads_numbers_as_C_does)
+{
+  std::vector<std::string> words = {"0." + std::string(400, '0') + "1e401", "1" + std::string(400, '0') + "e-401",
+                                    "1" + std::string(400, '0'), "-0." + std::string(400, '0') + '1'};
+  for(const char* word : {"1.",
+                          ".5",
+                          "+.5e+1",
+                          "-0",
+                          "007",
+                          "1e-400",
+                          "-1e-400",
+                          "4.9e-324",
+                          "2.5e-310",
+                          "1e308",
+                          "1e309",
+                          "-1e309",
+                          "1e+999",
+                          "1e-99999999999999999999",
+                          "1e99999999999999999999",
+                          "+1",
+                          "-+1",
+                          "+-1",
+                          "++1",
+                          "1e",
+                          "e1",
+                          ".",
+                          "-",
+                          "1,5",
+                          "1.5.",
+                          "0x1.8p1",
+                          "-0XAp-1",
+                          "0x",
+                          "0x.p1",
+                          "0x-1",
+                          "0x.8",
+                          "0x1p5000",
+                          "0x1p-5000",
+                          "0x1p1023",
+                          "0x1p1024",
+                          "inf",
+                          "+iNf",
+                          "infin",
+                          "-Infinity",
+                          "nan",
+                          "-NaN",
+                          "nan(12)",
+                          "nan(",
+                          "\v1",
+                          "1\v",
+                          "\f\v1",
+                          "1f",
+                          "1d5",
+                          "1_0",
+                          "9223372036854775807",
+                          "9223372036854775808",
+                          "-9223372036854775808",
+                          "-9223372036854775809"})
+    words.push_back(word);
+  for(const std::string& word : words)
+  {
+    expect_as_in_C(
+        word, [](auto& in) { return in.read_number("it"); }, &std::strtod);
+    expect_as_in_C(
+        word, [](auto& in) { return in.read_integer("it"); },
+        [](const char* text, char** end) { return std::strtoll(text, end, 10); });
+  }
+}
+
+TEST(Mesh_file, is_read_alike_in_every_locale)
+{
+  for(const auto& [format, text] : {std::pair(".off", corner_off),
+                                    {".obj", corner_obj},
+                                    {".stl", corner_stl},
+                                    {".ts", corner_ts},
+                                    {".ply", corner_ply}})
+    expect_same_with_commas([&, format = format, text = text] {
+      const SP::internal::Polygon_soup soup = SP::internal::read_mesh_file(
+          format, replaced(replaced(text, " 0 1 0\n", " -0.125 1.5 0\n"), "\n0 1 0\n", "\n-0.125 1.5 0\n"));
+      return std::pair(soup.points, soup.polygons);
+    });
 }
 
 TEST(Mesh_file, that_is_damaged_says_where)

@@ -1,6 +1,6 @@
 // Files of coefficients: those of SPHARM-PDM as that program reads them, tables, and what is told of damaged ones.
 
-#include "standard_library.h"
+#include "locale_of_commas.h"
 
 #include <CGAL/Spherical_parameterization/Harmonics/spherical_harmonics_files.h>
 #include <CGAL/Spherical_parameterization/Harmonics/reconstruct_from_spherical_harmonics.h>
@@ -188,6 +188,17 @@ TEST(Harmonics_tables, are_those_of_other_programs)
       "\"degree\",\"order\",\"f1\",\"normalization\",\"csphase\"\r\n1,1,0,\"ortho\",-1\r\n1,-1,-2.5,\"ortho\",-1\r\n"
       "1,0,0,\"ortho\",-1\r\n0,0,1,\"ortho\",-1\r\n",
       expected);
+}
+
+TEST(Harmonics_files, are_read_and_written_alike_in_every_locale)
+{
+  SP::Spherical_harmonics_3 harmonics = numbered(3, 31); // with 1024 coefficients, which a locale may group
+  harmonics.set_coefficient(0, 0, 0, 1234.5);
+  expect_same_with_commas([&] { return std::pair(coef_of(harmonics), table_of(harmonics)); });
+  const std::string coef = coef_of(harmonics), table = table_of(harmonics);
+  const Locale_of_commas commas;
+  expect_read(SP::IO::read_SPHARM_PDM, coef, harmonics);
+  expect_read(SP::IO::read_harmonics_table, table, harmonics);
 }
 
 TEST(Harmonics_tables, are_refused_with_the_line)

@@ -1,10 +1,12 @@
 // Parts of the command line program by themselves: signals, files, the spread of meshes over the cores, messages of errors.
 
 #include "Program_fixture.h"
+#include "locale_of_commas.h"
 
 #ifdef SPHERICAL_PARAMETERIZATION_PROGRAM
 
 #include "../../program/Interrupt_guard.h"
+#include "../../program/Json.h"
 #include "../../program/for_each_mesh.h"
 #include "../../program/output_files.h"
 #include "../../program/surface_hints.h"
@@ -22,6 +24,16 @@ TEST(Program_messages, call_what_is_the_same_by_the_same_words)
 {
   EXPECT_EQ(::Program::message_of(std::bad_alloc()), "the memory does not suffice");
   EXPECT_EQ(::Program::message_of(::Program::error_in("a\nb", "c")), "a\\x0ab: c");
+}
+
+TEST(Program_texts, are_the_same_in_every_locale)
+{
+  expect_same_with_commas([] {
+    double x = 0.;
+    EXPECT_TRUE(Program::is_number("1234.5", x));
+    return std::tuple(x, Program::fixed_text(1234.5, 2), Program::joined(1234567), Program::Json(1234.5).text(),
+                      Program::Json(std::size_t(1234567)).text());
+  });
 }
 
 // The value decides, also if the file names the vertices that it has values of.

@@ -1,6 +1,7 @@
 // A geometry image has the layout of its documentation, other programs see the values in it, and it gives the mesh back that
 // it was made of; what is damaged gives an error and no mesh.
 
+#include "locale_of_commas.h"
 #include "methods.h"
 
 #include <CGAL/Spherical_parameterization/Sampling/remesh_through_sphere.h>
@@ -319,6 +320,19 @@ TEST(Png_image, shows_the_values_to_others)
 TEST(Png_image, gives_the_mesh_back)
 {
   expect_round_trip(png);
+}
+
+TEST(Png_image, is_read_and_written_alike_in_every_locale)
+{
+  const Sampled sampled(SP::Sphere_domain_3::octahedron(4));
+  expect_same_with_commas([&] {
+    std::stringstream file;
+    EXPECT_EQ(png.write(file, sampled.remesh, sampled.remesh.points()), SP::OK);
+    const std::string bytes = file.str();
+    Mesh mesh;
+    EXPECT_EQ(png.read(file, mesh), SP::OK);
+    return std::pair(bytes, std::vector<Point_3>(mesh.points().begin(), mesh.points().end()));
+  });
 }
 
 TEST(Png_image, is_refused_if_it_is_none)

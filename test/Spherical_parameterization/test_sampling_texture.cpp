@@ -4,6 +4,7 @@
 #include <CGAL/Spherical_parameterization/Sampling/write_OBJ.h>
 
 #include "broken_maps.h"
+#include "locale_of_commas.h"
 #include "methods.h"
 #include "random_meshes.h"
 #include "test_scale.h"
@@ -360,6 +361,12 @@ TEST(Obj_file, holds_the_mesh_and_each_coordinate_once)
   file.precision(3);
   ASSERT_EQ(SP::IO::write_OBJ(file, textured.mesh, textured.uv), SP::OK);
   EXPECT_EQ(file.precision(), 3);
+  expect_same_with_commas([&] {
+    std::ostringstream out;
+    EXPECT_EQ(SP::IO::write_OBJ(out, textured.mesh, textured.uv), SP::OK);
+    EXPECT_EQ(out.getloc(), std::locale());
+    return out.str();
+  });
 
   std::vector<Point_3> points;
   std::vector<Point_2> coordinates;

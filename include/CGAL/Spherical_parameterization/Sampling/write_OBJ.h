@@ -27,6 +27,7 @@
 
 #include <cstddef>
 #include <limits>
+#include <locale>
 #include <ostream>
 #include <utility>
 #include <vector>
@@ -67,6 +68,7 @@ Error_code write_OBJ(std::ostream& out, const Graph& g, HalfedgeTextureMap halfe
   const auto point_map = parameters::choose_parameter(parameters::get_parameter(np, internal_np::vertex_point),
                                                       get_const_property_map(vertex_point, g));
   const boost::io::ios_precision_saver saver(out);
+  const boost::io::ios_locale_saver locale_saver(out, std::locale::classic());
   out.precision(std::numeric_limits<double>::max_digits10);
 
   const auto vertex_number = get(CGAL::dynamic_vertex_property_t<std::size_t>(), g);

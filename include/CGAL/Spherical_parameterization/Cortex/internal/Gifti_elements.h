@@ -75,16 +75,15 @@ inline IO::Label label_of(const XML_Char* const* attributes)
   if(key.empty())
     key = attribute(attributes, "Index"); // as some programs call it
   constexpr double max = (std::numeric_limits<std::int32_t>::max)();
-  Number_text number("");
   double x = 0.;
-  if(!number.is_number(key, x) || !(x == std::floor(x) && x >= -max && x <= max))
+  if(!Number_text::is_number(key, x) || !(x == std::floor(x) && x >= -max && x <= max))
     throw File_error("the key of a label is ", in_quotes(key), ", which is no whole number: the file is damaged.");
   label.key = static_cast<std::int32_t>(x);
   label.color = {{0., 0., 0., 1.}};
   constexpr std::array<const char*, 4> names = {"Red", "Green", "Blue", "Alpha"};
   for(std::size_t k = 0; k < names.size(); ++k)
     if(const std::string text = attribute(attributes, names[k]);
-       !text.empty() && !(number.is_number(text, label.color[k]) && std::isfinite(label.color[k])))
+       !text.empty() && !(Number_text::is_number(text, label.color[k]) && std::isfinite(label.color[k])))
       throw File_error("the colour of a label is ", in_quotes(text), ", which is no number: the file is damaged.");
   return label;
 }

@@ -175,7 +175,7 @@ private:
   std::uint64_t read_count(const std::string& text, const char* what) const
   {
     double x = 0.;
-    if(!Number_text("").is_number(text, x) || !(x >= 0. && x == std::floor(x) && x <= double(Gifti_array::max_size)))
+    if(!Number_text::is_number(text, x) || !(x >= 0. && x == std::floor(x) && x <= double(Gifti_array::max_size)))
       fail(what, " is ", in_quotes(text), ", which is no number of things: the file is damaged.");
     return static_cast<std::uint64_t>(x);
   }

@@ -58,7 +58,6 @@ class Coef_parser
 public:
   explicit Coef_parser(std::string_view text)
     : m_text(text)
-    , m_numbers(text)
   {}
 
   void expect(char sign)
@@ -87,7 +86,7 @@ public:
     if(word.empty() && end == m_text.size())
       throw File_error("Line ", m_line, ": the file ends where a number is expected: ", truncated);
     double result = 0.;
-    if(!m_numbers.is_number(word, result) || !std::isfinite(result))
+    if(!Number_text::is_number(word, result) || !std::isfinite(result))
       throw File_error("Line ", m_line, ": ", in_quotes(word), " is no finite number.");
     m_position = end;
     return result;
@@ -103,7 +102,6 @@ private:
   }
 
   std::string_view m_text;
-  Number_text m_numbers;
   std::size_t m_position = 0, m_line = 1;
 };
 
@@ -226,10 +224,9 @@ inline void read_table(std::string_view content, Spherical_harmonics_3& result, 
      names[n_columns - 1] != "csphase")
     throw File_error("Line 1: the columns have to be degree,order, one for each function, normalization,csphase.");
   const std::size_t degree = degree_with(lines.size() - 1, "lines of coefficients");
-  Number_text numbers{std::string_view()};
   const auto number = [&](std::size_t line, std::string_view field) {
     double x = 0.;
-    if(!numbers.is_number(field, x) || !std::isfinite(x))
+    if(!Number_text::is_number(field, x) || !std::isfinite(x))
       throw File_error("Line ", line + 1, ": ", in_quotes(field), " is no finite number.");
     return x;
   };

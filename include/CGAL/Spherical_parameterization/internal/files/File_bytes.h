@@ -15,6 +15,7 @@
 #include <CGAL/license/Spherical_parameterization.h>
 
 #include <CGAL/Spherical_parameterization/Error_code.h>
+#include <CGAL/Spherical_parameterization/internal/files/parse_number.h>
 
 #include <boost/endian/conversion.hpp>
 
@@ -23,7 +24,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <cstdlib>
 #include <cstring>
 #include <ios>
 #include <istream>
@@ -109,6 +109,14 @@ inline std::string in_quotes(std::string_view text)
   for(const char c : text.substr(0, max_size))
     result += c >= ' ' && c <= '~' ? c : '?';
   return result + (text.size() > max_size ? "...'" : "'");
+}
+
+// Returns a text with its letters of ASCII in lower case.
+inline std::string lower_case(std::string text)
+{
+  std::transform(text.begin(), text.end(), text.begin(),
+                 [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
+  return text;
 }
 
 constexpr const char* truncated = "it is truncated: copy it again from where it is from.";
@@ -245,9 +253,7 @@ class Number_text
 public:
   explicit Number_text(std::string_view text)
     : m_text(text)
-  {
-    m_format.imbue(std::locale::classic());
-  }
+  {}
 
   std::string_view next_word()
   {
@@ -257,41 +263,18 @@ public:
     return m_text.substr(begin, m_position - begin);
   }
 
-  // returns whether the word is a number; nan and inf are some
-  bool is_number(std::string_view word, double& x)
+  // returns whether the word is a number, in decimals; nan and inf are some
+  static bool is_number(std::string_view word, double& x)
   {
-    std::ios_base::iostate state = std::ios_base::goodbit;
-    const char* const end = word.data() + word.size();
-    if(m_parser.get(word.data(), end, m_format, state, x) == end && !word.empty())
-      return (state & std::ios_base::failbit) == 0;
-    const bool is_negative = !word.empty() && word.front() == '-';
-    const std::string_view name = word.substr(!word.empty() && (is_negative || word.front() == '+') ? 1 : 0);
-    if(is_word(name, "nan"))
-      x = std::numeric_limits<double>::quiet_NaN();
-    else if(is_word(name, "inf") || is_word(name, "infinity"))
-      x = is_negative ? -HUGE_VAL : HUGE_VAL;
-    else
-      return false;
-    return true;
+    const Parsed_number<double> number = parse_number(word);
+    x = number.value;
+    return !word.empty() && number.size == word.size() && !number.is_too_large &&
+           word.find_first_of("xX( \t\n\v\f\r") == word.npos;
   }
 
 private:
-  struct Parser : std::num_get<char, const char*>
-  {
-    ~Parser() override = default; // that of the base is protected
-  };
-
-  // regardless of case
-  static bool is_word(std::string_view text, std::string_view word)
-  {
-    const auto is_same = [](char c, char d) { return (c | 0x20) == d; };
-    return text.size() == word.size() && std::equal(text.begin(), text.end(), word.begin(), is_same);
-  }
-
   std::string_view m_text;
   std::size_t m_position = 0;
-  std::istringstream m_format; // but for its locale, none of it is used
-  Parser m_parser;
 };
 
 } // namespace CGAL::Spherical_parameterization::internal

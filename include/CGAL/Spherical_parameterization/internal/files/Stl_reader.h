@@ -86,9 +86,7 @@ private:
     bool is_within_facet = false, is_within_solid = false;
     while(m_in.next_line())
     {
-      std::string statement(m_in.read_word()); // some programs write capitals
-      std::transform(statement.begin(), statement.end(), statement.begin(),
-                     [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
+      const std::string statement = lower_case(std::string(m_in.read_word())); // some programs write capitals
       const std::size_t i = m_soup.polygons.size();
       if(statement == "vertex")
       {

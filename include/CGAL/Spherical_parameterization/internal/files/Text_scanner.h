@@ -16,12 +16,10 @@
 
 #include <CGAL/Spherical_parameterization/internal/files/File_bytes.h>
 #include <CGAL/Spherical_parameterization/internal/files/Polygon_soup.h>
+#include <CGAL/Spherical_parameterization/internal/files/parse_number.h>
 
 #include <algorithm>
-#include <cerrno>
-#include <cmath>
 #include <cstddef>
-#include <cstdlib>
 #include <cstring>
 #include <string>
 #include <string_view>
@@ -58,7 +56,8 @@ public:
       m_byte = 0;
       if(line.find('\0') != line.npos)
         fail("there is a byte that is no text");
-      m_cursor[(std::min)(line.find('#'), line.size())] = '\0';
+      m_end = m_cursor + (std::min)(line.find('#'), line.size());
+      *m_end = '\0';
       if(!is_at_end_of_line())
         return true;
     }
@@ -100,15 +99,13 @@ public:
   {
     if(is_at_end_of_line())
       fail(name..., " is missing");
-    char* end = m_cursor;
-    errno = 0;
-    const double x = std::strtod(m_cursor, &end);
-    if(end == m_cursor || !is_end_of_word(*end))
+    const Parsed_number<double> number = parse_number(rest_of_line());
+    if(number.size == 0 || !is_end_of_word(m_cursor[number.size]))
       fail(name..., " is not a number: ", quoted(m_cursor));
-    if(errno == ERANGE && std::abs(x) > 1.) // or it is smaller than any number, and 0
+    if(number.is_too_large)
       fail(name..., " is too large, beyond 1.8e308: ", quoted(m_cursor));
-    m_cursor = end;
-    return x;
+    skip(number.size);
+    return number.value;
   }
 
   template <class... Name>
@@ -131,13 +128,12 @@ public:
   {
     if(is_at_end_of_line())
       fail(name..., " is missing");
-    char* end = m_cursor;
-    errno = 0;
-    const long long i = std::strtoll(m_cursor, &end, 10);
-    if(end == m_cursor || !(is_end_of_word(*end) || *end == separator) || errno == ERANGE)
+    const Parsed_number<long long> number = parse_integer(rest_of_line());
+    const char behind = m_cursor[number.size];
+    if(number.size == 0 || !(is_end_of_word(behind) || behind == separator) || number.is_too_large)
       fail(name..., " should be a whole number, not ", quoted(m_cursor));
     read_word();
-    return i;
+    return number.value;
   }
 
   std::size_t read_count(const std::string& things)
@@ -191,6 +187,11 @@ public:
   }
 
 private:
+  std::string_view rest_of_line() const
+  {
+    return std::string_view(m_cursor, static_cast<std::size_t>(m_end - m_cursor));
+  }
+
   static bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r'; }
   static bool is_end_of_word(char c) { return c == '\0' || is_blank(c); }
 
@@ -199,6 +200,7 @@ private:
   std::size_t m_line_number = 0;
   std::size_t m_byte = 0;   // where the last number begins that was read as bytes, 0 if the last was a line
   char* m_cursor = nullptr; // in the line, which ends with 0
+  char* m_end = nullptr;    // where it does
 };
 
 } // namespace CGAL::Spherical_parameterization::internal

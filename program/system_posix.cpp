@@ -1,0 +1,108 @@
+#ifndef _WIN32
+
+#include "system.h"
+
+#include <algorithm>
+#include <cerrno>
+
+#include <fcntl.h>
+#include <fnmatch.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <sys/types.h>
+#include <unistd.h>
+
+namespace Program {
+
+Words start_process(int argc, char** argv)
+{
+  // What is written to a standard stream that is closed would go to the file that is opened next. Now it fails.
+  for(const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
+    if(fcntl(stream, F_GETFD) == -1)
+      open("/dev/null", O_RDONLY);
+  // a file that grows larger than permitted, or a pipe that nobody reads any more, cannot be written: an error as others
+  for(const int signal : {SIGXFSZ, SIGPIPE})
+    std::signal(signal, SIG_IGN);
+  return Words(argv + (std::min)(argc, 1), argv + argc);
+}
+
+bool has_terminal()
+{
+  return isatty(STDERR_FILENO) != 0;
+}
+
+std::string name_of_computer()
+{
+  char host[65] = {};
+  gethostname(host, sizeof host - 1);
+  struct stat processes;
+  const bool is_known = stat("/proc/self/ns/pid", &processes) == 0;
+  return host + ('.' + std::to_string(is_known ? std::uintmax_t(processes.st_ino) : 0));
+}
+
+std::int64_t number_of_process()
+{
+  return getpid();
+}
+
+bool is_running(std::int64_t process)
+{
+  const pid_t number = static_cast<pid_t>(process);
+  return number != process || number <= 0 || kill(number, 0) == 0 || errno != ESRCH;
+}
+
+bool matches_pattern(const std::string& pattern, const std::filesystem::path& path)
+{
+  return fnmatch(pattern.c_str(), path.c_str(), FNM_PATHNAME | FNM_PERIOD) == 0;
+}
+
+bool is_writable(const std::filesystem::path& path)
+{
+  return access(path.c_str(), W_OK) == 0;
+}
+
+std::FILE* open_to_write(const std::filesystem::path& path, bool is_new)
+{
+  return std::fopen(path.c_str(), is_new ? "wbx" : "wb");
+}
+
+void rename_file(const std::filesystem::path& path, const std::filesystem::path& new_path, std::error_code& error)
+{
+  std::filesystem::rename(path, new_path, error);
+}
+
+void set_permissions(std::FILE* file, std::filesystem::perms permissions)
+{
+  fchmod(fileno(file), static_cast<mode_t>(permissions)); // some file systems have none
+}
+
+Folder_lock::Folder_lock(const std::filesystem::path& folder)
+  : m_path(folder / ".spherical_parameterization.lock")
+{
+  constexpr int max_attempts = 1000; // where files have no lasting numbers
+  for(int k = 0; k < max_attempts; ++k)
+  {
+    const int file = open(m_path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0666);
+    m_file = file;
+    if(file == -1 || flock(file, LOCK_EX) != 0)
+      return;
+    struct stat locked, named;
+    if(fstat(file, &locked) == 0 && lstat(m_path.c_str(), &named) == 0 && locked.st_dev == named.st_dev &&
+       locked.st_ino == named.st_ino)
+      return;
+    close(file); // who had the lock has removed the file
+    m_file = -1;
+  }
+}
+
+Folder_lock::~Folder_lock()
+{
+  if(m_file == -1)
+    return;
+  unlink(m_path.c_str());
+  close(static_cast<int>(m_file));
+}
+
+} // namespace Program
+
+#endif
