@@ -15,30 +15,32 @@ packages=(g++ make cmake libcgal-dev libcgal-demo libcli11-dev libtbb-dev libeig
 components=(CGAL TBB Eigen3)
 wanted="a C++17 compiler, CMake 3.18, CGAL 5.5, CLI11, TBB, Eigen, libpng, OpenEXR 3, expat, zlib, Node.js 18 and npm"
 if [ $# -gt 0 ]; then
-  packages+=(git libgtest-dev libbenchmark-dev clang libclang-rt-dev llvm clang-format-14)
+  packages+=(git locales libgtest-dev libbenchmark-dev clang libclang-rt-dev llvm clang-format-14)
   packages+=(python3-numpy python3-matplotlib python3-nibabel)
   packages+=(pybind11-dev python3-dev python3-pytest python3-pip python3-venv python3-setuptools python3-wheel)
+  packages+=(g++-aarch64-linux-gnu g++-mingw-w64-x86-64-posix qemu-user-static wine64)
   packages+=(doxygen texlive-binaries libjs-mathjax fonts-mathjax linkchecker chromium-headless-shell)
   components+=(GTest benchmark)
   wanted="a C++17 compiler, CMake 3.18, CGAL 5.5, CLI11, TBB, Eigen, libpng, OpenEXR 3, expat, zlib, Node.js 18, npm, GoogleTest, Google Benchmark, Clang"
-  wanted+=" with its sanitizers, clang-format 14, Python with its headers, numpy, matplotlib, nibabel, pybind11, pytest and pip, doxygen 1.9.4, BibTeX, LinkChecker and Chromium"
+  wanted+=" with its sanitizers, clang-format 14, Python with its headers, numpy, matplotlib, nibabel, pybind11, pytest and pip, doxygen 1.9.4, BibTeX, LinkChecker and Chromium; g++ for AArch64, MinGW-w64 with POSIX threads, QEMU and Wine"
 fi
 if [ "${1-}" = --long-tests ]; then
   packages+=(parallel slurm-wlm munge jq connectome-workbench)
-  wanted+=", GNU parallel, Slurm with MUNGE, jq and Connectome Workbench"
+  packages+=(g++-s390x-linux-gnu libz-mingw-w64-dev libc++-14-dev libc++abi-14-dev)
+  wanted+=", GNU parallel, Slurm with MUNGE, jq, Connectome Workbench, g++ for s390x, zlib for MinGW-w64 and libc++"
 fi
 
 is_installed() {
   [ "$(dpkg-query -W -f='${db:Status-Status}' "$1" 2>/dev/null)" = installed ]
 }
 
-# Prints the packages that are missing. Newer systems have no clang-format 14, and Ubuntu has no package of Chromium: the checks
-# that need them say so. A Node.js from elsewhere brings npm along.
+# Prints the packages that are missing. Newer systems have no clang-format 14, Ubuntu has no package of Chromium, and other processors
+# have no compilers for all platforms: the checks that need them say so. A Node.js from elsewhere brings npm along.
 list_missing() {
   local package
   for package in "${packages[@]}"; do
     is_installed "$package" && continue
-    [[ $package == @(clang-format-14|chromium-*) ]] && ! apt-cache show "$package" >/dev/null 2>&1 && continue
+    [[ $package == @(clang-format-14|chromium-*|g++-*|wine64|libc++*|libz-mingw*) ]] && ! apt-cache show "$package" >/dev/null 2>&1 && continue
     [ "$package" = npm ] && command -v npm >/dev/null && continue
     echo "$package"
   done

@@ -2,8 +2,9 @@
 # Usage: scripts/test.sh
 #
 # Installs what is missing, checks the style of the sources, builds everything with warnings as errors and runs the
-# tests but those that scripts/test_long.sh has, checks that the package fits into CGAL's tree, builds and checks the
-# manual, and runs tests under the sanitizer of threads. May be run again. Takes twenty minutes on two cores.
+# tests but those that scripts/test_long.sh has, compares some results with those on other platforms, checks that the package
+# fits into CGAL's tree, builds and checks the manual, and runs tests under the sanitizer of threads. May be run again.
+# Takes twenty minutes on two cores.
 
 # shellcheck source-path=SCRIPTDIR source=common.sh
 . "$(dirname "${BASH_SOURCE[0]}")/common.sh"
@@ -38,6 +39,7 @@ background=()
 in_background style run_stage "check the style" "$root/scripts/check_style.sh"
 run_stage "build everything" cmake --build "$build" -j "$jobs"
 finish_background
+"$root/scripts/test_platforms.sh" --short
 run_stage "test" ctest --test-dir "$build" --output-on-failure --no-tests=error -j "$jobs"
 in_background manual "$root/scripts/check_documentation.sh"
 in_background tree "$root/scripts/test_in_cgal_tree.sh" --only simple_spherical_parameterization

@@ -3,8 +3,8 @@
 #
 # What takes too long for scripts/test.sh, which is to be run first: 20,000 random triangulations instead of 500, other
 # tests with as many more repetitions, each header on its own, compile flags, errors and times, the benchmarks, all tests
-# under the sanitizer of addresses, every program in a CGAL tree, the commands of the manual for cohorts, and each fuzzer for
-# ten minutes. Takes about two hours on two cores.
+# under the sanitizer of addresses, every program in a CGAL tree, other platforms, the commands of the manual for
+# cohorts, and each fuzzer for ten minutes. Takes about two hours on two cores.
 
 # shellcheck source-path=SCRIPTDIR source=common.sh
 . "$(dirname "${BASH_SOURCE[0]}")/common.sh"
@@ -21,6 +21,7 @@ run_stage "long tests" ctest --test-dir "$build" --output-on-failure --no-tests=
 run_stage "compile times" "$root/scripts/measure_compile_time.py" --program --check
 "$root/scripts/test_sanitizers.sh" --all
 "$root/scripts/test_in_cgal_tree.sh"
+"$root/scripts/test_platforms.sh"
 "$root/scripts/test_cohorts.sh"
 
 # What a fuzzer finds that is new stays in build/fuzz/NAME, what makes it fail beside the log.

@@ -1,8 +1,8 @@
-// Usage: hashes TABLE [--renew] [--largest N] [WORD...]
+// Usage: hashes TABLE [--renew] [--largest N] [--generated] [WORD...]
 //
 // Computes each row of the table for which there is a mesh here, and compares the hash of the result with that of the row; says what
-// differs. With --largest, meshes of more vertices are left out; with words, rows that have none of them. --renew writes the hashes
-// that it finds to the table; no row may be left out then.
+// differs. Left out are meshes of more vertices than --largest, with --generated those that come from files, and with words the rows that
+// have none of them. --renew writes the hashes that it finds to the table; no row may be left out then.
 //
 // The folders of meshes are the environment variables CGAL_DATA_DIR and SPHERICAL_PARAMETERIZATION_DATA_DIR.
 
@@ -110,7 +110,7 @@ std::string digest(const std::vector<Row>& rows)
 int run(std::vector<std::string> words)
 {
   if(words.empty())
-    throw std::runtime_error("Usage: hashes TABLE [--renew] [--largest N] [WORD...]");
+    throw std::runtime_error("Usage: hashes TABLE [--renew] [--largest N] [--generated] [WORD...]");
   const std::string path = words.front();
   words.erase(words.begin());
   const bool renews = !words.empty() && words.front() == "--renew";
@@ -122,6 +122,10 @@ int run(std::vector<std::string> words)
     largest = std::stoul(words[1]);
     words.erase(words.begin(), words.begin() + 2);
   }
+
+  const bool is_generated_only = !words.empty() && words.front() == "--generated";
+  if(is_generated_only)
+    words.erase(words.begin());
 
   Hash_cases cases;
   add_spheres(cases);
@@ -135,6 +139,8 @@ int run(std::vector<std::string> words)
   for(Row& row : rows)
   {
     const std::string text = row.mesh + ' ' + row.operation;
+    if(is_generated_only && row.mesh.find('/') != std::string::npos)
+      continue;
     if(!words.empty() && std::none_of(words.begin(), words.end(),
                                       [&](const std::string& word) { return text.find(word) != std::string::npos; }))
       continue;

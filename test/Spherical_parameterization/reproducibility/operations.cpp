@@ -88,7 +88,8 @@ void locate(const Mesh& mesh, Hash& hash)
 {
   const Mapped_mesh m(mesh);
   const SP::Sphere_locator_3 locator(m.mesh, m.sphere);
-  for(const auto& p : SP::Sphere_domain_3::octahedron(8).directions())
+  const SP::Sphere_domain_3 domain = SP::Sphere_domain_3::octahedron(8);
+  for(const auto& p : domain.directions())
   {
     const auto location = locator.locate(Point_3(p.x(), p.y(), p.z()));
     hash.add(static_cast<std::uint64_t>(location.first));
