@@ -121,12 +121,11 @@ private:
     double base, foot, height;
   };
 
-  // a b - c d to the last digits: the rounding error of c d is known exactly, and is taken out again (W. Kahan)
+  // a b - c d to the last digits: what rounding takes from the products is known
   static double difference_of_products(double a, double b, double c, double d)
   {
-    const double product = c * d;
-    const double error = std::fma(-c, d, product);
-    return std::fma(a, b, -product) + error;
+    const Double_double ab = exact_product(a, b), cd = exact_product(c, d);
+    return (ab.high - cd.high) + (ab.low - cd.low);
   }
 
   static Vector_3d accurate_cross(const Vector_3d& a, const Vector_3d& b)
