@@ -83,7 +83,8 @@ run_stage "g++ in the standard language" with_flags gcc_standard spheres "--larg
 run_stage "clang++ -march=native with libc++" with_flags clang_native "spheres operations" "--largest 100000" \
   clang++ -O2 -march=native -stdlib=libc++
 wait $!
-run_stage "without AVX2" compare_hashes "--largest 1000" qemu-x86_64-static -cpu Nehalem "$folder/gcc_standard"
+run_stage "g++ -O2" with_flags gcc_O2 spheres "--largest 100000" g++ -O2
+run_stage "without AVX2" compare_hashes "--largest 1000" qemu-x86_64-static -cpu Nehalem "$folder/gcc_O2"
 
 # on PLATFORM TARGET...: builds by a toolchain of the folder cmake/, and runs the tests of these names.
 on() {
