@@ -2,6 +2,5 @@
 
 #include <CGAL/Spherical_parameterization/internal/certificate/Orientation_about_origin_3_impl.h>
 #include <CGAL/Spherical_parameterization/internal/execution/parallel_impl.h>
-#include <CGAL/Spherical_parameterization/internal/numbers/reproducibility_impl.h>
 #include <CGAL/Spherical_parameterization/internal/run/first_map_impl.h>
 #include <CGAL/Spherical_parameterization/internal/surface/Surface_impl.h>

@@ -47,6 +47,7 @@
 #include <CGAL/Spherical_parameterization/is_bijective.h>
 #include <CGAL/Spherical_parameterization/measure_distortion.h>
 #include <CGAL/Spherical_parameterization/parameterize.h>
+#include <CGAL/Spherical_parameterization/reproducibility.h>
 #include <CGAL/Spherical_parameterization/round_to_float.h>
 
 #endif // C++17

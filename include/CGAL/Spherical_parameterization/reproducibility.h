@@ -14,7 +14,9 @@
 
 #include <CGAL/license/Spherical_parameterization.h>
 
-#include <CGAL/Spherical_parameterization/internal/library.h>
+#include <limits>
+
+#include <CGAL/Spherical_parameterization/internal/numbers/begin_arithmetic.h>
 
 namespace CGAL::Spherical_parameterization {
 
@@ -32,12 +34,22 @@ constexpr const char* results_version = "0eedbd72";
 /// `false`, as with `-ffast-math`: maps are made and certified all the same.
 ///
 /// It takes a few nanoseconds.
-bool is_reproducible();
+inline bool is_reproducible()
+{
+  // volatile, so that the operations are those that the compiler has made of them, when the program runs
+  const volatile double one = 1., two_to_minus_60 = 0x1p-60, half_epsilon = 0x1p-53, more_than_half = 0x1.8p-53;
+  const volatile double factor = 1. + 0x1p-30, rounded_square = 1. + 0x1p-29,
+                        smallest = (std::numeric_limits<double>::min)();
+  const double x = factor, a = one, b = two_to_minus_60, s = smallest;
+  const bool is_rounded_by_itself = x * x - rounded_square == 0.; // not with the difference
+  const bool is_in_order_and_of_64_bits = (a + b) - a == 0.;
+  const bool is_to_nearest = a + half_epsilon == one && a + more_than_half > one && -a - half_epsilon == -one;
+  const bool has_subnormals = s * 0.5 > 0.;
+  return is_rounded_by_itself && is_in_order_and_of_64_bits && is_to_nearest && has_subnormals;
+}
 
 } // namespace CGAL::Spherical_parameterization
 
-#ifdef CGAL_SPHERICAL_PARAMETERIZATION_HEADER_ONLY
-#include <CGAL/Spherical_parameterization/internal/numbers/reproducibility_impl.h>
-#endif
+#include <CGAL/Spherical_parameterization/internal/numbers/end_arithmetic.h>
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_REPRODUCIBILITY_H

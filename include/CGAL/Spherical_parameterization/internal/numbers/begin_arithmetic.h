@@ -9,6 +9,8 @@
 //
 // Author(s)     : The Spherical_parameterization authors
 
+#include <CGAL/license/Spherical_parameterization.h>
+
 // From here to end_arithmetic.h, each floating-point operation is rounded by itself.
 //
 // Where the processor multiplies and adds in one operation, compilers use it for a * b + c unless they are asked not to, and the

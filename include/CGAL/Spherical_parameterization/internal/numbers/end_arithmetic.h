@@ -9,6 +9,8 @@
 //
 // Author(s)     : The Spherical_parameterization authors
 
+#include <CGAL/license/Spherical_parameterization.h>
+
 // See begin_arithmetic.h.
 #if defined(__clang__) || defined(_MSC_VER)
 #pragma float_control(pop)
