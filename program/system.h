@@ -43,7 +43,7 @@ bool is_writable(const std::filesystem::path& path);
 /// opens a file, which must not be there if it is to be new, not even as a link; returns null and sets `errno` if that fails.
 std::FILE* open_to_write(const std::filesystem::path& path, bool is_new);
 
-/// gives a file another name, in the place of the file that has it.
+/// gives a file another name, and replaces the file that has it.
 void rename_file(const std::filesystem::path& path, const std::filesystem::path& new_path, std::error_code& error);
 
 /// gives an open file the permissions of another one, where the file system has them.

@@ -45,9 +45,13 @@ compare_hashes() {
 }
 
 if [ "${1-}" = --short ]; then
-  if [ -z "$wine" ] || ! command -v aarch64-linux-gnu-g++ x86_64-w64-mingw32-g++-posix qemu-aarch64-static >/dev/null; then
-    [ -z "${CI-}" ] || fail "The compilers for other platforms, QEMU or Wine are not installed."
-    echo "The compilers for other platforms, QEMU or Wine are not installed: results are not compared there."
+  missing=$([ -n "$wine" ] || echo Wine)
+  for program in aarch64-linux-gnu-g++ x86_64-w64-mingw32-g++-posix qemu-aarch64-static; do
+    command -v $program >/dev/null || missing+=" $program"
+  done
+  if [ -n "$missing" ]; then
+    [ -z "${CI-}" ] || fail "Not installed: $missing"
+    echo "Not installed: $missing. Results are not compared with those on other platforms."
     exit
   fi
   on_aarch64() {

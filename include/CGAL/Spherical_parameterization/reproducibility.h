@@ -30,7 +30,7 @@ constexpr const char* results_version = "0eedbd72";
 ///
 /// returns whether the package, as it is compiled here, has the results of every other machine, to the last bit: whether each
 /// floating-point operation is rounded by itself, to the nearest number of 64 bits, as IEEE 754 has it. This is tried out. The page
-/// \ref PkgSphericalParameterizationReproducibility tells what is promised, and what to do if this is
+/// \ref PkgSphericalParameterizationReproducibility says what is promised, and where this is
 /// `false`, as with `-ffast-math`: maps are made and certified all the same.
 ///
 /// It takes a few nanoseconds.

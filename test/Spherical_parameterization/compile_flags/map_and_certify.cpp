@@ -4,6 +4,7 @@
 #include <CGAL/Spherical_parameterization/Fixed_radius_3.h>
 #include <CGAL/Spherical_parameterization/is_bijective.h>
 #include <CGAL/Spherical_parameterization/parameterize.h>
+#include <CGAL/Spherical_parameterization/reproducibility.h>
 
 #include "images.h"
 #include "test_meshes.h"
@@ -164,6 +165,11 @@ int main()
   for(const double x : {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity(), 0., -1.})
     expect(!SP::Fixed_radius_3(x).is_valid(), "a radius that is not positive and finite is found");
   expect(SP::Fixed_radius_3(2.).is_valid(), "a radius may be positive and finite");
+#ifdef __FAST_MATH__
+  expect(!SP::is_reproducible(), "arithmetic that is not that of IEEE 754 is found");
+#else
+  expect(SP::is_reproducible(), "arithmetic is that of IEEE 754");
+#endif
   std::uint64_t checksum = 0xcbf29ce484222325u;
   check(test_meshes::bumpy_sphere(3), checksum);
   check(test_meshes::with_tentacle(60, 10.), checksum);

@@ -16,7 +16,7 @@
 // Where the processor multiplies and adds in one operation, compilers use it for a * b + c unless they are asked not to, and the
 // result is another one in the last digit: on AArch64, and on x86-64 with -march=native. So each header that computes is between
 // these two files, its includes are not: what the package takes from other libraries (std::inner_product, products of
-// std::complex) is compiled as the user wants, and must not round. There is nothing to do for a target without such an operation.
+// std::complex) is compiled as the user wants, and must not be used where it rounds twice. There is nothing to do for a target without such an operation.
 // g++ inlines none of these functions into functions of others. Its vectorizer multiplies and adds in one operation even so (the
 // patterns of complex numbers in g++ 12, with -ffp-contract=off as well), and is left out: what counts is written in lanes.
 //
