@@ -2,7 +2,7 @@
 # Usage: scripts/test_platforms.sh [--short]
 #
 # Compares results with the table of hashes where other compilers, flags, processors and systems could give others: by g++ and Clang
-# with all kinds of flags, without AVX2, on AArch64 and on Windows; and runs the tests of the core there, and those of files on a
+# with all kinds of flags, without AVX-512 and AVX2, on AArch64 and on Windows; and runs the tests of the core there, and those of files on a
 # big-endian machine as well. QEMU and Wine run what is for other machines. Run scripts/test.sh first. Takes half an hour on two cores.
 #
 # With --short: five meshes on AArch64 and on Windows. Takes a minute.
@@ -88,7 +88,9 @@ run_stage "clang++ -march=native with libc++" with_flags clang_native "spheres o
   clang++ -O2 -march=native -stdlib=libc++
 wait $!
 run_stage "g++ -O2" with_flags gcc_O2 spheres "--largest 100000" g++ -O2
-run_stage "without AVX2" compare_hashes "--largest 1000" qemu-x86_64-static -cpu Nehalem "$folder/gcc_O2"
+for processor in Haswell Nehalem; do # without AVX-512, and without AVX2
+  run_stage "g++ -O2 on $processor" compare_hashes "--largest 1000" qemu-x86_64-static -cpu $processor "$folder/gcc_O2"
+done
 
 # on PLATFORM TARGET...: builds by a toolchain of the folder cmake/, and runs the tests of these names.
 on() {

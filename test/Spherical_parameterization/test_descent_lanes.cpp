@@ -5,6 +5,7 @@
 #include <CGAL/Spherical_parameterization/Stretch_energy_3.h>
 #include <CGAL/Spherical_parameterization/internal/descent/Star_energy.h>
 #include <CGAL/Spherical_parameterization/internal/numbers/Packed_double.h>
+#include <CGAL/Spherical_parameterization/internal/numbers/run_in_lanes.h>
 #include <CGAL/Spherical_parameterization/internal/numbers/Vector_3.h>
 
 #include "archetypes.h"
@@ -22,15 +23,18 @@ namespace SP = CGAL::Spherical_parameterization;
 
 using namespace SP::internal;
 
-TEST(Packed_double, decides_lane_by_lane)
+template <class FT>
+void expect_decisions_lane_by_lane()
 {
-  const Four_lanes a = Lanes<Four_lanes>::generate([](std::size_t i) { return static_cast<double>(i) - 1.; });
-  const Four_lanes b = Four_lanes(0.5);
-  const Four_lanes low = minimum(a, b), high = maximum(a, b), size = absolute(a), root = square_root(size);
-  const Four_lanes chosen = select(a < b && !(a < Four_lanes(0.)), Four_lanes(7.), a);
-  for(std::size_t i = 0; i < Lanes<Four_lanes>::width; ++i)
+  const FT a = Lanes<FT>::generate([](std::size_t i) { return static_cast<double>(i) - 1.; });
+  const FT b = FT(0.5);
+  const FT low = minimum(a, b), high = maximum(a, b), size = absolute(a), root = square_root(size);
+  const FT chosen = select(a < b && !(a < FT(0.)), FT(7.), a), either = select(a < FT(0.) || a > b, FT(7.), -a);
+  for(std::size_t i = 0; i < Lanes<FT>::width; ++i)
   {
     const double x = static_cast<double>(i) - 1.;
+    EXPECT_EQ(lane(a < b, i), x < 0.5);
+    EXPECT_EQ(lane(either, i), x < 0. || x > 0.5 ? 7. : -x);
     EXPECT_EQ(lane(low, i), x < 0.5 ? x : 0.5);
     EXPECT_EQ(lane(high, i), x < 0.5 ? 0.5 : x);
     EXPECT_EQ(lane(size, i), std::abs(x));
@@ -38,8 +42,20 @@ TEST(Packed_double, decides_lane_by_lane)
     EXPECT_EQ(lane(chosen, i), x < 0.5 && !(x < 0.) ? 7. : x);
   }
   EXPECT_TRUE(any(a < b));
-  EXPECT_TRUE(any(a < Four_lanes(-0.5)));
-  EXPECT_FALSE(any(a > Four_lanes(5.)));
+  EXPECT_TRUE(any(a < FT(-0.5)));
+  EXPECT_FALSE(any(a > FT(9.)));
+  const std::array<float, 8> floats = {0.5f, 1.f, 1.5f, 2.f, 2.5f, 3.f, 3.5f, 4.f};
+  std::array<double, 8> stored = {};
+  Lanes<FT>::store(Lanes<FT>::load(floats.data()), stored.data());
+  for(std::size_t i = 0; i < stored.size(); ++i)
+    EXPECT_EQ(stored[i], i < Lanes<FT>::width ? static_cast<double>(floats[i]) : 0.);
+}
+
+TEST(Packed_double, decides_lane_by_lane)
+{
+  expect_decisions_lane_by_lane<Two_lanes>();
+  expect_decisions_lane_by_lane<Four_lanes>();
+  run_in_lanes([](auto number_type) { expect_decisions_lane_by_lane<typename decltype(number_type)::FT>(); });
 }
 
 std::vector<Vector_3d> frame_origins()

@@ -2,6 +2,7 @@
 
 #include <CGAL/Spherical_parameterization/internal/numbers/elementary_functions.h>
 #include <CGAL/Spherical_parameterization/internal/numbers/nearest_double.h>
+#include <CGAL/Spherical_parameterization/internal/numbers/run_in_lanes.h>
 
 #include "random_meshes.h"
 
@@ -232,6 +233,7 @@ TEST(Packed_double, has_the_exponential_of_a_double)
   expect_same_exponential<double>();
   expect_same_exponential<Two_lanes>();
   expect_same_exponential<Four_lanes>();
+  run_in_lanes([](auto number_type) { expect_same_exponential<typename decltype(number_type)::FT>(); });
 }
 
 TEST(Nearest_double, rounds_rational_numbers_to_the_even_one_of_two)

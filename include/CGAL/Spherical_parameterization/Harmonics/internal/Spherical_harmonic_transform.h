@@ -184,7 +184,7 @@ private:
   {
     const std::size_t n = nodes.number_of_groups(), size = (n + max_parts - 1) / max_parts;
     for_each_block(execution, 0, n, size, [&](std::size_t begin, std::size_t end) {
-      run_in_lanes([&](auto number_type) { f(number_type, begin / size, begin, end); });
+      run_in_lanes<Sphere_nodes::lanes>([&](auto number_type) { f(number_type, begin / size, begin, end); });
     });
   }
 

@@ -88,7 +88,7 @@ public:
     : m_space(space)
     , m_step(step)
     , m_execution(execution)
-    , m_scratch(execution, space.scratch())
+    , m_scratch(execution, typename Space::Scratch())
   {}
 
   Space& space() { return m_space; }

@@ -18,12 +18,12 @@
 #include <CGAL/Spherical_parameterization/internal/descent/Star_energy.h>
 #include <CGAL/Spherical_parameterization/internal/descent/Star_packets.h>
 #include <CGAL/Spherical_parameterization/internal/numbers/Packed_double.h>
+#include <CGAL/Spherical_parameterization/internal/numbers/run_in_lanes.h>
 #include <CGAL/Spherical_parameterization/internal/numbers/Vector_3.h>
 
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <tuple>
 
 #include <CGAL/Spherical_parameterization/internal/numbers/begin_arithmetic.h>
 
@@ -47,16 +47,14 @@ public:
 
   const Energy& energy() const { return m_energy; }
 
-  // what a thread needs to move stars of any number of lanes
-  using Scratch = std::tuple<Star<double>, Star<Two_lanes>, Star<Four_lanes>>;
-  Scratch scratch() const { return Scratch(m_energy, m_energy, m_energy); }
+  using Scratch = In_lanes<Star>; // what a thread needs to move stars
 
   // Moves the vertices of the star in each lane, but no more than `n_vertices`.
   template <class FT>
   void move(const Star_view<FT>& view, const std::uint32_t* vertices, std::size_t n_vertices, Vector_3d* positions,
             double radius, const Face_objective& objective, const Step& vertex_step, Scratch& scratch) const
   {
-    Star<FT>& star = std::get<Lanes<FT>::width / 2>(scratch);
+    Star<FT>& star = scratch.template get<FT>(m_energy);
     star.set_objective(radius * radius, objective);
     star.load(view, positions);
     std::array<FT, 2> step = {FT(0.), FT(0.)};

@@ -14,6 +14,7 @@
 
 #include <CGAL/license/Spherical_parameterization.h>
 
+#include <CGAL/Spherical_parameterization/internal/numbers/Eight_lanes.h>
 #include <CGAL/Spherical_parameterization/internal/numbers/Packed_double.h>
 #include <CGAL/Spherical_parameterization/internal/numbers/Vector_3.h>
 #include <CGAL/Spherical_parameterization/internal/surface/Rest_triangle.h>
@@ -35,8 +36,9 @@
 namespace CGAL::Spherical_parameterization::internal {
 
 // How many stars or faces are laid out side by side, a multiple of all numbers of lanes.
-constexpr std::size_t packet_width = 8; // also for eight lanes
-static_assert(packet_width % Lanes<Two_lanes>::width == 0 && packet_width % Lanes<Four_lanes>::width == 0,
+constexpr std::size_t packet_width = 8;
+static_assert(packet_width % Lanes<Two_lanes>::width == 0 && packet_width % Lanes<Four_lanes>::width == 0 &&
+                  packet_width % Lanes<Eight_lanes>::width == 0,
               "A packet is worked on lane by lane without a rest.");
 
 // Where number k of the rest shape of a corner is: those of packet_width corners lie side by side.

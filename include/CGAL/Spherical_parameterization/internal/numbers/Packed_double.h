@@ -29,6 +29,13 @@
 #define CGAL_SPHERICAL_PARAMETERIZATION_HAS_VECTORS
 #endif
 
+// Whether Eight_lanes.h has a number type of its own. Clang inlines what is called directly only, and MinGW-w64 does not align
+// stacks for such numbers.
+#if defined(CGAL_SPHERICAL_PARAMETERIZATION_HAS_VECTORS) && defined(__x86_64__) && !defined(__clang__) &&              \
+    !defined(_WIN32)
+#define CGAL_SPHERICAL_PARAMETERIZATION_HAS_EIGHT_LANES
+#endif
+
 // What is compiled for a better processor than the rest of the program has to be inlined into the function that is.
 #ifdef CGAL_SPHERICAL_PARAMETERIZATION_HAS_VECTORS
 #define CGAL_SP_INLINE inline __attribute__((always_inline))

@@ -14,7 +14,12 @@
 
 #include <CGAL/license/Spherical_parameterization.h>
 
+#include <CGAL/Spherical_parameterization/internal/numbers/Eight_lanes.h>
 #include <CGAL/Spherical_parameterization/internal/numbers/Packed_double.h>
+
+#include <cstddef>
+#include <optional>
+#include <tuple>
 
 #include <CGAL/Spherical_parameterization/internal/numbers/begin_arithmetic.h>
 
@@ -28,6 +33,16 @@ struct Number_type
 };
 
 #ifdef CGAL_SPHERICAL_PARAMETERIZATION_HAS_VECTORS
+#ifdef CGAL_SPHERICAL_PARAMETERIZATION_HAS_EIGHT_LANES
+// Here the processor multiplies and adds in one operation; see begin_arithmetic.h.
+template <class Function>
+__attribute__((target("avx512f,avx512dq"), optimize("fp-contract=off", "no-tree-vectorize"), flatten)) //
+void run_in_eight_lanes(const Function& f)
+{
+  f(Number_type<Eight_lanes>());
+}
+#endif
+
 #ifdef __x86_64__
 template <class Function>
 __attribute__((target("avx2"), flatten)) void run_in_four_lanes(const Function& f)
@@ -43,14 +58,19 @@ __attribute__((flatten)) void run_in_two_lanes(const Function& f)
 }
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_HAS_VECTORS
 
-// Calls f(Number_type<FT>()) with the packed number type that this processor works on best, compiled for it, whatever
-// the rest of the program is compiled for. As nothing about a lane depends on the others, all of them give the same.
-template <class Function>
+// Calls f(Number_type<FT>()) with the packed number type that this processor works on best, of no more than `max_lanes` numbers,
+// compiled for it, whatever the rest of the program is compiled for. As nothing about a lane depends on the others, all of them give the same.
+template <std::size_t max_lanes = 8, class Function>
 void run_in_lanes(const Function& f)
 {
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_HAS_VECTORS
   f(Number_type<double>());
 #else
+#ifdef CGAL_SPHERICAL_PARAMETERIZATION_HAS_EIGHT_LANES
+  if constexpr(max_lanes >= 8)
+    if(__builtin_cpu_supports("avx512dq"))
+      return run_in_eight_lanes(f);
+#endif
 #ifdef __x86_64__
   if(__builtin_cpu_supports("avx2"))
     return run_in_four_lanes(f);
@@ -58,6 +78,34 @@ void run_in_lanes(const Function& f)
   run_in_two_lanes(f);
 #endif
 }
+
+// What a thread keeps from one call of such a function to the next: a T<FT> for each number type, made when it is asked for
+// first, which is where the processor has it.
+template <template <class> class T>
+class In_lanes
+{
+public:
+  // `arguments` are those of the constructor.
+  template <class FT, class... Arguments>
+  T<FT>& get(const Arguments&... arguments)
+  {
+    std::optional<T<FT>>& result = std::get<std::optional<T<FT>>>(m_all);
+    if(!result)
+      result.emplace(arguments...);
+    return *result;
+  }
+
+private:
+#ifndef CGAL_SPHERICAL_PARAMETERIZATION_HAS_VECTORS
+  std::tuple<std::optional<T<double>>> m_all;
+#elif !defined(CGAL_SPHERICAL_PARAMETERIZATION_HAS_EIGHT_LANES)
+  std::tuple<std::optional<T<double>>, std::optional<T<Two_lanes>>, std::optional<T<Four_lanes>>> m_all;
+#else
+  std::tuple<std::optional<T<double>>, std::optional<T<Two_lanes>>, std::optional<T<Four_lanes>>,
+             std::optional<T<Eight_lanes>>>
+      m_all;
+#endif
+};
 
 } // namespace CGAL::Spherical_parameterization::internal
 

@@ -17,9 +17,9 @@
 #include <CGAL/Spherical_parameterization/Surface_maps/internal/target/Target_star.h>
 #include <CGAL/Spherical_parameterization/internal/descent/Face_energy.h>
 #include <CGAL/Spherical_parameterization/internal/descent/Vertex_step.h>
+#include <CGAL/Spherical_parameterization/internal/numbers/run_in_lanes.h>
 
 #include <optional>
-#include <tuple>
 
 #include <CGAL/Spherical_parameterization/internal/numbers/begin_arithmetic.h>
 
@@ -63,7 +63,7 @@ class Target_sphere
 {
 public:
   using Energy = Two_way_energy;
-  using Scratch = std::tuple<Target_star<double>, Target_star<Two_lanes>, Target_star<Four_lanes>>;
+  using Scratch = In_lanes<Target_star>; // what a thread needs to move stars
 
   static constexpr bool is_lanewise = true;
 
@@ -78,7 +78,6 @@ public:
   {}
 
   const Energy& energy() const { return m_energy; }
-  Scratch scratch() const { return Scratch(*m_metric, *m_metric, *m_metric); }
 
   // Starts with a level, whose vertices have these numbers in the mesh.
   void start_level(const std::vector<std::uint32_t>& vertices)
@@ -115,7 +114,7 @@ public:
       is_open[k] = !has_settled_star(view, vertices[k], k);
     if(std::none_of(is_open.begin(), is_open.end(), [](bool x) { return x; }))
       return;
-    Target_star<FT>& star = std::get<width / 2>(scratch);
+    Target_star<FT>& star = scratch.template get<FT>(*m_metric);
     star.load(view, positions, m_metric_level);
     if(m_features->image)
       set_features(star, vertices);
