@@ -236,6 +236,13 @@ TEST(Packed_double, has_the_exponential_of_a_double)
   run_in_lanes([](auto number_type) { expect_same_exponential<typename decltype(number_type)::FT>(); });
 }
 
+TEST(Exact_rational, is_made_of_every_double)
+{
+  for(const double x : {0., 0.1, -1., 1e-199, 1e-201, -1.7e-308, 3e-310, 4.9406564584124654e-324, 1.7e308})
+    EXPECT_EQ(nearest_double(exact_rational(x)), x);
+  EXPECT_TRUE(exact_rational(4.9406564584124654e-324) * exact_rational(0x1p1000) == exact_rational(0x1p-74));
+}
+
 TEST(Nearest_double, rounds_rational_numbers_to_the_even_one_of_two)
 {
   using Rational = CGAL::Exact_rational;

@@ -7,6 +7,8 @@
 
 #include "images.h"
 
+#include <CGAL/Spherical_parameterization/internal/numbers/nearest_double.h>
+
 #include <CGAL/Exact_rational.h>
 #include <CGAL/number_utils.h>
 
@@ -27,7 +29,8 @@ Number determinant(const Image<Number>& a, const Image<Number>& b, const Image<N
 template <class Number>
 Image<CGAL::Exact_rational> exact(const Image<Number>& p)
 {
-  return {CGAL::Exact_rational(p[0]), CGAL::Exact_rational(p[1]), CGAL::Exact_rational(p[2])};
+  using CGAL::Spherical_parameterization::internal::exact_rational;
+  return {exact_rational(p[0]), exact_rational(p[1]), exact_rational(p[2])};
 }
 
 // The exact sign of the determinant of three finite points.

@@ -158,7 +158,14 @@ public:
   }
 
 private:
-  static Vector_3<Exact_FT> exact(const Point_3& p) { return {Exact_FT(p.x()), Exact_FT(p.y()), Exact_FT(p.z())}; }
+  static Exact_FT exact(const FT& x)
+  {
+    if constexpr(std::is_same<FT, double>::value)
+      return exact_rational(x);
+    else
+      return x;
+  }
+  static Vector_3<Exact_FT> exact(const Point_3& p) { return {exact(p.x()), exact(p.y()), exact(p.z())}; }
 
   static Vector_3d approximate(const Point_3& p)
   {

@@ -64,7 +64,7 @@ std::array<FT, 3> barycentric_coordinates(const std::array<Vector_3<FT>, 3>& t, 
         if(w[i] > 0.)
           continue;
         const auto exact = [](const Vector_3d& p) {
-          return Vector_3<Exact_rational>{Exact_rational(p[0]), Exact_rational(p[1]), Exact_rational(p[2])};
+          return Vector_3<Exact_rational>{exact_rational(p[0]), exact_rational(p[1]), exact_rational(p[2])};
         };
         const auto result =
             barycentric_coordinates<Exact_rational>({exact(t[0]), exact(t[1]), exact(t[2])}, exact(q), is_positive);

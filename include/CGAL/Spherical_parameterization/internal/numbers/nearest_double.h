@@ -27,6 +27,14 @@
 
 namespace CGAL::Spherical_parameterization::internal {
 
+// A double as a rational number. Without GMP, CGAL makes it of a numerator and a denominator that are doubles, which there are not
+// for small numbers, and what it makes of floats is rounded to integers.
+inline Exact_rational exact_rational(double x)
+{
+  constexpr double smallest = 1e-200, scale = 0x1p600;
+  return std::abs(x) < smallest && x != 0. ? Exact_rational(x * scale) / Exact_rational(scale) : Exact_rational(x);
+}
+
 template <class Number>
 double nearest_double(const Number& x)
 {
@@ -40,7 +48,7 @@ inline double largest_double_below(const Exact_rational& x)
   while(high - low > 1)
   {
     const std::uint64_t middle = low + (high - low) / 2;
-    (CGAL::compare(Exact_rational(double_of_bits(middle)), x) == LARGER ? high : low) = middle;
+    (CGAL::compare(exact_rational(double_of_bits(middle)), x) == LARGER ? high : low) = middle;
   }
   return double_of_bits(low);
 }
@@ -55,12 +63,12 @@ inline double nearest_double(const Exact_rational& x)
     y = CGAL::sign(x) == NEGATIVE ? -largest_double_below(-x) : largest_double_below(x);
   for(;;)
   {
-    const Exact_rational difference = x - Exact_rational(y);
+    const Exact_rational difference = x - exact_rational(y);
     const Sign side = CGAL::sign(difference);
     const double next = std::nextafter(y, side == POSITIVE ? HUGE_VAL : -HUGE_VAL);
     if(side == ZERO || !std::isfinite(next))
       break;
-    const Exact_rational half_a_step = (Exact_rational(next) - Exact_rational(y)) / 2;
+    const Exact_rational half_a_step = (exact_rational(next) - exact_rational(y)) / 2;
     const Comparison_result distance = CGAL::compare(CGAL::abs(difference), CGAL::abs(half_a_step));
     if(distance == SMALLER || (distance == EQUAL && bits_of(y) % 2 == 0))
       break;
