@@ -20,8 +20,8 @@ struct Scope
 const std::vector<Scope> scopes = {
     {"initial", {"bld", "arap"}, true},
     {"energy", {"bld", "hierarchical"}, false},
-    {"prefer", {"bld", "hierarchical"}, false},
-    {"sharpness", {"bld", "hierarchical"}, false},
+    {"prefer", {"bld"}, false},
+    {"sharpness", {"bld"}, false},
     {"schedule", {"bld"}, true},
     {"density", {"bld"}, false},
     {"radius", {"bld"}, true},
@@ -124,10 +124,8 @@ void read_energy(Options& o)
   bool samples = o.is("remesh") && o.method == "bld" && !o.has("paper");
   for(const char* option : {"energy", "sharpness", "schedule", "radius"})
     samples = samples && !o.has(option);
-  const std::string preference = o.word("prefer", {"average", "balance", "worst", "sampling"},
-                                        o.method == "hierarchical" ? "average"
-                                        : samples                  ? "sampling"
-                                                                   : "balance");
+  const std::string preference =
+      o.word("prefer", {"average", "balance", "worst", "sampling"}, samples ? "sampling" : "balance");
   if(preference == "sampling" && o.has("energy"))
     o.fail("--prefer sampling has an energy of its own: leave out --energy");
   o.energy = preference == "sampling"
@@ -135,6 +133,8 @@ void read_energy(Options& o)
                  : o.word("energy", {"symmetric-dirichlet", "isometric", "conformal"},
                           o.has("paper") || o.method == "hierarchical" ? "isometric" : "symmetric-dirichlet");
   o.describe(o.energy + " energy");
+  if(o.method == "hierarchical")
+    return;
   if(o.has("paper") || o.has("schedule"))
   {
     read_schedule(o);
@@ -173,7 +173,7 @@ void read_limits(Options& o)
 {
   const bool is_bld = o.method == "bld";
   // Samples do not tell whether the last of the sweeps have been made.
-  o.energy_tolerance = o.number("tolerance", 0., 1., "a number from 0 to 1", o.energy == "stretch" ? 3e-3 : 1e-3);
+  o.energy_tolerance = o.number("tolerance", 0., 1., "a number from 0 to 1", o.energy == "stretch" ? 3e-3 : 5e-4);
   o.radius_tolerance = o.energy_tolerance > 0. ? 2e-3 : 0.;
   if(o.has("tolerance"))
     o.describe("tolerance " + short_text(o.energy_tolerance));

@@ -108,9 +108,8 @@ Run_result run_method(const Options& options, Input_mesh& input, const Sphere_ma
   if(options.method == "bld")
     return run_descent(options, input, sphere);
   if(options.method == "hierarchical")
-    return run_with_energy(options, [&](const auto& energy) {
-      return run(SP::Hierarchical_parameterizer_3<>().energy(energy).sharpness(options.sharpness));
-    });
+    return run_with_energy(
+        options, [&](const auto& energy) { return run(SP::Hierarchical_parameterizer_3<>().energy(energy)); });
   if(options.method == "arap")
     return starts_hierarchically ? run(SP::ARAP_parameterizer_3<>())
                                  : run(SP::ARAP_parameterizer_3(chosen_parameterizer(options, input, options.start)));

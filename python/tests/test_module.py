@@ -1088,7 +1088,7 @@ def test_the_example_finds_the_modes_of_cells(tmp_path):
     lines = run_shape_modes(tmp_path, "--demo", "demo", "--modes", "2")
     (tmp_path / "demo/cells/other.off").unlink()
     correlations = [abs(float(x)) for x in re.findall(r"correlation of mode \d (.*)", lines)]
-    assert len(correlations) == 2 and min(correlations) >= 0.998
+    assert len(correlations) == 2 and min(correlations) >= 0.997
     table = (tmp_path / "demo/scores.csv").read_text().splitlines()
     assert len(table) == 101 and table[0].startswith("file,mode1,mode2,") and table[1].startswith("cell000.off,")
     shares = np.loadtxt(tmp_path / "demo/modes.csv", delimiter=",", skiprows=1)

@@ -16,7 +16,6 @@ using namespace test;
 
 namespace {
 
-using SP::Sharpness;
 using namespace SP::internal;
 
 TEST(Edge_set, has_what_was_inserted_and_grows)
@@ -242,8 +241,8 @@ TEST(Hierarchical_embedding, tells_of_every_level)
     const Surface mesh = surface_of(bumpy_sphere(3));
     Recording_control control;
     Images positions;
-    EXPECT_TRUE(SP::internal::embed_hierarchically(mesh, SP::Isometric_energy_3(), Sharpness::lowest_average(), 20,
-                                                   sweeps_finest_level, positions, control, Execution()));
+    EXPECT_TRUE(SP::internal::embed_hierarchically(mesh, SP::Isometric_energy_3(), 20, sweeps_finest_level, positions,
+                                                   control, Execution()));
     const SP::Parameterization_report& report = control.report();
     EXPECT_EQ(control.levels.size(), report.number_of_levels);
     EXPECT_EQ(control.levels.front(), 4u);
@@ -253,37 +252,21 @@ TEST(Hierarchical_embedding, tells_of_every_level)
     // before every level is made, and before every sweep
     EXPECT_EQ(control.number_of_questions, report.number_of_levels + report.number_of_level_iterations);
     EXPECT_EQ(report.number_of_attempts, 1u);
-    EXPECT_EQ(report.stop_reason, sweeps_finest_level ? SP::ITERATION_LIMIT : SP::NOT_RUN);
+    EXPECT_EQ(report.stop_reason, sweeps_finest_level ? SP::CONVERGED : SP::NOT_RUN);
     EXPECT_TRUE(judge::is_one_to_one(mesh.in_callers_order(positions), bumpy_sphere(3).triangles));
   }
 }
 
-// With one sweep for a level, small ones still get what they need to settle, ten times as many at most.
+// With one sweep for a level, small ones still get what they need to settle.
 TEST(Hierarchical_parameterizer, sweeps_small_levels_until_they_have_settled)
 {
   const Method method("one sweep", SP::Hierarchical_parameterizer_3().sweeps_per_level(1));
   const SP::Parameterization_report report = method.run(bumpy_sphere(2)).report;
   EXPECT_GT(report.number_of_level_iterations, report.number_of_levels);
-  EXPECT_LE(report.number_of_level_iterations, 10 * report.number_of_levels);
+  EXPECT_LE(report.number_of_level_iterations, 300 * report.number_of_levels);
   // and a small mesh as well; a larger one as often as was asked for
-  EXPECT_EQ(hierarchical().run(bumpy_sphere(1)).report.stop_reason, SP::CONVERGED);
-  EXPECT_EQ(hierarchical().run(bumpy_sphere(3)).report.stop_reason, SP::ITERATION_LIMIT);
-}
-
-// Levels of at least 2,500 vertices, and half of those of the mesh, are swept with the sharpness that the mesh will have, and
-// those of less than 300 with none: what the dial is matters only from there on.
-TEST(Hierarchical_parameterizer, follows_the_sharpness_on_fine_levels)
-{
-  const auto first_images = [](const Triangle_list& list, const Sharpness& sharpness) {
-    // what the sweeps over the mesh itself start from
-    return Method("start", SP::Bijective_low_distortion_parameterizer_3().sharpness(sharpness))
-        .run(list, Options().iterations(0))
-        .images;
-  };
-  for(const unsigned int subdivisions : {2u, 3u})
-    EXPECT_EQ(have_same_bits(first_images(bumpy_sphere(subdivisions), Sharpness::lowest_worst()),
-                             first_images(bumpy_sphere(subdivisions), Sharpness::lowest_average())),
-              subdivisions == 2u);
+  EXPECT_EQ(hierarchical().run(bumpy_sphere(3)).report.stop_reason, SP::CONVERGED);
+  EXPECT_EQ(hierarchical().run(bumpy_sphere(4)).report.stop_reason, SP::ITERATION_LIMIT);
 }
 
 // A conformal map of a long tentacle needs the guard against small faces.

@@ -137,18 +137,19 @@ TEST(Rest_triangle, gives_the_singular_values_of_the_linear_map)
   }
 }
 
-// A face with a height below the minimum counts as the triangle with this height: same longest edge, same foot.
+// A face with a height below the minimum counts as the triangle with this height: same longest edge, same foot; one without height as
+// one that is a fifth as high as its longest edge is long.
 TEST(Rest_triangle, lifts_a_flat_face_to_the_minimum_height)
 {
   Random random(3);
   for(int k = 0; k < 300; ++k)
   {
     const double size = std::pow(10., -static_cast<double>(k % 9)), foot = random.between(0., 1.);
-    const double heights[] = {0., 1e-12, 1e-6, 0.99 * Rest_limits().min_height};
+    const double heights[] = {0., 2e-12, 1e-6, 0.99 * Rest_limits().min_height};
     const std::array<Vector_3d, 3> flat = {Vector_3d{0., 0., 0.}, Vector_3d{size, 0., 0.},
                                            Vector_3d{foot * size, heights[k % 4] * size, 0.}};
-    const std::array<Vector_3d, 3> lifted = {flat[0], flat[1],
-                                             Vector_3d{foot * size, Rest_limits().min_height * size, 0.}};
+    const double height = k % 4 == 0 ? 0.2 : Rest_limits().min_height;
+    const std::array<Vector_3d, 3> lifted = {flat[0], flat[1], Vector_3d{foot * size, height * size, 0.}};
     for(std::size_t j = 0; j < 3; ++j) // whichever corner comes first
     {
       const Vector_3d &a = flat[j], &b = flat[(j + 1) % 3], &c = flat[(j + 2) % 3];

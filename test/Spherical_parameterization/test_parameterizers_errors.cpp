@@ -124,7 +124,6 @@ TEST(Error_code, wrong_parameter)
   {
     const SP::Sharpness sharpness = SP::Sharpness::relative(beta);
     expect_wrong(Bld().sharpness(sharpness));
-    expect_wrong(SP::Hierarchical_parameterizer_3().sharpness(sharpness));
     expect_wrong(SP::Published_low_distortion_parameterizer_3().sharpness(sharpness));
   }
   // parameters of the initial parameterizer

@@ -58,11 +58,11 @@ TEST(Invariance, of_surfaces_without_a_symmetry)
     for(const Method& method : {stereographic(), harmonic(), conformal()})
       EXPECT_TRUE(have_same_bits(method.run(list).images, method.run(sized(list, 1024.)).images));
     for(const double factor : {3.3, 1e-300, 1e-150, 1e-20, 1e150, 1e200, 1e300})
-      expect_same_up_to_rounding(original, sized(list, factor), factor, 1e-10);
-    expect_same_up_to_rounding(original, moved(list, {0.1, -3.3, 0.777}), 1., 1e-10);
+      expect_same_up_to_rounding(original, sized(list, factor), factor, 1e-9);
+    expect_same_up_to_rounding(original, moved(list, {0.1, -3.3, 0.777}), 1., 1e-9);
     // far away, the coordinates themselves lose digits
     expect_same_up_to_rounding(original, moved(list, {1e4, -3e4, 5e3}), 1., 1e-8);
-    expect_same_up_to_rounding(original, rotated(list, 0.7, 1.9), 1., 1e-10);
+    expect_same_up_to_rounding(original, rotated(list, 0.7, 1.9), 1., 1e-9);
     for(std::uint32_t seed = 1; seed < 4; ++seed)
     {
       const std::vector<std::size_t> number = random_permutation(list.points.size(), seed);

@@ -180,7 +180,7 @@ TEST(Number_of_iterations, has_its_defaults)
   EXPECT_EQ(SP::internal::default_number_of_sweeps(5000), 250u);
   const Result few = tireless().run(bumpy_sphere(1), Options().iterations(50));
   EXPECT_EQ(few.report.stop_reason, SP::ITERATION_LIMIT);
-  EXPECT_GT(tireless().run(bumpy_sphere(1)).report.number_of_iterations(), 250u);
+  EXPECT_GT(tireless().run(with_tentacle(30, 6.)).report.number_of_iterations(), 250u);
 }
 
 TEST(Report, adds_up)

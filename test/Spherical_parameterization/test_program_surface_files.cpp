@@ -342,7 +342,7 @@ TEST_F(Surface_files, GIFTI_keeps_what_is_known_of_a_surface)
   EXPECT_EQ(read_gifti("even.surf.gii").origin.metadata_of_points[2].second, "Anatomical");
   write("all.txt", "0\n1\n2\n3\n");
   expect_success("match a.surf.gii lh.white --landmarks all.txt all.txt --sphere s.surf.gii -o on.surf.gii --morph "
-                 "0.5 m.surf.gii --method hierarchical",
+                 "0.5 m.surf.gii",
                  "a.surf.gii is of the right hemisphere, but lh.white of the left one\n");
   for(const char* name : {"s.surf.gii", "s_target.surf.gii", "m.surf.gii"})
     EXPECT_TRUE(fs::exists(path(name))) << name;

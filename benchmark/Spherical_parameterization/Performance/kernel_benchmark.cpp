@@ -141,16 +141,14 @@ public:
       throw std::runtime_error(options.map_file + ": the map is not one-to-one");
 
     Descent<internal::Newton_step>& sequential = descent(Execution());
+    sequential.measure(positions, radius, objective.of_faces());
     for(int k = 0; k < 10; ++k) // the best radius for the map
-    {
-      sequential.measure(positions, radius, objective.of_faces());
-      radius = SP::Optimal_radius_3()(Energy(), sequential.faces(), radius);
-    }
-    const internal::Mesh_summary summary = sequential.measure(positions, radius, objective.of_faces());
-    max_energy = summary.all().maximum_energy();
+      radius *= std::exp(sequential.radius_step(radius, objective.of_faces()));
+    const internal::Energy_summary summary = sequential.measure(positions, radius, objective.of_faces());
+    max_energy = summary.maximum_energy();
     objective.start_sweep(0, summary);
     for(int k = 0; k < 10; ++k) // the best level
-      objective.improve_levels(sequential.measure(positions, radius, objective.of_faces()));
+      objective.improve_level(sequential.measure(positions, radius, objective.of_faces()));
   }
   Situation(const Situation&) = delete;
   Situation& operator=(const Situation&) = delete;
@@ -222,7 +220,7 @@ std::size_t set_descent_up(Situation& s, Execution execution, benchmark::State&)
   Descent<internal::Newton_step> descent(Sphere(internal::Face_energy<Energy>(Energy())), internal::Newton_step(),
                                          execution);
   assign(descent, s.mesh);
-  benchmark::DoNotOptimize(descent.faces().begin());
+  benchmark::DoNotOptimize(descent.stars().number_of_packets());
   return s.number_of_vertices();
 }
 
@@ -246,7 +244,7 @@ std::size_t measure(Situation& s, Execution execution, benchmark::State&)
 
 std::size_t find_focus(Situation& s, Execution, benchmark::State&)
 {
-  constexpr double share_of_largest = 0.6; // this and the bound on their number as by default
+  constexpr double share_of_largest = 0.8; // this and the bound on their number as by default
   const std::size_t max = s.number_of_vertices() / 5;
   Descent<internal::Newton_step>& descent = s.descent(Execution());
   benchmark::DoNotOptimize(descent.focus_on_faces_above(share_of_largest * s.max_energy, max));
@@ -277,16 +275,13 @@ std::size_t coarsen(Situation& s, Execution execution, benchmark::State&)
 
 std::size_t embed(Situation& s, Execution execution, benchmark::State& state)
 {
-  constexpr std::size_t sweeps_per_level = 20; // as by default
-
   state.PauseTiming();
   Unlimited_run run;
   internal::Mesh_hierarchy hierarchy = build_hierarchy(s.mesh, run.control, execution);
   state.ResumeTiming();
   std::vector<Vector_3d> positions(s.number_of_vertices());
   using Plan = internal::Hierarchical_embedding<Energy>;
-  Plan plan(s.number_of_vertices(), internal::Face_energy<Energy>(Energy()), SP::Sharpness(), sweeps_per_level, false,
-            false);
+  Plan plan(internal::Face_energy<Energy>(Energy()), internal::default_sweeps_per_level, false, false);
   internal::place_tetrahedron(hierarchy, positions);
   internal::Level_descent<Plan>(hierarchy, s.mesh.points(), internal::Rest_limits(), plan, run.control, execution)
       .run(positions);

@@ -47,36 +47,10 @@ namespace CGAL::Spherical_parameterization {
 /// SP::parameterize(mesh, SP::Bijective_low_distortion_parameterizer_3().sharpness(SP::Sharpness::fixed(5.)), map);
 /// \endcode
 ///
-/// A vertex makes one damped Newton step a sweep, on an energy that measures the image of a face by the determinant of
-/// its corners: twice its flat area times the distance of its plane from the centre. This agrees with the flat area for
-/// small faces, and is 0 exactly where a face turns over, so that the energy is infinite there. Without a radius policy,
-/// it is multiplied by 1 + \f$ q / 18 \f$, where \f$ q \f$ is the sum of the squared edges of the face, in a unit in which
-/// the surface has the area of the unit sphere, so that isometric faces of coarse meshes count as such. The step is tried at
-/// 1.9 times its length first, which carries changes over the surface many times faster. Where the compiler and the
-/// processor have vector registers, several vertices are moved at once, with the same result.
-///
-/// Before each sweep, the level moves to where the objective is lowest, and the radius makes half a Newton step,
-/// shortened until it does not raise the objective. The last radius minimises the same sum over the flat areas of the
-/// images, by which distortion is measured.
-///
-/// Sweeps carry what is smooth over the surface slowly, the more so the finer the mesh. From the fourth on, every other sweep
-/// is preceded by a <i>smooth step</i>: the sphere is deformed, and all images go along. The deformation is linear in the
-/// cells of a grid on the sphere with a node for 64 vertices, but no more than 20,000. It is a step of Newton's method for
-/// the objective in the nodes, the level and the radius together, whose Hessian is made positive definite cell by cell, and
-/// whose equations are solved by conjugate gradients, up to a tenth. It is halved until no face is inverted and the objective
-/// falls, up to four times, or is not made. It takes about the time of a sweep; where it gains less than one, the next one
-/// comes after twice as many sweeps, up to 16.
-///
-/// Slivers, faces whose height is below a hundredth of their longest edge, get a shape near their own in no map of low
-/// distortion, and would decide on radius and level for all. Unless they and all faces that touch them are more than a
-/// quarter of the faces, these have a level of their own, which is not lowered below that of the others. They do not move
-/// the radius: they are measured on a sphere that follows it.
-///
-/// Each sweep over all vertices is followed by up to 500 over those around the worst faces, whose energy is above 0.6 of
-/// the largest, with steps of 1.4 times their length. They settle slowest, and the largest distortion is theirs. All of
-/// these sweeps together move at most 0.4 times as many vertices as the mesh has. If that is not enough for two of them,
-/// they go over the faces above 0.8, or 0.95, of the largest energy; if it is not enough for these either, there are none,
-/// nor with the next four sweeps. The report counts neither these sweeps nor smooth steps.
+/// Sweeps go on until the objective, the average energy and the radius have settled. Each is preceded by steps of the level and the
+/// radius, every other one by a smooth step where that is worth its time, and followed by sweeps over the neighborhoods of the
+/// worst faces. A dial beyond that of `Sharpness::balanced()` starts from the map that has settled for that one.
+/// \ref SphericalParameterizationSharpness says how it works. The report counts sweeps over all vertices only.
 ///
 /// A one-to-one mapping is guaranteed whenever `OK` is returned, by exact predicates on the points as they have been
 /// written, for a run that was stopped early as well. A sweep takes linear time. The result is the same to the last bit
@@ -88,8 +62,7 @@ namespace CGAL::Spherical_parameterization {
 /// \tparam Radius must be a model of `SphereRadiusPolicy_3`.<br> <b>%Default:</b> no policy; the radius is a variable of
 ///         the objective
 /// \tparam InitialParameterizer must be a model of `SphericalParameterizer_3`.<br> <b>%Default:</b>
-///         `Hierarchical_parameterizer_3` with the energy and the sharpness of this class, and 14 sweeps per level, or
-///         20 with a radius policy
+///         `Hierarchical_parameterizer_3` with the energy of this class
 ///
 /// \sa `Precomputed_parameterizer_3`
 /// \sa `Published_low_distortion_parameterizer_3`
@@ -137,14 +110,14 @@ public:
   }
 
   /// sets the tolerances of the stopping rule: a run has converged when two sweeps and a smooth step change the objective and
-  /// the average energy by at most `energy_tolerance`, the largest energy by at most 20 times as much, and the radius by at
-  /// most `radius_tolerance`, all relative, and a schedule of the sharpness has come to its end. For meshes of
+  /// the average energy by at most `energy_tolerance` and the radius by at most `radius_tolerance`, all relative, and the
+  /// sharpness has come to its end. For meshes of
   /// \f$ n \leq 2000 \f$ vertices, these are the changes over \f$ 2 + \lfloor 2000 / n \rfloor \f$ sweeps, but over 100 at
   /// most. Changes of energies are relative to what an energy is above that of an isometric map, or to twice the excess of the
   /// largest over the average, if that is less, since a nearly isometric map has hardly more energy than the best one; but
   /// no less than a millionth of the energy. With 0, a run ends when nothing changes any more.
   ///
-  /// \param energy_tolerance at least 0, by default 1e-3
+  /// \param energy_tolerance at least 0, by default 5e-4
   /// \param radius_tolerance at least 0, by default 2e-3
   [[nodiscard]] Bijective_low_distortion_parameterizer_3 tolerances(double energy_tolerance,
                                                                     double radius_tolerance) const
@@ -213,10 +186,7 @@ private:
   {
     if constexpr(std::is_same<InitialParameterizer, Default>::value)
     {
-      // Where the radius is free, the areas are right from the beginning. Else they may have far to go, which they do on
-      // coarse levels.
-      constexpr std::size_t sweeps_per_level = std::is_same<Radius, Default>::value ? 14 : 20;
-      internal::embed_surface(m_energy, m_sharpness, sweeps_per_level, false, run);
+      internal::embed_surface(m_energy, internal::default_sweeps_per_level, false, run);
       return OK;
     }
     else

@@ -17,7 +17,7 @@
 #include <CGAL/Spherical_parameterization/Error_code.h>
 #include <CGAL/Spherical_parameterization/Isometric_energy_3.h>
 #include <CGAL/Spherical_parameterization/Parameterization_report.h>
-#include <CGAL/Spherical_parameterization/Sharpness.h>
+#include <CGAL/Spherical_parameterization/internal/descent/Descent_settings.h>
 #include <CGAL/Spherical_parameterization/internal/execution/policy_traits.h>
 #include <CGAL/Spherical_parameterization/internal/run/check_arguments.h>
 #include <CGAL/Spherical_parameterization/internal/run/run_descent.h>
@@ -36,8 +36,8 @@ namespace CGAL::Spherical_parameterization {
 /// meshes: independent sets of vertices are removed by half-edge collapses until a tetrahedron is left, the tetrahedron
 /// is mapped to a regular one, and the sets are inserted again, each vertex into the kernel of the hole that it left.
 /// After each set all vertices are moved by some sweeps of block coordinate descent on the energy, as on the finest
-/// mesh by `Bijective_low_distortion_parameterizer_3`, of which this class is the default initial parameterizer. By
-/// default it lowers the average of angle plus area distortion on every level, as the progressive method that the BLD
+/// mesh by `Bijective_low_distortion_parameterizer_3`, of which this class is the default initial parameterizer. On every level
+/// it lowers the average energy; by default that of angle plus area distortion, as the progressive method that the BLD
 /// paper compares with does.
 ///
 /// A one-to-one mapping is guaranteed whenever `OK` is returned, because the map is certified as it has been written. A
@@ -66,32 +66,18 @@ public:
   template <class OtherEnergy>
   [[nodiscard]] Hierarchical_parameterizer_3<OtherEnergy> energy(const OtherEnergy& energy) const
   {
-    return Hierarchical_parameterizer_3<OtherEnergy>(energy, m_sharpness, m_sweeps_per_level);
+    return Hierarchical_parameterizer_3<OtherEnergy>(energy, m_sweeps_per_level);
   }
 
-  /// sets how much the worst faces count, by default not at all: `Sharpness::lowest_average()`. Levels below 300
-  /// vertices follow the average energy, whatever is set. For a dial \f$ \beta \f$, those with at least 2,500 vertices and
-  /// half of those of the mesh, and the mesh itself, follow eq. 7 of \cgalCite{cgal:whfl-bspld-16} with
-  /// \f$ s = \beta / E_{max} \f$, where \f$ E_{max} \f$ is the largest energy of the level, all between with
-  /// \f$ s = \min( \beta / 5, 3 ) / E_{max} \f$.
-  [[nodiscard]] Hierarchical_parameterizer_3 sharpness(const Sharpness& sharpness) const
-  {
-    return Hierarchical_parameterizer_3(m_energy, sharpness, m_sweeps_per_level);
-  }
-
-  /// sets the sweeps over each level, at least 1, by default 20. Levels below 500 vertices are swept until they have
-  /// settled, up to ten times as often; those below 2000 get up to twice as many, and those above 500 a quarter if they
-  /// have less than one and a half times as many vertices as the last level that got more.
+  /// sets the sweeps over each level, at least 1, by default 7. Levels below 2000 vertices are swept until they have
+  /// settled, up to 300 times.
   [[nodiscard]] Hierarchical_parameterizer_3 sweeps_per_level(std::size_t sweeps_per_level) const
   {
-    return Hierarchical_parameterizer_3(m_energy, m_sharpness, sweeps_per_level);
+    return Hierarchical_parameterizer_3(m_energy, sweeps_per_level);
   }
 
   /// returns whether all settings are in their ranges.
-  bool is_valid() const
-  {
-    return internal::is_valid_policy(m_energy) && m_sharpness.is_valid() && m_sweeps_per_level > 0;
-  }
+  bool is_valid() const { return internal::is_valid_policy(m_energy) && m_sweeps_per_level > 0; }
 
   /// @}
 
@@ -117,7 +103,7 @@ public:
       return ERROR_WRONG_PARAMETER;
   }
 
-  /// returns what the last run did. The reason for its end is `CONVERGED` if the mesh has fewer than 500 vertices and
+  /// returns what the last run did. The reason for its end is `CONVERGED` if the mesh has fewer than 2000 vertices and
   /// has settled, `ITERATION_LIMIT` if all sweeps have been made.
   const Parameterization_report& report() const { return m_report; }
 
@@ -125,7 +111,7 @@ public:
   // maps the surface of a run; see internal::make_initial_map()
   Error_code embed(internal::Run& run, bool sweeps_finest_level) const
   {
-    internal::embed_surface(m_energy, m_sharpness, m_sweeps_per_level, sweeps_finest_level, run);
+    internal::embed_surface(m_energy, m_sweeps_per_level, sweeps_finest_level, run);
     return OK;
   }
 #endif
@@ -134,15 +120,13 @@ private:
   template <class OtherEnergy>
   friend class Hierarchical_parameterizer_3;
 
-  Hierarchical_parameterizer_3(const Energy& energy, const Sharpness& sharpness, std::size_t sweeps_per_level)
+  Hierarchical_parameterizer_3(const Energy& energy, std::size_t sweeps_per_level)
     : m_energy(energy)
-    , m_sharpness(sharpness)
     , m_sweeps_per_level(sweeps_per_level)
   {}
 
   Energy m_energy;
-  Sharpness m_sharpness = Sharpness::lowest_average();
-  std::size_t m_sweeps_per_level = 20;
+  std::size_t m_sweeps_per_level = internal::default_sweeps_per_level;
   Parameterization_report m_report;
 };
 

@@ -263,8 +263,7 @@ private:
 
   void map(const internal::Area_shares& shares, internal::Run& run)
   {
-    constexpr std::size_t sweeps_per_level = 14; // as with a free radius, which only matters for the descent
-    internal::embed_surface(m_energy, m_sharpness, sweeps_per_level, false, run, shares.of_vertices);
+    internal::embed_surface(m_energy, internal::default_sweeps_per_level, false, run, shares.of_vertices);
     const internal::Descent_settings settings;
     internal::descend<internal::Newton_step>(
         m_energy, nullptr, m_sharpness, settings,

@@ -24,12 +24,10 @@ public:
   {
     std::vector<std::uint32_t> neighbors;
     std::vector<Rest_triangle> rests;
-    std::vector<char> are_at_slivers; // the faces; none if it is empty
 
     std::size_t size() const { return neighbors.size(); }
     std::uint32_t neighbor(std::size_t j) const { return neighbors[j]; }
     Rest_triangle rest(std::size_t j) const { return rests[j]; }
-    bool is_at_sliver(std::size_t j) const { return !are_at_slivers.empty() && are_at_slivers[j]; }
   };
 
   Random_stars(Random& random, const std::vector<std::size_t>& degrees, double size)
@@ -70,8 +68,7 @@ public:
   Star_packets packets(const std::vector<std::size_t>& first_of_set) const
   {
     Star_packets result;
-    result.assign(
-        vertices, first_of_set, [&](std::uint32_t v) { return star_of(v).size(); }, !stars[0].are_at_slivers.empty());
+    result.assign(vertices, first_of_set, [&](std::uint32_t v) { return star_of(v).size(); });
     for(std::size_t k = 0; k < result.number_of_packets(); ++k)
       result.fill(k, [&](std::uint32_t v) { return star_of(v); });
     return result;
@@ -89,8 +86,7 @@ inline Random_stars::Star_packets stars_of(const Surface& mesh, const std::vecto
 {
   const auto& points = mesh.points();
   Random_stars::Star_packets result;
-  result.assign(
-      vertices, first_of_set, [&](std::uint32_t v) { return mesh.rings().degree(v); }, false);
+  result.assign(vertices, first_of_set, [&](std::uint32_t v) { return mesh.rings().degree(v); });
   for(std::size_t k = 0; k < result.number_of_packets(); ++k)
     result.fill(k, [&](std::uint32_t v) {
       const Vertex_rings::Ring ring = mesh.rings().ring(v);

@@ -19,7 +19,7 @@
 // It is block coordinate descent (section 4.2): each step decreases one function Phi of the map, r and a level R. The
 // package does so from coarse to fine (internal/hierarchy), moves independent vertices at once (internal/descent),
 // removes smooth errors by steps of all vertices (Smooth_step.h), sweeps the worst faces more often (Descent_loop.h), gives
-// slivers an R of their own (Objective.h) and limits to their shapes (Rest_triangle.h), tries the first step of a vertex
+// limits to the shapes of slivers (Rest_triangle.h), tries the first step of a vertex
 // without the test of sufficient decrease (Vertex_step.h), and chooses the radius anew at the end.
 
 #include <Eigen/Dense>

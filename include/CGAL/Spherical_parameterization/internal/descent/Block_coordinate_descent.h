@@ -29,6 +29,7 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <numeric>
@@ -92,19 +93,16 @@ public:
   {}
 
   Space& space() { return m_space; }
-  void set_step(const Step& step) { m_step = step; }
 
   // Takes over a mesh, whose rings have to last until the next one; measurements and the focus are void then. `points`
   // are those of the surface, scaled such that its area is 4 pi. If `densities` are given, one for each vertex, a face
-  // gets the shape that it has on the surface but as many times its area as the mean of the densities of its vertices. If
-  // vertices are marked as those of slivers, the faces around them make a group of their own.
+  // gets the shape that it has on the surface but as many times its area as the mean of the densities of its vertices.
   void assign(const Vertex_rings& rings, const Independent_sets& sets, const std::vector<Vector_3d>& points,
-              const std::vector<double>& densities, const Rest_limits& limits, const std::vector<char>& slivers = {})
+              const std::vector<double>& densities, const Rest_limits& limits)
   {
     m_rings = &rings;
-    m_stars.assign(
-        sets.vertices, sets.first, [&](std::uint32_t v) { return rings.degree(v); }, !slivers.empty());
-    fill(m_stars, [&](std::uint32_t v) { return Ring_star{v, rings.ring(v), points, densities, slivers, limits}; });
+    m_stars.assign(sets.vertices, sets.first, [&](std::uint32_t v) { return rings.degree(v); });
+    fill(m_stars, [&](std::uint32_t v) { return Ring_star{v, rings.ring(v), points, densities, limits}; });
     m_faces.assign(m_stars, rings.number_of_faces(), m_execution);
     m_places.resize(rings.number_of_vertices());
     for(std::size_t place = m_stars.number_of_places(); place-- > 0;) // the first place of each is its own
@@ -131,12 +129,6 @@ public:
   void sweep_with_focus(std::vector<Vector_3d>& positions, double radius, const Face_objective& objective,
                         double largest_energy)
   {
-    if(m_sweeps_without_focus > 0)
-    {
-      --m_sweeps_without_focus;
-      sweep(positions, radius, objective);
-      return;
-    }
     const std::size_t max_focus =
         static_cast<std::size_t>(focus_share * static_cast<double>(m_rings->number_of_corners())) / min_focus_sweeps;
     std::size_t focus = 0; // the faces of its stars
@@ -146,13 +138,8 @@ public:
     m_is_selected.reserve(m_rings->number_of_vertices());
     run_both(
         m_execution, [&] { sweep(positions, radius, objective); },
-        [&] {
-          for(std::size_t k = 0; k < focus_energies.size() && (k == 0 || focus > max_focus); ++k)
-            focus = focus_on_faces_above(focus_energies[k] * largest_energy, max_focus);
-        });
-    if(focus > max_focus)
-      m_sweeps_without_focus = sweeps_without_focus;
-    else if(focus > 0)
+        [&] { focus = focus_on_faces_above(focus_energy * largest_energy, max_focus); });
+    if(focus > 0 && focus <= max_focus)
     {
       const std::size_t n_sweeps = (std::min)(min_focus_sweeps * max_focus / focus, max_focus_sweeps);
       for(std::size_t k = 0; k < n_sweeps; ++k)
@@ -199,33 +186,43 @@ public:
           std::lower_bound(selected.begin(), selected.end(), m_stars.first_place_of_set(set)) - selected.begin()));
     for(std::uint32_t& place : selected)
       place = m_stars.vertex(place);
-    m_focus.assign(
-        selected, first_of_set, [&](std::uint32_t v) { return m_rings->degree(v); }, m_stars.has_slivers());
+    m_focus.assign(selected, first_of_set, [&](std::uint32_t v) { return m_rings->degree(v); });
     fill(m_focus, [&](std::uint32_t v) { return m_stars.star(m_places[v]); });
     return n_faces;
   }
 
   void sweep_focus(std::vector<Vector_3d>& positions, double radius, const Face_objective& objective)
   {
-    move_all(m_focus, positions, radius, objective, Step::on_few_vertices());
+    move_all(m_focus, positions, radius, objective, m_step);
   }
 
-  // Measures all faces on the sphere of radius `radius`; faces() then returns their invariants.
-  Mesh_summary measure(const std::vector<Vector_3d>& positions, double radius, const Face_objective& objective)
+  // Measures all faces on the sphere of radius `radius`, by the areas of the objective or flat ones.
+  Energy_summary measure(const std::vector<Vector_3d>& positions, double radius, const Face_objective& objective,
+                         bool are_flat = false)
   {
-    return m_faces.measure(m_space, m_stars, positions, radius, objective, m_execution);
+    return m_faces.measure(m_space, m_stars, positions, radius, objective, m_execution, are_flat);
   }
 
   // The same for another radius or objective, without a look at the positions.
-  Mesh_summary summary(double radius, const Face_objective& objective)
+  Energy_summary summary(double radius, const Face_objective& objective)
   {
-    return m_faces.summary(m_space, radius, objective, m_execution);
+    return m_faces.summary(m_space, m_stars, radius, objective, m_execution);
   }
 
-  std::array<double, 3> radius_derivatives(double radius, const Face_objective& objective,
-                                           double Face_invariants_3::*area_ratio) const
+  // The Newton step for the logarithm of the radius, by which the sum over all faces falls, at most by a factor of 1.35 far from
+  // the minimum; 0 where all terms cancel up to rounding, as for an energy without scale.
+  double radius_step(double radius, const Face_objective& objective) const
   {
-    return m_faces.radius_derivatives(m_space, radius, objective, area_ratio, m_execution);
+    constexpr double max_step = 0.3, rounding = 1e-14;
+    const auto [first, second, size] = radius_derivatives(radius, objective);
+    if(!(std::abs(first) > rounding * size))
+      return 0.;
+    return std::clamp(-first / std::abs(second), -max_step, max_step);
+  }
+
+  std::array<double, 3> radius_derivatives(double radius, const Face_objective& objective) const
+  {
+    return m_faces.radius_derivatives(m_space, m_stars, radius, objective, m_execution);
   }
 
   // the stars of the mesh, and its faces as they were measured last
@@ -238,7 +235,7 @@ public:
     constexpr std::size_t n_parts = 64; // more than there are threads
     std::atomic<bool> result(true);
     m_faces.template for_each_in_lanes<Space>(
-        m_stars, positions, n_parts, m_execution, [&](std::size_t, const auto& faces, std::size_t, std::size_t) {
+        m_stars, positions, n_parts, m_execution, [&](std::size_t, const auto& faces, std::size_t) {
           const auto& p = faces.corners;
           const auto to_1 = p[1] - p[0], to_2 = p[2] - p[0];
           if(any(!is_safely_positive(dot(p[0], cross(to_1, to_2)), squared_length(to_1) + squared_length(to_2))))
@@ -247,19 +244,20 @@ public:
     return result;
   }
 
-  bool has_slivers() const { return m_faces.has_slivers(); }
-
-  Face_range_3 faces() const { return {m_faces.begin(), m_faces.end(), m_execution}; }
+  // All there is to measure, for a radius policy.
+  Face_range_3 faces(const std::vector<Vector_3d>& positions, double radius, const Face_objective& objective)
+  {
+    const std::vector<Face_invariants_3>& all =
+        m_faces.all_invariants(m_space, m_stars, positions, radius, objective, m_execution);
+    return {all.data(), all.data() + all.size(), m_execution};
+  }
 
 private:
   // The vertices around faces above a share of the largest energy are swept some times more, as they settle slowest, and
-  // the largest distortion is theirs: as often as takes a share of the time of a sweep over all vertices. It is the first of
-  // these shares for which that is often enough to be worth it.
-  static constexpr std::array<double, 3> focus_energies = {0.6, 0.8, 0.95};
-  static constexpr double focus_share = 0.4;
+  // the largest distortion is theirs: as often as takes a share of the time of a sweep over all vertices, if that is often
+  // enough to be worth it.
+  static constexpr double focus_energy = 0.8, focus_share = 0.4;
   static constexpr std::size_t min_focus_sweeps = 2, max_focus_sweeps = 500;
-  // If it is, they are too many, and stay so for a while: these sweeps do without.
-  static constexpr std::size_t sweeps_without_focus = 4;
 
   static constexpr std::size_t packets_per_block = 4; // of parallel work: some two microseconds
 
@@ -270,7 +268,6 @@ private:
     Vertex_rings::Ring ring;
     const std::vector<Vector_3d>& points;
     const std::vector<double>& densities;
-    const std::vector<char>& slivers;
     const Rest_limits& limits;
 
     std::size_t size() const { return ring.size(); }
@@ -282,10 +279,6 @@ private:
       if(!densities.empty())
         result.scale_area((densities[vertex] + densities[p] + densities[q]) / 3.);
       return result;
-    }
-    bool is_at_sliver(std::size_t j) const
-    {
-      return slivers[vertex] || slivers[ring[j]] || slivers[ring.around(j + 1)];
     }
   };
 
@@ -334,7 +327,6 @@ private:
   Star_packets m_stars, m_focus;
   std::vector<std::uint32_t> m_places; // of the vertices in m_stars
   std::vector<std::uint32_t> m_selected;
-  std::size_t m_sweeps_without_focus = 0;
   std::vector<char> m_is_selected; // 0 outside of focus_on_faces_above()
   Measured_faces m_faces;
   Per_thread<typename Space::Scratch> m_scratch;

@@ -45,11 +45,10 @@ namespace CGAL::Spherical_parameterization::internal {
 struct Descent_state
 {
   double radius = 1., value = 0.; // of the objective
-  Mesh_summary summary;
+  Energy_summary summary;
 };
 
-// Whether nothing that matters has changed: the objective, the average and the radius, and, less exactly, the largest
-// energy, which is a matter of few faces. Changes are compared with what could still be gained, if no map has less than
+// Whether nothing that matters has changed: the objective, the average and the radius. Changes are compared with what could still be gained, if no map has less than
 // `isometric_energy`. The paper's rule is about the sum alone, whose relative change is that of exp(s value).
 inline bool has_converged(const Descent_state& now, const Descent_state& last, const Descent_settings& settings,
                           double sharpness, double isometric_energy)
@@ -60,16 +59,13 @@ inline bool has_converged(const Descent_state& now, const Descent_state& last, c
   const double energy_tolerance = settings.energy_tolerance;
   if(!is_settled(now.radius, last.radius, settings.radius_tolerance))
     return false;
-  const Energy_summary all = now.summary.all(), last_all = last.summary.all();
+  const Energy_summary &all = now.summary, &last_all = last.summary;
   if(!settings.is_accelerated && sharpness > 0.)
     return std::abs(exponential(sharpness * (now.value - last.value)) - 1.) <= energy_tolerance;
   if(!settings.is_accelerated)
     return is_settled(all.average(), last_all.average(), energy_tolerance);
-  const auto has_settled = [&](double value, double last_value, double factor) {
-    return all.has_settled(value, last_value, factor * energy_tolerance, isometric_energy);
-  };
-  return has_settled(now.value, last.value, 1.) && has_settled(all.average(), last_all.average(), 1.) &&
-         has_settled(all.maximum_energy(), last_all.maximum_energy(), 20.);
+  return all.has_settled(now.value, last.value, energy_tolerance, isometric_energy) &&
+         all.has_settled(all.average(), last_all.average(), energy_tolerance, isometric_energy);
 }
 
 // The method BLD once there is a bijection: sweeps over all vertices, each with the radius and the sharpness that suit
@@ -96,8 +92,7 @@ public:
     if constexpr(follows_curvature<Energy>)
       if(densities.empty())
         densities = vertex_densities(mesh.rings(), mesh.points(), curvature_masses(mesh.rings(), mesh.points()));
-    m_descent.assign(mesh.rings(), Independent_sets(mesh.rings()), mesh.points(), densities, Rest_limits(),
-                     sliver_vertices(mesh.rings(), mesh.points()));
+    m_descent.assign(mesh.rings(), Independent_sets(mesh.rings()), mesh.points(), densities, Rest_limits());
   }
 
   // Lowers the energy of the positions on the unit sphere in at most `max_sweeps` sweeps, and returns the radius.
@@ -120,27 +115,28 @@ public:
       const bool was_final = i > 0 && m_objective.is_final();
 
       choose_objective(i);
-      choose_radius(i);
+      choose_radius(i, positions);
       if(m_settings.is_accelerated)
         step_smoothly(i, positions);
-      const double last_value = m_objective.value(m_state.summary);
       if(m_settings.is_accelerated)
         m_descent.sweep_with_focus(positions, scaled_radius(), m_objective.of_faces(),
-                                   m_state.summary.all().maximum_energy());
+                                   m_state.summary.maximum_energy());
       else
         m_descent.sweep(positions, scaled_radius(), m_objective.of_faces());
       measure(positions);
-      if(!m_radius_chooser && m_descent.has_slivers())
-        move_sliver_radius(last_value);
 
       m_control.after_iteration(i + 1, m_state.value, m_state.radius);
       if(!m_control.go_further(i + 1, m_state.value))
         break;
       const bool may_end =
           was_final && (i + 1) % window == 0 && (!m_settings.is_accelerated || m_smooth_steps.may_end(i + 1 - window));
-      if(may_end &&
-         has_converged(m_state, last, m_settings, m_objective.of_faces().ordinary.sharpness, m_isometric_energy))
+      if(may_end && has_converged(m_state, last, m_settings, m_objective.of_faces().sharpness, m_isometric_energy))
       {
+        if(m_objective.turn_dial())
+        {
+          sum_up();
+          continue;
+        }
         has_phases = m_radius_chooser && m_radius_chooser->next_phase();
         if(!has_phases)
         {
@@ -153,7 +149,7 @@ public:
       skip_phases();
     if(m_control.is_stopped())
       report.stop_reason = m_control.stop_reason();
-    choose_final_radius();
+    choose_final_radius(positions);
     finish(positions);
     return m_state.radius;
   }
@@ -172,32 +168,30 @@ private:
       if(is_positive_and_finite(radius))
         m_state.radius = radius;
     }
-    else if(m_descent.has_slivers())
-      m_objective.set_sliver_radius(scaled_radius());
     measure(positions);
-    m_control.report().initial_energy = m_state.summary.all().average();
+    m_control.report().initial_energy = m_state.summary.average();
   }
 
   void choose_objective(std::size_t i)
   {
     if(m_objective.start_sweep(i, m_state.summary))
       sum_up();
-    lower_by_levels();
+    lower_by_level();
     Parameterization_report& report = m_control.report();
-    report.sharpness = m_objective.of_faces().ordinary.sharpness;
+    report.sharpness = m_objective.of_faces().sharpness;
     ++(report.sharpness > 0. ? report.number_of_sharp_iterations : report.number_of_average_iterations);
   }
 
-  // Newton steps of the levels until one is short; that one is taken back if it raises the objective.
-  void lower_by_levels()
+  // Newton steps of the level until one is short; that one is taken back if it raises the objective.
+  void lower_by_level()
   {
-    constexpr int max_steps = 2000;     // more than the powers of two between any two levels
+    constexpr int max_steps = 2000;     // more than the powers of two between any two
     constexpr double short_step = 0.01; // Newton's method doubles the digits: the next one would be below the tolerance
     for(int k = 0; k < max_steps; ++k)
     {
       const Objective last = m_objective;
-      const Mesh_summary last_summary = m_state.summary;
-      const double step = m_objective.improve_levels(m_state.summary);
+      const Energy_summary last_summary = m_state.summary;
+      const double step = m_objective.improve_level(m_state.summary);
       if(!(step > 0.))
         return;
       sum_up();
@@ -212,18 +206,19 @@ private:
     }
   }
 
-  void choose_radius(std::size_t i)
+  void choose_radius(std::size_t i, const std::vector<Vector_3d>& positions)
   {
     if(m_radius_chooser)
-      follow_policy(i == 0);
+      follow_policy(i == 0, positions);
     else
       lower_by_radius();
   }
 
   // Half the way by default: over-relaxed vertices answer a full step with too much, and the two never settle.
-  void follow_policy(bool is_full_step)
+  void follow_policy(bool is_full_step, const std::vector<Vector_3d>& positions)
   {
-    const double aim = m_radius_chooser->next_radius(m_descent.faces(), m_state.radius);
+    const double aim = m_radius_chooser->next_radius(
+        m_descent.faces(positions, scaled_radius(), m_objective.of_faces()), m_state.radius);
     if(is_positive_and_finite(aim))
       m_state.radius =
           is_full_step || !m_settings.is_accelerated ? aim : m_state.radius * std::sqrt(aim / m_state.radius);
@@ -236,11 +231,11 @@ private:
       m_state.radius = radius;
   }
 
-  // Half a Newton step in the logarithm of the radius, or a part of it that does not raise the objective.
+  // A Newton step in the logarithm of the radius, or a part of it that does not raise the objective.
   void lower_by_radius()
   {
     const double radius = m_state.radius, value = m_objective.value(m_state.summary);
-    double step = 0.5 * radius_step(&Face_invariants_3::d);
+    double step = m_descent.radius_step(scaled_radius(), m_objective.of_faces());
     for(int k = 0; k < max_halvings && step != 0.; ++k, step *= 0.5)
     {
       set_radius(radius * exponential(step));
@@ -250,37 +245,6 @@ private:
     }
     m_state.radius = radius;
     sum_up();
-  }
-
-  // The sphere of the slivers follows the radius that the others have chosen, as far as that takes back no more than
-  // half of what the sweep has gained since the objective was `last_value`. So slivers do not move the radius, and the
-  // objective falls nevertheless.
-  void move_sliver_radius(double last_value)
-  {
-    const double radius = m_objective.of_faces().sliver_radius, value = m_state.value;
-    const double bound = value + 0.5 * (std::max)(last_value - value, 0.);
-    double step = logarithm(scaled_radius() / radius);
-    for(int k = 0; k <= max_halvings; ++k, step *= 0.5)
-    {
-      m_objective.set_sliver_radius(k < max_halvings ? radius * exponential(step) : radius);
-      sum_up();
-      m_state.value = m_objective.value(m_state.summary);
-      if(m_state.value <= bound)
-        return;
-    }
-  }
-
-  // The Newton step for the logarithm of the radius, by which the sum over all faces but the slivers falls, at most by
-  // a factor of 1.35 far from the minimum; 0 where all terms cancel up to rounding, as for an energy without scale.
-  double radius_step(double Face_invariants_3::*area_ratio) const
-  {
-    constexpr double max_step = 0.3, rounding = 1e-14;
-    const auto [first, second, size] =
-        m_descent.radius_derivatives(scaled_radius(), m_objective.of_faces(), area_ratio);
-    if(!(std::abs(first) > rounding * size))
-      return 0.;
-    const double step = -first / std::abs(second);
-    return (std::min)((std::max)(step, -max_step), max_step);
   }
 
   // A run that ends early gets the last radius as well, if the policy comes to it.
@@ -294,18 +258,19 @@ private:
   }
 
   // The radius of the map as it is measured: with flat areas, not the determinants, which are less on coarse meshes.
-  void choose_final_radius()
+  void choose_final_radius(const std::vector<Vector_3d>& positions)
   {
     constexpr int max_steps = 100;     // a few do, some tens where the curvature is negative
     constexpr double min_step = 1e-13; // rounding
     if(m_radius_chooser)
     {
-      follow_policy(true);
+      follow_policy(true, positions);
       return;
     }
+    m_descent.measure(positions, scaled_radius(), m_objective.of_faces(), true);
     for(int k = 0; k < max_steps; ++k)
     {
-      const double step = radius_step(&Face_invariants_3::flat_d);
+      const double step = m_descent.radius_step(scaled_radius(), m_objective.of_faces());
       set_radius(m_state.radius * exponential(step));
       if(!(std::abs(step) > min_step))
         return;
@@ -366,8 +331,8 @@ private:
     objective.area_correction = m_objective.of_faces().area_correction;
     m_state.summary = m_descent.measure(positions, scaled_radius(), objective);
     Parameterization_report& report = m_control.report();
-    report.average_energy = m_state.summary.all().average();
-    report.largest_energy = m_state.summary.all().maximum_energy();
+    report.average_energy = m_state.summary.average();
+    report.largest_energy = m_state.summary.maximum_energy();
     if(!is_finite(report.average_energy))
     {
       report.stop_reason = NON_FINITE_ENERGY;

@@ -27,7 +27,7 @@ struct Descent_settings
 {
   // Two sweeps, with the smooth step before one of them, that change the energy by at most this much, relative, and the radius
   // likewise, have converged; without acceleration, one sweep.
-  double energy_tolerance = 1e-3, radius_tolerance = 2e-3;
+  double energy_tolerance = 5e-4, radius_tolerance = 2e-3;
   // If so, there are smooth steps and extra sweeps over the worst faces, the radius makes half steps, and convergence asks
   // for more than that the sum of eq. 6 or 7 has settled.
   bool is_accelerated = true;
@@ -35,6 +35,10 @@ struct Descent_settings
 
 // Sweeps over a mesh below this size cost next to nothing: it gets as many times more of them.
 constexpr std::size_t size_of_small_meshes = 2000;
+
+// Sweeps over a level of a hierarchy that is not small. They repair what the insertion of vertices has left; more hardly change
+// where the descent over the mesh ends.
+constexpr std::size_t default_sweeps_per_level = 7;
 
 // As many sweeps as bring most meshes to their end.
 inline std::size_t default_number_of_sweeps(std::size_t n_vertices)

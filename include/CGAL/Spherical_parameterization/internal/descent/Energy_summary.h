@@ -150,31 +150,6 @@ private:
   std::array<double, 3> m_moments = {}; // sums of w, w E and w E^2 with w = exp(s (E - maximum))
 };
 
-// The summaries of the two groups of faces that an objective tells apart.
-struct Mesh_summary
-{
-  explicit Mesh_summary(const Face_objective& objective = Face_objective())
-    : ordinary(objective.ordinary.sharpness)
-    , slivers(objective.of_slivers.sharpness)
-  {}
-
-  void add(const Mesh_summary& part)
-  {
-    ordinary.add(part.ordinary);
-    slivers.add(part.slivers);
-  }
-
-  // all of them; if both sharpnesses are the same, with the weights
-  Energy_summary all() const
-  {
-    Energy_summary result = ordinary;
-    result.add(slivers);
-    return result;
-  }
-
-  Energy_summary ordinary, slivers;
-};
-
 } // namespace CGAL::Spherical_parameterization::internal
 
 #include <CGAL/Spherical_parameterization/internal/numbers/end_arithmetic.h>

@@ -169,26 +169,16 @@ private:
 // What the faces add to the objective, as a function of their energy E:
 //   psi(E) = (1 - a) E + (a / s) exp(s (E - R)),   psi' = (1 - a) + a exp(s (E - R)),
 // or E for s = 0. Eq. 6 of the paper is s = 0, and eq. 7 is a = 1, where R is but a factor.
-//
-// The group of the slivers, see sliver_vertices(), may have its own s and R, and its own sphere, which stays where it is
-// when the radius changes.
 struct Face_objective
 {
-  struct Exponential
-  {
-    double sharpness = 0.; // s
-    double level = 0.;     // R
-  };
-
   Face_objective() = default;
   // eq. 6 or 7: a sharpness is an objective
-  Face_objective(double sharpness)
-    : ordinary{sharpness, 0.}
-    , of_slivers{sharpness, 0.}
+  Face_objective(double s)
+    : sharpness(s)
   {}
 
-  bool is_average() const { return !(ordinary.sharpness > 0.); }
-  bool has_levels() const { return share < 1.; }
+  bool is_average() const { return !(sharpness > 0.); }
+  bool has_level() const { return share < 1.; }
 
   // What the d of a face is multiplied by. Its image is measured by the determinant of the corners, which is less than the
   // doubled area by the distance of its plane from the centre: 1 - c^2 / 2 + ... for an isometric image on the unit
@@ -203,9 +193,9 @@ struct Face_objective
     return 1. + minimum(correction, FT(max_correction));
   }
 
-  double share = 1.; // a
-  Exponential ordinary, of_slivers;
-  double sliver_radius = 0.; // or 0: that of all faces
+  double share = 1.;     // a
+  double sharpness = 0.; // s
+  double level = 0.;     // R
   double area_correction = 0.;
 };
 

@@ -39,7 +39,6 @@ struct Level_sweeps
 {
   std::size_t maximum = 0;
   double settled_change = 0.; // it ends before, if measurements differ by less; see Energy_summary::has_settled()
-  Newton_step step;
 };
 
 // Takes a map through a hierarchy from the coarsest level up: on every level, the vertices that are new are put into
@@ -48,8 +47,9 @@ struct Level_sweeps
 // That every vertex has been swept before others are inserted next to it is what makes the insertion robust: kernels
 // stay as wide as the faces around them.
 //
-// What is particular to a map is said by a Plan: the space, see Block_coordinate_descent, where a new vertex goes, how a
-// level is swept, and for which radius and objective.
+// What is particular to a map is said by a Plan: the space, see Block_coordinate_descent, the step of a vertex, where a new
+// vertex goes, how often a level is swept, and at which radius. All levels lower the average energy (eq. 6): where a face
+// stands for a whole extremity, to fight the worst one throws the extremities into disorder.
 template <class Plan>
 class Level_descent
 {
@@ -62,7 +62,7 @@ public:
     , m_plan(plan)
     , m_control(control)
     , m_execution(execution)
-    , m_descent(plan.space(), Newton_step(), execution)
+    , m_descent(plan.space(), plan.step(), execution)
     , m_kernels(execution, Star_kernel())
   {}
 
@@ -128,17 +128,16 @@ private:
     };
     run_both(
         m_execution, [&] { sets = Independent_sets(rings); }, find_densities); // each is sequential
-    m_descent.set_step(sweeps.step);
     m_descent.assign(rings, sets, points, densities, m_limits);
     sets = Independent_sets();
-    Face_objective objective;
+    const Face_objective objective;
     double last_average = 0.;
     for(std::size_t i = 0; i < sweeps.maximum; ++i)
     {
       if(i % sweeps_per_measurement == 0)
       {
-        const Energy_summary summary = m_descent.measure(local, m_radius, Face_objective()).all();
-        objective = m_plan.choose_objective(local.size(), i, summary, m_descent.faces(), m_radius);
+        const Energy_summary summary = m_descent.measure(local, m_radius, objective);
+        m_plan.choose_radius(m_descent, m_radius);
         if(i > 0 && summary.has_settled(summary.average(), last_average, sweeps.settled_change) &&
            m_plan.may_end(m_descent.space()))
           return true;

@@ -55,7 +55,7 @@ public:
   void reserve(std::size_t n_faces)
   {
     m_packets.reserve((n_faces + width - 1) / width);
-    m_invariants.reserve((n_faces + width - 1) / width * width);
+    m_measured.reserve((n_faces + width - 1) / width);
   }
 
   // Takes the faces of the mesh with these stars, which hold the rest shapes for the measurements as well.
@@ -65,7 +65,7 @@ public:
     m_partial.clear(); // nothing has been measured
     const std::size_t n_packets = (n_faces + width - 1) / width, n_star_packets = stars.number_of_packets();
     m_packets.resize(n_packets, boost::container::default_init);
-    m_invariants.resize(n_packets * width, boost::container::default_init);
+    m_measured.resize(n_packets, boost::container::default_init);
     std::vector<std::size_t> first(n_star_packets + 1, 0); // of the faces of each packet of stars
     for_each_in_blocks(execution, 0, n_star_packets, packets_per_block,
                        [&](std::size_t k) { first[k + 1] = stars.number_of_faces(k); });
@@ -83,7 +83,6 @@ public:
           ++n;
         });
     });
-    find_slivers(stars);
     for(std::size_t n = n_faces; n < n_packets * width; ++n)
     {
       Packet& packet = m_packets[n / width];
@@ -93,57 +92,74 @@ public:
     }
   }
 
-  // Measures all faces on the sphere of radius `radius`, several at once or one by one, as `Space` does.
+  // Measures all faces on the sphere of radius `radius`, several at once or one by one, as `Space` does. The areas of the images
+  // are those of the objective, or those of flat triangles.
   template <class Space>
-  Mesh_summary measure(const Space& space, const Star_packets& stars, const std::vector<Vector_3d>& positions,
-                       double radius, const Face_objective& objective, Execution execution)
+  Energy_summary measure(const Space& space, const Star_packets& stars, const std::vector<Vector_3d>& positions,
+                         double radius, const Face_objective& objective, Execution execution, bool are_flat = false)
   {
     m_radius = radius;
     m_partial.resize(number_of_blocks());
     for_each_block_of_faces<Space>(execution, [&](auto number_type, std::size_t block) {
       using FT = typename decltype(number_type)::FT;
-      const std::size_t begin = block * packets_per_block,
-                        end = (std::min)(begin + packets_per_block, m_packets.size());
-      for(std::size_t k = begin; k < end; ++k)
-      {
-        for(const std::uint32_t corner : m_packets[(std::min)(k + packets_ahead, m_packets.size() - 1)].corners)
-          stars.prefetch_rest(corner);
-        for(std::size_t lane = 0; lane < width; lane += Lanes<FT>::width)
-          measure_lanes<FT>(space, stars, positions.data(), radius * radius, objective, k, lane);
-      }
-      summarize<FT>(space.energy(), radius, objective, block);
+      for_each_of_block<FT>(stars, positions, block, [&](const Faces_in_lanes<FT>& faces, std::size_t face) {
+        const auto [i, d, flat_d] = invariants<FT>(space, faces, radius, objective);
+        Measured& measured = m_measured[face / width];
+        Lanes<FT>::store(i, measured.i.data() + face % width);
+        Lanes<FT>::store(are_flat ? flat_d : d, measured.d.data() + face % width);
+      });
+      summarize<FT>(space.energy(), stars, radius, objective, block);
     });
     return total(objective);
   }
 
   // Sums up the energies that the map which was measured last has on the sphere of radius `radius`.
   template <class Space>
-  Mesh_summary summary(const Space& space, double radius, const Face_objective& objective, Execution execution)
+  Energy_summary summary(const Space& space, const Star_packets& stars, double radius, const Face_objective& objective,
+                         Execution execution)
   {
     for_each_block_of_faces<Space>(execution, [&](auto number_type, std::size_t block) {
-      summarize<typename decltype(number_type)::FT>(space.energy(), radius, objective, block);
+      summarize<typename decltype(number_type)::FT>(space.energy(), stars, radius, objective, block);
     });
     return total(objective);
   }
 
-  // The first two derivatives of the sum of psi(E) over all faces but the slivers in the logarithm of the radius, on the
-  // sphere of radius `radius`, where the areas of the images are `area_ratio`, d or flat_d; and what the first one would be
-  // if nothing cancelled, to tell rounding by.
+  // All there is to measure, for a radius policy.
   template <class Space>
-  std::array<double, 3> radius_derivatives(const Space& space, double radius, const Face_objective& objective,
-                                           double Face_invariants_3::*area_ratio, Execution execution) const
+  const std::vector<Face_invariants_3>& all_invariants(const Space& space, const Star_packets& stars,
+                                                       const std::vector<Vector_3d>& positions, double radius,
+                                                       const Face_objective& objective, Execution execution)
+  {
+    m_invariants.resize(m_packets.size() * width);
+    for_each_block_of_faces<Space>(execution, [&](auto number_type, std::size_t block) {
+      using FT = typename decltype(number_type)::FT;
+      for_each_of_block<FT>(stars, positions, block, [&](const Faces_in_lanes<FT>& faces, std::size_t face) {
+        const FT area = 0.5 / faces.inverse_doubled_area;
+        const auto [i, d, flat_d] = invariants<FT>(space, faces, radius, objective);
+        for(std::size_t k = 0; k < Lanes<FT>::width; ++k)
+          m_invariants[face + k] = {lane(area, k), lane(i, k), lane(d, k), lane(flat_d, k)};
+      });
+    });
+    m_invariants.resize(m_number_of_faces); // without the lanes that the last packet is filled up with
+    return m_invariants;
+  }
+
+  // The first two derivatives of the sum of psi(E) over all faces in the logarithm of the radius, on the sphere of radius
+  // `radius`, by the areas that were measured last; and what the first one would be if nothing cancelled, to tell rounding by.
+  template <class Space>
+  std::array<double, 3> radius_derivatives(const Space& space, const Star_packets& stars, double radius,
+                                           const Face_objective& objective, Execution execution) const
   {
     std::vector<std::array<double, 3>> parts(number_of_blocks());
     for_each_block_of_faces<Space>(execution, [&](auto number_type, std::size_t block) {
       using FT = typename decltype(number_type)::FT;
       std::array<std::array<double, faces_per_block>, 3> terms;
       const std::size_t begin = first_face(block), n = first_face(block + 1) - begin;
-      const FT scale = (radius / m_radius) * (radius / m_radius), sharpness = objective.ordinary.sharpness,
-               level = objective.ordinary.level;
+      const FT scale = (radius / m_radius) * (radius / m_radius), sharpness = objective.sharpness,
+               level = objective.level;
       for(std::size_t k = 0; k < n; k += Lanes<FT>::width)
       {
-        const FT i = scale * invariant<FT>(begin + k, &Face_invariants_3::i),
-                 d = scale * invariant<FT>(begin + k, area_ratio);
+        const FT i = scale * measured<FT>(begin + k, &Measured::i), d = scale * measured<FT>(begin + k, &Measured::d);
         const Energy_derivatives_3<FT> e = space.energy().derivatives(i, d);
         // With t = log(radius), dI/dt = 2 I and dd/dt = 2 d.
         const FT et = 2. * (e.i * i + e.d * d);
@@ -157,7 +173,7 @@ public:
         }
         if constexpr(Space::Energy::weighs_faces_by_area)
         {
-          const FT area = invariant<FT>(begin + k, &Face_invariants_3::area);
+          const FT area = Lanes<FT>::generate([&](std::size_t lane) { return area_of(stars, begin + k + lane); });
           first *= area;
           second *= area;
         }
@@ -165,12 +181,10 @@ public:
         Lanes<FT>::store(first * ett + second * et * et, terms[1].data() + k);
         Lanes<FT>::store(first * (absolute(e.i * i) + absolute(e.d * d)), terms[2].data() + k);
       }
-      const std::size_t n_ordinary = n - number_of_slivers(block);
       for(std::size_t j = 0; j < 3; ++j)
       {
-        remove_slivers(block, terms[j].data());
         std::array<double, width> columns = {};
-        for(std::size_t k = 0; k < n_ordinary; ++k)
+        for(std::size_t k = 0; k < n; ++k)
           columns[k % width] += terms[j][k];
         parts[block][j] = std::accumulate(columns.begin(), columns.end(), 0.);
       }
@@ -182,9 +196,8 @@ public:
     return result;
   }
 
-  // Calls f(part, faces, first, n) for all faces at these positions, several of them at once, where `faces` are
-  // Faces_in_lanes: those from `first` on, of which `n` count. The faces are in `n_parts` parts, each in order, and several
-  // parts run at once.
+  // Calls f(part, faces, n) for all faces at these positions, several of them at once, where `faces` are Faces_in_lanes, of
+  // which `n` count. The faces are in `n_parts` parts, each in order, and several parts run at once.
   template <class Space, class Function>
   void for_each_in_lanes(const Star_packets& stars, const std::vector<Vector_3d>& positions, std::size_t n_parts,
                          Execution execution, const Function& f) const
@@ -193,13 +206,9 @@ public:
       const auto visit = [&](auto number_type) {
         using FT = typename decltype(number_type)::FT;
         for(std::size_t k = part * m_packets.size() / n_parts; k < (part + 1) * m_packets.size() / n_parts; ++k)
-        {
-          for(const std::uint32_t corner : m_packets[(std::min)(k + packets_ahead, m_packets.size() - 1)].corners)
-            stars.prefetch_rest(corner);
           for(std::size_t lane = 0; lane < width && k * width + lane < m_number_of_faces; lane += Lanes<FT>::width)
-            f(part, in_lanes<FT>(stars, positions.data(), k, lane), k * width + lane,
+            f(part, in_lanes<FT>(stars, positions.data(), k, lane),
               (std::min)(Lanes<FT>::width, m_number_of_faces - k * width - lane));
-        }
       };
       if constexpr(Space::is_lanewise)
         run_in_lanes(visit);
@@ -208,13 +217,6 @@ public:
     });
   }
 
-  bool has_slivers() const { return !m_slivers.empty(); }
-  const std::vector<std::uint32_t>& slivers() const { return m_slivers; }
-
-  // what was measured last
-  const Face_invariants_3* begin() const { return m_invariants.data(); }
-  const Face_invariants_3* end() const { return m_invariants.data() + m_number_of_faces; }
-
   // Calls f(a, b, c) for each face whose energy was above `bound` when it was measured last, as long as f returns true;
   // but for blocks of faces that were all below it when they were summed up last, on a sphere that is nearly the same.
   template <class Energy, class Function>
@@ -222,10 +224,10 @@ public:
   {
     for(std::size_t block = 0; block < m_partial.size(); ++block)
     {
-      if(!(m_partial[block].all().maximum_energy() > bound))
+      if(!(m_partial[block].maximum_energy() > bound))
         continue;
       for(std::size_t face = first_face(block); face < first_face(block + 1); ++face)
-        if(energy(m_invariants[face].i, m_invariants[face].d) > bound)
+        if(energy(m_measured[face / width].i[face % width], m_measured[face / width].d[face % width]) > bound)
         {
           const auto& vertices = m_packets[face / width].vertices;
           if(!f(vertices[0][face % width], vertices[1][face % width], vertices[2][face % width]))
@@ -238,12 +240,17 @@ private:
   static constexpr std::size_t width = packet_width;
   static constexpr std::size_t packets_per_block = 32; // of parallel work: 256 faces, some two microseconds
   static constexpr std::size_t faces_per_block = packets_per_block * width;
-  static constexpr std::size_t packets_ahead = 3; // fetched
 
   struct Packet
   {
     std::array<std::uint32_t, width> corners; // of the smallest vertices in their stars
     std::array<std::array<std::uint32_t, width>, 3> vertices;
+  };
+
+  // I and d of the faces of a packet
+  struct Measured
+  {
+    std::array<double, width> i, d;
   };
 
   std::size_t number_of_blocks() const { return (m_number_of_faces + faces_per_block - 1) / faces_per_block; }
@@ -274,28 +281,41 @@ private:
     return {{point(0), point(1), point(2)}, {rest(0), rest(1), rest(2)}, rest(3)};
   }
 
-  template <class FT, class Space>
-  void measure_lanes(const Space& space, const Star_packets& stars, const Vector_3d* positions, double squared_radius,
-                     const Face_objective& objective, std::size_t k, std::size_t first)
+  // Calls f(faces, face) for all faces of a block, several of them at once, from number `face` on.
+  template <class FT, class Function>
+  void for_each_of_block(const Star_packets& stars, const std::vector<Vector_3d>& positions, std::size_t block,
+                         const Function& f) const
   {
-    const Faces_in_lanes<FT> faces = in_lanes<FT>(stars, positions, k, first);
-    const FT doubled_area = 1. / faces.inverse_doubled_area;
-    const auto [i, d, flat_d] = space.template invariants<FT>(faces.corners, faces.opposite, faces.inverse_doubled_area,
-                                                              doubled_area, squared_radius, objective);
-    const FT area = 0.5 * doubled_area;
-    for(std::size_t j = 0; j < Lanes<FT>::width; ++j)
-      m_invariants[k * width + first + j] = {lane(area, j), lane(i, j), lane(d, j), lane(flat_d, j)};
+    const std::size_t begin = block * packets_per_block, end = (std::min)(begin + packets_per_block, m_packets.size());
+    for(std::size_t k = begin; k < end; ++k)
+      for(std::size_t lane = 0; lane < width; lane += Lanes<FT>::width)
+        f(in_lanes<FT>(stars, positions.data(), k, lane), k * width + lane);
   }
 
-  // a member of the faces from `k` on
-  template <class FT>
-  FT invariant(std::size_t k, double Face_invariants_3::*member) const
+  // I, d and flat_d
+  template <class FT, class Space>
+  static std::array<FT, 3> invariants(const Space& space, const Faces_in_lanes<FT>& faces, double radius,
+                                      const Face_objective& objective)
   {
-    return Lanes<FT>::generate([&](std::size_t lane) { return m_invariants[k + lane].*member; });
+    return space.template invariants<FT>(faces.corners, faces.opposite, faces.inverse_doubled_area,
+                                         1. / faces.inverse_doubled_area, radius * radius, objective);
+  }
+
+  // a member of the faces from `face` on
+  template <class FT>
+  FT measured(std::size_t face, std::array<double, width> Measured::*member) const
+  {
+    return Lanes<FT>::load((m_measured[face / width].*member).data() + face % width);
+  }
+
+  double area_of(const Star_packets& stars, std::size_t face) const
+  {
+    return 0.5 / stars.rest(m_packets[face / width].corners[face % width], 3);
   }
 
   template <class FT, class Energy>
-  void summarize(const Energy& energy, double radius, const Face_objective& objective, std::size_t block)
+  void summarize(const Energy& energy, const Star_packets& stars, double radius, const Face_objective& objective,
+                 std::size_t block)
   {
     const auto squared = [](double x) { return x * x; };
     std::array<double, faces_per_block> energies, areas;
@@ -303,74 +323,30 @@ private:
     const std::size_t begin = first_face(block), n = first_face(block + 1) - begin;
     for(std::size_t k = 0; k < n; k += Lanes<FT>::width)
     {
-      const FT scale = squared(radius / m_radius), i = scale * invariant<FT>(begin + k, &Face_invariants_3::i),
-               d = scale * invariant<FT>(begin + k, &Face_invariants_3::d);
+      const FT scale = squared(radius / m_radius);
+      const FT i = scale * measured<FT>(begin + k, &Measured::i), d = scale * measured<FT>(begin + k, &Measured::d);
       Lanes<FT>::store(energy(i, d), energies.data() + k);
     }
     for(std::size_t k = 0; counts && k < n; ++k)
-      areas[k] = m_invariants[begin + k].area;
-    Mesh_summary& part = m_partial[block];
-    part = Mesh_summary(objective);
-    const std::size_t n_slivers = number_of_slivers(block);
-    remove_slivers(block, energies.data());
-    if(counts)
-      remove_slivers(block, areas.data());
-    part.ordinary.add_all<FT>(energies.data(), counts, n - n_slivers);
-
-    const double scale = squared((objective.sliver_radius > 0. ? objective.sliver_radius : radius) / m_radius);
-    for(std::size_t k = 0; k < n_slivers; ++k)
-    {
-      const std::size_t face = m_slivers[m_first_sliver[block] + k];
-      energies[k] = energy(scale * m_invariants[face].i, scale * m_invariants[face].d);
-      areas[k] = m_invariants[face].area;
-    }
-    part.slivers.add_all<FT>(energies.data(), counts, n_slivers);
+      areas[k] = area_of(stars, begin + k);
+    m_partial[block] = Energy_summary(objective.sharpness);
+    m_partial[block].add_all<FT>(energies.data(), counts, n);
   }
 
-  Mesh_summary total(const Face_objective& objective) const
+  Energy_summary total(const Face_objective& objective) const
   {
-    Mesh_summary result(objective);
-    for(const Mesh_summary& part : m_partial)
+    Energy_summary result(objective.sharpness);
+    for(const Energy_summary& part : m_partial)
       result.add(part);
     return result;
   }
 
-  void find_slivers(const Star_packets& stars)
-  {
-    m_slivers.clear();
-    m_first_sliver.clear();
-    for(std::size_t block = 0; block < number_of_blocks(); ++block)
-    {
-      m_first_sliver.push_back(m_slivers.size());
-      for(std::size_t face = first_face(block); face < first_face(block + 1); ++face)
-        if(stars.is_at_sliver(m_packets[face / width].corners[face % width]))
-          m_slivers.push_back(static_cast<std::uint32_t>(face));
-    }
-    m_first_sliver.push_back(m_slivers.size());
-  }
-
-  std::size_t number_of_slivers(std::size_t block) const { return m_first_sliver[block + 1] - m_first_sliver[block]; }
-
-  // Closes the gaps that the slivers of a block leave among the values of its faces.
-  void remove_slivers(std::size_t block, double* values) const
-  {
-    if(number_of_slivers(block) == 0)
-      return;
-    std::size_t n = 0, sliver = m_first_sliver[block];
-    for(std::size_t face = first_face(block); face < first_face(block + 1); ++face)
-      if(sliver < m_first_sliver[block + 1] && m_slivers[sliver] == face)
-        ++sliver;
-      else
-        values[n++] = values[face - first_face(block)];
-  }
-
   std::size_t m_number_of_faces = 0;
   boost::container::vector<Packet> m_packets;
-  boost::container::vector<Face_invariants_3> m_invariants;
-  std::vector<std::uint32_t> m_slivers;    // in the order of the faces
-  std::vector<std::size_t> m_first_sliver; // of the blocks, and the end
+  boost::container::vector<Measured> m_measured;
+  std::vector<Face_invariants_3> m_invariants; // for radius policies
   double m_radius = 1.;
-  std::vector<Mesh_summary> m_partial; // of the blocks
+  std::vector<Energy_summary> m_partial; // of the blocks
 };
 
 } // namespace CGAL::Spherical_parameterization::internal

@@ -38,7 +38,7 @@ public:
     , m_current(sharpness.m_number_of_average_sweeps == 0 ? sharpness.m_first : 0.)
   {}
 
-  // The sharpness of the next sweep over the mesh, or over a level that is nearly as fine. `sweep` counts from 0.
+  // The sharpness of the next sweep over the mesh. `sweep` counts from 0.
   double next(std::size_t sweep, double average_energy, double max_energy)
   {
     if(m_rule.m_is_relative)
@@ -61,9 +61,6 @@ public:
     m_max_energy = max_energy;
     return m_current;
   }
-
-  // The sharpness of a coarse level: a fifth of the dial, 3 at most, as sharp coarse levels make the end worse.
-  double on_coarse_level(double max_energy) const { return relative((std::min)(0.2 * dial(), 3.), max_energy); }
 
   double dial() const { return m_rule.m_is_relative ? m_rule.m_first : 0.; }
 
@@ -91,10 +88,6 @@ private:
 // same, and nearer to the largest the larger b is. As Phi is jointly convex in the energies and R, steps of the map, the
 // radius and the level all lower one function, though the sharpness s = b/R of the sweeps changes.
 //
-// The group of the slivers, see sliver_vertices(), would own R, and with it how much all other faces count. It has a
-// soft maximum with a level of its own, which is added to that of the others; each has the sum over its faces, divided
-// by n. That level is not lowered below that of the others: slivers that are no worse count as they do.
-//
 // For a schedule it is what eq. 6 or 7 of the paper says, with an s that changes from sweep to sweep.
 class Objective
 {
@@ -102,98 +95,95 @@ public:
   // `has_radius` says whether the radius is one of the variables, and the map is to be isometric.
   Objective(const Sharpness& sharpness, bool has_radius)
     : m_rule(sharpness)
-    , m_b(m_rule.dial() + 1.)
   {
     m_faces.area_correction = has_radius ? 1. / 9. : 0.;
     if(m_rule.dial() > 0.)
-      m_faces.share = m_rule.dial() / (m_rule.dial() + 40.); // half for Sharpness::lowest_worst()
+      set_dial((std::min)(m_rule.dial(), max_first_dial));
   }
 
   const Face_objective& of_faces() const { return m_faces; }
 
-  // The slivers are measured on the sphere of this radius, whatever that of the other faces is; 0: on the same.
-  void set_sliver_radius(double radius) { m_faces.sliver_radius = radius; }
+  // Turns a dial beyond that of Sharpness::balanced() to its end, and returns whether it has to be: it starts from the map that
+  // has settled for that one. So the largest energy is less than there.
+  bool turn_dial()
+  {
+    if(!m_faces.has_level() || m_b == m_rule.dial() + 1.)
+      return false;
+    set_dial(m_rule.dial());
+    if(!m_faces.is_average())
+      set_level(m_faces.level);
+    return true;
+  }
 
   // Chooses what the next sweep lowers, given the map at hand. Returns whether that has changed, so that the map is to be
   // summed up anew.
-  bool start_sweep(std::size_t sweep, const Mesh_summary& summary)
+  bool start_sweep(std::size_t sweep, const Energy_summary& summary)
   {
-    const Energy_summary all = summary.all();
-    const double last_sharpness = m_faces.ordinary.sharpness;
-    if(!m_faces.has_levels())
-      m_faces.ordinary.sharpness = m_faces.of_slivers.sharpness =
-          m_rule.next(sweep, all.average(), all.maximum_energy());
-    else if(m_faces.is_average() && all.maximum_energy() > 0.)
-      m_faces.ordinary = m_faces.of_slivers = at_level(all.maximum_energy());
-    return m_faces.ordinary.sharpness != last_sharpness;
+    const double last_sharpness = m_faces.sharpness;
+    if(!m_faces.has_level())
+      m_faces.sharpness = m_rule.next(sweep, summary.average(), summary.maximum_energy());
+    else if(m_faces.is_average() && summary.maximum_energy() > 0.)
+      set_level(summary.maximum_energy());
+    return m_faces.sharpness != last_sharpness;
   }
 
-  // Moves the levels towards the minimum of Phi for the map at hand, and returns how far, relative.
-  double improve_levels(const Mesh_summary& summary)
+  // Moves the level towards the minimum of Phi for the map at hand, and returns how far, relative.
+  //
+  // dS/dR = 0 says that mean[(b x - 1) exp(b (x - 1))] = b - 1 with x = E/R. The left side is increasing and convex in
+  // 1/R, where this makes a Newton step, at most one that doubles or halves R: for the logarithm of both sides, which is
+  // nearly linear where exponents are large, or for the sides themselves, where the left one may be negative.
+  double improve_level(const Energy_summary& summary)
   {
-    if(!m_faces.has_levels() || m_faces.is_average())
+    if(!m_faces.has_level() || m_faces.is_average())
       return 0.;
-    const double size = summary.all().size(), step = improve_level(m_faces.ordinary, summary.ordinary, size, 0.);
-    return (std::max)(step, improve_level(m_faces.of_slivers, summary.slivers, size, m_faces.ordinary.level));
+    const double s = m_faces.sharpness, level = m_faces.level, slope = s * summary.weighted_mean() - 1.;
+    const double exponent = s * (summary.exponential_mean() - level);
+    const double curvature = s * s * summary.weighted_mean_square();
+    if(!is_finite(curvature)) // squares of energies beyond what a double holds
+      return 0.;
+    const double excess = slope > 0. && m_b >= 2. ? slope * (exponent + logarithm(slope / (m_b - 1.)))
+                                                  : slope - (m_b - 1.) / exponential(exponent);
+    const double step = (std::min)((std::max)(excess / curvature, -1.), 0.5);
+    set_level(level / (1. - step));
+    return std::abs(m_faces.level - level) / level;
   }
 
-  // Moves the level of all faces but the slivers, to no less than half of what it is.
+  // Moves the level, to no less than half of what it is.
   void move_level(double step)
   {
-    if(m_faces.has_levels() && !m_faces.is_average())
-      m_faces.ordinary = at_level((std::max)(m_faces.ordinary.level + step, 0.5 * m_faces.ordinary.level));
+    if(m_faces.has_level() && !m_faces.is_average())
+      set_level((std::max)(m_faces.level + step, 0.5 * m_faces.level));
   }
 
   // Phi, or the mean of eq. 6 or 7 in the unit of the energy
-  double value(const Mesh_summary& summary) const
+  double value(const Energy_summary& summary) const
   {
-    const Energy_summary all = summary.all();
-    if(!m_faces.has_levels() || m_faces.is_average())
-      return all.exponential_mean();
-    const double soft_maximum = soft_maximum_of(m_faces.ordinary, summary.ordinary, all.size()) +
-                                soft_maximum_of(m_faces.of_slivers, summary.slivers, all.size());
-    return (1. - m_faces.share) * all.average() + m_faces.share * soft_maximum;
+    if(!m_faces.has_level() || m_faces.is_average())
+      return summary.exponential_mean();
+    const double s = m_faces.sharpness, level = m_faces.level;
+    const double soft_maximum = (1. - 1. / m_b) * level + exponential(s * (summary.exponential_mean() - level)) / s;
+    return (1. - m_faces.share) * summary.average() + m_faces.share * soft_maximum;
   }
 
   bool is_final() const { return m_rule.is_final(); }
 
 private:
-  using Exponential = Face_objective::Exponential;
+  static constexpr double max_first_dial = 20.;
 
-  Exponential at_level(double level) const { return {m_b / level, level}; }
-
-  // dS/dR = 0 says that mean[(b x - 1) exp(b (x - 1))] = b - 1 with x = E/R. The left side is increasing and convex in
-  // 1/R, where this makes a Newton step, at most one that doubles or halves R: for the logarithm of both sides, which is
-  // nearly linear where exponents are large, or for the sides themselves, where the left one may be negative.
-  double improve_level(Exponential& e, const Energy_summary& summary, double size, double min_level) const
+  void set_dial(double beta)
   {
-    if(summary.is_empty())
-      return 0.;
-    const double s = e.sharpness, slope = s * summary.weighted_mean() - 1.;
-    const double exponent = s * (summary.exponential_mean() - e.level), share = summary.size() / size;
-    const double curvature = s * s * summary.weighted_mean_square();
-    if(!is_finite(curvature)) // squares of energies beyond what a double holds
-      return 0.;
-    const double excess = slope > 0. && m_b >= 2. ? slope * (exponent + logarithm(share * slope / (m_b - 1.)))
-                                                  : slope - (m_b - 1.) / (share * exponential(exponent));
-    const double step = (std::min)((std::max)(excess / curvature, -1.), 0.5);
-    const double level = (std::max)(e.level / (1. - step), (std::min)(e.level, min_level));
-    const double change = std::abs(level - e.level) / e.level;
-    e = at_level(level);
-    return change;
+    m_b = beta + 1.;
+    m_faces.share = beta / (beta + 40.); // half for Sharpness::lowest_worst()
   }
 
-  // S of a group among `size` faces
-  double soft_maximum_of(const Exponential& e, const Energy_summary& summary, double size) const
+  void set_level(double level)
   {
-    if(summary.is_empty())
-      return 0.;
-    const double mean = summary.size() / size * exponential(e.sharpness * (summary.exponential_mean() - e.level));
-    return (1. - 1. / m_b) * e.level + mean / e.sharpness;
+    m_faces.level = level;
+    m_faces.sharpness = m_b / level;
   }
 
   Sharpness_rule m_rule;
-  double m_b;
+  double m_b = 1.;
   Face_objective m_faces;
 };
 

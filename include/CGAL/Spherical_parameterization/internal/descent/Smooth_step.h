@@ -290,10 +290,9 @@ public:
   bool may_end(std::size_t begin) const { return m_last >= begin || m_interval > max_useful_interval; }
 
 private:
-  static constexpr std::size_t first_sweep = 3; // before it, sweeps repair what the insertion of vertices has left
   static constexpr std::size_t max_useful_interval = 4, max_interval = 16;
 
-  std::size_t m_next = first_sweep, m_last = 0, m_interval = min_interval;
+  std::size_t m_next = min_interval, m_last = 0, m_interval = min_interval;
   double m_last_value = 0.;
 };
 

@@ -54,7 +54,6 @@ public:
   void set_objective(double squared_radius, const Face_objective& objective)
   {
     m_scale = squared_radius;
-    m_sliver_scale = objective.sliver_radius > 0. ? objective.sliver_radius * objective.sliver_radius : squared_radius;
     m_objective = objective;
   }
 
@@ -79,14 +78,7 @@ public:
     for(std::size_t j = 0; j < size; ++j)
     {
       Face& face = m_faces[j];
-      const auto choose = [&](double ordinary, double sliver) {
-        return star.has_slivers() ? select(star.is_at_sliver(j), FT(sliver), FT(ordinary)) : FT(ordinary);
-      };
-      face.scale = choose(m_scale, m_sliver_scale);
-      face.sharpness = choose(m_objective.ordinary.sharpness, m_objective.of_slivers.sharpness);
-      face.reach = choose(1., m_objective.ordinary.sharpness / m_objective.of_slivers.sharpness);
-      face.level = choose(m_objective.ordinary.level, m_objective.of_slivers.level);
-      const FT& scale = face.scale;
+      const FT scale = m_scale;
       const Vector_3<FT>&p = face.offset, &q = m_faces[j + 1].offset;
       face.fixed_i = scale * star.opposite_0(j) * squared_length(q - p); // the part of I that does not move
       face.measure = Measure(p, q);
@@ -102,12 +94,9 @@ public:
     }
     if(m_objective.is_average())
       return;
+    m_level = m_objective.has_level() ? FT(m_objective.level) : m_max_energy;
     for(std::size_t j = 0; j < size; ++j)
-    {
-      if(!m_objective.has_levels())
-        m_faces[j].level = m_max_energy;
-      m_faces[j].weight = weight_of(j, m_faces[j].energy.value);
-    }
+      m_faces[j].weight = weight_of(m_faces[j].energy.value);
   }
 
   // the length of the shortest edge at the vertex, the yardstick of its steps
@@ -146,8 +135,7 @@ public:
       if constexpr(std::is_same<FT, double>::value) // in lanes, to look costs more than to go on
         if(!is_valid)
           return infinite;
-      const FT& scale = m_faces[j].scale;
-      const FT i = m_faces[j].fixed_i + scale * (m_star.opposite_2(j) * lp + m_star.opposite_1(j) * lq);
+      const FT i = m_faces[j].fixed_i + FT(m_scale) * (m_star.opposite_2(j) * lp + m_star.opposite_1(j) * lq);
       const FT ratio = m_faces[j].to_d * Measure::value(determinant, n);
       const FT d = select(is_valid, unless_padding(j, ratio, FT(1.)), FT(1.)); // energies are for positive ones
       m_faces[j].new_energy = m_energy(i, d);
@@ -158,7 +146,7 @@ public:
     {
       const FT& energy = m_faces[j].new_energy;
       f += weighted(j, m_objective.is_average() ? unless_padding(j, energy, FT(0.))
-                                                : value_of(j, energy, weight_of(j, energy)));
+                                                : value_of(j, energy, weight_of(energy)));
     }
     return select(is_valid, f, infinite);
   }
@@ -175,10 +163,8 @@ private:
   {
     Vector_3<FT> offset; // of neighbor j
     Measure measure;
-    FT fixed_i, scale, to_d;
+    FT fixed_i, to_d;
     Energy_derivatives_3<FT> energy;
-    FT sharpness, level;   // of its objective
-    FT reach;              // the sharpness of the others over its own
     FT weight;             // a exp(s (E - R))
     mutable FT new_energy; // the last one of operator()
   };
@@ -207,29 +193,28 @@ private:
   }
 
   // a exp(s (E - R)), see Face_objective
-  FT weight_of(std::size_t j, const FT& energy) const
+  FT weight_of(const FT& energy) const
   {
-    return m_objective.share * clamped_exponential(m_faces[j].sharpness * (energy - m_faces[j].level));
+    return m_objective.share * clamped_exponential(m_objective.sharpness * (energy - m_level));
   }
 
-  double linear_weight() const { return m_objective.ordinary.sharpness * (1. - m_objective.share); }
+  double linear_weight() const { return m_objective.sharpness * (1. - m_objective.share); }
 
-  // s psi(E), given the weight; s is the sharpness of all faces but the slivers
+  // s psi(E), given the weight
   FT value_of(std::size_t j, const FT& energy, const FT& weight) const
   {
-    return unless_padding(j, linear_weight() * energy + m_faces[j].reach * weight, FT(0.));
+    return unless_padding(j, linear_weight() * energy + weight, FT(0.));
   }
 
   template <bool with_hessian>
   FT evaluate(std::array<FT, 2>& gradient, std::array<FT, 3>& hessian) const
   {
-    const FT sharpness = m_objective.ordinary.sharpness;
+    const FT sharpness = m_objective.sharpness, scale = m_scale;
     FT f = 0., gx = 0., gy = 0., hxx = 0., hxy = 0., hyy = 0.;
     for(std::size_t j = 0; j < m_star.size(); ++j)
     {
       const Vector_3<FT>&p = m_faces[j].offset, &q = m_faces[j + 1].offset;
       const Measure& measure = m_faces[j].measure;
-      const FT& scale = m_faces[j].scale;
       const Energy_derivatives_3<FT>& e = m_faces[j].energy;
       const FT to_p = 2. * scale * m_star.opposite_2(j), to_q = 2. * scale * m_star.opposite_1(j);
       const FT ix = -(to_p * p[0] + to_q * q[0]), iy = -(to_p * p[1] + to_q * q[1]);
@@ -250,7 +235,7 @@ private:
       else
       {
         const FT& weight = m_faces[j].weight;
-        const FT first = linear_weight() + sharpness * weight, second = sharpness * m_faces[j].sharpness * weight;
+        const FT first = linear_weight() + sharpness * weight, second = sharpness * sharpness * weight;
         f += weighted(j, value_of(j, e.value, weight));
         if constexpr(with_hessian)
         {
@@ -273,13 +258,13 @@ private:
   }
 
   Face_energy<Energy> m_energy;
-  double m_scale = 1., m_sliver_scale = 1.;
+  double m_scale = 1.;
   Face_objective m_objective;
 
   Star_view<FT> m_star;
   Basic_tangent_frame<FT> m_frame = Basic_tangent_frame<FT>({FT(0.), FT(0.), FT(1.)});
   std::vector<Face> m_faces;
-  FT m_squared_shortest_edge = 0., m_max_energy = 0.;
+  FT m_squared_shortest_edge = 0., m_max_energy = 0., m_level = 0.;
 };
 
 } // namespace CGAL::Spherical_parameterization::internal

@@ -58,7 +58,7 @@ Vector_3<FT> points_in_lanes(const std::uint32_t* vertices, const Vector_3d* pos
 }
 
 // One star, or several of them lane by lane, where they lie in memory: the numbers of the vertices and their
-// neighbours, the rest shapes of the faces, and whether these are at slivers. Corner j of lane k is the one of the face
+// neighbours, and the rest shapes of the faces. Corner j of lane k is the one of the face
 // (vertex, neighbor j, neighbor j + 1) and has the index first + j * stride + k in the arrays of the neighbors and, by
 // rest_index(), of the rest shapes. A star that has fewer faces than others of its packet, which its degree tells, is
 // padded with its first neighbor, and with 0 for the rest shapes.
@@ -68,7 +68,6 @@ struct Star_view
   const std::uint32_t* vertices = nullptr;
   const std::uint32_t* neighbors = nullptr;
   const double* rests = nullptr;
-  const char* slivers = nullptr; // null where there are none
   std::size_t first = 0, stride = 0, n_rows = 0;
   FT degree = 0.;
 
@@ -91,13 +90,6 @@ struct Star_view
 
   // whether row j is beyond the end of the star
   auto is_padding(std::size_t j) const { return !(FT(static_cast<double>(j)) < degree); }
-
-  // whether the face belongs to the group of the slivers, if there are any
-  bool has_slivers() const { return slivers != nullptr; }
-  auto is_at_sliver(std::size_t j) const
-  {
-    return Lanes<FT>::generate([&](std::size_t lane) { return double(slivers[first + j * stride + lane]); }) > 0.;
-  }
 
   FT rest(std::size_t j, std::size_t k) const { return Lanes<FT>::load(rests + rest_index(first + j * stride, k)); }
 };
@@ -138,11 +130,10 @@ public:
   }
 
   // Makes room for the stars of `vertices`, of which vertices[first_of_set[k]], ..., vertices[first_of_set[k + 1] - 1]
-  // are independent. degree_of(v) is the number of neighbors of a vertex; `has_slivers` says whether some faces are at
-  // slivers.
+  // are independent. degree_of(v) is the number of neighbors of a vertex.
   template <class DegreeOf>
   void assign(const std::vector<std::uint32_t>& vertices, const std::vector<std::size_t>& first_of_set,
-              const DegreeOf& degree_of, bool has_slivers)
+              const DegreeOf& degree_of)
   {
     m_vertices.clear();
     m_degrees.clear();
@@ -184,12 +175,9 @@ public:
     CGAL_assertion(n_corners <= (std::numeric_limits<std::uint32_t>::max)());
     resize(m_neighbors, n_corners);
     resize(m_rest, 4 * n_corners);
-    m_is_at_sliver.clear();
-    m_is_at_sliver.resize(has_slivers ? n_corners : 0, 0);
   }
 
-  // Fills a packet: star_of(v) is the star of a vertex, with its size(), neighbor(j), rest(j) and,
-  // if any face is at a sliver, is_at_sliver(j).
+  // Fills a packet: star_of(v) is the star of a vertex, with its size(), neighbor(j) and rest(j).
   template <class StarOf>
   void fill(std::size_t packet, const StarOf& star_of)
   {
@@ -207,8 +195,6 @@ public:
         m_rest[rest_index(corner, 1)] = rest.opposite_1;
         m_rest[rest_index(corner, 2)] = rest.opposite_2;
         m_rest[rest_index(corner, 3)] = rest.inverse_doubled_area;
-        if(has_slivers())
-          m_is_at_sliver[corner] = is_face && star.is_at_sliver(j);
       }
     }
   }
@@ -246,7 +232,6 @@ public:
     return {m_vertices.data() + place,
             m_neighbors.data(),
             m_rest.data(),
-            has_slivers() ? m_is_at_sliver.data() : nullptr,
             p.first_corner + lane,
             p.stride,
             n_rows,
@@ -254,18 +239,6 @@ public:
   }
 
   double rest(std::size_t corner, std::size_t k) const { return m_rest[rest_index(corner, k)]; }
-  bool has_slivers() const { return !m_is_at_sliver.empty(); }
-  bool is_at_sliver(std::size_t corner) const { return has_slivers() && m_is_at_sliver[corner]; }
-
-  // Announces that the rest shape of a corner is about to be read. Corners of a packet are near each other, but too far
-  // for a processor to see what comes next.
-  void prefetch_rest([[maybe_unused]] std::size_t corner) const
-  {
-#ifdef CGAL_SPHERICAL_PARAMETERIZATION_HAS_VECTORS
-    for(std::size_t k = 0; k < 4; ++k)
-      __builtin_prefetch(m_rest.data() + rest_index(corner, k));
-#endif
-  }
 
   // Calls f(corner, v, a, b) for the faces (v, a, b) of the mesh that have their smallest vertex v in a packet, in a fixed order.
   template <class Function>
@@ -332,7 +305,6 @@ private:
   std::vector<std::uint32_t> m_vertices, m_degrees; // of the places
   boost::container::vector<std::uint32_t> m_neighbors;
   boost::container::vector<double> m_rest;
-  std::vector<char> m_is_at_sliver; // the corners, if any is
 };
 
 } // namespace CGAL::Spherical_parameterization::internal

@@ -39,7 +39,7 @@ using Matrix_4 = std::array<std::array<double, 4>, 4>;
 
 // How the objective changes as the sphere is deformed: for each cell the sums over its faces of the first two derivatives
 // of psi(E(I, d)) in the four entries of the derivative A of the deformation, at A = 1; and those in the level R and the
-// logarithm t of the radius. The faces of slivers are left out.
+// logarithm t of the radius.
 //
 // A deformation changes the I of a face, which is tr M for the sum M of opposite_k e_k e_k^T over its edges, to
 // tr(A M A^T), and d to d det A. With t, both grow by exp(2 t).
@@ -58,18 +58,12 @@ public:
   {
     constexpr std::size_t n_parts = 8;
     std::vector<Part> parts(n_parts);
-    std::vector<char> is_sliver;
-    if(faces.has_slivers())
-      is_sliver.resize(static_cast<std::size_t>(faces.end() - faces.begin()), 0);
-    for(const std::uint32_t face : faces.slivers())
-      is_sliver[face] = 1;
     for_each_block(execution, 0, n_parts, 1,
                    [&](std::size_t part, std::size_t) { parts[part].cells.assign(grid.cells().size(), Sums()); });
     faces.template for_each_in_lanes<Space>(stars, positions, n_parts, execution,
-                                            [&](std::size_t part, const auto& lanes, std::size_t first, std::size_t n) {
+                                            [&](std::size_t part, const auto& lanes, std::size_t n) {
                                               using FT = std::decay_t<decltype(lanes.inverse_doubled_area)>;
-                                              add_faces<FT>(lanes, first, n, grid, radius * radius, objective,
-                                                            is_sliver, parts[part]);
+                                              add_faces<FT>(lanes, n, grid, radius * radius, objective, parts[part]);
                                             });
     m_total = std::move(parts[0]);
     const auto add_cells = [&](std::size_t begin, std::size_t end) {
@@ -137,33 +131,31 @@ private:
     {
       if(objective.is_average())
         return;
-      const double s = objective.ordinary.sharpness, level = objective.ordinary.level, b = s * level;
+      const double s = objective.sharpness, level = objective.level, b = s * level;
       const FT weight = objective.share * clamped_exponential(s * (energy - level));
       first = (1. - objective.share) + weight;
       second = s * weight;
-      if(!objective.has_levels())
+      if(!objective.has_level())
         return;
       const FT x = (1. / level) * energy;
-      constant_r = objective.share * (1. - 1. / b);
-      r = (1. / b - x) * weight;
+      r = objective.share * (1. - 1. / b) + (1. / b - x) * weight;
       er = -(b / level) * x * weight;
       rr = (b / level) * x * x * weight;
     }
 
     void scale(const FT& factor)
     {
-      for(FT* weight : {&first, &second, &constant_r, &r, &er, &rr})
+      for(FT* weight : {&first, &second, &r, &er, &rr})
         *weight *= factor;
     }
 
-    FT first = 1., second = 0.;                   // derivatives in E
-    FT constant_r = 0., r = 0., er = 0., rr = 0.; // in R, of which slivers have the first one as well, and mixed
+    FT first = 1., second = 0.;  // derivatives in E
+    FT r = 0., er = 0., rr = 0.; // in R, and mixed
   };
 
   template <class FT>
-  void add_faces(const Faces_in_lanes<FT>& faces, std::size_t first_face, std::size_t n, const Sphere_cells& grid,
-                 double squared_radius, const Face_objective& objective, const std::vector<char>& is_sliver,
-                 Part& part) const
+  void add_faces(const Faces_in_lanes<FT>& faces, std::size_t n, const Sphere_cells& grid, double squared_radius,
+                 const Face_objective& objective, Part& part) const
   {
     constexpr std::size_t width = Lanes<FT>::width;
     const auto& [p, opposite, inverse_doubled_area] = faces;
@@ -219,18 +211,13 @@ private:
             weights.first * (e.ii * di[k] * di[l] + e.id * (di[k] * dd[l] + dd[k] * di[l]) + e.dd * dd[k] * dd[l]) +
             weights.second * de[k] * de[l];
     terms[18] = weights.first * e.d * d;
-    const std::array<FT, 5> shared_terms = {weights.constant_r + weights.r, weights.first * e_t, weights.rr,
-                                            weights.er * e_t, weights.first * e_tt + weights.second * e_t * e_t};
+    const std::array<FT, 5> shared_terms = {weights.r, weights.first * e_t, weights.rr, weights.er * e_t,
+                                            weights.first * e_tt + weights.second * e_t * e_t};
     std::array<std::array<double, width>, n_sums> values;
     for(std::size_t k = 0; k < n_sums; ++k)
       Lanes<FT>::store(terms[k], values[k].data());
     for(std::size_t k = 0; k < n; ++k)
     {
-      if(!is_sliver.empty() && is_sliver[first_face + k])
-      {
-        part.shared[0] += lane(weights.constant_r, k);
-        continue;
-      }
       Sums& sums = part.cells[cells[k]];
       for(std::size_t j = 0; j < n_sums; ++j)
         sums[j] += values[j][k];

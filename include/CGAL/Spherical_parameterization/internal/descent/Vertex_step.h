@@ -44,13 +44,9 @@ public:
   static constexpr bool is_lanewise = true;
 
   Newton_step() = default;
-
-  // The step for levels coarser than the mesh, which carry changes far themselves. Longer steps throw the thousands of
-  // neighbours of a vertex into lasting disorder.
-  static Newton_step on_coarse_levels() { return Newton_step(1.7); }
-
-  // The step for few vertices around bad faces, which are swept many times: nothing has to be carried far.
-  static Newton_step on_few_vertices() { return Newton_step(1.4); }
+  explicit Newton_step(double over_relaxation)
+    : m_over_relaxation(over_relaxation)
+  {}
 
   template <class StarEnergy, class FT>
   auto operator()(const StarEnergy& energy, std::array<FT, 2>& step) const
@@ -97,17 +93,13 @@ public:
   }
 
 private:
-  explicit Newton_step(double over_relaxation)
-    : m_over_relaxation(over_relaxation)
-  {}
-
   static constexpr double min_ratio = 1e-3; // of the eigenvalues: a flat direction lengthens a step at most 1000-fold
   static constexpr double min_radius = (std::numeric_limits<double>::min)(); // whose reciprocal is finite
   static constexpr double min_step = 1e-10; // in units of the shortest edge; shorter ones are not worth an evaluation
   static constexpr double armijo = 1e-4;  // the usual constant of sufficient decrease (Nocedal and Wright, section 3.1)
   static constexpr int max_halvings = 12; // down to 1/2048 of the step; else the vertex waits for the next sweep
 
-  double m_over_relaxation = 1.9; // worth ten times the sweeps
+  double m_over_relaxation = 1.5;
 };
 
 // The step of the BLD paper, eq. 8: gradient descent on the flat areas. It is as long as the shortest edge at the
@@ -121,8 +113,6 @@ public:
   using Image_measure = Flat_measure<FT>;
 
   static constexpr bool is_lanewise = false;
-
-  static Gradient_step on_few_vertices() { return Gradient_step(); }
 
   template <class StarEnergy>
   bool operator()(const StarEnergy& energy, std::array<double, 2>& step) const

@@ -58,8 +58,8 @@ private:
 // Makes the first map, by the hierarchy unless that fails, and tells the visitor of it. If `shares` are given, they are the areas
 // that the vertices are to have, in the place of their own.
 template <class Energy>
-void embed_surface(const Energy& energy, const Sharpness& sharpness, std::size_t sweeps_per_level,
-                   bool sweeps_finest_level, Run& run, const std::vector<double>& shares = {});
+void embed_surface(const Energy& energy, std::size_t sweeps_per_level, bool sweeps_finest_level, Run& run,
+                   const std::vector<double>& shares = {});
 
 // Lowers the energy of a bijection by sweeps. Faces that rounding might turn over on the way, as the last resort may have some
 // above 1.7 million vertices, stay as they are. If `shares` are given, faces get the shapes that they have on the surface, but the

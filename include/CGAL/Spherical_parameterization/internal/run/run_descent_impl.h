@@ -37,12 +37,12 @@
 namespace CGAL::Spherical_parameterization::internal {
 
 template <class Energy>
-void embed_surface(const Energy& energy, const Sharpness& sharpness, std::size_t sweeps_per_level,
-                   bool sweeps_finest_level, Run& run, const std::vector<double>& shares)
+void embed_surface(const Energy& energy, std::size_t sweeps_per_level, bool sweeps_finest_level, Run& run,
+                   const std::vector<double>& shares)
 {
   run.control.on_initialization_begin(run.surface.number_of_vertices());
-  if(!embed_hierarchically(run.surface, energy, sharpness, sweeps_per_level, sweeps_finest_level, run.positions,
-                           run.control, run.execution, shares))
+  if(!embed_hierarchically(run.surface, energy, sweeps_per_level, sweeps_finest_level, run.positions, run.control,
+                           run.execution, shares))
   {
     draw_surface(run);
     run.control.report().used_last_resort = true;
@@ -73,8 +73,7 @@ void descend(const Energy& energy, Radius_chooser* radius, const Sharpness& shar
                                      std::size_t, Run&, const std::vector<double>&);
 
 #define CGAL_SPHERICAL_PARAMETERIZATION_DESCENTS_BY(EXTERN, Energy)                                                    \
-  EXTERN template void embed_surface(const Energy&, const Sharpness&, std::size_t, bool, Run&,                         \
-                                     const std::vector<double>&);                                                      \
+  EXTERN template void embed_surface(const Energy&, std::size_t, bool, Run&, const std::vector<double>&);              \
   CGAL_SPHERICAL_PARAMETERIZATION_DESCENT(EXTERN, Energy, Newton_step)
 
 #define CGAL_SPHERICAL_PARAMETERIZATION_DESCENTS(EXTERN)                                                               \

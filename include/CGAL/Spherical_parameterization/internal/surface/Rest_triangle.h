@@ -26,8 +26,8 @@
 namespace CGAL::Spherical_parameterization::internal {
 
 // How flat and how small the shape of a face may be that a Rest_triangle asks for. A flatter one would ask for
-// derivatives beyond all measure and freeze its neighbours; it is given the minimum height instead. One without size
-// has no shape that it could ask for; it becomes equilateral.
+// derivatives beyond all measure and freeze its neighbours; it is given the minimum height instead. One without height or
+// size has no shape that it could ask for, and gets one that its neighbours do not suffer from.
 struct Rest_limits
 {
   double min_height = 1e-4; // over the longest edge, in units of that edge
@@ -66,8 +66,10 @@ struct Rest_triangle
     const Vector_3d e0 = p2 - p1, e1 = p0 - p2, e2 = p1 - p0;
     const double l0 = squared_length(e0), l1 = squared_length(e1), l2 = squared_length(e2);
     const double doubled_area = length(cross(e1, e2));
-    if(is_too_flat(doubled_area, (std::max)({l0, l1, l2}), limits))
-      return lifted(l0, l1, l2, limits);
+    const double longest = (std::max)({l0, l1, l2});
+    if(is_too_flat(doubled_area, longest, limits))
+      return lifted(l0, l1, l2, doubled_area > min_height_of_shape * longest ? limits.min_height : height_without_shape,
+                    limits);
     const double inverse = 1. / doubled_area;
     const double scale = -inverse * inverse;
     return {scale * dot(e1, e2), scale * dot(e2, e0), scale * dot(e0, e1), inverse};
@@ -96,9 +98,12 @@ private:
     return {cotangent * inverse, cotangent * inverse, cotangent * inverse, inverse};
   }
 
-  // The triangle that has the given one's longest edge and foot of the height on it, but at least the minimum height;
-  // or an equilateral one of the minimum size.
-  static Rest_triangle lifted(double l0, double l1, double l2, const Rest_limits& limits)
+  // over the longest edge; below it, measure_distortion() finds no distortion in a face
+  static constexpr double min_height_of_shape = 1e-12, height_without_shape = 0.2;
+
+  // The triangle that has the given one's longest edge and foot of the height on it, and this height; or an equilateral
+  // one of the minimum size.
+  static Rest_triangle lifted(double l0, double l1, double l2, double h, const Rest_limits& limits)
   {
     if((std::max)({l0, l1, l2}) < limits.min_edge * limits.min_edge)
       return equilateral(limits.min_edge);
@@ -109,7 +114,6 @@ private:
     const double to_1 = squared[(base + 2) % 3], to_2 = squared[(base + 1) % 3];
     const double t = std::clamp(0.5 * (b2 + to_1 - to_2) / b2, 0., 1.); // the foot, in units of the base
     // cot(1) = t / h, cot(2) = (1 - t) / h and cot(0) = (h^2 - t (1 - t)) / h for a base of length 1, h = 2 A.
-    const double h = limits.min_height;
     const double inverse = 1. / (b2 * h);
     std::array<double, 3> cotangents;
     cotangents[base] = (h - t * (1. - t) / h);

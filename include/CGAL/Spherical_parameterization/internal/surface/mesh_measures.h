@@ -171,29 +171,6 @@ inline std::vector<double> cotangent_weights(const Vertex_rings& rings, const st
   return weights;
 }
 
-// Marks the vertices of slivers: faces whose height is below a hundredth of their longest edge. No map of low distortion
-// gives them their shape, so that their energies may exceed those of all other faces by orders of magnitude. The faces
-// around these vertices, which have to make room for them, are the group of the slivers.
-//
-// The result is empty if there is none, or if the group is so large that the surface is made of it.
-inline std::vector<char> sliver_vertices(const Vertex_rings& rings, const std::vector<Vector_3d>& points)
-{
-  constexpr double max_height = 0.01, max_share = 0.25;
-  std::vector<char> result(rings.number_of_vertices(), 0);
-  rings.for_each_face([&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
-    if(Rest_triangle::height(points[a], points[b], points[c]) < max_height)
-      result[a] = result[b] = result[c] = 1;
-  });
-  std::size_t size_of_group = 0;
-  rings.for_each_face([&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
-    size_of_group += result[a] || result[b] || result[c] ? 1u : 0u;
-  });
-  if(size_of_group == 0 ||
-     static_cast<double>(size_of_group) > max_share * static_cast<double>(rings.number_of_faces()))
-    result.clear();
-  return result;
-}
-
 } // namespace CGAL::Spherical_parameterization::internal
 
 #include <CGAL/Spherical_parameterization/internal/numbers/end_arithmetic.h>

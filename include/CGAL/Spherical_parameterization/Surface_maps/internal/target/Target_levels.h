@@ -54,6 +54,7 @@ public:
   {}
 
   const Space& space() const { return m_space; }
+  Newton_step step() const { return Newton_step(1.9); } // nothing but sweeps carries changes over the surface
 
   // Of the levels with many vertices, every other one is swept but once, as these differ by a third: to sweep all of them takes 1.5
   // times as long for the same energy. Of the coarser ones, all are needed for extremities to be led to where they belong.
@@ -68,7 +69,7 @@ public:
         is_last || n < many || static_cast<double>(n) > min_growth * static_cast<double>(m_last_swept_size);
     if(is_swept)
       m_last_swept_size = n;
-    return {is_swept ? m_sweeps.maximum : 1, m_sweeps.settled_change, Newton_step()};
+    return {is_swept ? m_sweeps.maximum : 1, m_sweeps.settled_change};
   }
 
   // Where a vertex is in one of the triangles of its hole, fanned out from the first vertex, and goes to along with it.
@@ -92,11 +93,9 @@ public:
     return is_positive;
   }
 
-  Face_objective choose_objective(std::size_t, std::size_t, const Energy_summary&, const Face_range_3&, double&) const
-  {
-    return Face_objective();
-  }
-
+  template <class Descent>
+  void choose_radius(const Descent&, double&) const
+  {}
   void start_sweep(Space& space, std::size_t sweep, bool is_last) const { space.start_sweep(sweep, is_last); }
   bool may_end(const Space& space) const { return !space.has_open_landmarks(); }
 

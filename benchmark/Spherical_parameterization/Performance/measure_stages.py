@@ -1,0 +1,97 @@
+#!/usr/bin/env python3
+"""Measures where the time goes, by kernel: the table of the page of the manual on performance.
+
+Takes samples of the whole program, from file to file in one thread, by `perf record`, on cow_2904 and on the armadillo as it is and
+subdivided, and puts the functions that they are in into kernels. Needs perf (linux-perf) and a program with its symbols. Takes two
+minutes; leave the machine alone meanwhile.
+"""
+
+from __future__ import annotations
+
+import json
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+from collections import Counter
+from pathlib import Path
+
+sys.dont_write_bytecode = True  # leaves the sources as they are
+sys.path.append(str(Path(__file__).resolve().parents[1] / "python"))
+
+from measuring.drivers import MANUAL, Driver
+from measuring.meshes import MeshFile, find_mesh_files, subdivide_smoothly, write_mesh
+from measuring.reports import fill_in, table
+
+SMALL, GROWING, ROUNDS = "cow_2904", "armadillo_26002", (0, 2, 3)
+
+# A kernel has the functions whose names have one of these, unless they are of one before it.
+KERNELS = {
+    "certificate": ("certify", "count_triangles", "are_safely_positive<", "Orientation_about_origin"),
+    "sweeps": ("move_all",),
+    "smooth steps": ("Strain_sums", "Smooth_step", "Sphere_cells", "cube_location", "array<double, 19"),
+    "measuring": ("Measured_faces::for_each_", "Measured_faces::summar", "Measured_faces::measure", "Measured_faces::radius"),
+    "stars laid out": ("Star_packets", "Rest_triangle", "Independent_sets", "Measured_faces", "Block_coordinate_descent"),
+    "removals chosen": ("Vertex_removal", "Mesh_hierarchy::select", "Mesh_hierarchy::coarsen", "_Iter_equals_val", "spreadsort"),
+    "coarser meshes made": ("Mesh_hierarchy", "Edge_set"),
+    "vertices inserted": ("Star_kernel", "Level_descent", "Hierarchical_embedding"),
+    "surface read and linked": ("link_triangles", "build_rings", "Surface::", "read_mesh", "Mesh_arrays", "Vertex_rings", "vertex_"),
+    "distortion measured for the report": ("measure_distortion", "Distortion", "distortion"),
+    "caller's mesh": ("Surface_mesh", "Properties::", "Euler::", "add_triangles"),
+    "files": ("Program::", "Text_scanner", "parse_number", "Ply", "from_chars", "to_chars", "printf", "ryu", "str"),
+}
+
+
+def profile(program: Path, mesh: Path, folder: Path) -> tuple[float, Counter]:
+    """Seconds from file to file, and the share of each kernel in percent."""
+    data, report = folder / "samples", folder / "report.json"
+    command = [program, mesh, "-o", folder / "sphere.off", "--threads", "1", "--quiet", "--json", report]
+    subprocess.run(["perf", "record", "--quiet", "--output", data, *command], check=True, capture_output=True)
+    options = ["--stdio", "--no-children", "--fields", "overhead,symbol", "--input", data]
+    lines = subprocess.run(["perf", "report", *options], check=True, capture_output=True, text=True).stdout.splitlines()
+    shares: Counter = Counter()
+    for line in lines:
+        if match := re.match(r"\s*([0-9.]+)% +\[(.)\] (.*)", line):
+            share, where, symbol = float(match[1]), match[2], match[3]
+            names = (kernel for kernel, words in KERNELS.items() if any(word in symbol for word in words))
+            shares["operating system" if where == "k" else next(names, "others")] += share
+    run = json.loads(report.read_text(encoding="utf-8"))
+    return run["seconds"]["total"], shares
+
+
+def main() -> None:
+    driver = Driver(__doc__, folders=("meshes",))
+    driver.add_program()
+    driver.add_meshes()
+    driver.add_argument("--manual", type=Path, default=MANUAL / "Performance.txt", help="the page to be filled in")
+    options = driver.parse()
+    if not shutil.which("perf"):
+        driver.error("perf is not installed (Debian has it in linux-perf)")
+    files = {file.name: file for file in find_mesh_files([options.meshes])}
+    with tempfile.TemporaryDirectory() as name:
+        folder, columns, seconds = Path(name), [], {}
+        meshes = [files[SMALL]]
+        mesh, rounds = files[GROWING].mesh, 0
+        for wanted in ROUNDS:
+            while rounds < wanted:
+                mesh, rounds = subdivide_smoothly(mesh), rounds + 1
+            path = folder / f"armadillo_{len(mesh.vertices)}.off"
+            write_mesh(path, mesh)
+            meshes.append(MeshFile(path))
+        for file in meshes:
+            total, shares = profile(options.program, file.path, folder)
+            columns.append(file.name)
+            seconds[file.name] = total, shares
+            print(f"{file.name}: {total:.2f} s", flush=True)
+    rows = [{"kernel": kernel, **{name: f"{seconds[name][1][kernel]:.1f}" for name in columns}}
+            for kernel in [*KERNELS, "operating system", "others"]]
+    rows.append({"kernel": "microseconds for each vertex, file to file",
+                 **{name: f"{1e6 * seconds[name][0] / int(name.rsplit('_', 1)[1]):.1f}" for name in columns}})
+    text = table({"kernel": "percent of the samples", **{name: name for name in columns}}, rows) + "\n"
+    print(text)
+    options.manual.write_text(fill_in(options.manual.read_text(encoding="utf-8"), "stages", text), encoding="utf-8")
+
+
+if __name__ == "__main__":
+    main()

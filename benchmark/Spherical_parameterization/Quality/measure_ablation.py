@@ -1,0 +1,144 @@
+#!/usr/bin/env python3
+"""Measures what each heuristic of the descent and of the hierarchy is worth: the page of the manual on experiments.
+
+Each row leaves one of them out, or puts something simpler in its place, by changes to a copy of the headers, and maps all meshes of
+2,800 vertices and more by the default method, in one thread. The table has time and isometric distortion over what they are with
+all heuristics, as geometric means; and how many meshes are worse by half a percent in both the maximum and the average. Takes half
+an hour on 38 meshes; leave the machine alone meanwhile. With --only, the page stays as it is.
+"""
+
+from __future__ import annotations
+
+import shutil
+import subprocess
+import sys
+import tempfile
+from dataclasses import dataclass
+from pathlib import Path
+
+sys.dont_write_bytecode = True  # leaves the sources as they are
+sys.path.append(str(Path(__file__).resolve().parents[1] / "python"))
+
+from measuring.drivers import MANUAL, PROJECT, Driver
+from measuring.meshes import find_mesh_files
+from measuring.reports import fill_in, geometric_mean, table
+
+MIN_VERTICES = 2800
+WORSE = 1.005
+INTERNAL = Path("include/CGAL/Spherical_parameterization/internal")
+
+
+@dataclass(frozen=True)
+class Change:
+    """What takes the place of a text of a header."""
+
+    file: str
+    old: str
+    new: str
+
+
+SMOOTH, FOCUS = "descent/Smooth_step.h", "descent/Block_coordinate_descent.h"
+LOOP, LEVELS = "descent/Descent_loop.h", "descent/Hierarchical_embedding.h"
+STEP, REMOVAL, KERNEL = "descent/Vertex_step.h", "hierarchy/Vertex_removal.h", "hierarchy/Star_kernel.h"
+
+HEURISTICS = {
+    "smooth steps": {
+        "none": [Change(SMOOTH, "return sweep >= m_next;", "return sweep > 1000000000;")],
+        "one before every other sweep": [Change(SMOOTH, "max_interval = 16;", "max_interval = 2;")],
+    },
+    "sweeps around the worst faces": {
+        "none": [Change(LOOP, "m_descent.sweep_with_focus(positions, scaled_radius(), m_objective.of_faces(),\n"
+                        "                                   m_state.summary.maximum_energy());",
+                        "m_descent.sweep(positions, scaled_radius(), m_objective.of_faces());")],
+        "two": [Change(FOCUS, "max_focus_sweeps = 500;", "max_focus_sweeps = 2;")],
+    },
+    "steps of 1.5 times their length": {
+        "1": [Change(STEP, "m_over_relaxation = 1.5;", "m_over_relaxation = 1.;")],
+        "1.9": [Change(STEP, "m_over_relaxation = 1.5;", "m_over_relaxation = 1.9;")],
+    },
+    "small levels until they have settled": {
+        "7 sweeps": [Change(LEVELS, "level.vertices.size() < size_of_small_meshes && !m_is_uniform", "false")],
+    },
+    "7 sweeps over the other levels": {
+        "3": [Change("descent/Descent_settings.h", "default_sweeps_per_level = 7;", "default_sweeps_per_level = 3;")],
+        "14": [Change("descent/Descent_settings.h", "default_sweeps_per_level = 7;", "default_sweeps_per_level = 14;")],
+    },
+    "levels of three quarters of the vertices": {
+        "of two thirds": [Change("hierarchy/Mesh_hierarchy.h", "max_share = 0.25;", "max_share = 1. / 3.;")],
+    },
+    "areas handed on by removed vertices": {
+        "none": [Change("descent/Level_descent.h", "if(!m_limits.is_uniform)", "if(false)")],
+    },
+    "quality of new faces in the cost of a removal": {
+        "none": [Change(REMOVAL, "min_squared_quality = 1e-12;", "min_squared_quality = 1.;")],
+    },
+    "degree of the target in the cost of a removal": {
+        "none": [Change(REMOVAL, "good_degree = 9;", "good_degree = 1000000000;")],
+    },
+    "roundest of several points of a kernel": {
+        "the centroid, if it can be held": [Change(KERNEL, "    consider({middle[0]", "    if(!(min_roughness < largest))\n      consider({middle[0]")],
+    },
+    "images measured as if they lay on the sphere": {
+        "flat": [Change("descent/Objective.h", "has_radius ? 1. / 9. : 0.;", "0.;")],
+    },
+    "radius and level in the smooth step": {
+        "kept": [Change(SMOOTH, "const bool moves_level = rr > 0., moves_radius = m_has_radius && tt > 0.;",
+                        "const bool moves_level = false, moves_radius = false;")],
+    },
+}
+
+
+def build(headers: Path, driver: Path, program: Path) -> None:
+    command = ["g++", "-std=c++17", "-O2", "-w", "-DCGAL_EIGEN3_ENABLED", "-I/usr/include/eigen3", f"-I{headers}"]
+    result = subprocess.run([*command, driver, "-o", program, "-lmpfr", "-lgmp"], capture_output=True, text=True, check=False)
+    if result.returncode != 0:
+        sys.exit(result.stderr)
+
+
+def measure(program: Path, files: list[Path]) -> list[tuple[float, float, float]]:
+    """Seconds, and the maximum and the average of the distortion, of each mesh."""
+    result = subprocess.run([program, *files], capture_output=True, text=True, check=False)
+    if result.returncode != 0:
+        sys.exit(result.stderr)
+    rows = [line.rsplit(maxsplit=4)[1:] for line in result.stdout.splitlines()]
+    return [(float(time), float(maximum), float(average)) for time, _, maximum, average in rows]
+
+
+def main() -> None:
+    driver = Driver(__doc__, tuple(HEURISTICS), folders=("meshes",))
+    driver.add_meshes()
+    driver.add_argument("--manual", type=Path, default=MANUAL / "Experiments.txt", help="the page to be filled in")
+    options = driver.parse()
+    files = [file.path for file in find_mesh_files([options.meshes]) if file.number_of_vertices >= MIN_VERTICES]
+    source = Path(__file__).with_name("default_maps.cpp")
+    rows = []
+    with tempfile.TemporaryDirectory() as folder:
+        headers, program, reference = Path(folder) / "include", Path(folder) / "maps", Path(folder) / "reference"
+        build(PROJECT / "include", source, reference)
+        for heuristic in options.only:
+            for alternative, changes in HEURISTICS[heuristic].items():
+                shutil.rmtree(headers, ignore_errors=True)
+                shutil.copytree(PROJECT / "include", headers)
+                for change in changes:
+                    path = Path(folder) / INTERNAL / change.file
+                    text = path.read_text(encoding="utf-8")
+                    if text.count(change.old) != 1:
+                        sys.exit(f"{change.file} does not have this once: {change.old}")
+                    path.write_text(text.replace(change.old, change.new), encoding="utf-8")
+                build(headers, source, program)
+                pairs = list(zip(measure(program, files), measure(reference, files)))
+                ratios = [[new[k] / old[k] for new, old in pairs] for k in range(3)]
+                means = [geometric_mean(values) for values in ratios]
+                n_worse = sum(maximum > WORSE and average > WORSE for maximum, average in zip(*ratios[1:]))
+                rows.append({"heuristic": heuristic, "instead": alternative, "time": f"{means[0]:.2f}",
+                             "maximum": f"{means[1]:.4f}", "average": f"{means[2]:.4f}", "worse": n_worse})
+                print(*rows[-1].values(), sep=", ", flush=True)
+    columns = {"heuristic": "heuristic", "instead": "instead", "time": "time", "maximum": "maximum of D_iso",
+               "average": "average of D_iso", "worse": "meshes worse in both"}
+    if len(options.only) == len(HEURISTICS):
+        text = fill_in(options.manual.read_text(encoding="utf-8"), "ablation", table(columns, rows) + "\n")
+        options.manual.write_text(text, encoding="utf-8")
+
+
+if __name__ == "__main__":
+    main()
