@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
-"""Measures what each heuristic of the descent and of the hierarchy is worth: the page of the manual on experiments.
+"""Measures what each heuristic of the descent and of the hierarchy is worth, and prints a table.
 
 Each row leaves one of them out, or puts something simpler in its place, by changes to a copy of the headers, and maps all meshes of
 2,800 vertices and more by the default method, in one thread. The table has time and isometric distortion over what they are with
 all heuristics, as geometric means; and how many meshes are worse by half a percent in both the maximum and the average. Takes half
-an hour on 38 meshes; leave the machine alone meanwhile. With --only, the page stays as it is.
+an hour on 38 meshes; leave the machine alone meanwhile.
 """
 
 from __future__ import annotations
@@ -19,9 +19,9 @@ from pathlib import Path
 sys.dont_write_bytecode = True  # leaves the sources as they are
 sys.path.append(str(Path(__file__).resolve().parents[1] / "python"))
 
-from measuring.drivers import MANUAL, PROJECT, Driver
+from measuring.drivers import PROJECT, Driver
 from measuring.meshes import find_mesh_files
-from measuring.reports import fill_in, geometric_mean, table
+from measuring.reports import geometric_mean, table
 
 MIN_VERTICES = 2800
 WORSE = 1.005
@@ -107,7 +107,6 @@ def measure(program: Path, files: list[Path]) -> list[tuple[float, float, float]
 def main() -> None:
     driver = Driver(__doc__, tuple(HEURISTICS), folders=("meshes",))
     driver.add_meshes()
-    driver.add_argument("--manual", type=Path, default=MANUAL / "Experiments.txt", help="the page to be filled in")
     options = driver.parse()
     files = [file.path for file in find_mesh_files([options.meshes]) if file.number_of_vertices >= MIN_VERTICES]
     source = Path(__file__).with_name("default_maps.cpp")
@@ -135,9 +134,7 @@ def main() -> None:
                 print(*rows[-1].values(), sep=", ", flush=True)
     columns = {"heuristic": "heuristic", "instead": "instead", "time": "time", "maximum": "maximum of D_iso",
                "average": "average of D_iso", "worse": "meshes worse in both"}
-    if len(options.only) == len(HEURISTICS):
-        text = fill_in(options.manual.read_text(encoding="utf-8"), "ablation", table(columns, rows) + "\n")
-        options.manual.write_text(text, encoding="utf-8")
+    print(table(columns, rows))
 
 
 if __name__ == "__main__":
