@@ -39,7 +39,7 @@ KERNELS = {
     "surface read and linked": ("link_triangles", "build_rings", "Surface::", "read_mesh", "Mesh_arrays", "Vertex_rings", "vertex_"),
     "distortion measured for the report": ("measure_distortion", "Distortion", "distortion"),
     "caller's mesh": ("Surface_mesh", "Properties::", "Euler::", "add_triangles"),
-    "files": ("Program::", "Text_scanner", "parse_number", "Ply", "from_chars", "to_chars", "printf", "ryu", "str"),
+    "files": ("Program::", "Text_scanner", "parse_number", "Ply", "from_chars", "to_chars", "printf", "ryu", "basic_string", "stream"),
 }
 
 

@@ -28,7 +28,7 @@ struct Descent_settings
   // Two sweeps, with the smooth step before one of them, that change the energy by at most this much, relative, and the radius
   // likewise, have converged; without acceleration, one sweep.
   double energy_tolerance = 5e-4, radius_tolerance = 2e-3;
-  // If so, there are smooth steps and extra sweeps over the worst faces, the radius makes half steps, and convergence asks
+  // If so, there are smooth steps and extra sweeps over the worst faces, a radius policy is followed half the way, and convergence asks
   // for more than that the sum of eq. 6 or 7 has settled.
   bool is_accelerated = true;
 };

@@ -61,7 +61,7 @@ public:
   Space space() const { return Space(m_energy); }
   Newton_step step() const { return Newton_step(); }
 
-  // On small levels, where the large features find their places, it takes as many sweeps as it takes, at little cost. If all faces
+  // On small levels, where the large features settle, it takes as many sweeps as it takes, at little cost. If all faces
   // are to be alike, after other attempts have failed, more sweeps are what makes the difference.
   Level_sweeps start_level(Space&, const Mesh_hierarchy::Level& level, bool is_finest)
   {
@@ -83,8 +83,10 @@ public:
     constexpr double short_step = 1e-3; // sweeps change it anyway
     for(int k = 0; k < max_steps; ++k)
     {
-      const double step = descent.radius_step(radius, Face_objective());
-      radius *= exponential(step);
+      const double step = descent.radius_step(radius, Face_objective()), next = radius * exponential(step);
+      if(!is_positive_and_finite(next)) // as where there is no best one
+        return;
+      radius = next;
       if(!(std::abs(step) > short_step))
         return;
     }

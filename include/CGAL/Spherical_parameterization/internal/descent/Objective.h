@@ -29,7 +29,8 @@
 
 namespace CGAL::Spherical_parameterization::internal {
 
-// A Sharpness in use: what it has chosen so far during a run, and chooses next.
+// A schedule in use: the sharpness that it has chosen so far during a run, and chooses next. That of a dial is a matter of the level;
+// a dial at 0 is a schedule that stays there.
 class Sharpness_rule
 {
 public:
@@ -41,8 +42,6 @@ public:
   // The sharpness of the next sweep over the mesh. `sweep` counts from 0.
   double next(std::size_t sweep, double average_energy, double max_energy)
   {
-    if(m_rule.m_is_relative)
-      return relative(m_rule.m_first, max_energy);
     if(sweep > 0 && m_current < m_rule.m_last)
     {
       if(m_current == 0.)
@@ -64,15 +63,12 @@ public:
 
   double dial() const { return m_rule.m_is_relative ? m_rule.m_first : 0.; }
 
-  // Whether the sharpness has reached its last value. That of a dial follows the map only, and settles with it.
-  bool is_final() const { return m_rule.m_is_relative || m_current == m_rule.m_last; }
+  // Whether the sharpness has reached its last value.
+  bool is_final() const { return m_current == m_rule.m_last; }
 
 private:
   static constexpr double min_fall_of_average = 1e-3; // as Sharpness documents it
   static constexpr double growth = 1.25;              // from 0.1 to 10, the paper's range, in 21 steps
-
-  // An energy may be 0 at its minimum, and a map may reach it.
-  static double relative(double beta, double max_energy) { return max_energy > 0. ? beta / max_energy : 0.; }
 
   Sharpness m_rule;
   double m_current;
@@ -104,7 +100,7 @@ public:
   const Face_objective& of_faces() const { return m_faces; }
 
   // Turns a dial beyond that of Sharpness::balanced() to its end, and returns whether it has to be: it starts from the map that
-  // has settled for that one. So the largest energy is less than there.
+  // has settled for that one, and so ends with a lower largest energy, as a rule.
   bool turn_dial()
   {
     if(!m_faces.has_level() || m_b == m_rule.dial() + 1.)
