@@ -44,9 +44,11 @@ KERNELS = {
 
 
 def profile(program: Path, mesh: Path, folder: Path) -> tuple[float, Counter]:
-    """Seconds from file to file, and the share of each kernel in percent."""
+    """Seconds from file to file, of a run without samples, which take time, and the share of each kernel in percent."""
     data, report = folder / "samples", folder / "report.json"
     command = [program, mesh, "-o", folder / "sphere.off", "--threads", "1", "--quiet", "--json", report]
+    subprocess.run(command, check=True, capture_output=True)
+    seconds = json.loads(report.read_text(encoding="utf-8"))["seconds"]["total"]
     subprocess.run(["perf", "record", "--quiet", "--output", data, *command], check=True, capture_output=True)
     options = ["--stdio", "--no-children", "--fields", "overhead,symbol", "--input", data]
     lines = subprocess.run(["perf", "report", *options], check=True, capture_output=True, text=True).stdout.splitlines()
@@ -56,8 +58,7 @@ def profile(program: Path, mesh: Path, folder: Path) -> tuple[float, Counter]:
             share, where, symbol = float(match[1]), match[2], match[3]
             names = (kernel for kernel, words in KERNELS.items() if any(word in symbol for word in words))
             shares["operating system" if where == "k" else next(names, "others")] += share
-    run = json.loads(report.read_text(encoding="utf-8"))
-    return run["seconds"]["total"], shares
+    return seconds, shares
 
 
 def main() -> None:
