@@ -23,7 +23,7 @@ Options_list method_options(const std::string& command)
                 {"--sharpness", "B", "anything between: 0 is average, 20 balance, 40 worst"},
                 {"--schedule", "S,T[,N]", "exp(s E), s from S to T, after N sweeps of the sum; --paper: 0.1,10,100"},
                 {"--radius", "RADIUS", "objective, the default, two-phase, optimal, area, balanced or fixed=R"},
-                {"--tolerance", "T", "end when two sweeps change the objective by no more than this share; 5e-4"},
+                {"--tolerance", "T", "end when two sweeps change the objective by no more than this share; 1e-3"},
                 {"--iterations", "N", "most sweeps; 250, or more below 2000 vertices; 0 leaves the initial map"},
                 {"--time-limit", "SECONDS", "sweep no longer than this; the map reached is written"}});
   return list;

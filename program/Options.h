@@ -83,7 +83,7 @@ struct Options : Command_line
   double fixed_radius = 0.;    ///< if that is `fixed`
   bool is_unit_sphere = false; ///< whether the radius is 1 because nothing else has chosen one
   std::string description;     ///< the method with all of its settings in words
-  double energy_tolerance = 5e-4, radius_tolerance = 2e-3;
+  double energy_tolerance = 1e-3, radius_tolerance = 2e-3;
   std::optional<std::size_t> max_iterations; ///< if not given, the method's default
   double max_seconds = 0.;                   ///< 0 if there is no limit
   unsigned int max_threads = 0;              ///< 0 if there is no limit

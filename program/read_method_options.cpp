@@ -173,7 +173,7 @@ void read_limits(Options& o)
 {
   const bool is_bld = o.method == "bld";
   // Samples do not tell whether the last of the sweeps have been made.
-  o.energy_tolerance = o.number("tolerance", 0., 1., "a number from 0 to 1", o.energy == "stretch" ? 3e-3 : 5e-4);
+  o.energy_tolerance = o.number("tolerance", 0., 1., "a number from 0 to 1", o.energy == "stretch" ? 3e-3 : 1e-3);
   o.radius_tolerance = o.energy_tolerance > 0. ? 2e-3 : 0.;
   if(o.has("tolerance"))
     o.describe("tolerance " + short_text(o.energy_tolerance));

@@ -105,7 +105,7 @@ TEST(Measured_faces, agree_with_the_single_faces)
   std::iota(first_of_set.begin(), first_of_set.end(), 0);
   const Star_packets stars = stars_of(mesh, vertices, first_of_set);
   SP::internal::Measured_faces faces;
-  faces.assign(stars, mesh.rings().number_of_faces(), Execution());
+  faces.assign(stars, places_of(stars, n), mesh.rings().number_of_faces(), Execution());
 
   const Face_energy<SP::Symmetric_Dirichlet_energy_3> energy{SP::Symmetric_Dirichlet_energy_3()};
   const double sharpness = 3., radius = 1.2;

@@ -513,12 +513,12 @@ TEST(Sharpness, may_be_as_large_as_you_like)
 TEST(Tolerances, are_met)
 {
   const Result loose = run_with(SP::Sharpness(), 1000, 1e-3), tight = run_with(SP::Sharpness(), 1000, 1e-6),
-               never = run_with(SP::Sharpness(), 150, 0., 0.);
+               never = run_with(SP::Sharpness(), 100, 0., 0.);
   EXPECT_EQ(loose.report.stop_reason, SP::CONVERGED);
   EXPECT_EQ(tight.report.stop_reason, SP::CONVERGED);
   EXPECT_LT(loose.report.number_of_iterations(), tight.report.number_of_iterations());
   EXPECT_LT(tight.report.largest_energy, loose.report.largest_energy * 1.001);
-  EXPECT_EQ(never.report.number_of_iterations(), 150u);
+  EXPECT_EQ(never.report.number_of_iterations(), 100u);
 }
 
 } // namespace

@@ -74,8 +74,8 @@ TEST(Setting, of_what_is_the_default_changes_nothing)
   expect_same_map(Bld().energy(energy), default_images());
   expect_same_map(Bld().sharpness(Sharpness()), default_images());
   expect_same_map(Bld().sharpness(Sharpness::balanced()), default_images());
-  expect_same_map(Bld().tolerances(5e-4, 2e-3), default_images());
-  expect_same_map(Bld().initial_parameterizer(SP::Hierarchical_parameterizer_3().energy(energy).sweeps_per_level(7)),
+  expect_same_map(Bld().tolerances(1e-3, 2e-3), default_images());
+  expect_same_map(Bld().initial_parameterizer(SP::Hierarchical_parameterizer_3().energy(energy).sweeps_per_level(5)),
                   default_images());
 }
 
@@ -97,7 +97,7 @@ TEST(Setting, matters_in_no_order)
 TEST(Setting, of_each_kind_matters)
 {
   expect_other_map(Bld().sharpness(Sharpness::lowest_average()), default_images());
-  expect_other_map(Bld().tolerances(0.1, 0.1), default_images());
+  expect_other_map(Bld().tolerances(0., 0.), default_images());
   expect_other_map(Bld().initial_parameterizer(SP::Stereographic_parameterizer_3()), default_images());
 
   const SP::Hierarchical_parameterizer_3 hierarchical;

@@ -72,7 +72,7 @@ TEST_F(Map_program, takes_every_setting_and_ignores_none)
   EXPECT_TRUE(arguments_of.emplace(content(path("result.off")), "--method schnyder").second);
   for(const char* arguments :
       {"", "--method bld", "--energy symmetric-dirichlet", "--initial hierarchical", "--prefer balance",
-       "--sharpness 20", "--radius objective", "--tolerance 5e-4", "--time-limit 100"})
+       "--sharpness 20", "--radius objective", "--tolerance 1e-3", "--time-limit 100"})
   {
     expect_success(std::string("long.off -o result.off ") + arguments);
     EXPECT_EQ(arguments_of[content(path("result.off"))], "--energy symmetric-dirichlet --initial hierarchical")

@@ -117,7 +117,7 @@ public:
   /// largest over the average, if that is less, since a nearly isometric map has hardly more energy than the best one; but
   /// no less than a millionth of the energy. With 0, a run ends when nothing changes any more.
   ///
-  /// \param energy_tolerance at least 0, by default 5e-4
+  /// \param energy_tolerance at least 0, by default 1e-3
   /// \param radius_tolerance at least 0, by default 2e-3
   [[nodiscard]] Bijective_low_distortion_parameterizer_3 tolerances(double energy_tolerance,
                                                                     double radius_tolerance) const

@@ -70,7 +70,7 @@ public:
     Star_packets result;
     result.assign(vertices, first_of_set, [&](std::uint32_t v) { return star_of(v).size(); });
     for(std::size_t k = 0; k < result.number_of_packets(); ++k)
-      result.fill(k, [&](std::uint32_t v) { return star_of(v); });
+      result.fill_with_copies(k, [&](std::uint32_t v) { return star_of(v); });
     return result;
   }
   Star_packets packets() const { return packets({0, stars.size()}); }
@@ -80,6 +80,15 @@ public:
   std::vector<Star> stars;
 };
 
+// Where the stars of the vertices of a mesh are in these packets.
+inline std::vector<std::uint32_t> places_of(const Random_stars::Star_packets& stars, std::size_t n_vertices)
+{
+  std::vector<std::uint32_t> result(n_vertices);
+  for(std::size_t place = stars.number_of_places(); place-- > 0;) // the first place of each is its own
+    result[stars.vertex(place)] = static_cast<std::uint32_t>(place);
+  return result;
+}
+
 // The stars of these vertices of a surface, as the engine lays them out in sets.
 inline Random_stars::Star_packets stars_of(const Surface& mesh, const std::vector<std::uint32_t>& vertices,
                                            const std::vector<std::size_t>& first_of_set)
@@ -88,7 +97,7 @@ inline Random_stars::Star_packets stars_of(const Surface& mesh, const std::vecto
   Random_stars::Star_packets result;
   result.assign(vertices, first_of_set, [&](std::uint32_t v) { return mesh.rings().degree(v); });
   for(std::size_t k = 0; k < result.number_of_packets(); ++k)
-    result.fill(k, [&](std::uint32_t v) {
+    result.fill_with_copies(k, [&](std::uint32_t v) {
       const Vertex_rings::Ring ring = mesh.rings().ring(v);
       Random_stars::Star star;
       for(std::size_t j = 0; j < ring.size(); ++j)

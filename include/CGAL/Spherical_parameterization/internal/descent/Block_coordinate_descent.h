@@ -102,11 +102,11 @@ public:
   {
     m_rings = &rings;
     m_stars.assign(sets.vertices, sets.first, [&](std::uint32_t v) { return rings.degree(v); });
-    fill(m_stars, [&](std::uint32_t v) { return Ring_star{v, rings.ring(v), points, densities, limits}; });
-    m_faces.assign(m_stars, rings.number_of_faces(), m_execution);
+    set_stars(points, densities, limits);
     m_places.resize(rings.number_of_vertices());
     for(std::size_t place = m_stars.number_of_places(); place-- > 0;) // the first place of each is its own
       m_places[m_stars.vertex(place)] = static_cast<std::uint32_t>(place);
+    m_faces.assign(m_stars, m_places, rings.number_of_faces(), m_execution);
   }
 
   // Makes room for a mesh with so many vertices, so that it and the smaller ones that come before it use the same
@@ -187,7 +187,9 @@ public:
     for(std::uint32_t& place : selected)
       place = m_stars.vertex(place);
     m_focus.assign(selected, first_of_set, [&](std::uint32_t v) { return m_rings->degree(v); });
-    fill(m_focus, [&](std::uint32_t v) { return m_stars.star(m_places[v]); });
+    for_each_in_blocks(m_execution, 0, m_focus.number_of_packets(), packets_per_block, [&](std::size_t packet) {
+      m_focus.fill_with_copies(packet, [&](std::uint32_t v) { return m_stars.star(m_places[v]); });
+    });
     return n_faces;
   }
 
@@ -256,37 +258,36 @@ private:
   // The vertices around faces above a share of the largest energy are swept some times more, as they settle slowest, and
   // the largest distortion is theirs: as often as takes a share of the time of a sweep over all vertices, if that is often
   // enough to be worth it.
-  static constexpr double focus_energy = 0.8, focus_share = 0.4;
+  static constexpr double focus_energy = 0.8, focus_share = 0.8;
   static constexpr std::size_t min_focus_sweeps = 2, max_focus_sweeps = 500;
 
   static constexpr std::size_t packets_per_block = 4; // of parallel work: some two microseconds
 
-  // A star as the rings give it, for Star_packets.
-  struct Ring_star
+  void set_stars(const std::vector<Vector_3d>& points, const std::vector<double>& densities, const Rest_limits& limits)
   {
-    std::uint32_t vertex;
-    Vertex_rings::Ring ring;
-    const std::vector<Vector_3d>& points;
-    const std::vector<double>& densities;
-    const Rest_limits& limits;
-
-    std::size_t size() const { return ring.size(); }
-    std::uint32_t neighbor(std::size_t j) const { return ring[j]; }
-    Rest_triangle rest(std::size_t j) const
-    {
-      const std::uint32_t p = ring[j], q = ring.around(j + 1);
-      Rest_triangle result = Rest_triangle::from_points(points[vertex], points[p], points[q], limits);
+    const auto shape_of = [&](auto number_type, const std::uint32_t* v, const std::uint32_t* a,
+                              const std::uint32_t* b) {
+      using FT = typename decltype(number_type)::FT;
+      const auto points_of = [&](const std::uint32_t* vertices) {
+        return points_in_lanes<FT>(vertices, points.data());
+      };
+      const auto density_of = [&](const std::uint32_t* vertices) {
+        return Lanes<FT>::generate([&](std::size_t lane) { return densities[vertices[lane]]; });
+      };
+      Basic_rest_triangle<FT> result =
+          Basic_rest_triangle<FT>::from_points(points_of(v), points_of(a), points_of(b), limits);
       if(!densities.empty())
-        result.scale_area((densities[vertex] + densities[p] + densities[q]) / 3.);
+        result.scale_area((density_of(v) + density_of(a) + density_of(b)) / 3.);
       return result;
-    }
-  };
-
-  template <class StarOf>
-  void fill(Star_packets& stars, const StarOf& star_of) const
-  {
-    for_each_in_blocks(m_execution, 0, stars.number_of_packets(), packets_per_block,
-                       [&](std::size_t packet) { stars.fill(packet, star_of); });
+    };
+    const auto ring_of = [&](std::uint32_t v) { return m_rings->ring(v); };
+    for_each_block(m_execution, 0, m_stars.number_of_packets(), packets_per_block,
+                   [&](std::size_t begin, std::size_t end) {
+                     run_in_lanes([&](auto number_type) {
+                       for(std::size_t packet = begin; packet < end; ++packet)
+                         m_stars.template fill<typename decltype(number_type)::FT>(packet, ring_of, shape_of);
+                     });
+                   });
   }
 
   void move_all(const Star_packets& stars, std::vector<Vector_3d>& positions, double radius,

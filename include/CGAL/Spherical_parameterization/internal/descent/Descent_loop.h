@@ -116,7 +116,7 @@ public:
 
       choose_objective(i);
       choose_radius(i, positions);
-      if(m_settings.is_accelerated)
+      if(makes_smooth_step(i))
         step_smoothly(i, positions);
       if(m_settings.is_accelerated)
         m_descent.sweep_with_focus(positions, scaled_radius(), m_objective.of_faces(),
@@ -206,11 +206,12 @@ private:
     }
   }
 
+  // A smooth step moves the radius as well.
   void choose_radius(std::size_t i, const std::vector<Vector_3d>& positions)
   {
     if(m_radius_chooser)
       follow_policy(i == 0, positions);
-    else
+    else if(!makes_smooth_step(i))
       lower_by_radius();
   }
 
@@ -277,10 +278,10 @@ private:
     }
   }
 
+  bool makes_smooth_step(std::size_t sweep) const { return m_settings.is_accelerated && m_smooth_steps.is_due(sweep); }
+
   void step_smoothly(std::size_t sweep, std::vector<Vector_3d>& positions)
   {
-    if(!m_smooth_steps.is_due(sweep))
-      return;
     const double value = m_objective.value(m_state.summary);
     lower_by_smooth_step(positions);
     m_smooth_steps.has_made(sweep, value, m_objective.value(m_state.summary));

@@ -27,7 +27,7 @@ struct Descent_settings
 {
   // Two sweeps, with the smooth step before one of them, that change the energy by at most this much, relative, and the radius
   // likewise, have converged; without acceleration, one sweep.
-  double energy_tolerance = 5e-4, radius_tolerance = 2e-3;
+  double energy_tolerance = 1e-3, radius_tolerance = 2e-3;
   // If so, there are smooth steps and extra sweeps over the worst faces, a radius policy is followed half the way, and convergence asks
   // for more than that the sum of eq. 6 or 7 has settled.
   bool is_accelerated = true;
@@ -38,7 +38,7 @@ constexpr std::size_t size_of_small_meshes = 2000;
 
 // Sweeps over a level of a hierarchy that is not small. They repair what the insertion of vertices has left; more hardly change
 // where the descent over the mesh ends.
-constexpr std::size_t default_sweeps_per_level = 7;
+constexpr std::size_t default_sweeps_per_level = 5;
 
 // As many sweeps as bring most meshes to their end.
 inline std::size_t default_number_of_sweeps(std::size_t n_vertices)

@@ -58,30 +58,41 @@ public:
     m_measured.reserve((n_faces + width - 1) / width);
   }
 
-  // Takes the faces of the mesh with these stars, which hold the rest shapes for the measurements as well.
-  void assign(const Star_packets& stars, std::size_t n_faces, Execution execution)
+  // Takes the faces of the mesh with these stars, which hold the rest shapes for the measurements as well. The vertices
+  // have their stars at these places. Rows of faces that lie side by side there do so here, before all others.
+  void assign(const Star_packets& stars, const std::vector<std::uint32_t>& places, std::size_t n_faces,
+              Execution execution)
   {
     m_number_of_faces = n_faces;
     m_partial.clear(); // nothing has been measured
     const std::size_t n_packets = (n_faces + width - 1) / width, n_star_packets = stars.number_of_packets();
     m_packets.resize(n_packets, boost::container::default_init);
     m_measured.resize(n_packets, boost::container::default_init);
-    std::vector<std::size_t> first(n_star_packets + 1, 0); // of the faces of each packet of stars
-    for_each_in_blocks(execution, 0, n_star_packets, packets_per_block,
-                       [&](std::size_t k) { first[k + 1] = stars.number_of_faces(k); });
-    std::partial_sum(first.begin(), first.end(), first.begin());
-    CGAL_assertion(first.back() == n_faces);
+    // the faces of each packet of stars, those of rows in first[0], and then where they begin here
+    std::array<std::vector<std::size_t>, 2> first;
+    first.fill(std::vector<std::size_t>(n_star_packets + 1, 0));
+    for_each_in_blocks(execution, 0, n_star_packets, packets_per_block, [&](std::size_t k) {
+      stars.for_each_face(k, places, [&](bool is_of_row, std::size_t, std::uint32_t, std::uint32_t, std::uint32_t) {
+        ++first[is_of_row ? 0 : 1][k + 1];
+      });
+    });
+    std::partial_sum(first[0].begin(), first[0].end(), first[0].begin());
+    first[1][0] = first[0].back();
+    std::partial_sum(first[1].begin(), first[1].end(), first[1].begin());
+    CGAL_assertion(first[1].back() == n_faces);
+    m_number_of_rows = first[1][0] / width;
     for_each_block(execution, 0, n_star_packets, packets_per_block, [&](std::size_t begin, std::size_t end) {
-      std::size_t n = first[begin];
+      std::array<std::size_t, 2> n = {first[0][begin], first[1][begin]};
       for(std::size_t k = begin; k < end; ++k)
-        stars.for_each_face(k, [&](std::size_t corner, std::uint32_t a, std::uint32_t b, std::uint32_t c) {
-          Packet& packet = m_packets[n / width];
-          packet.corners[n % width] = static_cast<std::uint32_t>(corner);
-          packet.vertices[0][n % width] = a;
-          packet.vertices[1][n % width] = b;
-          packet.vertices[2][n % width] = c;
-          ++n;
-        });
+        stars.for_each_face(k, places,
+                            [&](bool is_of_row, std::size_t corner, std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+                              const std::size_t face = n[is_of_row ? 0 : 1]++;
+                              Packet& packet = m_packets[face / width];
+                              packet.corners[face % width] = static_cast<std::uint32_t>(corner);
+                              packet.vertices[0][face % width] = a;
+                              packet.vertices[1][face % width] = b;
+                              packet.vertices[2][face % width] = c;
+                            });
     });
     for(std::size_t n = n_faces; n < n_packets * width; ++n)
     {
@@ -276,6 +287,8 @@ private:
       return points_in_lanes<FT>(packet.vertices[corner].data() + first, positions);
     };
     const auto rest = [&](std::size_t i) {
+      if(k < m_number_of_rows)
+        return stars.rest<FT>(packet.corners[first], i);
       return Lanes<FT>::generate([&](std::size_t lane) { return stars.rest(packet.corners[first + lane], i); });
     };
     return {{point(0), point(1), point(2)}, {rest(0), rest(1), rest(2)}, rest(3)};
@@ -317,13 +330,12 @@ private:
   void summarize(const Energy& energy, const Star_packets& stars, double radius, const Face_objective& objective,
                  std::size_t block)
   {
-    const auto squared = [](double x) { return x * x; };
     std::array<double, faces_per_block> energies, areas;
     const double* const counts = Energy::weighs_faces_by_area ? areas.data() : nullptr;
+    const FT scale = (radius / m_radius) * (radius / m_radius);
     const std::size_t begin = first_face(block), n = first_face(block + 1) - begin;
     for(std::size_t k = 0; k < n; k += Lanes<FT>::width)
     {
-      const FT scale = squared(radius / m_radius);
       const FT i = scale * measured<FT>(begin + k, &Measured::i), d = scale * measured<FT>(begin + k, &Measured::d);
       Lanes<FT>::store(energy(i, d), energies.data() + k);
     }
@@ -341,7 +353,7 @@ private:
     return result;
   }
 
-  std::size_t m_number_of_faces = 0;
+  std::size_t m_number_of_faces = 0, m_number_of_rows = 0; // of rows, which come first
   boost::container::vector<Packet> m_packets;
   boost::container::vector<Measured> m_measured;
   std::vector<Face_invariants_3> m_invariants; // for radius policies

@@ -19,6 +19,7 @@
 #include <CGAL/Spherical_parameterization/internal/descent/Sphere_cells.h>
 #include <CGAL/Spherical_parameterization/internal/descent/Star_packets.h>
 #include <CGAL/Spherical_parameterization/internal/descent/Strain_sums.h>
+#include <CGAL/Spherical_parameterization/internal/numbers/run_in_lanes.h>
 #include <CGAL/Spherical_parameterization/internal/execution/parallel.h>
 #include <CGAL/Spherical_parameterization/internal/numbers/Vector_3.h>
 #include <CGAL/Spherical_parameterization/internal/numbers/conjugate_gradients.h>
@@ -64,8 +65,21 @@ public:
   {
     constexpr std::size_t block_size = 256; // some five microseconds
     moved.resize(positions.size());
-    for_each_in_blocks(execution, 0, positions.size(), block_size, [&](std::size_t v) {
-      moved[v] = normalized(positions[v] + t * m_cells.step_at(positions[v], m_steps));
+    for_each_block(execution, 0, positions.size(), block_size, [&](std::size_t begin, std::size_t end) {
+      run_in_lanes([&](auto number_type) {
+        using FT = typename decltype(number_type)::FT;
+        constexpr std::size_t width = Lanes<FT>::width;
+        for(std::size_t first = begin; first < end; first += width)
+        {
+          std::array<std::uint32_t, width> vertices;
+          for(std::size_t k = 0; k < width; ++k)
+            vertices[k] = static_cast<std::uint32_t>((std::min)(first + k, end - 1));
+          const Vector_3<FT> p = points_in_lanes<FT>(vertices.data(), positions.data());
+          const Vector_3<FT> q = normalized<FT>(p + FT(t) * m_cells.step_at<FT>(p, m_steps));
+          for(std::size_t k = 0; k < width && first + k < end; ++k)
+            moved[first + k] = {lane(q[0], k), lane(q[1], k), lane(q[2], k)};
+        }
+      });
     });
   }
 

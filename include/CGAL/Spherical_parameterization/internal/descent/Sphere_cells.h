@@ -14,6 +14,7 @@
 
 #include <CGAL/license/Spherical_parameterization.h>
 
+#include <CGAL/Spherical_parameterization/internal/descent/Star_packets.h>
 #include <CGAL/Spherical_parameterization/internal/locate/Cube_location.h>
 #include <CGAL/Spherical_parameterization/internal/numbers/Vector_3.h>
 
@@ -78,16 +79,26 @@ public:
   const std::vector<Tangent_frame>& frames() const { return m_frames; } // of the nodes
   const std::vector<Cell>& cells() const { return m_cells; }            // some of them are empty
 
-  // the index of the cell that is in direction p
-  std::size_t cell_at(const Vector_3d& p) const { return Cube_location(p, m_n).half().index; }
+  // the index of the cell that is in direction p, in each lane
+  template <class FT>
+  std::array<std::size_t, Lanes<FT>::width> cells_at(const Vector_3<FT>& p) const
+  {
+    return Basic_cube_location<FT>(p, m_n).half().index;
+  }
 
   // how the deformation moves p, if it moves each node by its step
-  Vector_3d step_at(const Vector_3d& p, const std::vector<Vector_3d>& steps) const
+  template <class FT>
+  Vector_3<FT> step_at(const Vector_3<FT>& p, const std::vector<Vector_3d>& steps) const
   {
-    const Cube_location::Half half = Cube_location(p, m_n).half();
-    Vector_3d result = {0., 0., 0.};
+    const typename Basic_cube_location<FT>::Half half = Basic_cube_location<FT>(p, m_n).half();
+    Vector_3<FT> result = {FT(0.), FT(0.), FT(0.)};
     for(std::size_t k = 0; k < 3; ++k)
-      result = result + half.weights[k] * steps[m_node_at[half.nodes[k]]];
+    {
+      std::array<std::uint32_t, Lanes<FT>::width> nodes;
+      for(std::size_t lane = 0; lane < nodes.size(); ++lane)
+        nodes[lane] = m_node_at[half.nodes[k][lane]];
+      result = result + half.weights[k] * points_in_lanes<FT>(nodes.data(), steps.data());
+    }
     return result;
   }
 

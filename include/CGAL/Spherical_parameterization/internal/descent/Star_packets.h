@@ -17,6 +17,7 @@
 #include <CGAL/Spherical_parameterization/internal/numbers/Eight_lanes.h>
 #include <CGAL/Spherical_parameterization/internal/numbers/Packed_double.h>
 #include <CGAL/Spherical_parameterization/internal/numbers/Vector_3.h>
+#include <CGAL/Spherical_parameterization/internal/numbers/run_in_lanes.h>
 #include <CGAL/Spherical_parameterization/internal/surface/Rest_triangle.h>
 
 #include <CGAL/assertions.h>
@@ -86,7 +87,7 @@ struct Star_view
   FT opposite_1(std::size_t j) const { return rest(j, 1); }
   FT opposite_2(std::size_t j) const { return rest(j, 2); }
   FT inverse_doubled_area(std::size_t j) const { return rest(j, 3); }
-  Rest_triangle rest(std::size_t j) const { return {rest(j, 0), rest(j, 1), rest(j, 2), rest(j, 3)}; } // of one star
+  Basic_rest_triangle<FT> rest(std::size_t j) const { return {rest(j, 0), rest(j, 1), rest(j, 2), rest(j, 3)}; }
 
   // whether row j is beyond the end of the star
   auto is_padding(std::size_t j) const { return !(FT(static_cast<double>(j)) < degree); }
@@ -177,9 +178,27 @@ public:
     resize(m_rest, 4 * n_corners);
   }
 
-  // Fills a packet: star_of(v) is the star of a vertex, with its size(), neighbor(j) and rest(j).
+  // Fills a packet of stars of a mesh: ring_of(v)[j] is number j of the neighbors of a vertex, and shape_of(v, a, b) is the
+  // rest shape of a face in each lane, whose vertices are v[k], a[k] and b[k] in lane k.
+  template <class FT, class RingOf, class ShapeOf>
+  void fill(std::size_t packet, const RingOf& ring_of, const ShapeOf& shape_of)
+  {
+    const Packet& p = m_packets[packet];
+    for(std::size_t lane = 0; lane < p.stride; ++lane)
+    {
+      const auto ring = ring_of(m_vertices[p.first_place + lane]);
+      for(std::size_t j = 0; j < p.number_of_rows; ++j)
+        m_neighbors[p.first_corner + j * p.stride + lane] = ring[j < ring.size() ? j : 0];
+    }
+    if(p.stride == 1)
+      set_rests<double>(p, shape_of);
+    else
+      set_rests<FT>(p, shape_of);
+  }
+
+  // Fills a packet with copies of stars of other packets: star_of(v) is that of a vertex.
   template <class StarOf>
-  void fill(std::size_t packet, const StarOf& star_of)
+  void fill_with_copies(std::size_t packet, const StarOf& star_of)
   {
     const Packet& p = m_packets[packet];
     for(std::size_t lane = 0; lane < p.stride; ++lane)
@@ -189,12 +208,8 @@ public:
       {
         const std::size_t corner = p.first_corner + j * p.stride + lane;
         const bool is_face = j < star.size();
-        const Rest_triangle rest = is_face ? star.rest(j) : Rest_triangle{0., 0., 0., 0.};
         m_neighbors[corner] = star.neighbor(is_face ? j : 0);
-        m_rest[rest_index(corner, 0)] = rest.opposite_0;
-        m_rest[rest_index(corner, 1)] = rest.opposite_1;
-        m_rest[rest_index(corner, 2)] = rest.opposite_2;
-        m_rest[rest_index(corner, 3)] = rest.inverse_doubled_area;
+        set_rest<double>(corner, is_face ? star.rest(j) : Rest_triangle{0., 0., 0., 0.});
       }
     }
   }
@@ -238,33 +253,73 @@ public:
             Lanes<FT>::generate([&](std::size_t k) { return static_cast<double>(m_degrees[place + k]); })};
   }
 
-  double rest(std::size_t corner, std::size_t k) const { return m_rest[rest_index(corner, k)]; }
-
-  // Calls f(corner, v, a, b) for the faces (v, a, b) of the mesh that have their smallest vertex v in a packet, in a fixed order.
-  template <class Function>
-  void for_each_face(std::size_t packet, const Function& f) const
+  // number k of the rest shapes of the corners from this one on, in the lanes of a row
+  template <class FT = double>
+  FT rest(std::size_t corner, std::size_t k) const
   {
-    const Packet& p = m_packets[packet];
-    for(std::size_t lane = 0; lane < p.number_of_stars; ++lane)
-      for(std::size_t j = 0; j < p.number_of_rows; ++j)
-      {
-        const std::size_t first = p.first_corner + lane, corner = first + j * p.stride;
-        const std::uint32_t v = m_vertices[p.first_place + lane], a = m_neighbors[corner],
-                            b = m_neighbors[j + 1 < p.number_of_rows ? corner + p.stride : first];
-        // A padding row has the first neighbor on both sides. Branches would be mispredicted.
-        if(static_cast<int>(v < a) & static_cast<int>(v < b) & static_cast<int>(a != b))
-          f(corner, v, a, b);
-      }
+    return Lanes<FT>::load(m_rest.data() + rest_index(corner, k));
   }
 
-  std::size_t number_of_faces(std::size_t packet) const
+  // Calls f(is_of_row, corner, v, a, b) for the faces (v, a, b) of a packet that belong to their vertex v, in a fixed order.
+  // A face belongs to the vertex whose place is first. Where all faces of a row do, as nearly everywhere in the first set, to
+  // which most faces of a mesh belong, they are called one after the other, with `is_of_row`.
+  template <class Function>
+  void for_each_face(std::size_t packet, const std::vector<std::uint32_t>& places, const Function& f) const
   {
-    std::size_t result = 0;
-    for_each_face(packet, [&](std::size_t, std::uint32_t, std::uint32_t, std::uint32_t) { ++result; });
-    return result;
+    const Packet& p = m_packets[packet];
+    for(std::size_t j = 0; j < p.number_of_rows; ++j)
+    {
+      const std::size_t corner = p.first_corner + j * p.stride,
+                        next = j + 1 < p.number_of_rows ? corner + p.stride : p.first_corner;
+      std::array<int, width> belongs = {};
+      for(std::size_t lane = 0; lane < p.number_of_stars; ++lane)
+      {
+        const std::uint32_t place = p.first_place + static_cast<std::uint32_t>(lane), a = m_neighbors[corner + lane],
+                            b = m_neighbors[next + lane];
+        // A padding row has the first neighbor on both sides. Branches would be mispredicted.
+        belongs[lane] =
+            static_cast<int>(place < places[a]) & static_cast<int>(place < places[b]) & static_cast<int>(a != b);
+      }
+      const bool is_row = std::accumulate(belongs.begin(), belongs.end(), 0) == width;
+      for(std::size_t lane = 0; lane < p.number_of_stars; ++lane)
+        if(belongs[lane])
+          f(is_row, corner + lane, m_vertices[p.first_place + lane], m_neighbors[corner + lane],
+            m_neighbors[next + lane]);
+    }
   }
 
 private:
+  template <class FT, class ShapeOf>
+  void set_rests(const Packet& p, const ShapeOf& shape_of)
+  {
+    for(std::size_t lane = 0; lane < p.stride; lane += Lanes<FT>::width)
+    {
+      const Star_view<FT> star = view<FT>(p, lane);
+      for(std::size_t j = 0; j < p.number_of_rows; ++j)
+      {
+        const std::size_t corner = star.first + j * p.stride,
+                          next = j + 1 < p.number_of_rows ? corner + p.stride : star.first;
+        const Basic_rest_triangle<FT> shape =
+            shape_of(Number_type<FT>(), star.vertices, &m_neighbors[corner], &m_neighbors[next]);
+        const auto is_padding = star.is_padding(j);
+        const auto unless_padding = [&](const FT& number) { return select(is_padding, FT(0.), number); };
+        set_rest<FT>(corner, {unless_padding(shape.opposite_0), unless_padding(shape.opposite_1),
+                              unless_padding(shape.opposite_2), unless_padding(shape.inverse_doubled_area)});
+      }
+    }
+  }
+
+  // Sets the rest shapes of the corners from this one on.
+  template <class FT>
+  void set_rest(std::size_t corner, const Basic_rest_triangle<FT>& shape)
+  {
+    const auto set = [&](std::size_t k, const FT& number) { Lanes<FT>::store(number, &m_rest[rest_index(corner, k)]); };
+    set(0, shape.opposite_0);
+    set(1, shape.opposite_1);
+    set(2, shape.opposite_2);
+    set(3, shape.inverse_doubled_area);
+  }
+
   // Vertices are ordered by their numbers of faces in chunks: near in memory, but enough to fill packets of one number.
   static constexpr std::size_t chunk_size = 1024;
   static constexpr std::size_t max_rows = 32; // of a packet of several stars: to pad them for longer ones wastes memory

@@ -57,26 +57,25 @@ public:
               Execution execution)
   {
     constexpr std::size_t n_parts = 8;
-    std::vector<Part> parts(n_parts);
+    std::vector<std::vector<Sums>> parts(n_parts);
     for_each_block(execution, 0, n_parts, 1,
-                   [&](std::size_t part, std::size_t) { parts[part].cells.assign(grid.cells().size(), Sums()); });
+                   [&](std::size_t part, std::size_t) { parts[part].assign(grid.cells().size(), Sums()); });
     faces.template for_each_in_lanes<Space>(stars, positions, n_parts, execution,
                                             [&](std::size_t part, const auto& lanes, std::size_t n) {
                                               using FT = std::decay_t<decltype(lanes.inverse_doubled_area)>;
                                               add_faces<FT>(lanes, n, grid, radius * radius, objective, parts[part]);
                                             });
-    m_total = std::move(parts[0]);
-    const auto add_cells = [&](std::size_t begin, std::size_t end) {
-      for(std::size_t part = 1; part < n_parts; ++part)
-        for(std::size_t cell = begin; cell < end; ++cell)
-          for(std::size_t k = 0; k < n_sums; ++k)
-            m_total.cells[cell][k] += parts[part].cells[cell][k];
-    };
+    m_cells = std::move(parts[0]);
     constexpr std::size_t cells_per_block = 64; // some five microseconds
-    for_each_block(execution, 0, m_total.cells.size(), cells_per_block, add_cells);
-    for(std::size_t part = 1; part < n_parts; ++part)
-      for(std::size_t k = 0; k < m_total.shared.size(); ++k)
-        m_total.shared[k] += parts[part].shared[k];
+    for_each_in_blocks(execution, 0, m_cells.size(), cells_per_block, [&](std::size_t cell) {
+      for(std::size_t part = 1; part < n_parts; ++part)
+        for(std::size_t k = 0; k < n_sums; ++k)
+          m_cells[cell][k] += parts[part][cell][k];
+    });
+    m_shared = {};
+    for(const Sums& sums : m_cells)
+      for(std::size_t k = 0; k < m_shared.size(); ++k)
+        m_shared[k] += sums[first_shared + k];
   }
 
   // The derivatives in the entries 00, 01, 10 and 11 of A.
@@ -86,7 +85,7 @@ public:
 
   Matrix_4 hessian(std::size_t cell) const
   {
-    const Sums& s = m_total.cells[cell];
+    const Sums& s = m_cells[cell];
     constexpr std::array<std::size_t, 4> entry = {0, 1, 1, 2};
     constexpr std::array<std::array<std::size_t, 3>, 3> product = {{{9, 10, 11}, {10, 12, 13}, {11, 13, 14}}};
     Matrix_4 h;
@@ -101,25 +100,20 @@ public:
   }
 
   // the derivatives R, t, R R, R t and t t
-  const std::array<double, 5>& of_level_and_radius() const { return m_total.shared; }
+  const std::array<double, 5>& of_level_and_radius() const { return m_shared; }
 
 private:
   // At A = 1, the first derivatives are symmetric, of which 00, 01 and 11 are written: from 0 on the gradient, from 3 on its
   // derivative in R, from 6 on that in t. The second ones come from products of first ones, from 9 on 00 00, 00 01, 00 11,
   // 01 01, 01 11 and 11 11; from the second derivatives of I, from 15 on, which are those of 2 M in each row of A; and from
-  // those of the determinant, 18.
-  static constexpr std::size_t n_sums = 19;
+  // those of the determinant, 18. From 19 on they are those in R and t alone: R, t, R R, R t and t t.
+  static constexpr std::size_t first_shared = 19, n_sums = 24;
+  static_assert(n_sums % packet_width == 0, "They are added in lanes.");
   using Sums = std::array<double, n_sums>;
-
-  struct Part
-  {
-    std::vector<Sums> cells;
-    std::array<double, 5> shared = {};
-  };
 
   std::array<double, 4> entries(std::size_t cell, std::size_t first) const
   {
-    const Sums& s = m_total.cells[cell];
+    const Sums& s = m_cells[cell];
     return {s[first], s[first + 1], s[first + 1], s[first + 2]};
   }
 
@@ -155,7 +149,7 @@ private:
 
   template <class FT>
   void add_faces(const Faces_in_lanes<FT>& faces, std::size_t n, const Sphere_cells& grid, double squared_radius,
-                 const Face_objective& objective, Part& part) const
+                 const Face_objective& objective, std::vector<Sums>& sums_of_cells) const
   {
     constexpr std::size_t width = Lanes<FT>::width;
     const auto& [p, opposite, inverse_doubled_area] = faces;
@@ -169,9 +163,7 @@ private:
       weights.scale(doubled_area);
 
     const Vector_3<FT> center = p[0] + p[1] + p[2];
-    std::array<std::size_t, width> cells;
-    for(std::size_t k = 0; k < width; ++k)
-      cells[k] = grid.cell_at({lane(center[0], k), lane(center[1], k), lane(center[2], k)});
+    const std::array<std::size_t, width> cells = grid.cells_at<FT>(center);
     const auto axis = [&](Vector_3d Sphere_cells::Cell::*member) {
       const auto coordinate = [&](std::size_t j) {
         return Lanes<FT>::generate([&](std::size_t k) { return (grid.cells()[cells[k]].*member)[j]; });
@@ -196,38 +188,41 @@ private:
     const FT ei_t = 2. * (e.ii * i + e.id * d), ed_t = 2. * (e.id * i + e.dd * d); // derivatives in t
     const FT e_t = 2. * (e.i * i + e.d * d), e_tt = 2. * (e_t + ei_t * i + ed_t * d);
 
-    std::array<FT, n_sums> terms;
+    std::array<std::array<double, width>, n_sums> terms;
+    const auto set = [&](std::size_t k, const FT& value) { Lanes<FT>::store(value, terms[k].data()); };
     for(std::size_t k = 0; k < 3; ++k)
     {
-      terms[k] = weights.first * de[k];
-      terms[3 + k] = weights.er * de[k];
-      terms[6 + k] = weights.first * (2. * de[k] + ei_t * di[k] + ed_t * dd[k]) + weights.second * e_t * de[k];
-      terms[15 + k] = weights.first * e.i * di[k];
+      set(k, weights.first * de[k]);
+      set(3 + k, weights.er * de[k]);
+      set(6 + k, weights.first * (2. * de[k] + ei_t * di[k] + ed_t * dd[k]) + weights.second * e_t * de[k]);
+      set(15 + k, weights.first * e.i * di[k]);
     }
     std::size_t term = 9;
     for(std::size_t k = 0; k < 3; ++k)
       for(std::size_t l = k; l < 3; ++l)
-        terms[term++] =
+        set(term++,
             weights.first * (e.ii * di[k] * di[l] + e.id * (di[k] * dd[l] + dd[k] * di[l]) + e.dd * dd[k] * dd[l]) +
-            weights.second * de[k] * de[l];
-    terms[18] = weights.first * e.d * d;
-    const std::array<FT, 5> shared_terms = {weights.r, weights.first * e_t, weights.rr, weights.er * e_t,
-                                            weights.first * e_tt + weights.second * e_t * e_t};
-    std::array<std::array<double, width>, n_sums> values;
-    for(std::size_t k = 0; k < n_sums; ++k)
-      Lanes<FT>::store(terms[k], values[k].data());
+                weights.second * de[k] * de[l]);
+    set(18, weights.first * e.d * d);
+    set(first_shared, weights.r);
+    set(first_shared + 1, weights.first * e_t);
+    set(first_shared + 2, weights.rr);
+    set(first_shared + 3, weights.er * e_t);
+    set(first_shared + 4, weights.first * e_tt + weights.second * e_t * e_t);
     for(std::size_t k = 0; k < n; ++k)
     {
-      Sums& sums = part.cells[cells[k]];
-      for(std::size_t j = 0; j < n_sums; ++j)
-        sums[j] += values[j][k];
-      for(std::size_t j = 0; j < shared_terms.size(); ++j)
-        part.shared[j] += lane(shared_terms[j], k);
+      double* const sums = sums_of_cells[cells[k]].data();
+      for(std::size_t j = 0; j < n_sums; j += width) // the terms of a face in lanes
+      {
+        const FT face_terms = Lanes<FT>::generate([&](std::size_t lane) { return terms[j + lane][k]; });
+        Lanes<FT>::store(Lanes<FT>::load(sums + j) + face_terms, sums + j);
+      }
     }
   }
 
   Space m_space;
-  Part m_total;
+  std::vector<Sums> m_cells;
+  std::array<double, 5> m_shared = {};
 };
 
 } // namespace CGAL::Spherical_parameterization::internal

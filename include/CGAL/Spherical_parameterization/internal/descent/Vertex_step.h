@@ -99,7 +99,7 @@ private:
   static constexpr double armijo = 1e-4;  // the usual constant of sufficient decrease (Nocedal and Wright, section 3.1)
   static constexpr int max_halvings = 12; // down to 1/2048 of the step; else the vertex waits for the next sweep
 
-  double m_over_relaxation = 1.5;
+  double m_over_relaxation = 1.7;
 };
 
 // The step of the BLD paper, eq. 8: gradient descent on the flat areas. It is as long as the shortest edge at the

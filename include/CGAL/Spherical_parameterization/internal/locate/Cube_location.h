@@ -32,6 +32,8 @@ namespace CGAL::Spherical_parameterization::internal {
 template <class FT>
 class Basic_cube_location
 {
+  static constexpr std::size_t width = Lanes<FT>::width;
+
 public:
   Basic_cube_location(const Vector_3<FT>& p, std::size_t n)
     : m_n(n)
@@ -83,19 +85,29 @@ public:
   // The bilinear weights of the corners.
   std::array<FT, 4> weights() const { return {(1. - m_u) * (1. - m_v), (1. - m_u) * m_v, m_u * (1. - m_v), m_u * m_v}; }
 
-  // The half of the square, cut along its diagonal, that the direction is in: its number, its corners, and the weights
-  // that interpolate linearly in it.
+  // The half of the square, cut along its diagonal, that the direction is in: its number and its corners in each lane, and the
+  // weights that interpolate linearly in it.
   struct Half
   {
-    std::size_t index;
-    std::array<std::size_t, 3> nodes;
-    std::array<double, 3> weights;
+    std::array<std::size_t, width> index;
+    std::array<std::array<std::size_t, width>, 3> nodes;
+    std::array<FT, 3> weights;
   };
   Half half() const
   {
-    const std::size_t first = m_first[0], last = first + m_n + 2;
-    return m_u > m_v ? Half{2 * first + 1, {first, first + m_n + 1, last}, {1. - m_u, m_u - m_v, m_v}}
-                     : Half{2 * first, {first, first + 1, last}, {1. - m_v, m_v - m_u, m_u}};
+    const FT second = select(m_u > m_v, FT(1.), FT(0.));
+    const FT smaller = minimum(m_u, m_v), larger = maximum(m_u, m_v);
+    Half result;
+    result.weights = {1. - larger, larger - smaller, smaller};
+    for(std::size_t k = 0; k < width; ++k)
+    {
+      const std::size_t first = m_first[k], is_second = static_cast<std::size_t>(static_cast<int>(lane(second, k)));
+      result.index[k] = 2 * first + is_second;
+      result.nodes[0][k] = first;
+      result.nodes[1][k] = first + 1 + is_second * m_n;
+      result.nodes[2][k] = first + m_n + 2;
+    }
+    return result;
   }
 
   // A point of a side, with coordinates from -1 to 1.
@@ -120,7 +132,6 @@ public:
   }
 
 private:
-  static constexpr std::size_t width = Lanes<FT>::width;
   using Condition = decltype(std::declval<FT>() < std::declval<FT>());
 
   // A vector as seen from the side: the two coordinates in its plane, and the one along its axis.

@@ -54,29 +54,24 @@ inline double largest_double_below(const Exact_rational& x)
 }
 
 // A rational number, rounded to the nearest double, of two as near to the even one. CGAL::to_double() rounds towards zero or to
-// nearest, or errs by more, and has NaN where numerator and denominator are both beyond the range of doubles: that depends on the
-// library that computes with such numbers.
+// nearest, or errs by more, and has 0 or NaN where numerator and denominator are both beyond the range of doubles: that depends on
+// the library that computes with such numbers.
 inline double nearest_double(const Exact_rational& x)
 {
-  double y = CGAL::to_double(x);
-  if(!std::isfinite(y))
-    y = CGAL::sign(x) == NEGATIVE ? -largest_double_below(-x) : largest_double_below(x);
-  for(;;)
-  {
-    const Exact_rational difference = x - exact_rational(y);
-    const Sign side = CGAL::sign(difference);
-    const double next = std::nextafter(y, side == POSITIVE ? HUGE_VAL : -HUGE_VAL);
-    if(side == ZERO || !std::isfinite(next))
-      break;
-    const Exact_rational half_a_step = (exact_rational(next) - exact_rational(y)) / 2;
-    const Comparison_result distance = CGAL::compare(CGAL::abs(difference), CGAL::abs(half_a_step));
-    if(distance == SMALLER || (distance == EQUAL && bits_of(y) % 2 == 0))
-      break;
-    y = next;
-    if(distance == EQUAL)
-      break;
-  }
-  return y;
+  if(CGAL::sign(x) == NEGATIVE)
+    return -nearest_double(Exact_rational(-x));
+  const auto is_above = [&](double y) { return CGAL::compare(exact_rational(y), x) == LARGER; };
+  const auto next_of = [](double y) { return std::nextafter(y, HUGE_VAL); };
+  double low = CGAL::to_double(x);
+  if(std::isfinite(low) && low > 0. && is_above(low))
+    low = std::nextafter(low, 0.);
+  if(!(low >= 0.) || !std::isfinite(next_of(low)) || is_above(low) || !is_above(next_of(low)))
+    low = largest_double_below(x);
+  const double high = next_of(low);
+  if(!std::isfinite(high))
+    return low;
+  const Comparison_result side = CGAL::compare(x - exact_rational(low), exact_rational(high) - x);
+  return side == SMALLER || (side == EQUAL && bits_of(low) % 2 == 0) ? low : high;
 }
 
 } // namespace CGAL::Spherical_parameterization::internal
