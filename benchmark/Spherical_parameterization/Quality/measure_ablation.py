@@ -38,7 +38,7 @@ class Change:
 
 
 SMOOTH, FOCUS = "descent/Smooth_step.h", "descent/Block_coordinate_descent.h"
-LOOP, LEVELS = "descent/Descent_loop.h", "descent/Hierarchical_embedding.h"
+LOOP, LEVELS, SETTINGS = "descent/Descent_loop.h", "descent/Hierarchical_embedding.h", "descent/Descent_settings.h"
 STEP, REMOVAL, KERNEL = "descent/Vertex_step.h", "hierarchy/Vertex_removal.h", "hierarchy/Star_kernel.h"
 
 HEURISTICS = {
@@ -51,17 +51,25 @@ HEURISTICS = {
                         "                                   m_state.summary.maximum_energy());",
                         "m_descent.sweep(positions, scaled_radius(), m_objective.of_faces());")],
         "two": [Change(FOCUS, "max_focus_sweeps = 500;", "max_focus_sweeps = 2;")],
+        "up to 0.4 of a sweep": [Change(FOCUS, "focus_share = 0.8;", "focus_share = 0.4;")],
     },
-    "steps of 1.5 times their length": {
-        "1": [Change(STEP, "m_over_relaxation = 1.5;", "m_over_relaxation = 1.;")],
-        "1.9": [Change(STEP, "m_over_relaxation = 1.5;", "m_over_relaxation = 1.9;")],
+    "steps of 1.7 times their length": {
+        "1": [Change(STEP, "m_over_relaxation = 1.7;", "m_over_relaxation = 1.;")],
+        "1.5": [Change(STEP, "m_over_relaxation = 1.7;", "m_over_relaxation = 1.5;")],
+        "1.9": [Change(STEP, "m_over_relaxation = 1.7;", "m_over_relaxation = 1.9;")],
+    },
+    "shorter steps on levels": {
+        "1.7": [Change(LEVELS, "over_relaxation = 1.5;", "over_relaxation = 1.7;")],
+    },
+    "steps of the radius, where there is no smooth step": {
+        "everywhere": [Change(LOOP, "else if(!makes_smooth_step(i))", "else")],
     },
     "small levels until they have settled": {
-        "7 sweeps": [Change(LEVELS, "level.vertices.size() < size_of_small_meshes && !m_is_uniform", "false")],
+        "5 sweeps": [Change(LEVELS, "level.vertices.size() < size_of_small_meshes && !m_is_uniform", "false")],
     },
-    "7 sweeps over the other levels": {
-        "3": [Change("descent/Descent_settings.h", "default_sweeps_per_level = 7;", "default_sweeps_per_level = 3;")],
-        "14": [Change("descent/Descent_settings.h", "default_sweeps_per_level = 7;", "default_sweeps_per_level = 14;")],
+    "5 sweeps over the other levels": {
+        "3": [Change(SETTINGS, "default_sweeps_per_level = 5;", "default_sweeps_per_level = 3;")],
+        "10": [Change(SETTINGS, "default_sweeps_per_level = 5;", "default_sweeps_per_level = 10;")],
     },
     "levels of three quarters of the vertices": {
         "of two thirds": [Change("hierarchy/Mesh_hierarchy.h", "max_share = 0.25;", "max_share = 1. / 3.;")],
