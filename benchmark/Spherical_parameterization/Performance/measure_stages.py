@@ -30,7 +30,7 @@ SMALL, GROWING, ROUNDS = "cow_2904", "armadillo_26002", (0, 2, 3)
 KERNELS = {
     "certificate": ("certify", "count_triangles", "are_safely_positive<", "Orientation_about_origin"),
     "sweeps": ("move_all",),
-    "smooth steps": ("Strain_sums", "Smooth_step", "Sphere_cells", "cube_location", "array<double, 19"),
+    "smooth steps": ("Strain_sums", "Smooth_step", "Sphere_cells", "cube_location", "array<double, 24"),
     "measuring": ("Measured_faces::for_each_", "Measured_faces::summar", "Measured_faces::measure", "Measured_faces::radius"),
     "stars laid out": ("Star_packets", "Rest_triangle", "Independent_sets", "Measured_faces", "Block_coordinate_descent"),
     "removals chosen": ("Vertex_removal", "Mesh_hierarchy::select", "Mesh_hierarchy::coarsen", "_Iter_equals_val", "spreadsort"),

@@ -58,8 +58,8 @@ public:
     m_measured.reserve((n_faces + width - 1) / width);
   }
 
-  // Takes the faces of the mesh with these stars, which hold the rest shapes for the measurements as well. The vertices
-  // have their stars at these places. Rows of faces that lie side by side there do so here, before all others.
+  // Takes the faces of the mesh with these stars, which hold the rest shapes for the measurements as well. The star of
+  // vertex v is number places[v] there. Rows of faces that are side by side there are so here, before all others.
   void assign(const Star_packets& stars, const std::vector<std::uint32_t>& places, std::size_t n_faces,
               Execution execution)
   {
