@@ -28,6 +28,7 @@ using Exact = CGAL::Simple_cartesian<Rational>;
 using Float = CGAL::Simple_cartesian<float>;
 using judge::Image;
 using SP::internal::Execution;
+using SP::internal::nearest_double;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
@@ -90,16 +91,16 @@ std::array<Map<Number>, 2> around_fold(const Map<Number>& map, Random& random)
     return std::all_of(faces.begin(), faces.end(),
                        [&](const Triangle& t) { return judge::is_positive(moved.images, t); });
   };
-  const auto halve = [&] {
-    Image<Number> middle;
-    for(std::size_t i = 0; i < 3; ++i)
-      middle[i] = good[i] / 2 + bad[i] / 2;
-    const bool is_new = middle != good && middle != bad;
-    (is_good(middle) ? good : bad) = middle;
-    return is_new;
-  };
   if constexpr(std::is_floating_point<Number>::value)
   {
+    const auto halve = [&] {
+      Image<Number> middle;
+      for(std::size_t i = 0; i < 3; ++i)
+        middle[i] = good[i] / 2 + bad[i] / 2;
+      const bool is_new = middle != good && middle != bad;
+      (is_good(middle) ? good : bad) = middle;
+      return is_new;
+    };
     while(halve())
     {}
     for(std::size_t i = 0; i < 3; ++i)
@@ -115,8 +116,23 @@ std::array<Map<Number>, 2> around_fold(const Map<Number>& map, Random& random)
     }
   }
   else
-    for(int k = 0; k < 100; ++k)
-      halve();
+  {
+    // The middle of two points would be twice as long a fraction each time where fractions are not reduced.
+    const Image<Number> start = good, end = bad;
+    const auto point_at = [&](const Number& t) -> Image<Number> {
+      return {start[0] + t * (end[0] - start[0]), start[1] + t * (end[1] - start[1]),
+              start[2] + t * (end[2] - start[2])};
+    };
+    Number t = 0;
+    for(int k = 1; k <= 100; ++k)
+    {
+      const Number next = t + Number(std::ldexp(1., -k));
+      if(is_good(point_at(next)))
+        t = next;
+    }
+    good = point_at(t);
+    bad = point_at(t + Number(0x1p-100));
+  }
   return result;
 }
 
@@ -382,7 +398,7 @@ bool seems_positive(const Map<Number>& map)
 {
   const auto rounded = [&](std::size_t v) {
     const Image<Number>& p = map.images[v];
-    return Image<double>{CGAL::to_double(p[0]), CGAL::to_double(p[1]), CGAL::to_double(p[2])};
+    return Image<double>{nearest_double(p[0]), nearest_double(p[1]), nearest_double(p[2])};
   };
   return std::all_of(map.triangles.begin(), map.triangles.end(), [&](const Triangle& t) {
     return judge::determinant(rounded(t[0]), rounded(t[1]), rounded(t[2])) > 0.;
@@ -417,7 +433,10 @@ void expect_all_found(std::size_t n, std::uint64_t seed)
     expect_refused("fold", fold);
     n_invisible += seems_positive(fold);
   });
-  EXPECT_TRUE((std::is_same<Number, float>::value) || n_invisible > n / 20);
+  if(!std::is_same<Number, float>::value)
+  {
+    EXPECT_GT(n_invisible, n / 20);
+  }
 }
 
 TEST(Planted_fault, is_found)
