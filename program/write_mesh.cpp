@@ -13,12 +13,11 @@
 #endif
 
 #include <CGAL/IO/GOCAD.h>
-#include <CGAL/IO/OBJ.h>
-#include <CGAL/IO/OFF.h>
 #include <CGAL/IO/PLY.h>
 #include <CGAL/IO/io.h>
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 
 namespace Program {
@@ -58,6 +57,44 @@ std::array<int, 3> color_of(double t)
     rgb[i] = static_cast<int>(std::lround(255. * gamma));
   }
   return rgb;
+}
+
+// Writes an OFF or OBJ file. Coordinates have as many digits as give the same number again, and no stream is asked for each of them,
+// which would take most of the time.
+void write_text(std::ostream& out, bool is_off, const std::vector<Point_3>& points,
+                const std::vector<Polygon>& polygons)
+{
+  std::string text;
+  const auto add = [&](const char* before, auto number) {
+    std::array<char, 32> digits;
+    const char* const end = std::to_chars(digits.data(), digits.data() + digits.size(), number).ptr;
+    text += before;
+    text.append(static_cast<const char*>(digits.data()), end);
+  };
+  if(is_off)
+  {
+    add("OFF\n", points.size());
+    add(" ", polygons.size());
+    text += " 0\n";
+  }
+  for(const Point_3& p : points)
+  {
+    add(is_off ? "" : "v ", p.x());
+    add(" ", p.y());
+    add(" ", p.z());
+    text += '\n';
+  }
+  for(const Polygon& polygon : polygons)
+  {
+    if(is_off)
+      add("", polygon.size());
+    else
+      text += 'f';
+    for(const std::size_t v : polygon)
+      add(" ", is_off ? v : v + 1);
+    text += '\n';
+  }
+  out.write(text.data(), static_cast<std::streamsize>(text.size()));
 }
 
 } // namespace
@@ -117,10 +154,8 @@ void write_mesh(std::ostream& out, const std::string& format, const std::vector<
   constexpr int digits = 17;
   const auto np = CGAL::parameters::stream_precision(digits);
   out.precision(digits);
-  if(format == ".off")
-    CGAL::IO::write_OFF(out, points, polygons, np);
-  else if(format == ".obj")
-    CGAL::IO::write_OBJ(out, points, polygons, np);
+  if(format == ".off" || format == ".obj")
+    write_text(out, format == ".off", points, polygons);
   else if(format == ".ts")
     CGAL::IO::write_GOCAD(out, points, polygons, np);
   else if(format == ".ply")

@@ -7,7 +7,7 @@
 //
 // Author(s)     : The Spherical_parameterization authors
 
-// Maps the meshes that are named by the default method, in one thread, and prints for each of them the least time of three runs,
+// Maps the meshes that are named by the default method, in one thread, and prints for each of them the shorter time of two runs,
 // the sweeps, and the maximum and the average of the isometric distortion. See measure_ablation.py.
 
 #include <CGAL/spherical_parameterization.h>
@@ -35,7 +35,7 @@ int main(int argc, char* argv[])
     const auto sphere = mesh.add_property_map<Mesh::Vertex_index, Point>("v:sphere").first;
     double seconds = std::numeric_limits<double>::infinity();
     SP::Bijective_low_distortion_parameterizer_3<> method;
-    for(int repetition = 0; repetition < 3; ++repetition)
+    for(int repetition = 0; repetition < 2; ++repetition)
     {
       if(const SP::Error_code error = SP::parameterize<CGAL::Sequential_tag>(mesh, method, sphere); error != SP::OK)
         return std::fprintf(stderr, "%s: %s\n", argv[k], SP::get_error_message(error)), 1;

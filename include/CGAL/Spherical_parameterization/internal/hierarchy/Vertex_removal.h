@@ -50,47 +50,66 @@ struct Vertex_removal
     if(d > max_degree)
       return result;
 
-    std::array<Vector_3d, 2 * max_degree> e;       // edges from v, twice round, so that no index has to be wrapped
-    std::array<Vector_3d, max_degree> normal;      // of the faces of v, as long as their doubled area
-    std::array<double, max_degree> inverse_length; // of the normals
-    double total_doubled_area = 0.;
+    std::array<Vector_3d, 2 * max_degree> e; // edges from v, twice round, so that no index has to be wrapped
     for(std::uint32_t j = 0; j < d; ++j)
       e[j] = e[j + d] = points[ring[j]] - points[v];
+    // The quadratic form of the cost: n n^T / |n| for each face, where the normal n is as long as its doubled area, and the
+    // share of the squared edge.
+    double xx = 0., xy = 0., xz = 0., yy = 0., yz = 0., zz = 0., total_doubled_area = 0.;
     for(std::uint32_t j = 0; j < d; ++j)
     {
-      normal[j] = cross(e[j], e[j + 1]);
-      const double doubled_area = length(normal[j]);
+      const Vector_3d n = cross(e[j], e[j + 1]);
+      const double doubled_area = length(n);
+      if(!(doubled_area > 0.))
+        continue;
       total_doubled_area += doubled_area;
-      inverse_length[j] = doubled_area > 0. ? 1. / doubled_area : 0.;
+      const Vector_3d unit = (1. / doubled_area) * n;
+      xx += unit[0] * n[0];
+      xy += unit[0] * n[1];
+      xz += unit[0] * n[2];
+      yy += unit[1] * n[1];
+      yz += unit[1] * n[2];
+      zz += unit[2] * n[2];
     }
+    const double weight = edge_weight * total_doubled_area;
+    const auto cost_of = [&](const Vector_3d& a) {
+      return a[0] * ((xx + weight) * a[0] + 2. * xy * a[1] + 2. * xz * a[2]) +
+             a[1] * ((yy + weight) * a[1] + 2. * yz * a[2]) + (zz + weight) * a[2] * a[2];
+    };
 
-    // What takes longest comes last, and only for targets that may still be the best one.
+    std::array<double, max_degree> cost;
     for(std::uint32_t j = 0; j < d; ++j)
     {
-      double cost = edge_weight * total_doubled_area * squared_length(e[j]);
-      for(std::uint32_t k = 0; k < d; ++k)
-      {
-        const double volume = dot(normal[k], e[j]);
-        cost += volume * volume * inverse_length[k];
-      }
-      cost = (std::max)(cost, min_cost);
+      cost[j] = (std::max)(cost_of(e[j]), min_cost);
       const std::size_t degree = rings.degree(ring[j]) + d - 4;
       if(degree > good_degree)
-        cost *= 1. + static_cast<double>((degree - good_degree) * (degree - good_degree));
-      if(result.is_possible() && rank_of(cost) >= result.rank)
-        continue;
+        cost[j] *= 1. + static_cast<double>((degree - good_degree) * (degree - good_degree));
+    }
+    // What takes longest comes last, and only for targets that may still be the best one; so the cheapest comes first.
+    const std::uint32_t cheapest =
+        static_cast<std::uint32_t>(std::min_element(cost.begin(), cost.begin() + d) - cost.begin());
+    const auto is_better = [&](std::uint32_t rank, std::uint32_t j) {
+      return !result.is_possible() || rank < result.rank || (rank == result.rank && j < result.target);
+    };
+    const auto try_target = [&](std::uint32_t j) {
+      if(!is_better(rank_of(cost[j]), j))
+        return;
       double squared_quality = 1.;
       for(std::uint32_t k = j + 1; k + 1 < j + d; ++k)
         squared_quality = (std::min)(squared_quality, squared_quality_of(e[k] - e[j], e[k + 1] - e[j]));
-      const std::uint32_t new_rank =
-          rank_of(cost / std::sqrt(std::sqrt((std::max)(squared_quality, min_squared_quality))));
-      if((!result.is_possible() || new_rank < result.rank) && (images.empty() || is_fan_positive(ring, j, images)) &&
+      const std::uint32_t rank =
+          rank_of(cost[j] / std::sqrt(std::sqrt((std::max)(squared_quality, min_squared_quality))));
+      if(is_better(rank, j) && (images.empty() || is_fan_positive(ring, j, images)) &&
          !has_chord(rings, ring, j, is_exact))
       {
-        result.rank = new_rank;
+        result.rank = rank;
         result.target = j;
       }
-    }
+    };
+    try_target(cheapest);
+    for(std::uint32_t j = 0; j < d; ++j)
+      if(j != cheapest)
+        try_target(j);
     return result;
   }
 
