@@ -1,8 +1,7 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Polygon_mesh_processing/connected_components.h>
-#include <CGAL/Polygon_mesh_processing/triangulate_faces.h>
+#include <CGAL/IO/polygon_soup_io.h>
+#include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
 #include <CGAL/Surface_mesh.h>
-#include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 #include <CGAL/spherical_parameterization.h>
 #include <CGAL/Spherical_parameterization/repair.h>
 
@@ -11,46 +10,32 @@
 #include <string>
 #include <vector>
 
-namespace PMP = CGAL::Polygon_mesh_processing;
 namespace SP = CGAL::Spherical_parameterization;
 
-using Mesh = CGAL::Surface_mesh<CGAL::Exact_predicates_inexact_constructions_kernel::Point_3>;
-
-// Cures one defect in the simplest way, and returns whether there is one.
-bool repair(Mesh& mesh, const SP::Mesh_defect<Mesh>& defect)
-{
-  switch(defect.error)
-  {
-  case SP::ERROR_NON_TRIANGULAR_MESH:
-    return PMP::triangulate_faces(mesh);
-  case SP::ERROR_SEVERAL_COMPONENTS:
-    PMP::keep_largest_connected_components(mesh, 1);
-    return true;
-  case SP::ERROR_NON_CLOSED_MESH: {
-    std::vector<SP::Filled_hole<Mesh>> holes;
-    return SP::fill_holes(mesh, holes) == SP::OK && !holes.empty();
-  }
-  default:
-    return false;
-  }
-}
+using Point = CGAL::Exact_predicates_inexact_constructions_kernel::Point_3;
+using Mesh = CGAL::Surface_mesh<Point>;
 
 int main(int argc, char** argv)
 {
-  const std::string filename = (argc > 1) ? argv[1] : CGAL::data_file_path("meshes/nefertiti.off");
+  const std::string filename = (argc > 1) ? argv[1] : CGAL::data_file_path("meshes/elephant.off");
 
-  Mesh mesh;
-  if(!CGAL::IO::read_polygon_mesh(filename, mesh))
+  std::vector<Point> points;
+  std::vector<std::vector<std::size_t>> polygons;
+  if(!CGAL::IO::read_polygon_soup(filename, points, polygons))
     return EXIT_FAILURE;
 
-  for(SP::Mesh_defect<Mesh> defect = SP::find_defect(mesh); defect.error != SP::OK; defect = SP::find_defect(mesh))
+  SP::Repaired_surface<Point> repaired;
+  SP::Repair_report report;
+  if(SP::repair_surface(points, polygons, repaired, report) != SP::OK)
   {
-    std::cout << defect.message << std::endl;
-    if(!repair(mesh, defect))
-      return EXIT_FAILURE;
-    mesh.collect_garbage();
+    std::cerr << report.message << std::endl;
+    return EXIT_FAILURE;
   }
+  std::cout << report.patches.size() << " patches to cut " << report.number_of_handles
+            << " handles and to fill holes are " << 100. * report.added_area << " % of the surface" << std::endl;
 
-  auto sphere = mesh.add_property_map<Mesh::Vertex_index, Mesh::Point>("v:sphere").first;
+  Mesh mesh;
+  CGAL::Polygon_mesh_processing::polygon_soup_to_polygon_mesh(repaired.points, repaired.triangles, mesh);
+  auto sphere = mesh.add_property_map<Mesh::Vertex_index, Point>("v:sphere").first;
   return SP::parameterize(mesh, sphere) == SP::OK ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -23,6 +23,7 @@
 
 #include <CGAL/Spherical_parameterization/Repair/fill_holes.h>
 #include <CGAL/Spherical_parameterization/Repair/find_handles.h>
+#include <CGAL/Spherical_parameterization/Repair/repair_surface.h>
 
 #endif // C++17
 

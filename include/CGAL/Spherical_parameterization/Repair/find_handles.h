@@ -35,7 +35,7 @@
 
 namespace CGAL::Spherical_parameterization {
 
-/// \ingroup PkgSphericalParameterizationMeasuring
+/// \ingroup PkgSphericalParameterizationRepair
 ///
 /// A handle of a surface, which keeps it from being mapped to a sphere.
 ///
@@ -63,7 +63,7 @@ std::vector<Handle_path> find_handle_paths(const Index_triangles& triangles, std
 
 } // namespace internal
 
-/// \ingroup PkgSphericalParameterizationMeasuring
+/// \ingroup PkgSphericalParameterizationRepair
 ///
 /// finds the handles of a surface, such as tiny ones that a scan or marching cubes have left, the ones with the shortest paths first,
 /// as far as that is easily found: a tree of shortest paths and a tree of faces across other edges \cgalCite{cgal:ew-gohh-05} give

@@ -1,0 +1,382 @@
+// Copyright (c) 2026  The Spherical_parameterization authors.
+// All rights reserved.
+//
+// This file is part of the Spherical_parameterization package for CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Spherical_parameterization authors
+
+#ifndef CGAL_SPHERICAL_PARAMETERIZATION_REPAIR_INTERNAL_BORDER_CLOSER_H
+#define CGAL_SPHERICAL_PARAMETERIZATION_REPAIR_INTERNAL_BORDER_CLOSER_H
+
+#include <CGAL/license/Spherical_parameterization.h>
+
+#include <CGAL/Spherical_parameterization/Repair/internal/Glued_triangles.h>
+#include <CGAL/Spherical_parameterization/internal/numbers/Vector_3.h>
+#include <CGAL/Spherical_parameterization/internal/surface/mesh_measures.h>
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Polygon_mesh_processing/triangulate_hole.h>
+#include <CGAL/utility.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <iterator>
+#include <numeric>
+#include <queue>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include <CGAL/Spherical_parameterization/internal/numbers/begin_arithmetic.h>
+
+namespace CGAL::Spherical_parameterization::internal {
+
+// A surface that is being repaired, and where its parts come from.
+struct Repaired_triangles
+{
+  using Index = Glued_triangles::Index;
+
+  Repaired_triangles() = default;
+  Repaired_triangles(Glued_triangles triangles, std::vector<Vector_3d> all_points)
+    : surface(std::move(triangles))
+    , points(std::move(all_points))
+    , vertices(points.size())
+    , faces(surface.number_of_triangles())
+    , patches(surface.number_of_triangles(), Glued_triangles::none)
+  {
+    std::iota(vertices.begin(), vertices.end(), 0u);
+    std::iota(faces.begin(), faces.end(), 0u);
+  }
+
+  Glued_triangles surface;
+  std::vector<Vector_3d> points;
+  std::vector<Index> vertices; // which vertex of the input each one is, or none
+  std::vector<Index> faces;    // which polygon of the input each triangle is a part of, or none
+  std::vector<Index> patches;  // and which patch, or none
+
+  Index add_vertex(const Vector_3d& p, Index source = Glued_triangles::none)
+  {
+    points.push_back(p);
+    vertices.push_back(source);
+    return static_cast<Index>(points.size() - 1);
+  }
+
+  Vector_3d middle_of(Index side) const
+  {
+    return 0.5 * points[surface.source(side)] + 0.5 * points[surface.target(side)];
+  }
+
+  double squared_length_of(Index side) const
+  {
+    return squared_length(points[surface.target(side)] - points[surface.source(side)]);
+  }
+
+  // Whether both of its triangles are of the same patch.
+  bool is_of_patch(Index side) const
+  {
+    return patches[side / 3] != Glued_triangles::none && patches[side / 3] == patches[surface.mate(side) / 3];
+  }
+
+  double area_of(Index t) const
+  {
+    const auto [a, b, c] = surface.triangle(t);
+    return 0.5 * doubled_area(points[a], points[b], points[c]);
+  }
+
+  // Divides a side in its middle. Returns the new vertex.
+  Index split(Index side)
+  {
+    const Index t = side / 3, u = surface.mate(side) / 3, result = add_vertex(middle_of(side));
+    surface.split(side, result);
+    for(const Index triangle : {t, u})
+    {
+      faces.push_back(Index(faces[triangle]));
+      patches.push_back(Index(patches[triangle]));
+    }
+    return result;
+  }
+
+  // Gives fans of triangles that have been separated vertices of their own. Returns how many there are.
+  std::size_t separate_fans()
+  {
+    const std::vector<Index> sources = surface.separate_fans(static_cast<Index>(points.size()));
+    for(const Index v : sources)
+      add_vertex(Vector_3d(points[v]), Index(vertices[v]));
+    return sources.size();
+  }
+};
+
+// Divides all but one of the edges between the same two vertices, those of patches first, after it has called f(side). Then the surface
+// is a simplicial complex.
+template <class Function>
+void split_repeated_edges(Repaired_triangles& mesh, const Function& f)
+{
+  using Index = Glued_triangles::Index;
+  using Edge = std::tuple<std::uint64_t, bool, Index>; // its ends, whether it is of a patch, and a side
+  for(bool has_changed = true; has_changed;)
+  {
+    std::vector<Edge> edges;
+    edges.reserve(mesh.surface.number_of_sides() / 2);
+    for(Index side = 0; side < mesh.surface.number_of_sides(); ++side)
+      if(!mesh.surface.is_border(side) && side < mesh.surface.mate(side))
+      {
+        const auto [a, b] = std::minmax({mesh.surface.source(side), mesh.surface.target(side)});
+        edges.emplace_back(std::uint64_t(a) << 32 | b, mesh.is_of_patch(side), side);
+      }
+    std::sort(edges.begin(), edges.end());
+    has_changed = false;
+    for(std::size_t k = 1; k < edges.size(); ++k)
+      if(std::get<0>(edges[k]) == std::get<0>(edges[k - 1]))
+      {
+        f(std::get<Index>(edges[k]));
+        mesh.split(std::get<Index>(edges[k]));
+        has_changed = true;
+      }
+  }
+}
+
+// Closes borders by patches of triangles.
+class Border_closer
+{
+public:
+  using Index = Glued_triangles::Index;
+
+  explicit Border_closer(Repaired_triangles& mesh)
+    : m_mesh(mesh)
+  {}
+
+  // Closes a border, whose sides follow each other, by triangles between its vertices, or by gluing them if they are two. Returns the
+  // number of the patch, or none.
+  Index close(const std::vector<Index>& border)
+  {
+    const std::size_t n = border.size();
+    if(n == 2)
+    {
+      m_mesh.surface.glue(border[0], border[1]);
+      return Glued_triangles::none;
+    }
+    // The patch sees its vertices in the other direction: its side k is glued to side n - 1 - k of the border.
+    std::vector<Index> corners;
+    for(std::size_t k = 0; k < n; ++k)
+      corners.push_back(m_mesh.surface.target(border[n - 1 - k]));
+    std::vector<Corners> triangles;
+    if(std::any_of(border.begin(), border.end(), [&](Index side) { return side / 3 != border[0] / 3; }))
+      triangles = triangulation(corners);
+    else // a lone triangle, whose other side would be no surface
+    {
+      triangles = {{0, 1, n}, {1, 2, n}, {2, 0, n}};
+      corners.push_back(m_mesh.add_vertex(0.5 * m_mesh.middle_of(border[0]) + 0.5 * m_mesh.middle_of(border[1])));
+    }
+    std::vector<std::pair<std::uint64_t, Index>> inner; // the ends of a side between two triangles, and its number
+    for(const Corners& t : triangles)
+    {
+      const Index first = m_mesh.surface.add({corners[t[0]], corners[t[1]], corners[t[2]]});
+      m_mesh.faces.push_back(Glued_triangles::none);
+      m_mesh.patches.push_back(m_number_of_patches);
+      for(std::size_t i = 0; i < 3; ++i)
+      {
+        const std::size_t from = t[i], to = t[(i + 1) % 3];
+        const Index side = first + static_cast<Index>(i);
+        if(from < n && to == (from + 1) % n)
+          m_mesh.surface.glue(side, border[n - 1 - from]);
+        else
+          inner.emplace_back(std::uint64_t((std::min)(from, to)) << 32 | (std::max)(from, to), side);
+      }
+    }
+    std::sort(inner.begin(), inner.end());
+    for(std::size_t k = 0; k + 1 < inner.size(); k += 2)
+      m_mesh.surface.glue(inner[k].second, inner[k + 1].second);
+    return m_number_of_patches++;
+  }
+
+  // Divides the triangles of a patch until their sides are about as long as those of its border.
+  void refine(Index patch)
+  {
+    constexpr int max_rounds = 200, flips_per_round = 3, smoothings = 8;
+    std::vector<Index> triangles;
+    for(Index t = 0; t < m_mesh.surface.number_of_triangles(); ++t)
+      if(m_mesh.patches[t] == patch)
+        triangles.push_back(t);
+    const auto is_inner = [&](Index side) { return m_mesh.patches[m_mesh.surface.mate(side) / 3] == patch; };
+    m_sizes.resize(m_mesh.points.size());
+    for(const Index t : triangles)
+      for(const Index v : m_mesh.surface.triangle(t))
+        m_sizes[v] = 0.;
+    for(const Index t : triangles)
+      for(Index side = 3 * t; side < 3 * t + 3; ++side)
+        if(!is_inner(side)) // each vertex of the border has two such sides
+        {
+          const double half = 0.5 * std::sqrt(m_mesh.squared_length_of(side));
+          m_sizes[m_mesh.surface.source(side)] += half;
+          m_sizes[m_mesh.surface.target(side)] += half;
+        }
+    const Index first_vertex = static_cast<Index>(m_mesh.points.size());
+    for(int round = 0; round < max_rounds; ++round)
+    {
+      const std::size_t n_before = triangles.size();
+      for(std::size_t k = 0; k < n_before; ++k)
+        for(Index side = 3 * triangles[k]; side < 3 * triangles[k] + 3; ++side)
+          if(side < m_mesh.surface.mate(side) && is_inner(side) && is_long(side) && is_longest(side, is_inner))
+            split(side, triangles);
+      for(int flip = 0; flip < flips_per_round; ++flip)
+        make_delaunay(triangles, is_inner);
+      if(triangles.size() == n_before)
+        break;
+    }
+    for(int k = 0; k < smoothings; ++k)
+      smooth(triangles, first_vertex);
+  }
+
+private:
+  using Corners = std::array<std::size_t, 3>;
+
+  // Triangles of a closed path, as positions in it in increasing order: of least area and bending, if the path is short, or else
+  // corner by corner, the nearest neighbours first.
+  std::vector<Corners> triangulation(const std::vector<Index>& path) const
+  {
+    constexpr std::size_t max_size_for_search = 100; // by the third power: 5 ms
+    std::vector<Corners> result;
+    if(path.size() > 3 && path.size() <= max_size_for_search)
+    {
+      std::vector<Exact_predicates_inexact_constructions_kernel::Point_3> points;
+      for(const Index v : path)
+        points.emplace_back(m_mesh.points[v][0], m_mesh.points[v][1], m_mesh.points[v][2]);
+      std::vector<Triple<int, int, int>> triangles;
+      Polygon_mesh_processing::triangulate_hole_polyline(points, std::back_inserter(triangles),
+                                                         parameters::use_delaunay_triangulation(false));
+      for(const auto& t : triangles)
+        result.push_back(
+            {static_cast<std::size_t>(t.first), static_cast<std::size_t>(t.second), static_cast<std::size_t>(t.third)});
+    }
+    if(result.size() + 2 != path.size())
+      result = cut_corners(path);
+    for(Corners& t : result)
+      std::sort(t.begin(), t.end());
+    return result;
+  }
+
+  std::vector<Corners> cut_corners(const std::vector<Index>& path) const
+  {
+    const std::size_t n = path.size();
+    std::vector<std::size_t> before(n), behind(n);
+    for(std::size_t k = 0; k < n; ++k)
+    {
+      before[k] = (k + n - 1) % n;
+      behind[k] = (k + 1) % n;
+    }
+    using Entry = std::pair<double, Corners>;
+    std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> queue;
+    const auto add = [&](std::size_t k) {
+      queue.emplace(squared_length(m_mesh.points[path[before[k]]] - m_mesh.points[path[behind[k]]]),
+                    Corners{before[k], k, behind[k]});
+    };
+    for(std::size_t k = 0; k < n; ++k)
+      add(k);
+    std::vector<Corners> result;
+    std::vector<char> is_cut(n, 0);
+    while(result.size() + 2 < n)
+    {
+      const Corners t = queue.top().second;
+      queue.pop();
+      const auto [a, b, c] = t;
+      if(is_cut[b] || before[b] != a || behind[b] != c)
+        continue;
+      is_cut[b] = 1;
+      result.push_back(t);
+      behind[a] = c;
+      before[c] = a;
+      add(a);
+      add(c);
+    }
+    return result;
+  }
+
+  bool is_long(Index side) const
+  {
+    constexpr double longest = 4. / 3.; // between that and half of it nothing is to be gained
+    const double size = 0.5 * (m_sizes[m_mesh.surface.source(side)] + m_sizes[m_mesh.surface.target(side)]);
+    return m_mesh.squared_length_of(side) > longest * longest * size * size;
+  }
+
+  // Whether no other inner side of its two triangles is longer. To divide such sides only makes none that are longer (Rivara 1984).
+  template <class Function>
+  bool is_longest(Index side, const Function& is_inner) const
+  {
+    const double squared_length = m_mesh.squared_length_of(side);
+    for(const Index s : {side, m_mesh.surface.mate(side)})
+      for(const Index other : {Glued_triangles::next(s), Glued_triangles::previous(s)})
+        if(is_inner(other) && m_mesh.squared_length_of(other) > squared_length)
+          return false;
+    return true;
+  }
+
+  void split(Index side, std::vector<Index>& triangles)
+  {
+    m_sizes.push_back(0.5 * (m_sizes[m_mesh.surface.source(side)] + m_sizes[m_mesh.surface.target(side)]));
+    m_mesh.split(side);
+    const Index n = m_mesh.surface.number_of_triangles();
+    triangles.push_back(n - 2);
+    triangles.push_back(n - 1);
+  }
+
+  // Flips sides whose opposite angles are larger than 180 degrees together, if that makes them shorter: so it comes to an end, and
+  // no side that has been divided is there again.
+  template <class Function>
+  void make_delaunay(const std::vector<Index>& triangles, const Function& is_inner)
+  {
+    for(const Index t : triangles)
+      for(Index side = 3 * t; side < 3 * t + 3; ++side)
+        if(side < m_mesh.surface.mate(side) && is_inner(side) && is_to_be_flipped(side))
+          m_mesh.surface.flip(side);
+  }
+
+  bool is_to_be_flipped(Index side) const
+  {
+    const Glued_triangles& surface = m_mesh.surface;
+    const Index apex = surface.apex(side), other_apex = surface.apex(surface.mate(side));
+    const Vector_3d &a = m_mesh.points[surface.source(side)], &b = m_mesh.points[surface.target(side)],
+                    &c = m_mesh.points[apex], &d = m_mesh.points[other_apex];
+    const double sine = dot(a - c, b - c) * doubled_area(a, b, d) + dot(a - d, b - d) * doubled_area(a, b, c);
+    if(!(sine < 0.) || !(squared_length(c - d) < squared_length(a - b)) || apex == other_apex)
+      return false;
+    bool is_there = false; // the new side
+    surface.for_each_corner(Glued_triangles::previous(side),
+                            [&](Index k) { is_there = is_there || surface.target(k) == other_apex; });
+    return !is_there;
+  }
+
+  // Moves the new vertices to the centres of their neighbours.
+  void smooth(const std::vector<Index>& triangles, Index first_vertex)
+  {
+    const std::size_t n = m_mesh.points.size() - first_vertex;
+    std::vector<Vector_3d> sums(n, Vector_3d{0., 0., 0.});
+    std::vector<double> counts(n, 0.);
+    for(const Index t : triangles)
+      for(Index side = 3 * t; side < 3 * t + 3; ++side)
+        if(const Index v = m_mesh.surface.source(side); v >= first_vertex)
+        {
+          sums[v - first_vertex] = sums[v - first_vertex] + m_mesh.points[m_mesh.surface.target(side)];
+          counts[v - first_vertex] += 1.;
+        }
+    for(std::size_t k = 0; k < n; ++k)
+      m_mesh.points[first_vertex + k] = (1. / counts[k]) * sums[k];
+  }
+
+  Repaired_triangles& m_mesh;
+  Index m_number_of_patches = 0;
+  std::vector<double> m_sizes; // of triangles at the vertices of patches
+};
+
+} // namespace CGAL::Spherical_parameterization::internal
+
+#include <CGAL/Spherical_parameterization/internal/numbers/end_arithmetic.h>
+
+#endif // CGAL_SPHERICAL_PARAMETERIZATION_REPAIR_INTERNAL_BORDER_CLOSER_H
