@@ -3,7 +3,7 @@
 #include "write_mesh.h"
 
 #include <CGAL/Spherical_parameterization/Repair/fill_holes.h>
-#include <CGAL/Spherical_parameterization/internal/files/Soup_defect.h>
+#include <CGAL/Spherical_parameterization/internal/files/build_mesh.h>
 
 #include <CGAL/Surface_mesh/IO/PLY.h>
 #include <CGAL/boost/graph/Euler_operations.h>
@@ -20,19 +20,10 @@ namespace Program {
 
 namespace {
 
-// Builds a mesh. The faces come all at once: one by one, those at a vertex take time that is quadratic in their number.
-void add_to(Mesh& mesh, const std::vector<Point_3>& points, const std::vector<Polygon>& triangles)
+void set_points(Mesh& mesh, const std::vector<Point_3>& points)
 {
-  using Index = Mesh::size_type;
-  mesh.reserve(static_cast<Index>(points.size()), static_cast<Index>(triangles.size() / 2 * 3),
-               static_cast<Index>(triangles.size()));
-  for(const Point_3& p : points)
-    mesh.add_vertex(p);
-  std::vector<boost::container::small_vector<Vertex_index, 3>> faces(triangles.size());
-  for(std::size_t f = 0; f < faces.size(); ++f)
-    for(const std::size_t v : triangles[f])
-      faces[f].emplace_back(static_cast<Index>(v));
-  CGAL::Euler::add_faces(faces, mesh);
+  for(const Vertex_index v : mesh.vertices())
+    mesh.point(v) = points[v];
 }
 
 bool is_finite(const Point_3& p)
@@ -117,9 +108,9 @@ Input_mesh::Input_mesh(const std::string& path, File_content soup)
   if(m_polygons.empty())
     throw Program_error(m_name, ": the mesh has no faces.\nPerhaps the file is truncated, or a point cloud, which has "
                                 "to be turned into a surface first.");
-  if(const auto defect = SP::internal::find_defect_of_soup(soup.points.size(), m_polygons))
+  if(const auto defect = SP::internal::build_mesh(m_polygons, soup.points.size(), m_mesh))
     throw Program_error(m_name, ": ", defect->message);
-  add_to(m_mesh, soup.points, m_polygons);
+  set_points(m_mesh, soup.points);
 }
 
 std::string Input_mesh::find_defect(bool advises) const
@@ -236,7 +227,8 @@ void Input_mesh::write_filled(std::ostream& out, const std::string& format) cons
     return;
   }
   Mesh filled;
-  add_to(filled, {m_mesh.points().begin(), m_mesh.points().end()}, triangles);
+  SP::internal::build_mesh(triangles, m_mesh.number_of_vertices(), filled);
+  set_points(filled, {m_mesh.points().begin(), m_mesh.points().end()});
   const auto label = filled.add_property_map<Mesh::Face_index, std::uint8_t>("f:filler", 1).first;
   for(const Mesh::Face_index f : filled.faces())
     label[f] = is_filler(f) ? 1 : 0;

@@ -18,7 +18,7 @@ long have `threads`, the largest number of them, of which there are never more t
 
 What there is, by task:
 
-- read and repair: `read_mesh`, `find_defect`, `fill_holes`, `find_handles`
+- read and repair: `read_mesh`, `find_defect`, `repair_surface`, `fill_holes`, `find_handles`
 - a surface to the sphere: `parameterize`, `measure_distortion`, `is_bijective`, `round_to_float`
 - back from the sphere: `Locator`, `remesh`, `transfer`, `measure_distance`
 - spheres that exist, such as those of FreeSurfer: `resample`, `resample_sphere`
@@ -46,7 +46,17 @@ from ._measuring import (
 )
 from ._modes import ShapeModes, shape_modes
 from ._parameterization import Areas, Report, parameterize
-from ._repair import FilledSurface, Handle, Hole, fill_holes, find_handles
+from ._repair import (
+    FilledSurface,
+    Handle,
+    Hole,
+    RepairedSurface,
+    RepairPatch,
+    RepairReport,
+    fill_holes,
+    find_handles,
+    repair_surface,
+)
 from ._resampling import resample, resample_sphere
 from ._sampling import Locator, Remesh, remesh, transfer
 from ._surfaces import (
@@ -78,6 +88,9 @@ __all__ = [
     "OneWayDistance",
     "Overlay",
     "Remesh",
+    "RepairPatch",
+    "RepairReport",
+    "RepairedSurface",
     "Report",
     "ShapeModes",
     "SphereAlignment",
@@ -102,6 +115,7 @@ __all__ = [
     "read_mesh",
     "reconstruct",
     "remesh",
+    "repair_surface",
     "resample",
     "resample_sphere",
     "round_to_float",

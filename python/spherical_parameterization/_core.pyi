@@ -61,6 +61,25 @@ def parameterize(
 def fill_holes(
     vertices: _Points, faces: _Faces, max_edges: int
 ) -> Tuple[_Points, _Faces, Sequence[Tuple[int, int, float, int, float]]]: ...
+def repair_surface(
+    vertices: _Points,
+    corners: NDArray[np.int64],
+    first: NDArray[np.int64],
+    maximum_hole: float,
+    maximum_handle: float,
+    maximum_added_area: float,
+    refines_patches: bool,
+) -> Tuple[
+    _Points,
+    _Faces,
+    NDArray[np.int64],
+    NDArray[np.int64],
+    Sequence[int],
+    int,
+    int,
+    Sequence[Tuple[bool, int, int, float, float]],
+    float,
+]: ...
 def find_handles(vertices: _Points, faces: _Faces, max_handles: int) -> Sequence[Tuple[NDArray[np.int64], float]]: ...
 def find_defect(vertices: _Points, faces: _Faces) -> None: ...
 def is_bijective(faces: _Faces, sphere: _Points, threads: int) -> bool: ...

@@ -1,13 +1,13 @@
 from __future__ import annotations
 
 import operator
-from typing import List, NamedTuple, Optional
+from typing import List, NamedTuple, Optional, Sequence, Union
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _core
-from ._arguments import read_faces, read_points, refuse
+from ._arguments import read_faces, read_points, refuse, to_array
 
 
 class Hole(NamedTuple):
@@ -56,8 +56,7 @@ def fill_holes(vertices: ArrayLike, faces: ArrayLike, *, max_edges: Optional[int
     """Fills the holes of a surface, so that it can be mapped to a sphere.
 
     Vertices and faces stay what they are, and new ones are added behind them: triangles between the vertices of the border,
-    refined to the edge lengths around the hole, or an edge from each to a vertex in the middle. They may intersect others,
-    which is of no consequence for a map.
+    refined to the lengths of the edges around the hole. They may intersect others, which does not matter to a map.
 
     Parameters
     ----------
@@ -120,7 +119,7 @@ def find_handles(vertices: ArrayLike, faces: ArrayLike, *, max_handles: Optional
     faces : (m, 3) array_like of integers
         The vertices of each triangle.
     max_handles : int, optional
-        The largest number of handles that are looked for, at least 1; by default any. Each takes 0.2 s on 100,000 vertices.
+        The largest number of handles that are looked for, at least 1; by default any. On 100,000 vertices, 100 take a second.
 
     Returns
     -------
@@ -137,3 +136,151 @@ def find_handles(vertices: ArrayLike, faces: ArrayLike, *, max_handles: Optional
         refuse(f"max_handles is {most}; it has to be at least 1")
     points, triangles = read_points("vertices", vertices), read_faces("faces", faces)
     return [Handle(*handle) for handle in _core.find_handles(points, triangles, min(most, np.iinfo(np.uint32).max))]
+
+
+class RepairPatch(NamedTuple):
+    """A part that was added to a surface, to close a hole or one side of a cut through a handle.
+
+    Attributes
+    ----------
+    is_of_handle : bool
+        Or of a hole.
+    vertex : int
+        One of its border, as a vertex of the input.
+    number_of_edges : int
+        Edges of its border.
+    length : float
+        The length of its border.
+    share : float
+        The share of its triangles in the area of the result, from 0 to 1.
+    """
+
+    is_of_handle: bool
+    vertex: int
+    number_of_edges: int
+    length: float
+    share: float
+
+
+class RepairReport(NamedTuple):
+    """What `repair_surface` found and did, in this order.
+
+    Attributes
+    ----------
+    triangulated_polygons, degenerate_faces, repeated_faces : int
+        Polygons with more than three corners; those with less than three different ones, and those with the corners of another
+        one, which were removed.
+    merged_vertices : int
+        Vertices of borders at the same point as another one.
+    reversed_faces : int
+        Faces that were oriented against the others.
+    non_manifold_edges, divided_vertices : int
+        Edges with more than two faces, and vertices with more than one fan of faces.
+    removed_faces : int
+        Faces of all components but the largest.
+    split_edges : int
+        Edges of several that joined the same two vertices.
+    number_of_components, number_of_handles : int
+        Of which one was kept, and which were cut.
+    patches : list of RepairPatch
+        What was added.
+    added_area : float
+        The area of the patches over that of the result, from 0 to 1.
+    """
+
+    triangulated_polygons: int
+    degenerate_faces: int
+    repeated_faces: int
+    merged_vertices: int
+    reversed_faces: int
+    non_manifold_edges: int
+    divided_vertices: int
+    removed_faces: int
+    split_edges: int
+    number_of_components: int
+    number_of_handles: int
+    patches: List[RepairPatch]
+    added_area: float
+
+
+class RepairedSurface(NamedTuple):
+    """A surface that can be mapped, and where its parts come from.
+
+    Attributes
+    ----------
+    vertices : (k, 3) ndarray of float64
+        The vertices.
+    faces : (l, 3) ndarray of int64
+        The triangles.
+    source_vertices : (k,) ndarray of int64
+        Which vertex of the input each vertex is, or -1.
+    source_faces : (l,) ndarray of int64
+        Which polygon of the input each triangle is a part of, or -1.
+    report : RepairReport
+        What was found and done.
+    """
+
+    vertices: NDArray[np.float64]
+    faces: NDArray[np.int64]
+    source_vertices: NDArray[np.int64]
+    source_faces: NDArray[np.int64]
+    report: RepairReport
+
+
+def repair_surface(
+    vertices: ArrayLike,
+    faces: Union[ArrayLike, Sequence[Sequence[int]]],
+    *,
+    max_hole: float = np.inf,
+    max_handle: float = np.inf,
+    max_added_area: float = 0.05,
+    refine: bool = True,
+) -> RepairedSurface:
+    """Makes a surface that can be mapped to a sphere of any polygons.
+
+    Polygons are triangulated, repeated and degenerate ones removed, vertices of borders at the same point merged, faces
+    oriented alike, edges and vertices that are no manifold divided, all components but the largest removed, holes filled,
+    handles cut where that adds least area, and repeated edges divided; each only where it is needed. No point is moved.
+
+    Parameters
+    ----------
+    vertices : (n, 3) array_like of numbers
+        The points.
+    faces : (m, k) array_like of integers, or sequence of sequences of integers
+        The vertices of each polygon, in order around it.
+    max_hole, max_handle : float, optional
+        The length of the border of a hole that is filled, and of the path that a handle is cut along, in units of the square
+        root of the area; by default any.
+    max_added_area : float, optional
+        All that is added over the area of the result, from 0 to 1.
+    refine : bool, optional
+        Whether the triangles of what is added are about as large as their neighbors; or as few as can be.
+
+    Returns
+    -------
+    RepairedSurface
+        The surface, where its parts come from, and what was done.
+
+    Raises
+    ------
+    Error
+        If the arrays are no polygons, a point is not finite, or a hole, a handle or all of them are beyond the limits.
+
+    Examples
+    --------
+    >>> repaired = sp.repair_surface(vertices, faces)
+    >>> sphere, report = sp.parameterize(repaired.vertices, repaired.faces)
+    >>> values[repaired.source_vertices]  # where that is not -1
+    """
+    points = read_points("vertices", vertices)
+    rows = [to_array("faces", row, None) for row in faces]  # type: ignore[union-attr, arg-type]
+    for row in rows:
+        if row.ndim != 1 or (row.size > 0 and row.dtype.kind not in "iu"):
+            raise TypeError("faces has to hold a row of integers for each polygon, its vertices")
+    corners = np.concatenate([np.empty(0, np.int64), *rows]).astype(np.int64)
+    first = np.concatenate([[0], np.cumsum([len(row) for row in rows], dtype=np.int64)]).astype(np.int64)
+    new_points, triangles, source_vertices, source_faces, counts, components, handles, patches, added = _core.repair_surface(
+        points, corners, first, float(max_hole), float(max_handle), float(max_added_area), bool(refine)
+    )
+    report = RepairReport(*counts, components, handles, [RepairPatch(*patch) for patch in patches], added)
+    return RepairedSurface(new_points, triangles, source_vertices, source_faces, report)

@@ -1,11 +1,9 @@
 #include "arrays.h"
 
-#include <CGAL/Spherical_parameterization/internal/surface/add_triangles.h>
-#include <CGAL/Spherical_parameterization/internal/surface/Linked_triangle.h>
+#include <CGAL/Spherical_parameterization/internal/files/build_mesh.h>
 #include <CGAL/Spherical_parameterization/is_bijective.h>
 #include <CGAL/Spherical_parameterization/measure_distortion.h>
 
-#include <CGAL/boost/graph/Euler_operations.h>
 #include <CGAL/tags.h>
 
 #include <boost/property_map/property_map.hpp>
@@ -24,17 +22,6 @@ namespace {
   throw Error{std::move(defect)};
 }
 
-// Above, find_defect_of_faces() refuses a mesh.
-constexpr std::size_t max_size = (std::numeric_limits<std::int32_t>::max)();
-
-// Whether no triangle has two sides in common with another one; a closed mesh where one has is no simplicial complex.
-bool have_three_neighbors(const std::vector<SP::internal::Linked_triangle>& triangles)
-{
-  return std::none_of(triangles.begin(), triangles.end(), [](const auto& t) {
-    return t.neighbors[0] == t.neighbors[1] || t.neighbors[1] == t.neighbors[2] || t.neighbors[2] == t.neighbors[0];
-  });
-}
-
 void set_points(const Points& points, Mesh& mesh)
 {
   const Const_row_map rows = rows_of(points);
@@ -48,7 +35,7 @@ Mesh make_mesh(const std::string& name, const Points& points, const Indices& fac
 {
   const std::size_t n_vertices = number_of_rows(points), n_faces = number_of_rows(faces);
   const std::int64_t* const indices = faces.data();
-  std::vector<std::array<std::uint32_t, 3>> triangles(n_faces); // from their last corners on
+  std::vector<std::array<std::uint32_t, 3>> triangles(n_faces);
   for(std::size_t k = 0; k < 3 * n_faces; ++k)
   {
     if(indices[k] < 0 || static_cast<std::uint64_t>(indices[k]) >= n_vertices)
@@ -58,28 +45,12 @@ Mesh make_mesh(const std::string& name, const Points& points, const Indices& fac
                     {},
                     {},
                     k / 3});
-    triangles[k / 3][(k + 1) % 3] = static_cast<std::uint32_t>(indices[k]);
+    triangles[k / 3][k % 3] = static_cast<std::uint32_t>(indices[k]);
   }
 
   Mesh mesh;
-  if(n_vertices < max_size && n_faces < max_size / 3)
-  {
-    const std::vector<SP::internal::Linked_triangle> linked = SP::internal::link_triangles(triangles, n_vertices);
-    if(!linked.empty() && have_three_neighbors(linked))
-    {
-      SP::internal::add_triangles(linked, n_vertices, mesh,
-                                  [&](const auto&, const auto&) { set_points(points, mesh); });
-      return mesh;
-    }
-  }
-  if(auto defect = SP::internal::find_defect_of_soup(n_vertices, triangles))
+  if(auto defect = SP::internal::build_mesh(triangles, n_vertices, mesh))
     refuse(name, std::move(*defect));
-  for(std::size_t v = 0; v < n_vertices; ++v)
-    mesh.add_vertex();
-  std::vector<std::array<Vertex_index, 3>> corners;
-  for(const auto& [u, v, w] : triangles)
-    corners.push_back({Vertex_index(u), Vertex_index(v), Vertex_index(w)});
-  CGAL::Euler::add_faces(corners, mesh);
   set_points(points, mesh);
   return mesh;
 }

@@ -18,6 +18,7 @@ namespace Module {
 // What the Python part calls, once it has checked words, shapes and ranges; it documents them as well.
 
 using Values = py::array_t<double, py::array::c_style>;
+using Corners = py::array_t<std::int64_t, py::array::c_style>;
 
 // `density` has a number for each vertex or for each face, or none, if areas are to be equal.
 py::tuple parameterize(const Points& vertices, const Indices& faces, const std::string& prefer,
@@ -26,6 +27,9 @@ py::tuple parameterize(const Points& vertices, const Indices& faces, const std::
                        const py::object& callback, bool returns_on_interrupt);
 
 py::tuple fill_holes(const Points& vertices, const Indices& faces, std::size_t max_edges);
+// Polygon f has the vertices corners[first[f]] to corners[first[f + 1] - 1].
+py::tuple repair_surface(const Points& vertices, const Corners& corners, const Corners& first, double maximum_hole,
+                         double maximum_handle, double maximum_added_area, bool refines_patches);
 py::list find_handles(const Points& vertices, const Indices& faces, std::size_t max_handles);
 void find_defect(const Points& vertices, const Indices& faces); // throws it
 bool is_bijective(const Indices& faces, const Points& sphere, std::size_t threads);

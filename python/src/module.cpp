@@ -58,6 +58,7 @@ PYBIND11_MODULE(_core, module)
   module.attr("__version__") = SPHERICAL_PARAMETERIZATION_VERSION;
   module.def("parameterize", &parameterize);
   module.def("fill_holes", &fill_holes);
+  module.def("repair_surface", &repair_surface);
   module.def("find_handles", &find_handles);
   module.def("find_defect", &find_defect);
   module.def("is_bijective", &is_bijective);

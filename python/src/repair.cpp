@@ -2,6 +2,7 @@
 
 #include <CGAL/Spherical_parameterization/Repair/fill_holes.h>
 #include <CGAL/Spherical_parameterization/Repair/find_handles.h>
+#include <CGAL/Spherical_parameterization/Repair/repair_surface.h>
 
 #include <CGAL/boost/graph/iterator.h>
 
@@ -50,6 +51,51 @@ py::tuple fill_holes(const Points& vertices, const Indices& faces, std::size_t m
     list.append(
         py::make_tuple(std::size_t(hole.vertex), hole.number_of_edges, hole.perimeter, hole.faces.size(), hole.share));
   return py::make_tuple(points, to_array(triangles), list);
+}
+
+py::tuple repair_surface(const Points& vertices, const Corners& corners, const Corners& first, double maximum_hole,
+                         double maximum_handle, double maximum_added_area, bool refines_patches)
+{
+  SP::Repaired_surface<Point_3> repaired;
+  SP::Repair_report report;
+  SP::Error_code error = SP::OK;
+  {
+    const py::gil_scoped_release unlock;
+    std::vector<Point_3> points;
+    for(std::size_t v = 0; v < number_of_rows(vertices); ++v)
+      points.push_back(get(rows_of(vertices), v));
+    std::vector<std::vector<std::int64_t>> polygons;
+    for(py::ssize_t f = 0; f + 1 < first.size(); ++f)
+      polygons.emplace_back(corners.data() + first.data()[f], corners.data() + first.data()[f + 1]);
+    error = SP::repair_surface(points, polygons, repaired, report,
+                               {maximum_hole, maximum_handle, maximum_added_area, refines_patches});
+  }
+  if(error != SP::OK)
+    fail(error, report.message);
+  Points new_points({static_cast<py::ssize_t>(repaired.points.size()), py::ssize_t(3)});
+  double* row = new_points.mutable_data();
+  for(const Point_3& p : repaired.points)
+    row = std::copy(p.cartesian_begin(), p.cartesian_end(), row);
+  std::vector<std::array<std::uint32_t, 3>> triangles;
+  for(const auto& [a, b, c] : repaired.triangles)
+    triangles.push_back({static_cast<std::uint32_t>(a), static_cast<std::uint32_t>(b), static_cast<std::uint32_t>(c)});
+  const auto sources = [](const std::vector<std::size_t>& all) {
+    Corners result(static_cast<py::ssize_t>(all.size()));
+    std::transform(all.begin(), all.end(), result.mutable_data(), [](std::size_t i) {
+      return i == SP::Repaired_surface<Point_3>::none ? std::int64_t(-1) : static_cast<std::int64_t>(i);
+    });
+    return result;
+  };
+  py::list patches, counts;
+  for(const SP::Repair_patch& patch : report.patches)
+    patches.append(py::make_tuple(patch.is_of_handle, patch.vertex, patch.number_of_edges, patch.length, patch.share));
+  for(const SP::Repair_count& count : {report.triangulated_polygons, report.degenerate_faces, report.repeated_faces,
+                                       report.merged_vertices, report.reversed_faces, report.non_manifold_edges,
+                                       report.divided_vertices, report.removed_faces, report.split_edges})
+    counts.append(count.number);
+  return py::make_tuple(new_points, to_array(triangles), sources(repaired.source_vertices),
+                        sources(repaired.source_faces), counts, report.number_of_components, report.number_of_handles,
+                        patches, report.added_area);
 }
 
 py::list find_handles(const Points& vertices, const Indices& faces, std::size_t max_handles)

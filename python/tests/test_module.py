@@ -412,6 +412,33 @@ def test_fills_holes():
     assert refused(sp.ErrorCode.NON_FINITE_COORDINATE, sp.fill_holes, vertices, opened).vertex == 2
 
 
+def test_repairs_surfaces():
+    vertices, faces = surface(8)
+    untouched = sp.repair_surface(vertices, faces)
+    assert same(untouched.vertices, vertices) and same(untouched.faces, faces) and untouched.report.patches == []
+    assert same(untouched.source_faces, np.arange(len(faces)))
+    broken = faces.copy()
+    broken[3] = broken[3, ::-1]
+    soup = vertices[broken.ravel()]  # no two faces have a vertex in common
+    repaired = sp.repair_surface(soup, np.arange(3 * len(faces)).reshape(-1, 3))
+    assert repaired.report.reversed_faces == 1 and len(repaired.vertices) == len(vertices)
+    assert repaired.report.merged_vertices == 3 * len(faces) - len(vertices)
+    assert same(repaired.vertices, soup[repaired.source_vertices])
+    opened = sp.repair_surface(vertices, faces[1:])
+    assert len(opened.report.patches) == 1 and opened.source_faces[-1] == -1 and 0 < opened.report.added_area < 0.05
+    assert sp.find_defect(opened.vertices, opened.faces) is None
+    cube = [[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0], [0, 0, 1], [1, 0, 1], [1, 1, 1], [0, 1, 1]]
+    squares = [[0, 3, 2, 1], [4, 5, 6, 7], [0, 1, 5, 4], [1, 2, 6, 5], [2, 3, 7, 6], [3, 0, 4], [3, 4, 7]]
+    assert sp.repair_surface(cube, squares).report.triangulated_polygons == 5
+    error = refused(sp.ErrorCode.NON_CLOSED_MESH, sp.repair_surface, vertices, faces[: len(faces) // 2])
+    assert "beyond the limit of 5 %" in str(error)
+    assert len(sp.repair_surface(vertices, faces[: len(faces) // 2], max_added_area=1, refine=False).faces) > 0
+    refused(sp.ErrorCode.WRONG_PARAMETER, sp.repair_surface, vertices, [[0, 1, 10**6]])
+    refused(sp.ErrorCode.EMPTY_MESH, sp.repair_surface, vertices, [])
+    with pytest.raises(TypeError, match="row of integers"):
+        sp.repair_surface(vertices, [[0.5, 1, 2]])
+
+
 def test_finds_handles():
     assert sp.find_handles(*surface(8)) == []
     m, n = 20, 6
