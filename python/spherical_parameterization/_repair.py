@@ -249,7 +249,7 @@ def repair_surface(
     faces : (m, k) array_like of integers, or sequence of sequences of integers
         The vertices of each polygon, in order around it.
     max_hole, max_handle : float, optional
-        The length of the border of a hole that is filled, and of the path that a handle is cut along, in units of the square
+        The length of the border of a hole that is filled, and of the cycle that a handle is cut along, in units of the square
         root of the area; by default any.
     max_added_area : float, optional
         All that is added over the area of the result, from 0 to 1.

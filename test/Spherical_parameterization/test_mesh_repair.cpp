@@ -121,7 +121,7 @@ std::map<std::string, Defects> kinds_of_defects()
     };
   };
   const auto some_face = [](const Soup& soup, Random& random) { return random.below(soup.polygons.size()); };
-  kinds["faces turned over"] = each([=](Soup& soup, Random& random) {
+  kinds["reversed faces"] = each([=](Soup& soup, Random& random) {
     auto& t = soup.polygons[some_face(soup, random)];
     std::swap(t[0], t[1]);
   });
@@ -150,7 +150,7 @@ std::map<std::string, Defects> kinds_of_defects()
       v = soup.points.size() - 1;
     }
   });
-  kinds["crumbs"] = each([=](Soup& soup, Random& random) {
+  kinds["small components"] = each([=](Soup& soup, Random& random) {
     const std::size_t n = soup.points.size();
     const Coordinates p = random.in_cube();
     for(int i = 0; i < 4; ++i)

@@ -41,7 +41,7 @@ struct Repair_limits
   double maximum_hole =
       (std::numeric_limits<double>::infinity)(); ///< the length of the border of a hole that is filled
   double maximum_handle =
-      (std::numeric_limits<double>::infinity)(); ///< the length of the path that a handle is cut along
+      (std::numeric_limits<double>::infinity)(); ///< the length of the cycle that a handle is cut along
   double maximum_added_area = 0.05;              ///< all that is added over the area of the result, from 0 to 1
   bool refines_patches =
       true; ///< whether the triangles of what is added are about as large as their neighbours; or as few as can be
@@ -152,12 +152,12 @@ Error_code repair_arrays(std::vector<Vector_3d> points, const Polygon_corners& p
 ///
 /// 1. Polygons are triangulated; those with less than three different corners are removed, and those that are there already.
 /// 2. Vertices on borders that are at the same point become one.
-/// 3. Faces are turned over such that those with an edge in common are oriented alike, as most of the area of each component is.
+/// 3. Faces are reversed such that those with an edge in common are oriented alike, as most of the area of each component is.
 /// 4. Where an edge has more than two faces, or a vertex more than one fan of faces, it becomes several.
 /// 5. The component of the largest area is kept.
 /// 6. Holes are filled.
-/// 7. Handles are cut along short closed paths, and both sides of each cut are filled. Of the ways to cut a handle, such as across a
-///    thin neck and along the rim of the tunnel under it, that is taken which adds less area.
+/// 7. Handles are cut along short non-separating cycles of edges, and both sides of each cut are filled. Of the cycles of a handle,
+///    such as across a thin neck and along the rim of the tunnel under it, the one that adds less area is taken.
 /// 8. Of several edges between the same two vertices, all but one are divided.
 ///
 /// Points of the input are not moved; triangles may intersect each other, which does not matter to a map. The vertices and faces that

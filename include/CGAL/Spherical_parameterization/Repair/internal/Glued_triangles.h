@@ -99,17 +99,6 @@ public:
     m_mates[side] = none;
   }
 
-  // Turns a triangle over, whose sides keep their mates but have other numbers.
-  void reverse(Index t)
-  {
-    const Index first = 3 * t, last = first + 2;
-    std::swap(m_vertices[first + 1], m_vertices[last]);
-    std::swap(m_mates[first], m_mates[last]);
-    for(const Index side : {first, last})
-      if(!is_border(side) && m_mates[side] / 3 != t)
-        m_mates[m_mates[side]] = side;
-  }
-
   // The side of the border that begins where this one ends.
   Index next_on_border(Index side) const
   {

@@ -23,8 +23,6 @@
 #include <CGAL/Polygon_mesh_processing/triangulate_hole.h>
 #include <CGAL/utility.h>
 
-#include <boost/sort/spreadsort/integer_sort.hpp>
-
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -76,7 +74,7 @@ private:
     return m_merged[m_polygons.corners[m_polygons.first[polygon] + k]];
   }
 
-  // Divides polygons into triangles, without those that have no area whatever the points are, and those that are there already.
+  // Divides polygons into triangles, without degenerate ones and those that are there already.
   void make_triangles()
   {
     m_triangles.clear();
@@ -165,8 +163,7 @@ private:
         const auto [a, b] = std::minmax(m_triangles[t][i], m_triangles[t][(i + 1) % 3]);
         sides.emplace_back(std::uint64_t(a) << 32 | b, 3 * t + i);
       }
-    boost::sort::spreadsort::integer_sort(sides.begin(), sides.end(),
-                                          [](const Side& side, unsigned offset) { return side.first >> offset; });
+    std::sort(sides.begin(), sides.end());
     return sides;
   }
 
@@ -203,7 +200,7 @@ private:
     return m_report.merged_vertices.number > 0;
   }
 
-  // Turns triangles over such that those with an edge of two faces in common are oriented alike, as most of the area of each part
+  // Reverses triangles such that those with an edge of two faces in common are oriented alike, as most of the area of each part
   // is. Returns the mates of the sides.
   std::vector<Index> orient(std::vector<Side>& sides)
   {

@@ -16,7 +16,7 @@
 
 #include <CGAL/Spherical_parameterization/Repair/find_handles.h>
 #include <CGAL/Spherical_parameterization/Repair/internal/Border_closer.h>
-#include <CGAL/Spherical_parameterization/Repair/internal/Handle_loops.h>
+#include <CGAL/Spherical_parameterization/Repair/internal/Handle_cycles.h>
 
 #include <cmath>
 #include <utility>
@@ -36,9 +36,9 @@ CGAL_SPHERICAL_PARAMETERIZATION_INLINE std::vector<Handle_path> find_handle_path
   std::vector<Handle_path> result;
   cut_handles(
       mesh, max_handles,
-      [&](const Handle_loops::Loop& loop, double length) {
+      [&](const Handle_cycles::Cycle& cycle, double length) {
         result.push_back({{}, std::ldexp(length, exponent)});
-        for(const Glued_triangles::Index side : loop)
+        for(const Glued_triangles::Index side : cycle)
           result.back().vertices.push_back(mesh.vertices[mesh.surface.source(side)]);
       },
       [&](const std::vector<Glued_triangles::Index>& border) { closer.close(border); });

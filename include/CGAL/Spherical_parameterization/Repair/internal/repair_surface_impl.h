@@ -16,7 +16,7 @@
 
 #include <CGAL/Spherical_parameterization/Repair/internal/Border_closer.h>
 #include <CGAL/Spherical_parameterization/Repair/internal/Glued_triangles.h>
-#include <CGAL/Spherical_parameterization/Repair/internal/Handle_loops.h>
+#include <CGAL/Spherical_parameterization/Repair/internal/Handle_cycles.h>
 #include <CGAL/Spherical_parameterization/Repair/internal/Soup_gluer.h>
 #include <CGAL/Spherical_parameterization/Repair/repair_surface.h>
 #include <CGAL/Spherical_parameterization/internal/surface/Surface.h>
@@ -66,7 +66,7 @@ public:
     close_holes();
     cut_handles(
         m_mesh, (std::numeric_limits<std::size_t>::max)(),
-        [&](const Handle_loops::Loop&, double) { ++m_report.number_of_handles; },
+        [&](const Handle_cycles::Cycle&, double) { ++m_report.number_of_handles; },
         [&](const std::vector<Index>& border) { close(border, true); });
     measure_patches();
     if(const Error_code error = check_limits())

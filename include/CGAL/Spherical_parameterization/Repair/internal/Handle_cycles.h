@@ -9,8 +9,8 @@
 //
 // Author(s)     : The Spherical_parameterization authors
 
-#ifndef CGAL_SPHERICAL_PARAMETERIZATION_REPAIR_INTERNAL_HANDLE_LOOPS_H
-#define CGAL_SPHERICAL_PARAMETERIZATION_REPAIR_INTERNAL_HANDLE_LOOPS_H
+#ifndef CGAL_SPHERICAL_PARAMETERIZATION_REPAIR_INTERNAL_HANDLE_CYCLES_H
+#define CGAL_SPHERICAL_PARAMETERIZATION_REPAIR_INTERNAL_HANDLE_CYCLES_H
 
 #include <CGAL/license/Spherical_parameterization.h>
 
@@ -36,16 +36,16 @@ namespace CGAL::Spherical_parameterization::internal {
 // Closed paths on a closed connected surface along which it can be cut all at once without falling apart: each cut removes a handle.
 //
 // A tree of shortest paths from a vertex, and a tree of the dual graph that crosses none of its edges, leave 2 g edges. Each of them
-// closes a loop, and these generate the first homology (tree-cotree decomposition; Eppstein 2003); where the dual tree takes the edges of
-// long loops first, they are the shortest such loops through the vertex (Erickson and Whittlesey 2005). Any of them that have no vertex
+// closes a cycle, and these generate the first homology (tree-cotree decomposition; Eppstein 2003); where the dual tree takes the edges of
+// long cycles first, they are the shortest such cycles through the vertex (Erickson and Whittlesey 2005). Any of them that have no vertex
 // in common are independent, so no union of them separates the surface.
-class Handle_loops
+class Handle_cycles
 {
 public:
   using Index = Glued_triangles::Index;
-  using Loop = std::vector<Index>; // sides, each of which begins where the one before ends
+  using Cycle = std::vector<Index>; // sides, each of which begins where the one before ends
 
-  explicit Handle_loops(const Repaired_triangles& mesh)
+  explicit Handle_cycles(const Repaired_triangles& mesh)
     : m_mesh(mesh)
     , m_surface(mesh.surface)
     , m_points(mesh.points)
@@ -63,46 +63,47 @@ public:
     return (2 + m_surface.number_of_sides() / 2 - n - m_surface.number_of_triangles()) / 2;
   }
 
-  // Loops along which the surface is to be cut next, at least one if it has a handle. They close with little area: where there are
+  // Cycles along which the surface is to be cut next, at least one if it has a handle. They close with little area: where there are
   // few left, the least one is tightened, by trees from its own vertices; of many, those are left for later that take much more area
   // than the others, as the next tree may have better ones.
-  std::vector<Loop> find() const
+  std::vector<Cycle> find() const
   {
     constexpr std::size_t few = 4;
     constexpr int max_tightenings = 3;
     constexpr double large = 4.; // over the median
-    std::vector<Costly_loop> loops = disjoint_loops(m_surface.source(0));
-    if(loops.size() > few)
+    std::vector<Costly_cycle> cycles = disjoint_cycles(m_surface.source(0));
+    if(cycles.size() > few)
     {
-      const double limit = large * loops[loops.size() / 2].first;
-      while(loops.back().first > limit)
-        loops.pop_back();
+      const double limit = large * cycles[cycles.size() / 2].first;
+      while(cycles.back().first > limit)
+        cycles.pop_back();
     }
-    else if(!loops.empty())
+    else if(!cycles.empty())
     {
-      loops.resize(1);
+      cycles.resize(1);
       for(int k = 0; k < max_tightenings; ++k)
       {
-        const Loop& loop = loops[0].second;
-        Costly_loop other = std::move(disjoint_loops(m_surface.source(loop[loop.size() / 2])).front());
-        if(!(other.first < loops[0].first))
+        const Cycle& cycle = cycles[0].second;
+        Costly_cycle other = std::move(disjoint_cycles(m_surface.source(cycle[cycle.size() / 2])).front());
+        if(!(other.first < cycles[0].first))
           break;
-        loops[0] = std::move(other);
+        cycles[0] = std::move(other);
       }
     }
-    std::vector<Loop> result;
-    for(Costly_loop& loop : loops)
-      result.push_back(std::move(loop.second));
+    std::vector<Cycle> result;
+    for(Costly_cycle& cycle : cycles)
+      result.push_back(std::move(cycle.second));
     return result;
   }
 
-  double length_of(const Loop& loop) const
+  double length_of(const Cycle& cycle) const
   {
-    return std::accumulate(loop.begin(), loop.end(), 0., [&](double sum, Index side) { return sum + length_of(side); });
+    return std::accumulate(cycle.begin(), cycle.end(), 0.,
+                           [&](double sum, Index side) { return sum + length_of(side); });
   }
 
 private:
-  using Costly_loop = std::pair<double, Loop>; // the area that one side of it takes to be closed
+  using Costly_cycle = std::pair<double, Cycle>; // the area that one side of it takes to be closed
 
   struct Tree
   {
@@ -110,45 +111,45 @@ private:
     std::vector<Index> arrivals; // the side that a vertex is reached by
   };
 
-  // No loop leads across a patch, whose triangles are no part of the surface.
+  // No cycle leads across a patch, whose triangles are no part of the surface.
   double length_of(Index side) const
   {
     return m_mesh.is_of_patch(side) ? (std::numeric_limits<double>::infinity)()
                                     : std::sqrt(m_mesh.squared_length_of(side));
   }
 
-  // of triangles from the centre of the loop
-  double area_across(const Loop& loop) const
+  // of triangles from the centre of the cycle
+  double area_across(const Cycle& cycle) const
   {
     Vector_3d center = {0., 0., 0.};
-    for(const Index side : loop)
-      center = center + (1. / static_cast<double>(loop.size())) * m_points[m_surface.source(side)];
+    for(const Index side : cycle)
+      center = center + (1. / static_cast<double>(cycle.size())) * m_points[m_surface.source(side)];
     double result = 0.;
-    for(const Index side : loop)
+    for(const Index side : cycle)
       result += 0.5 * doubled_area(center, m_points[m_surface.source(side)], m_points[m_surface.target(side)]);
     return result;
   }
 
-  // Loops without a vertex in common, those first that close with least area, all of them by a tree from a root.
-  std::vector<Costly_loop> disjoint_loops(Index root) const
+  // Cycles without a vertex in common, those first that close with least area, all of them by a tree from a root.
+  std::vector<Costly_cycle> disjoint_cycles(Index root) const
   {
-    std::vector<Costly_loop> loops;
-    for(Loop& loop : loops_of_basis(root))
-      loops.emplace_back(area_across(loop), std::move(loop));
-    std::stable_sort(loops.begin(), loops.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+    std::vector<Costly_cycle> cycles;
+    for(Cycle& cycle : cycles_of_basis(root))
+      cycles.emplace_back(area_across(cycle), std::move(cycle));
+    std::stable_sort(cycles.begin(), cycles.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
     std::vector<char> is_taken(m_points.size(), 0);
-    const auto crosses_other = [&](const Costly_loop& loop) {
-      if(std::any_of(loop.second.begin(), loop.second.end(),
+    const auto crosses_other = [&](const Costly_cycle& cycle) {
+      if(std::any_of(cycle.second.begin(), cycle.second.end(),
                      [&](Index side) { return is_taken[m_surface.source(side)]; }))
         return true;
-      for(const Index side : loop.second)
+      for(const Index side : cycle.second)
         is_taken[m_surface.source(side)] = 1;
       return false;
     };
-    std::vector<Costly_loop> result;
-    for(Costly_loop& loop : loops)
-      if(!crosses_other(loop))
-        result.push_back(std::move(loop));
+    std::vector<Costly_cycle> result;
+    for(Costly_cycle& cycle : cycles)
+      if(!crosses_other(cycle))
+        result.push_back(std::move(cycle));
     return result;
   }
 
@@ -181,14 +182,14 @@ private:
     return tree;
   }
 
-  std::vector<Loop> loops_of_basis(Index root) const
+  std::vector<Cycle> cycles_of_basis(Index root) const
   {
     const Tree tree = shortest_paths(root);
     std::vector<char> is_in_tree(m_surface.number_of_sides(), 0);
     for(const Index side : tree.arrivals)
       if(side != Glued_triangles::none)
         is_in_tree[side] = is_in_tree[m_surface.mate(side)] = 1;
-    std::vector<std::pair<double, Index>> others; // length of the loop through the root, side
+    std::vector<std::pair<double, Index>> others; // length of the cycle through the root, side
     for(Index side = 0; side < m_surface.number_of_sides(); ++side)
       if(side < m_surface.mate(side) && !is_in_tree[side])
         others.emplace_back(
@@ -201,33 +202,33 @@ private:
         t = roots[t] = Index(roots[roots[t]]);
       return t;
     };
-    std::vector<Loop> result;
-    for(const auto& [loop_length, side] : others)
+    std::vector<Cycle> result;
+    for(const auto& [cycle_length, side] : others)
     {
       const Index t = root_of(side / 3), u = root_of(m_surface.mate(side) / 3);
       if(t == u)
-        result.push_back(loop_with(side, tree.arrivals));
+        result.push_back(cycle_with(side, tree.arrivals));
       roots[t] = u;
     }
     return result;
   }
 
-  // The loop that an edge closes, without the way to the root that both of its parts have in common.
-  Loop loop_with(Index side, const std::vector<Index>& arrivals) const
+  // The cycle that an edge closes, without the way to the root that both of its parts have in common.
+  Cycle cycle_with(Index side, const std::vector<Index>& arrivals) const
   {
     const auto way_to_root = [&](Index v) {
-      Loop result;
+      Cycle result;
       for(; arrivals[v] != Glued_triangles::none; v = m_surface.source(arrivals[v]))
         result.push_back(arrivals[v]);
       return result;
     };
-    Loop to_source = way_to_root(m_surface.source(side)), to_target = way_to_root(m_surface.target(side));
+    Cycle to_source = way_to_root(m_surface.source(side)), to_target = way_to_root(m_surface.target(side));
     while(!to_source.empty() && !to_target.empty() && to_source.back() == to_target.back())
     {
       to_source.pop_back();
       to_target.pop_back();
     }
-    Loop result(to_source.rbegin(), to_source.rend());
+    Cycle result(to_source.rbegin(), to_source.rend());
     result.push_back(side);
     for(const Index arrival : to_target)
       result.push_back(m_surface.mate(arrival));
@@ -240,7 +241,7 @@ private:
   std::vector<Index> m_corners; // of the vertices, one each
 };
 
-// Cuts at most so many handles of a closed connected surface. Calls on_cut(loop, length) for each cut before, and close(border) for
+// Cuts at most so many handles of a closed connected surface. Calls on_cut(cycle, length) for each cut before, and close(border) for
 // both of its sides afterwards.
 template <class On_cut, class Close>
 void cut_handles(Repaired_triangles& mesh, std::size_t max_handles, const On_cut& on_cut, const Close& close)
@@ -248,17 +249,17 @@ void cut_handles(Repaired_triangles& mesh, std::size_t max_handles, const On_cut
   std::size_t n_cut = 0;
   while(n_cut < max_handles)
   {
-    const Handle_loops handles(mesh);
+    const Handle_cycles handles(mesh);
     if(handles.genus() == 0)
       return;
-    std::vector<Handle_loops::Loop> loops = handles.find();
-    if(loops.size() > max_handles - n_cut)
-      loops.resize(max_handles - n_cut);
-    n_cut += loops.size();
-    for(const Handle_loops::Loop& loop : loops)
+    std::vector<Handle_cycles::Cycle> cycles = handles.find();
+    if(cycles.size() > max_handles - n_cut)
+      cycles.resize(max_handles - n_cut);
+    n_cut += cycles.size();
+    for(const Handle_cycles::Cycle& cycle : cycles)
     {
-      on_cut(loop, handles.length_of(loop));
-      for(const Glued_triangles::Index side : loop)
+      on_cut(cycle, handles.length_of(cycle));
+      for(const Glued_triangles::Index side : cycle)
         mesh.surface.cut(side);
     }
     mesh.separate_fans();
@@ -271,4 +272,4 @@ void cut_handles(Repaired_triangles& mesh, std::size_t max_handles, const On_cut
 
 #include <CGAL/Spherical_parameterization/internal/numbers/end_arithmetic.h>
 
-#endif // CGAL_SPHERICAL_PARAMETERIZATION_REPAIR_INTERNAL_HANDLE_LOOPS_H
+#endif // CGAL_SPHERICAL_PARAMETERIZATION_REPAIR_INTERNAL_HANDLE_CYCLES_H
