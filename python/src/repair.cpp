@@ -61,9 +61,10 @@ py::tuple repair_surface(const Points& vertices, const Corners& corners, const C
   SP::Error_code error = SP::OK;
   {
     const py::gil_scoped_release unlock;
+    const Const_row_map rows = rows_of(vertices);
     std::vector<Point_3> points;
     for(std::size_t v = 0; v < number_of_rows(vertices); ++v)
-      points.push_back(get(rows_of(vertices), v));
+      points.push_back(get(rows, Vertex_index(static_cast<Mesh::size_type>(v))));
     std::vector<std::vector<std::int64_t>> polygons;
     for(py::ssize_t f = 0; f + 1 < first.size(); ++f)
       polygons.emplace_back(corners.data() + first.data()[f], corners.data() + first.data()[f + 1]);

@@ -165,10 +165,10 @@ TEST_F(Surface_program, fills_holes)
   expect_part(expect_success("repair opened.off"), "The surface can be mapped");
   opened.points[3][1] = std::numeric_limits<double>::quiet_NaN();
   write_off("broken.off", opened);
-  write_off("sheet.off",
-            {{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0.5, 0.5, 0.1}}, {{0, 1, 4}, {1, 2, 4}, {2, 3, 4}}});
+  write_off("band.off", {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 0.1}, {1, 0, 0.1}, {0, 1, 0.1}},
+                         {{0, 1, 4}, {0, 4, 3}, {1, 2, 5}, {1, 5, 4}, {2, 0, 3}, {2, 3, 5}}});
   write_off("touching.off", {{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0.5, 0.5, 0.1}}, {{0, 1, 4}, {2, 3, 4}}});
-  expect_part(run("sheet.off --fill-holes all -o map.off").err, "more than half");
+  expect_part(run("band.off --fill-holes all -o map.off").err, "more than half");
   expect_messages("repair ", {{"broken.off -o result.ply", "vertex 3 has a coordinate that is"},
                               {"touching.off -o result.ply", "touches itself in vertex 4"}});
 }

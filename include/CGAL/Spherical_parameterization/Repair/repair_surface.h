@@ -55,7 +55,9 @@ struct Repair_count
   std::size_t number = 0; ///< how often
   std::size_t first = 0;  ///< the first polygon or vertex, if there is any
 
-  /// counts one at this place.
+  /// counts one more.
+  ///
+  /// \param where the polygon or vertex
   void add(std::size_t where)
   {
     if(number++ == 0)
@@ -118,10 +120,10 @@ struct Repaired_surface
 {
   static constexpr std::size_t none = (std::numeric_limits<std::size_t>::max)(); ///< no vertex or polygon
 
-  std::vector<Point> points;
-  std::vector<std::array<std::size_t, 3>> triangles;
-  std::vector<std::size_t> source_vertices; ///< which vertex of the input each vertex is, or `none`
-  std::vector<std::size_t> source_faces;    ///< which polygon of the input each triangle is a part of, or `none`
+  std::vector<Point> points;                         ///< the vertices
+  std::vector<std::array<std::size_t, 3>> triangles; ///< the faces, by their vertices
+  std::vector<std::size_t> source_vertices;          ///< which vertex of the input each vertex is, or `none`
+  std::vector<std::size_t> source_faces; ///< which polygon of the input each triangle is a part of, or `none`
 };
 
 namespace internal {
