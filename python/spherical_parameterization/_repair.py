@@ -7,7 +7,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _core
-from ._arguments import read_faces, read_points, refuse, to_array
+from ._arguments import read_faces, read_points, read_vertices, refuse, to_array
 
 
 class Hole(NamedTuple):
@@ -119,7 +119,7 @@ def find_handles(vertices: ArrayLike, faces: ArrayLike, *, max_handles: Optional
     faces : (m, 3) array_like of integers
         The vertices of each triangle.
     max_handles : int, optional
-        The largest number of handles that are looked for, at least 1; by default any. On 100,000 vertices, 100 take a second.
+        The largest number of handles that are looked for, at least 1; by default any.
 
     Returns
     -------
@@ -273,12 +273,17 @@ def repair_surface(
     >>> values[repaired.source_vertices]  # where that is not -1
     """
     points = read_points("vertices", vertices)
-    rows = [to_array("faces", row, None) for row in faces]  # type: ignore[union-attr, arg-type]
-    for row in rows:
-        if row.ndim != 1 or (row.size > 0 and row.dtype.kind not in "iu"):
-            raise TypeError("faces has to hold a row of integers for each polygon, its vertices")
-    corners = np.concatenate([np.empty(0, np.int64), *rows]).astype(np.int64)
-    first = np.concatenate([[0], np.cumsum([len(row) for row in rows], dtype=np.int64)]).astype(np.int64)
+    if isinstance(faces, np.ndarray) and faces.ndim == 2:
+        k = faces.shape[1]
+        corners = read_vertices("faces", faces, k, "(m, k): the vertices of a polygon in each row").ravel()
+        first = np.arange(len(faces) + 1, dtype=np.int64) * k
+    else:
+        rows = [to_array("faces", row, None) for row in faces]  # type: ignore[union-attr, arg-type]
+        for row in rows:
+            if row.ndim != 1 or (row.size > 0 and row.dtype.kind not in "iu"):
+                raise TypeError("faces has to hold a row of integers for each polygon, its vertices")
+        corners = np.concatenate([np.empty(0, np.int64), *rows]).astype(np.int64)
+        first = np.cumsum([0, *(len(row) for row in rows)], dtype=np.int64)
     new_points, triangles, source_vertices, source_faces, counts, components, handles, patches, added = _core.repair_surface(
         points, corners, first, float(max_hole), float(max_handle), float(max_added_area), bool(refine)
     )

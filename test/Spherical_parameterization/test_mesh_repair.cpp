@@ -302,6 +302,12 @@ TEST(Repair_surface, refuses_what_is_no_surface)
   EXPECT_EQ(repair(soup, repaired, report), SP::ERROR_NON_FINITE_COORDINATE);
   EXPECT_NE(report.message.find("vertex 4"), std::string::npos) << report.message;
   EXPECT_EQ(repair(Soup(), repaired, report), SP::ERROR_EMPTY_MESH);
+  for(const double limit : {-1., std::numeric_limits<double>::quiet_NaN()})
+  {
+    SP::Repair_limits limits;
+    limits.maximum_added_area = limit;
+    EXPECT_EQ(repair(soup_of(icosphere(1)), repaired, report, limits), SP::ERROR_WRONG_PARAMETER);
+  }
   EXPECT_EQ(repair({soup.points, {{0, 1}, {3, 3, 3}}}, repaired, report), SP::ERROR_EMPTY_MESH);
 }
 

@@ -178,7 +178,7 @@ Error_code repair_arrays(std::vector<Vector_3d> points, const Polygon_corners& p
 /// \param limits what may be done
 ///
 /// \return `OK` or what keeps the surface from being repaired, which `report.message` explains: `ERROR_EMPTY_MESH`,
-///         `ERROR_NON_FINITE_COORDINATE`, `ERROR_WRONG_PARAMETER` if a corner is no vertex, `ERROR_TOO_LARGE_MESH`,
+///         `ERROR_NON_FINITE_COORDINATE`, `ERROR_WRONG_PARAMETER` if a corner is no vertex or a limit is negative, `ERROR_TOO_LARGE_MESH`,
 ///         `ERROR_NON_CLOSED_MESH` or `ERROR_NO_TOPOLOGICAL_SPHERE` if holes or handles are beyond the limits, or
 ///         `ERROR_TOO_FEW_VERTICES`
 template <class PointRange, class PolygonRange, class Point>

@@ -15,22 +15,16 @@
 #include <CGAL/license/Spherical_parameterization.h>
 
 #include <CGAL/Spherical_parameterization/Repair/internal/Glued_triangles.h>
+#include <CGAL/Spherical_parameterization/Repair/internal/triangulate_path.h>
 #include <CGAL/Spherical_parameterization/internal/numbers/Vector_3.h>
 #include <CGAL/Spherical_parameterization/internal/surface/mesh_measures.h>
-
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Polygon_mesh_processing/triangulate_hole.h>
-#include <CGAL/utility.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <functional>
-#include <iterator>
 #include <numeric>
-#include <queue>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -167,20 +161,27 @@ public:
     std::vector<Index> corners;
     for(std::size_t k = 0; k < n; ++k)
       corners.push_back(m_mesh.surface.target(border[n - 1 - k]));
-    std::vector<Corners> triangles;
+    std::vector<Path_triangle> triangles;
     if(std::any_of(border.begin(), border.end(), [&](Index side) { return side / 3 != border[0] / 3; }))
-      triangles = triangulation(corners);
+    {
+      std::vector<Vector_3d> path;
+      for(const Index v : corners)
+        path.push_back(m_mesh.points[v]);
+      triangles = triangulate_path(path);
+    }
     else // a lone triangle, whose other side would be no surface
     {
       triangles = {{0, 1, n}, {1, 2, n}, {2, 0, n}};
       corners.push_back(m_mesh.add_vertex(0.5 * m_mesh.middle_of(border[0]) + 0.5 * m_mesh.middle_of(border[1])));
     }
+    const Index patch = static_cast<Index>(m_first.size());
+    m_first.push_back(m_mesh.surface.number_of_triangles());
     std::vector<std::pair<std::uint64_t, Index>> inner; // the ends of a side between two triangles, and its number
-    for(const Corners& t : triangles)
+    for(const Path_triangle& t : triangles)
     {
       const Index first = m_mesh.surface.add({corners[t[0]], corners[t[1]], corners[t[2]]});
       m_mesh.faces.push_back(Glued_triangles::none);
-      m_mesh.patches.push_back(m_number_of_patches);
+      m_mesh.patches.push_back(patch);
       for(std::size_t i = 0; i < 3; ++i)
       {
         const std::size_t from = t[i], to = t[(i + 1) % 3];
@@ -194,17 +195,16 @@ public:
     std::sort(inner.begin(), inner.end());
     for(std::size_t k = 0; k + 1 < inner.size(); k += 2)
       m_mesh.surface.glue(inner[k].second, inner[k + 1].second);
-    return m_number_of_patches++;
+    m_ends.push_back(m_mesh.surface.number_of_triangles());
+    return patch;
   }
 
   // Divides the triangles of a patch until their sides are about as long as those of its border.
   void refine(Index patch)
   {
     constexpr int max_rounds = 200, flips_per_round = 3, smoothings = 8;
-    std::vector<Index> triangles;
-    for(Index t = 0; t < m_mesh.surface.number_of_triangles(); ++t)
-      if(m_mesh.patches[t] == patch)
-        triangles.push_back(t);
+    std::vector<Index> triangles(m_ends[patch] - m_first[patch]);
+    std::iota(triangles.begin(), triangles.end(), m_first[patch]);
     const auto is_inner = [&](Index side) { return m_mesh.patches[m_mesh.surface.mate(side) / 3] == patch; };
     m_sizes.resize(m_mesh.points.size());
     for(const Index t : triangles)
@@ -236,69 +236,6 @@ public:
   }
 
 private:
-  using Corners = std::array<std::size_t, 3>;
-
-  // Triangles of a closed path, as positions in it in increasing order: of least area and bending, if the path is short, or else
-  // corner by corner, the nearest neighbours first.
-  std::vector<Corners> triangulation(const std::vector<Index>& path) const
-  {
-    constexpr std::size_t max_size_for_search = 100; // by the third power: 5 ms
-    std::vector<Corners> result;
-    if(path.size() > 3 && path.size() <= max_size_for_search)
-    {
-      std::vector<Exact_predicates_inexact_constructions_kernel::Point_3> points;
-      for(const Index v : path)
-        points.emplace_back(m_mesh.points[v][0], m_mesh.points[v][1], m_mesh.points[v][2]);
-      std::vector<Triple<int, int, int>> triangles;
-      Polygon_mesh_processing::triangulate_hole_polyline(points, std::back_inserter(triangles),
-                                                         parameters::use_delaunay_triangulation(false));
-      for(const auto& t : triangles)
-        result.push_back(
-            {static_cast<std::size_t>(t.first), static_cast<std::size_t>(t.second), static_cast<std::size_t>(t.third)});
-    }
-    if(result.size() + 2 != path.size())
-      result = cut_corners(path);
-    for(Corners& t : result)
-      std::sort(t.begin(), t.end());
-    return result;
-  }
-
-  std::vector<Corners> cut_corners(const std::vector<Index>& path) const
-  {
-    const std::size_t n = path.size();
-    std::vector<std::size_t> before(n), behind(n);
-    for(std::size_t k = 0; k < n; ++k)
-    {
-      before[k] = (k + n - 1) % n;
-      behind[k] = (k + 1) % n;
-    }
-    using Entry = std::pair<double, Corners>;
-    std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> queue;
-    const auto add = [&](std::size_t k) {
-      queue.emplace(squared_length(m_mesh.points[path[before[k]]] - m_mesh.points[path[behind[k]]]),
-                    Corners{before[k], k, behind[k]});
-    };
-    for(std::size_t k = 0; k < n; ++k)
-      add(k);
-    std::vector<Corners> result;
-    std::vector<char> is_cut(n, 0);
-    while(result.size() + 2 < n)
-    {
-      const Corners t = queue.top().second;
-      queue.pop();
-      const auto [a, b, c] = t;
-      if(is_cut[b] || before[b] != a || behind[b] != c)
-        continue;
-      is_cut[b] = 1;
-      result.push_back(t);
-      behind[a] = c;
-      before[c] = a;
-      add(a);
-      add(c);
-    }
-    return result;
-  }
-
   bool is_long(Index side) const
   {
     constexpr double longest = 4. / 3.; // between that and half of it nothing is to be gained
@@ -371,8 +308,8 @@ private:
   }
 
   Repaired_triangles& m_mesh;
-  Index m_number_of_patches = 0;
-  std::vector<double> m_sizes; // of triangles at the vertices of patches
+  std::vector<Index> m_first, m_ends; // of the triangles of each patch, before it is refined
+  std::vector<double> m_sizes;        // of triangles at the vertices of patches
 };
 
 } // namespace CGAL::Spherical_parameterization::internal

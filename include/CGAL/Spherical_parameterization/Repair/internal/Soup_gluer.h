@@ -15,19 +15,15 @@
 #include <CGAL/license/Spherical_parameterization.h>
 
 #include <CGAL/Spherical_parameterization/Repair/internal/Glued_triangles.h>
+#include <CGAL/Spherical_parameterization/Repair/internal/triangulate_path.h>
 #include <CGAL/Spherical_parameterization/Repair/repair_surface.h>
 #include <CGAL/Spherical_parameterization/internal/numbers/Vector_3.h>
 #include <CGAL/Spherical_parameterization/internal/surface/mesh_measures.h>
-
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Polygon_mesh_processing/triangulate_hole.h>
-#include <CGAL/utility.h>
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <iterator>
 #include <numeric>
 #include <utility>
 #include <vector>
@@ -111,20 +107,11 @@ private:
 
   void divide(std::size_t polygon, const std::vector<Index>& corners)
   {
-    std::vector<Exact_predicates_inexact_constructions_kernel::Point_3> points;
+    std::vector<Vector_3d> path;
     for(const Index v : corners)
-      points.emplace_back(m_points[v][0], m_points[v][1], m_points[v][2]);
-    std::vector<Triple<int, int, int>> triangles;
-    constexpr std::size_t max_corners_for_search = 200;
-    if(corners.size() <= max_corners_for_search)
-      Polygon_mesh_processing::triangulate_hole_polyline(points, std::back_inserter(triangles),
-                                                         parameters::use_delaunay_triangulation(false));
-    if(triangles.empty()) // a polygon of no area
-      for(int k = 1; k + 1 < static_cast<int>(corners.size()); ++k)
-        triangles.emplace_back(0, k, k + 1);
-    const auto at = [&](int k) { return corners[static_cast<std::size_t>(k)]; };
-    for(const auto& t : triangles)
-      add_triangle(polygon, {at(t.first), at(t.second), at(t.third)});
+      path.push_back(m_points[v]);
+    for(const auto& [a, b, c] : triangulate_path(path))
+      add_triangle(polygon, {corners[a], corners[b], corners[c]});
   }
 
   void remove_repeated_triangles()

@@ -236,6 +236,11 @@ CGAL_SPHERICAL_PARAMETERIZATION_INLINE Error_code repair_arrays(std::vector<Vect
                                                                 const Repair_limits& limits, Repaired_arrays& result,
                                                                 Repair_report& report)
 {
+  if(!(limits.maximum_hole >= 0. && limits.maximum_handle >= 0. && limits.maximum_added_area >= 0.))
+  {
+    report.message = "a limit of the repair is negative or not a number";
+    return ERROR_WRONG_PARAMETER;
+  }
   for(const std::uint32_t v : polygons.corners)
     if(!is_finite(points[v]))
     {

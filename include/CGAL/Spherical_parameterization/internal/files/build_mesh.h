@@ -36,7 +36,7 @@
 namespace CGAL::Spherical_parameterization::internal {
 
 // Builds a mesh with n vertices of polygons, if a halfedge data structure can hold them; or else returns what is wrong. Triangles of a
-// closed surface are linked to their neighbors and added at once, which takes a third of the time.
+// closed surface are linked to their neighbors and added at once, which is faster.
 template <class Polygon, class Mesh>
 std::optional<Soup_defect> build_mesh(const std::vector<Polygon>& polygons, std::size_t n, Mesh& mesh)
 {
