@@ -88,8 +88,8 @@ struct Vertex_removal
     // What takes longest comes last, and only for targets that may still be the best one; so the cheapest comes first.
     const std::uint32_t cheapest =
         static_cast<std::uint32_t>(std::min_element(cost.begin(), cost.begin() + d) - cost.begin());
-    const auto is_better = [&](std::uint32_t rank, std::uint32_t j) {
-      return !result.is_possible() || rank < result.rank || (rank == result.rank && j < result.target);
+    const auto is_better = [&](std::uint32_t r, std::uint32_t j) {
+      return !result.is_possible() || r < result.rank || (r == result.rank && j < result.target);
     };
     const auto try_target = [&](std::uint32_t j) {
       if(!is_better(rank_of(cost[j]), j))
@@ -97,12 +97,11 @@ struct Vertex_removal
       double squared_quality = 1.;
       for(std::uint32_t k = j + 1; k + 1 < j + d; ++k)
         squared_quality = (std::min)(squared_quality, squared_quality_of(e[k] - e[j], e[k + 1] - e[j]));
-      const std::uint32_t rank =
-          rank_of(cost[j] / std::sqrt(std::sqrt((std::max)(squared_quality, min_squared_quality))));
-      if(is_better(rank, j) && (images.empty() || is_fan_positive(ring, j, images)) &&
+      const std::uint32_t r = rank_of(cost[j] / std::sqrt(std::sqrt((std::max)(squared_quality, min_squared_quality))));
+      if(is_better(r, j) && (images.empty() || is_fan_positive(ring, j, images)) &&
          !has_chord(rings, ring, j, is_exact))
       {
-        result.rank = rank;
+        result.rank = r;
         result.target = j;
       }
     };
