@@ -29,9 +29,18 @@ Options_list method_options(const std::string& command)
   return list;
 }
 
+const Options_list repair_limits = {
+    {"--max-added-area", "SHARE", "what may be added, as a share of the area; 0.05"},
+    {"--max-hole", "LENGTH", "longest border of a hole, in square roots of the area; any"},
+    {"--max-handle", "LENGTH", "longest cycle that a handle is cut along, in the same unit; any"},
+    {"--coarse-patches", "", "close holes and cuts with as few triangles as can be"},
+    {"--wrap", "ALPHA", "wrap it first; ALPHA is a share of its diagonal, such as 0.02"}};
+
 const Options_list repair_options = {
-    {"--fill-holes", "N", "fill holes of at most N edges, or all; the faces of the file are written"},
-    {"--components", "WHICH", "of several components, map the largest; or each, to numbered files"}};
+    {"--repair", "", "repair surfaces first, see the command repair; their faces are written"},
+    {"--repaired", "FILE", "write the repaired surface; .ply says which vertices and faces it is from"}};
+
+const Options_list component_options = {{"--each-component", "", "map each component of SURFACE, to numbered files"}};
 
 const Options_list common_options = {{"--threads", "N", "use no more threads; the result is always the same"},
                                      {"--quiet", "", "print nothing but errors"}};
@@ -93,10 +102,14 @@ Options_list own_options(const std::string& command)
   if(command == "check")
     return {{"--json", "FILE", "write the report and the distortions as JSON; - prints them instead"}};
   if(command == "repair")
-    return {{"-o,--output", "RESULT", "write the closed surface; in .ply, filler is 1 for faces that are new"},
-            {"--fill-holes", "N", "fill holes of at most N edges, or all, the default"},
-            {"--components", "WHICH", "of several components, take the largest; or each, to numbered files"},
-            {"--handles", "FILE.ply", "write a short closed path around each handle, as lines"}};
+  {
+    Options_list list = {
+        {"-o,--output", "RESULT", "write the surface; in .ply with the vertices and faces that it is from"},
+        {"--handles", "FILE.ply", "write the cycles that handles are cut along, as lines"}};
+    append(list, repair_limits);
+    append(list, {{"--each-component", "", "repair each component, to numbered files"}});
+    return list;
+  }
   if(command == "show")
     return {{"-o,--output", "PAGE.html", "write the page, which needs no network"},
             {"--beside", "SURFACE", "show this surface with the same faces in place of the sphere"},
@@ -135,8 +148,12 @@ const std::vector<Command> commands = {
      "Says what keeps a surface from being mapped; or whether a sphere with its faces is one-to-one, and\nhow it is "
      "distorted.",
      1, 2},
-    {"repair", "fill holes, pick a component, find handles: repair SURFACE -o RESULT", "scan.ply -o closed.ply",
-     "SURFACE [-o RESULT] [options]", "Fills the holes of a surface, or writes where its handles are.", 1, 1},
+    {"repair", "make any surface one that can be mapped: repair SURFACE -o RESULT", "scan.ply -o repaired.ply",
+     "SURFACE [-o RESULT] [options]",
+     "Triangulates polygons, removes degenerate and repeated faces, merges vertices of borders at the same\n"
+     "point, orients faces alike, divides edges and vertices that are no manifold, keeps the largest\n"
+     "component, fills holes, cuts handles and splits repeated edges; each only where it is needed.",
+     1, 1},
     {"batch", "map many surfaces: batch INPUT... --output-folder FOLDER", "scans/ --output-folder spheres",
      "INPUT... --output-folder FOLDER [options]",
      "Maps meshes, and those in folders. One that fails does not stop the others; small ones are mapped\none on each "
@@ -148,17 +165,32 @@ const std::vector<Command> commands = {
      "surface with handles, where these are. Without SPHERE, the surface is mapped.",
      1, 2}};
 
-const std::map<std::string, std::string> needed_options = {
-    {"--soft-landmarks", "--landmarks"}, {"--feature-weights", "--features"},  {"--compare", "--features"},
-    {"--values-sphere", "--transfer"},   {"--image-size", "--geometry-image"}, {"--overwrite", "--surfaces"}};
+const std::map<std::string, std::string> needed_options = {{"--soft-landmarks", "--landmarks"},
+                                                           {"--feature-weights", "--features"},
+                                                           {"--compare", "--features"},
+                                                           {"--values-sphere", "--transfer"},
+                                                           {"--image-size", "--geometry-image"},
+                                                           {"--overwrite", "--surfaces"},
+                                                           {"--max-added-area", "--repair"},
+                                                           {"--max-hole", "--repair"},
+                                                           {"--max-handle", "--repair"},
+                                                           {"--coarse-patches", "--repair"},
+                                                           {"--wrap", "--repair"},
+                                                           {"--repaired", "--repair"}};
 
 std::vector<Command_option> options_of(const std::string& command)
 {
   Options_list list = own_options(command);
   const bool maps = is_among(command, {"map", "match", "register", "remesh"});
+  if(maps || command == "batch" || command == "show")
+  {
+    append(list, command == "batch" || command == "show" ? Options_list{repair_options[0]} : repair_options);
+    append(list, is_among(command, {"match", "register"}) ? Options_list{repair_limits[0]} : repair_limits);
+  }
+  if(command == "map" || command == "remesh")
+    append(list, component_options);
   if(maps || command == "batch")
   {
-    append(list, repair_options);
     append(list, method_options(command));
     append(list, format_options);
   }

@@ -2,11 +2,10 @@
 
 #include "write_mesh.h"
 
-#include <CGAL/Spherical_parameterization/Repair/fill_holes.h>
 #include <CGAL/Spherical_parameterization/internal/files/build_mesh.h>
 
 #include <CGAL/Surface_mesh/IO/PLY.h>
-#include <CGAL/boost/graph/Euler_operations.h>
+#include <CGAL/boost/graph/Face_filtered_graph.h>
 #include <CGAL/boost/graph/iterator.h>
 
 #include <boost/container/small_vector.hpp>
@@ -14,6 +13,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <sstream>
 
 namespace Program {
@@ -31,17 +31,16 @@ bool is_finite(const Point_3& p)
   return std::isfinite(p.x()) && std::isfinite(p.y()) && std::isfinite(p.z());
 }
 
-// Returns whether both polygons are the same triangle, from any of its corners on.
-bool is_same(Polygon polygon, const Polygon& triangle)
+// Returns whether both polygons are the same one, from any of its corners on.
+bool is_same(Polygon polygon, const Polygon& other)
 {
-  for(std::size_t k = 0; k < 3 && polygon != triangle; ++k)
+  for(std::size_t k = 0; k < other.size() && polygon != other; ++k)
     std::rotate(polygon.begin(), polygon.begin() + (polygon.empty() ? 0 : 1), polygon.end());
-  return polygon == triangle;
+  return polygon == other;
 }
 
-} // namespace
-
-SP::Distortion_summary measured_distortion(const Mesh& mesh, const Sphere_map& map, Distortion_map distortions)
+template <class Face_graph>
+SP::Distortion_summary distortion_of(const Face_graph& mesh, const Sphere_map& map, Distortion_map distortions)
 {
   SP::Distortion_summary summary;
   const SP::Error_code error = SP::measure_distortion(mesh, map, summary, distortions);
@@ -50,67 +49,139 @@ SP::Distortion_summary measured_distortion(const Mesh& mesh, const Sphere_map& m
   return summary;
 }
 
-std::vector<std::vector<Polygon>> parts_of(std::vector<Polygon> polygons)
+// The advice of the library is for those who call functions.
+std::string advice_of_program(std::string message)
 {
-  std::vector<std::pair<std::uint64_t, std::size_t>> sides; // both vertices of an edge, and a face
+  for(const auto& [of_library, of_program] :
+      {std::pair<std::string, std::string>("\nrepair_surface() ", "\nThe command repair, or --repair, "),
+       std::pair<std::string, std::string>("repair_surface() ", "the command repair, or --repair, "),
+       std::pair<std::string, std::string>(", and find_handles() finds them", "")})
+    if(const std::size_t at = message.find(of_library); at != message.npos)
+      message.replace(at, of_library.size(), of_program);
+  return message;
+}
+
+// Returns the numbers of vertices, such that those of borders at the same point have the same one.
+std::vector<std::size_t> joined_borders(const File_content& surface,
+                                        const std::vector<std::pair<std::uint64_t, std::size_t>>& sides)
+{
+  std::vector<std::size_t> number(surface.points.size()), on_border;
+  std::iota(number.begin(), number.end(), std::size_t(0));
+  for(std::size_t k = 0; k < sides.size(); ++k)
+    if((k == 0 || sides[k - 1].first != sides[k].first) &&
+       (k + 1 == sides.size() || sides[k + 1].first != sides[k].first))
+      for(const std::uint64_t v : {sides[k].first >> 32, sides[k].first & 0xffffffff})
+        if(is_finite(surface.points[v]))
+          on_border.push_back(v);
+  const auto key = [&](std::size_t v) { return std::pair(surface.points[v], v); };
+  std::sort(on_border.begin(), on_border.end(), [&](std::size_t v, std::size_t w) { return key(v) < key(w); });
+  for(std::size_t k = 1; k < on_border.size(); ++k)
+    if(surface.points[on_border[k]] == surface.points[on_border[k - 1]])
+      number[on_border[k]] = number[on_border[k - 1]];
+  return number;
+}
+
+// The sides of all faces in order: both vertices of each, by these numbers, and the face.
+std::vector<std::pair<std::uint64_t, std::size_t>> sorted_sides(const std::vector<Polygon>& polygons,
+                                                                const std::vector<std::size_t>& numbers)
+{
+  std::vector<std::pair<std::uint64_t, std::size_t>> sides;
   for(std::size_t f = 0; f < polygons.size(); ++f)
     SP::internal::for_each_side(polygons[f], [&](std::size_t from, std::size_t to) {
-      const auto [v, w] = std::minmax(from, to);
+      const auto [v, w] = std::minmax(numbers.empty() ? from : numbers[from], numbers.empty() ? to : numbers[to]);
       sides.emplace_back(std::uint64_t(v) << 32 | w, f);
     });
   std::sort(sides.begin(), sides.end());
+  return sides;
+}
+
+} // namespace
+
+SP::Distortion_summary measured_distortion(const Mesh& mesh, const Sphere_map& map, Distortion_map distortions)
+{
+  return distortion_of(mesh, map, distortions);
+}
+
+std::vector<std::vector<std::size_t>> components_of(const File_content& surface, bool joins_borders)
+{
+  const std::vector<Polygon>& polygons = surface.polygons;
+  std::vector<std::pair<std::uint64_t, std::size_t>> sides = sorted_sides(polygons, {});
+  if(joins_borders)
+    sides = sorted_sides(polygons, joined_borders(surface, sides));
   boost::disjoint_sets_with_storage<> sets(polygons.size());
   for(std::size_t k = 1; k < sides.size(); ++k)
     if(sides[k].first == sides[k - 1].first)
       sets.union_set(sides[k].second, sides[k - 1].second);
-  std::vector<std::vector<Polygon>> parts;
-  std::vector<std::size_t> part_of(polygons.size(), polygons.size()); // by the face that stands for it
+  std::vector<std::vector<std::size_t>> components;
+  std::vector<std::size_t> component_of(polygons.size(), polygons.size()); // by the face that stands for it
   for(std::size_t f = 0; f < polygons.size(); ++f)
   {
-    std::size_t& part = part_of[sets.find_set(f)];
-    if(part == polygons.size())
+    std::size_t& component = component_of[sets.find_set(f)];
+    if(component == polygons.size())
     {
-      part = parts.size();
-      parts.emplace_back();
+      component = components.size();
+      components.emplace_back();
     }
-    parts[part].push_back(std::move(polygons[f]));
+    components[component].push_back(f);
   }
-  std::stable_sort(parts.begin(), parts.end(), [](const auto& a, const auto& b) { return a.size() > b.size(); });
-  return parts;
+  std::stable_sort(components.begin(), components.end(),
+                   [](const auto& a, const auto& b) { return a.size() > b.size(); });
+  return components;
 }
 
-File_content part_of(const File_content& whole, std::vector<Polygon> polygons)
+File_content part_of(const File_content& whole, const std::vector<std::size_t>& faces)
 {
-  std::vector<std::size_t> vertices;
-  for(const Polygon& polygon : polygons)
-    vertices.insert(vertices.end(), polygon.begin(), polygon.end());
-  std::sort(vertices.begin(), vertices.end());
-  vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
-  for(Polygon& polygon : polygons)
-    for(auto& v : polygon)
-      v = static_cast<std::size_t>(std::lower_bound(vertices.begin(), vertices.end(), v) - vertices.begin());
   File_content part;
-  for(const std::size_t v : vertices)
+  for(const std::size_t f : faces)
+  {
+    part.faces.push_back(static_cast<std::uint32_t>(f));
+    part.polygons.push_back(whole.polygons[f]);
+    part.vertices.insert(part.vertices.end(), whole.polygons[f].begin(), whole.polygons[f].end());
+  }
+  std::sort(part.vertices.begin(), part.vertices.end());
+  part.vertices.erase(std::unique(part.vertices.begin(), part.vertices.end()), part.vertices.end());
+  for(Polygon& polygon : part.polygons)
+    for(std::size_t& v : polygon)
+      v = static_cast<std::size_t>(std::lower_bound(part.vertices.begin(), part.vertices.end(), v) -
+                                   part.vertices.begin());
+  for(const std::uint32_t v : part.vertices)
     part.points.push_back(whole.points[v]);
-  part.polygons = std::move(polygons);
   part.origin = whole.origin;
   part.hemispheres = whole.hemispheres;
   return part;
 }
 
-Input_mesh::Input_mesh(const std::string& path, File_content soup)
+Input_mesh::Input_mesh(const std::string& path, File_content surface, const std::optional<Repair_settings>& repair)
   : m_name(printable(path))
   , m_is_of_cortical_format(!is_among(file_format(path), input_formats))
-  , m_origin(std::move(soup.origin))
-  , m_hemispheres(std::move(soup.hemispheres))
-  , m_polygons(std::move(soup.polygons))
+  , m_origin(std::move(surface.origin))
+  , m_hemispheres(std::move(surface.hemispheres))
+  , m_vertices(surface.vertices.begin(), surface.vertices.end())
+  , m_faces(surface.faces.begin(), surface.faces.end())
 {
-  if(m_polygons.empty())
+  if(surface.polygons.empty())
     throw Program_error(m_name, ": the mesh has no faces.\nPerhaps the file is truncated, or a point cloud, which has "
                                 "to be turned into a surface first.");
-  if(const auto defect = SP::internal::build_mesh(m_polygons, soup.points.size(), m_mesh))
-    throw Program_error(m_name, ": ", defect->message);
-  set_points(m_mesh, soup.points);
+  const auto build = [&] {
+    m_mesh = Mesh();
+    const auto defect = SP::internal::build_mesh(surface.polygons, surface.points.size(), m_mesh);
+    if(!defect)
+      set_points(m_mesh, surface.points);
+    return defect;
+  };
+  const auto defect = build();
+  if(defect && !repair)
+    throw Program_error(m_name, ": ", advice_of_program(defect->message));
+  if(repair)
+  {
+    m_repair.emplace();
+    if(defect || repair->alpha > 0. || SP::internal::find_defect_of_mesh(m_mesh))
+    {
+      m_repair = read_named(path, [&] { return Surface_repair(*repair, surface); });
+      build();
+    }
+  }
+  m_polygons = std::move(surface.polygons);
 }
 
 std::string Input_mesh::find_defect(bool advises) const
@@ -118,13 +189,10 @@ std::string Input_mesh::find_defect(bool advises) const
   const auto defect = SP::internal::find_defect_of_mesh(m_mesh);
   if(!defect)
     return "";
-  const char* const cure = defect->error == SP::ERROR_NON_CLOSED_MESH ? "\n--fill-holes all fills them."
-                           : defect->error == SP::ERROR_SEVERAL_COMPONENTS
-                               ? "\nOf SURFACE, --components largest maps the largest one, --components each all of "
-                                 "them; of another file, the command repair writes the largest one."
-                               : "";
-  return m_name + ": " + defect->message + cure +
-         (defect->error == SP::ERROR_NO_TOPOLOGICAL_SPHERE ? describe_handles(advises) : "");
+  return m_name + ": " + advice_of_program(defect->message) +
+         (defect->error == SP::ERROR_SEVERAL_COMPONENTS      ? "\n--each-component maps each of SURFACE."
+          : defect->error == SP::ERROR_NO_TOPOLOGICAL_SPHERE ? describe_handles(advises)
+                                                             : "");
 }
 
 void Input_mesh::check() const
@@ -147,49 +215,67 @@ std::string Input_mesh::describe(const Handle& handle)
                 handle.path.front().idx());
 }
 
-void Input_mesh::write_handles(std::ostream& out, const std::vector<Handle>& handles) const
+void Input_mesh::write_cycles(std::ostream& out, const std::vector<std::vector<std::size_t>>& cycles) const
 {
   std::size_t n = 0;
-  for(const Handle& handle : handles)
-    n += handle.path.size();
+  for(const auto& cycle : cycles)
+    n += cycle.size();
   out << "ply\nformat ascii 1.0\nelement vertex " << n
       << "\nproperty double x\nproperty double y\nproperty double z\nproperty int vertex\nelement edge " << n
       << "\nproperty int vertex1\nproperty int vertex2\nproperty int handle\nend_header\n";
   out.precision(17);
-  for(const Handle& handle : handles)
-    for(const Vertex_index v : handle.path)
-      out << m_mesh.point(v) << ' ' << v.idx() << '\n';
+  const bool is_changed = m_repair && m_repair->has_changed_surface();
+  for(const auto& cycle : cycles)
+    for(const std::size_t v : cycle)
+      out << (is_changed ? m_repair->file().points[v] : m_mesh.point(Vertex_index(static_cast<Mesh::size_type>(v))))
+          << ' ' << (m_vertices.empty() ? v : m_vertices[v]) << '\n';
   std::size_t first = 0;
-  for(std::size_t k = 0; k < handles.size(); ++k)
+  for(std::size_t k = 0; k < cycles.size(); ++k)
   {
-    const std::size_t size = handles[k].path.size();
+    const std::size_t size = cycles[k].size();
     for(std::size_t i = 0; i < size; ++i)
       out << first + i << ' ' << first + (i + 1) % size << ' ' << k << '\n';
     first += size;
   }
 }
 
-std::vector<Input_mesh::Hole> Input_mesh::fill_holes(std::size_t max_edges)
+std::size_t Input_mesh::number_of_vertices_of_file() const
 {
-  m_unfilled = m_mesh;
-  std::vector<SP::Filled_hole<Mesh>> holes;
-  const SP::Error_code error = SP::fill_holes(m_mesh, holes, CGAL::parameters::maximum_number(max_edges));
-  if(error == SP::ERROR_NO_SIMPLICIAL_COMPLEX)
-    throw Program_error(
-        m_name, ": the border touches itself in vertex ", holes.back().vertex.idx(),
-        ", so that it is not clear what its holes are.\nSplit the vertex, for example with "
-        "CGAL::Polygon_mesh_processing::duplicate_non_manifold_vertices(). (Vertices are counted from 0.)");
-  if(error == SP::ERROR_NON_FINITE_COORDINATE)
+  return m_repair && m_repair->has_changed_surface() ? m_repair->file().points.size() : m_mesh.number_of_vertices();
+}
+
+Vertex_index Input_mesh::vertex_of(std::size_t vertex_of_file) const
+{
+  const std::size_t v =
+      m_repair && m_repair->has_changed_surface() ? m_repair->vertex_of(vertex_of_file) : vertex_of_file;
+  return v == Surface_repair::none || m_mesh.is_isolated(Vertex_index(static_cast<Mesh::size_type>(v)))
+             ? Mesh::null_vertex()
+             : Vertex_index(static_cast<Mesh::size_type>(v));
+}
+
+File_content Input_mesh::carried(File_content values) const
+{
+  if(!m_repair || !m_repair->has_changed_surface())
+    return values;
+  m_repair->carry(values, m_polygons);
+  if(values.points.size() == m_repair->file().points.size())
   {
-    const auto is_wrong = [&](Vertex_index v) { return !m_mesh.is_isolated(v) && !is_finite(m_mesh.point(v)); };
-    const Vertex_index v = *std::find_if(m_mesh.vertices().begin(), m_mesh.vertices().end(), is_wrong);
-    throw Program_error(m_name, ": vertex ", v.idx(),
-                        " has a coordinate that is infinite or not a number. (Vertices are counted from 0.)");
+    values.points.assign(m_mesh.points().begin(), m_mesh.points().end());
+    values.polygons = m_polygons;
   }
-  std::vector<Hole> result;
-  for(const SP::Filled_hole<Mesh>& hole : holes)
-    result.push_back({hole.vertex, hole.number_of_edges, hole.faces.size(), hole.perimeter, hole.share});
-  return result;
+  return values;
+}
+
+SP::Distortion_summary Input_mesh::measured(const Sphere_map& map, Distortion_map distortions) const
+{
+  const SP::Distortion_summary of_all = distortion_of(m_mesh, map, distortions);
+  if(!has_patches())
+    return of_all;
+  std::vector<Mesh::Face_index> kept;
+  for(const Mesh::Face_index f : m_mesh.faces())
+    if(!is_patch(f))
+      kept.push_back(f);
+  return distortion_of(CGAL::Face_filtered_graph<Mesh>(m_mesh, kept), map, distortions);
 }
 
 void Input_mesh::take_triangles_of_mesh()
@@ -205,42 +291,47 @@ void Input_mesh::take_triangles_of_mesh()
   }
 }
 
-std::vector<Point_3> Input_mesh::points_of(const Sphere_map& map)
+void Input_mesh::write_repaired(std::ostream& out, const std::string& format) const
 {
-  const auto n = static_cast<std::ptrdiff_t>(mesh_of_file().number_of_vertices());
-  return std::vector<Point_3>(map.begin(), map.begin() + n);
-}
-
-void Input_mesh::write_filled(std::ostream& out, const std::string& format) const
-{
-  std::vector<Polygon> triangles = m_polygons;
-  for(const Mesh::Face_index f : m_mesh.faces())
-    if(is_filler(f))
-    {
-      triangles.emplace_back();
-      for(const Vertex_index v : CGAL::vertices_around_face(m_mesh.halfedge(f), m_mesh))
-        triangles.back().push_back(v);
-    }
+  const std::vector<Point_3> points(m_mesh.points().begin(), m_mesh.points().end());
   if(format != ".ply")
   {
-    write_mesh(out, format, {m_mesh.points().begin(), m_mesh.points().end()}, triangles, inherited(m_origin, false));
+    write_mesh(out, format, points, m_polygons, inherited(m_origin, false));
     return;
   }
-  Mesh filled;
-  SP::internal::build_mesh(triangles, m_mesh.number_of_vertices(), filled);
-  set_points(filled, {m_mesh.points().begin(), m_mesh.points().end()});
-  const auto label = filled.add_property_map<Mesh::Face_index, std::uint8_t>("f:filler", 1).first;
-  for(const Mesh::Face_index f : filled.faces())
-    label[f] = is_filler(f) ? 1 : 0;
+  Mesh written;
+  SP::internal::build_mesh(m_polygons, points.size(), written);
+  set_points(written, points);
+  const auto source_vertices = written.add_property_map<Vertex_index, std::int32_t>("v:source_vertex", -1).first;
+  const auto source_faces = written.add_property_map<Mesh::Face_index, std::int32_t>("f:source_face", -1).first;
+  const auto patch = written.add_property_map<Mesh::Face_index, std::uint8_t>("f:patch", 0).first;
+  const bool is_changed = m_repair && m_repair->has_changed_surface();
+  const auto source_of = [&](std::size_t i, const std::vector<std::size_t>& sources,
+                             const std::vector<std::size_t>& of_part) {
+    const std::size_t source = is_changed ? sources[i] : i;
+    return (m_repair && m_repair->is_wrapped()) || source == Surface_repair::none
+               ? -1
+               : static_cast<std::int32_t>(of_part.empty() ? source : of_part[source]);
+  };
+  const std::vector<std::size_t> none;
+  for(const Vertex_index v : written.vertices())
+    source_vertices[v] = source_of(v, is_changed ? m_repair->source_vertices() : none, m_vertices);
+  for(const Mesh::Face_index f : written.faces())
+  {
+    source_faces[f] = source_of(f, is_changed ? m_repair->source_faces() : none, m_faces);
+    patch[f] = is_patch(f) ? 1 : 0;
+  }
   CGAL::IO::set_binary_mode(out);
-  CGAL::IO::write_PLY(out, filled, CGAL::parameters::stream_precision(17));
+  CGAL::IO::write_PLY(out, written, CGAL::parameters::stream_precision(17));
 }
 
 Sphere_map Input_mesh::read_images(const std::string& path)
 {
   check();
-  const File_content soup = read_file_content(path);
+  File_content soup = read_file_content(path);
   check_faces_of(path, "is no map of this mesh", soup.points.size(), soup.polygons);
+  if(is_of_file(soup.points.size(), soup.polygons))
+    soup.points = m_repair->carried(soup.points, m_polygons);
   const Sphere_map map = m_mesh.add_property_map<Vertex_index, Point_3>("v:initial").first;
   for(const Vertex_index v : m_mesh.vertices())
   {
@@ -266,17 +357,26 @@ Sphere_map Input_mesh::read_map(const std::string& path)
   return map;
 }
 
+bool Input_mesh::is_of_file(std::size_t n_vertices, const std::vector<Polygon>& polygons) const
+{
+  return m_repair && m_repair->has_changed_surface() && n_vertices == m_repair->file().points.size() &&
+         !(n_vertices == m_mesh.number_of_vertices() && polygons.size() == m_polygons.size() &&
+           std::equal(polygons.begin(), polygons.end(), m_polygons.begin(), is_same));
+}
+
 void Input_mesh::check_faces_of(const std::string& path, const std::string& is, std::size_t n_vertices,
                                 const std::vector<Polygon>& polygons) const
 {
-  const auto compare = [&](const std::string& what, std::size_t count, std::size_t expected) {
-    if(count != expected)
-      throw error_in(path, is, ": it has ", count, " ", what, ", the mesh has ", expected);
+  const bool is_file = is_of_file(n_vertices, polygons);
+  const std::vector<Polygon>& expected = is_file ? m_repair->file().polygons : m_polygons;
+  const auto compare = [&](const std::string& what, std::size_t count, std::size_t number) {
+    if(count != number)
+      throw error_in(path, is, ": it has ", count, " ", what, ", the mesh has ", number);
   };
-  compare("vertices", n_vertices, (m_unfilled ? *m_unfilled : m_mesh).number_of_vertices());
-  compare("faces", polygons.size(), m_polygons.size());
-  for(std::size_t f = 0; f < m_polygons.size(); ++f)
-    if(!is_same(polygons[f], m_polygons[f]))
+  compare("vertices", n_vertices, is_file ? n_vertices : m_mesh.number_of_vertices());
+  compare("faces", polygons.size(), expected.size());
+  for(std::size_t f = 0; f < expected.size(); ++f)
+    if(!is_same(polygons[f], expected[f]))
       throw error_in(path, is, ": face ", f, " has other corners, or another orientation. (Faces are counted from 0.)");
 }
 

@@ -1,7 +1,7 @@
 #ifndef PROGRAM_INPUT_MESH_H
 #define PROGRAM_INPUT_MESH_H
 
-#include "read_file.h"
+#include "Surface_repair.h"
 
 #include <CGAL/Spherical_parameterization/Repair/find_handles.h>
 #include <CGAL/Spherical_parameterization/measure_distortion.h>
@@ -21,29 +21,25 @@ using Distortion_map = Mesh::Property_map<Mesh::Face_index, SP::Face_distortion>
 /// measures a map to the sphere, each face and all together.
 SP::Distortion_summary measured_distortion(const Mesh& mesh, const Sphere_map& map, Distortion_map distortions);
 
-/// returns the faces of each part of a surface: those that are connected by edges. The largest part comes first, of several as large
+/// returns the faces of each component of a surface: those that are connected by edges. The largest comes first, of several as large
 /// that with the first face.
-std::vector<std::vector<Polygon>> parts_of(std::vector<Polygon> polygons);
+///
+/// \param joins_borders whether vertices of borders at the same point count as one
+std::vector<std::vector<std::size_t>> components_of(const File_content& surface, bool joins_borders);
 
-/// returns some polygons of a mesh as a mesh of their own: with no other vertices, in the order of the file.
-File_content part_of(const File_content& whole, std::vector<Polygon> polygons);
+/// returns some faces of a surface as one of their own: with no other vertices, in the order of the file.
+File_content part_of(const File_content& whole, const std::vector<std::size_t>& faces);
 
 /// The mesh of a file, if a halfedge data structure can hold it. It keeps the faces as they were in the file, whose first
 /// corners `Surface_mesh` forgets.
 class Input_mesh
 {
 public:
-  /// A hole of the surface, which has been filled with faces, unless it has too many edges.
-  struct Hole
-  {
-    std::size_t vertex, number_of_edges, number_of_faces;
-    double perimeter, share; ///< of all of the area
-  };
-
   using Handle = SP::Handle<Mesh>;
 
-  /// turns the content of the file `path` into a mesh. The indices of vertices and faces are those of the file.
-  Input_mesh(const std::string& path, File_content soup);
+  /// turns the content of the file `path` into a mesh. The indices of vertices and faces are those of the file, unless it is repaired,
+  /// and needs that.
+  Input_mesh(const std::string& path, File_content surface, const std::optional<Repair_settings>& repair = {});
 
   /// returns why the mesh has no map, where, and what helps; empty if the mesh is in order. A parameterizer asks the same
   /// before it begins.
@@ -60,12 +56,9 @@ public:
   /// returns the length of a path around a handle, and where it is.
   static std::string describe(const Handle& handle);
 
-  /// writes paths around handles as a PLY file of lines: their vertices with the number that each has in the mesh, and edges
-  /// with the number of the handle.
-  void write_handles(std::ostream& out, const std::vector<Handle>& handles) const;
-
-  /// fills the holes with at most so many edges; see `SP::fill_holes()`. New vertices and faces come behind those of the file.
-  std::vector<Hole> fill_holes(std::size_t max_edges);
+  /// writes cycles around handles, by their vertices in the file, as a PLY file of lines: vertices with the number that each has in
+  /// the file, and edges with the number of the handle.
+  void write_cycles(std::ostream& out, const std::vector<std::vector<std::size_t>>& cycles) const;
 
   /// returns the name of the file for a message.
   const std::string& name() const { return m_name; }
@@ -74,11 +67,28 @@ public:
   bool is_of_cortical_format() const { return m_is_of_cortical_format; }
 
   Mesh& mesh() { return m_mesh; }
+  const Mesh& mesh() const { return m_mesh; }
 
-  /// returns the mesh without what holes have been filled with. Its vertices and faces have the same indices.
-  Mesh& mesh_of_file() { return m_unfilled ? *m_unfilled : m_mesh; }
+  /// returns what the repair has done; nothing if none was wanted.
+  const std::optional<Surface_repair>& repair() const { return m_repair; }
 
-  bool is_filler(Mesh::Face_index f) const { return f.idx() >= m_polygons.size(); }
+  /// returns whether a face is new, as it closes a hole, or one side of a cut through a handle.
+  bool is_patch(Mesh::Face_index f) const { return m_repair && m_repair->is_patch(f); }
+
+  /// returns whether any face is.
+  bool has_patches() const { return m_repair && !m_repair->report().patches.empty(); }
+
+  /// returns how many vertices the file has.
+  std::size_t number_of_vertices_of_file() const;
+
+  /// returns the vertex that one of the file has become, the first if there are several; `Mesh::null_vertex()` if it is gone.
+  Vertex_index vertex_of(std::size_t vertex_of_file) const;
+
+  /// turns values of the vertices and faces of the file into those of the mesh.
+  File_content carried(File_content values) const;
+
+  /// measures a map of the mesh, each face, and all together but patches.
+  SP::Distortion_summary measured(const Sphere_map& map, Distortion_map distortions) const;
 
   /// returns what a file of a cortical surface says of its origin.
   const SP::IO::Surface_origin& origin() const { return m_origin; }
@@ -86,38 +96,38 @@ public:
   /// returns which half of the brain the files are of.
   const Hemispheres& hemispheres() const { return m_hemispheres; }
 
-  /// returns the triangles of the file.
+  /// returns the triangles, with the corners in the order that they have in the file.
   const std::vector<Polygon>& triangles() const { return m_polygons; }
 
   /// takes the triangles from the mesh, after edges of it have been split. Those that are still there stay as they were.
   void take_triangles_of_mesh();
 
-  /// returns what vertices have in a property map, but those that holes have been filled with.
-  std::vector<Point_3> points_of(const Sphere_map& map);
+  /// writes the repaired surface. In a PLY file, the properties `source_vertex` and `source_face` say which vertex or face of the file
+  /// each is from, -1 for new ones, and `patch` is 1 for faces that close it.
+  void write_repaired(std::ostream& out, const std::string& format) const;
 
-  /// writes the closed surface. In a PLY file, the property `filler` of its faces is 1 for those that holes have been filled with.
-  void write_filled(std::ostream& out, const std::string& format) const;
-
-  /// reads images of the vertices from a file with the faces of this mesh, wherever they are.
+  /// reads images of the vertices, wherever they are, from a file with the faces of this mesh or of its file.
   Sphere_map read_images(const std::string& path);
 
   /// reads a map of this mesh from a file.
   Sphere_map read_map(const std::string& path);
 
-  /// checks that the file `path` has as many vertices as this mesh, and the same faces.
+  /// checks that the file `path` has as many vertices as this mesh, or its file, and the same faces.
   void check_faces_of(const std::string& path, const std::string& is, std::size_t n_vertices,
                       const std::vector<Polygon>& polygons) const;
 
 private:
   std::string describe_handles(bool advises) const;
+  bool is_of_file(std::size_t n_vertices, const std::vector<Polygon>& polygons) const;
 
   std::string m_name;
   bool m_is_of_cortical_format;
   SP::IO::Surface_origin m_origin;
   Hemispheres m_hemispheres;
   Mesh m_mesh;
-  std::optional<Mesh> m_unfilled; // if holes have been filled
   std::vector<Polygon> m_polygons;
+  std::optional<Surface_repair> m_repair;
+  std::vector<std::size_t> m_vertices, m_faces; // in the file, of a part of it; empty for all of it
 };
 
 } // namespace Program

@@ -48,14 +48,7 @@ Mesh_run::Mesh_run(const Options& options, const File_names& names)
 void Mesh_run::read()
 {
   const double start = seconds_now();
-  File_content soup = read_file_content(m_names.input);
-  if(m_options.has("components") && !soup.polygons.empty())
-  {
-    std::vector<std::vector<Polygon>> parts = parts_of(std::move(soup.polygons));
-    m_report.component = Run_report::Component(parts);
-    soup.polygons = std::move(parts.front());
-  }
-  take(std::move(soup));
+  take(read_file_content(m_names.input));
   m_report.seconds_for_input = seconds_now() - start;
 }
 
@@ -69,9 +62,8 @@ void Mesh_run::take(File_content part, const Run_report::Component& component)
 
 void Mesh_run::take(File_content soup)
 {
-  m_input.emplace(m_names.input, std::move(soup));
-  if(m_options.max_hole_edges > 0)
-    m_report.holes = m_input->fill_holes(m_options.max_hole_edges);
+  m_input.emplace(m_names.input, std::move(soup), m_options.repair);
+  m_report.repair = m_input->repair() ? &*m_input->repair() : nullptr;
   m_report.subject = m_names.subject;
   m_report.hemisphere = m_input->hemispheres().front().second;
   m_report.mixed_hemispheres = mixed_hemispheres(m_input->hemispheres());
@@ -116,11 +108,17 @@ void Mesh_run::count_surface()
 void Mesh_run::repair()
 {
   count_surface();
-  constexpr std::size_t all = (std::numeric_limits<std::size_t>::max)();
-  m_files.write(m_names.handles, [&](std::ostream& out) { m_input->write_handles(out, m_input->find_handles(all)); });
-  m_files.write(m_names.filled,
-                [&](std::ostream& out) { m_input->write_filled(out, m_options.format_of(m_names.filled)); });
+  write_repair();
   commit();
+}
+
+// Writes what has been repaired.
+void Mesh_run::write_repair()
+{
+  m_files.write(m_names.handles,
+                [&](std::ostream& out) { m_input->write_cycles(out, m_input->repair()->report().handle_cycles); });
+  m_files.write(m_names.repaired,
+                [&](std::ostream& out) { m_input->write_repaired(out, m_options.format_of(m_names.repaired)); });
 }
 
 bool Mesh_run::show_handles()
@@ -143,8 +141,8 @@ void Mesh_run::sample()
   if(!m_options.domain.empty())
   {
     m_remesh.emplace(*m_input, m_sphere, m_options.domain, m_options.domain_size);
-    if(m_options.max_hole_edges > 0)
-      m_remesh->mark_filler(*m_input, m_sphere);
+    if(m_input->has_patches())
+      m_remesh->mark_patches(*m_input, m_sphere);
     if(m_options.has("transfer"))
       m_remesh->carry_values(m_options, *m_input, m_sphere);
     m_report.remesh = m_remesh->figures(*m_input);
@@ -203,13 +201,14 @@ void Mesh_run::commit()
 void Mesh_run::write()
 {
   const double start = seconds_now();
-  m_distortions = mesh_of_file().add_property_map<Mesh::Face_index, SP::Face_distortion>("f:distortion").first;
-  m_report.distortion = measured_distortion(mesh_of_file(), m_sphere, m_distortions);
+  m_distortions = mesh().add_property_map<Mesh::Face_index, SP::Face_distortion>("f:distortion").first;
+  m_report.distortion = m_input->measured(m_sphere, m_distortions);
   if(!m_options.sphere_file.empty())
     m_report.result.report.radius = m_report.distortion.radius;
   if(m_options.is_unit_sphere)
     measure_balanced();
   m_report.seconds_for_measuring = seconds_now() - start;
+  write_repair();
   write_surfaces();
   if(!m_names.colored.empty())
     write_colors();
@@ -257,6 +256,7 @@ void Mesh_run::write_surfaces()
 
 void Mesh_run::write_page_of(Page page)
 {
+  add_repair(page, *m_input);
   if(m_input->is_of_cortical_format() || m_options.text("convention") == "cortex" || m_options.has("labels"))
     add_anatomy(page, *m_input, m_options.text("labels"));
   m_files.write(m_names.page, [&](std::ostream& out) { write_page(out, page); });
@@ -265,7 +265,7 @@ void Mesh_run::write_page_of(Page page)
 void Mesh_run::show_beside()
 {
   m_input->check();
-  Input_mesh other(m_options.text("beside"), read_file_content(m_options.text("beside")));
+  Input_mesh other(m_options.text("beside"), read_file_content(m_options.text("beside")), m_options.repair);
   write_page_of(page_of_same_faces(*m_input, other));
   count_surface();
   commit();
@@ -285,12 +285,11 @@ void Mesh_run::measure_balanced()
   const double radius = m_report.distortion.radius, balanced = m_report.distortion.balanced_radius;
   if(!(balanced > 0. && std::isfinite(balanced)))
     return;
-  const Sphere_map scaled =
-      mesh_of_file().add_property_map<Vertex_index, Point_3>("v:balanced", Point_3(0, 0, 0)).first;
-  for(const Vertex_index v : mesh_of_file().vertices())
+  const Sphere_map scaled = mesh().add_property_map<Vertex_index, Point_3>("v:balanced", Point_3(0, 0, 0)).first;
+  for(const Vertex_index v : mesh().vertices())
     scaled[v] = Point_3(balanced * (m_sphere[v].x() / radius), balanced * (m_sphere[v].y() / radius),
                         balanced * (m_sphere[v].z() / radius));
-  m_report.balanced = measured_distortion(mesh_of_file(), scaled, m_distortions);
+  m_report.balanced = m_input->measured(scaled, m_distortions);
 }
 
 void Mesh_run::write_colors()
@@ -300,12 +299,12 @@ void Mesh_run::write_colors()
   for(const SP::Face_distortion& distortion : m_distortions)
     values.push_back(is_conformal ? distortion.angle : distortion.isometric);
   const std::vector<Polygon>& faces = m_input->triangles();
-  const Colored_distortion colored(mesh_of_file().number_of_vertices(), faces, values, is_conformal ? 2. : 1.);
+  const Colored_distortion colored(mesh().number_of_vertices(), faces, values, is_conformal ? 2. : 1.);
   m_report.color_range = colored.range;
   for(const auto& [name, points] :
-      {std::pair(m_names.colored_surface(), mesh_of_file().points()), std::pair(m_names.colored_sphere(), m_sphere)})
+      {std::pair(m_names.colored_surface(), mesh().points()), std::pair(m_names.colored_sphere(), m_sphere)})
     m_files.write(name, [&, points = points](std::ostream& out) {
-      write_colored_mesh(out, m_input->points_of(points), faces, colored);
+      write_colored_mesh(out, {points.begin(), points.end()}, faces, colored);
     });
 }
 

@@ -19,11 +19,11 @@ public:
   /// \param options have to live longer
   Mesh_run(const Options& options, const File_names& names);
 
-  /// reads the mesh, or takes a part of it, and repairs it as the options say. This comes before all that follows.
+  /// reads the mesh, or takes a component of it, and repairs it as the options say. This comes before all that follows.
   void read();
   void take(File_content part, const Run_report::Component& component);
 
-  /// writes the mesh as it has been repaired, and where its handles are, if that is wanted, and counts what it has.
+  /// writes the mesh as it has been repaired, and where its handles were, if that is wanted, and counts what it has.
   void repair();
 
   /// writes a page that shows where the handles of the mesh are; returns whether it has any.
@@ -51,7 +51,6 @@ public:
 
 private:
   Mesh& mesh() { return m_input->mesh(); }
-  Mesh& mesh_of_file() { return m_input->mesh_of_file(); }
 
   void write_page_of(Page page);
 
@@ -65,6 +64,7 @@ private:
   void take_map(const std::string& file);
   void count_surface();
   void measure_balanced();
+  void write_repair();
   void write_surfaces();
   void write_colors();
   void commit();

@@ -2,7 +2,7 @@
 #define PROGRAM_OPTIONS_H
 
 #include "command_line.h"
-#include "file_names.h"
+#include "Surface_repair.h"
 
 #include <CGAL/Spherical_parameterization/Sharpness.h>
 
@@ -69,8 +69,8 @@ struct Options : Command_line
   std::map<std::string, double> feature_weights; ///< by the names of the features; 1 for others
   double landmark_weight = 0.;                   ///< 0 if landmarks are met exactly
   double morph_time = 0.;
-  Words spheres;                  ///< to resample from one to the other, none if nothing is resampled
-  std::size_t max_hole_edges = 0; ///< of holes that are filled; 0 if none is
+  Words spheres;                         ///< to resample from one to the other, none if nothing is resampled
+  std::optional<Repair_settings> repair; ///< of surfaces before they are mapped, none if they are not repaired
   Words surfaces;     ///< what the many are called in the folders below; empty if they are in the folder itself
   std::string format; ///< of all meshes that are written, empty if their names say it
   std::string method = "bld";

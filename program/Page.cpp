@@ -233,7 +233,7 @@ Page page_of_sphere(Input_mesh& input, const Sphere_map& sphere, const Distortio
                     const Run_report& report)
 {
   Page page;
-  const Mesh& mesh = input.mesh_of_file();
+  const Mesh& mesh = input.mesh();
   show_surface(page, input, mesh);
   place(page, {&page.left});
   page.has_sphere = true;
@@ -281,7 +281,7 @@ Page page_of_match(const Overlay& overlay, const Run_report& report)
 Page page_of_same_faces(Input_mesh& input, Input_mesh& other)
 {
   Page page;
-  const Mesh &mesh = input.mesh_of_file(), &second = other.mesh();
+  const Mesh &mesh = input.mesh(), &second = other.mesh();
   input.check_faces_of(other.name(), "is no surface to show beside", second.number_of_vertices(), other.triangles());
   show_surface(page, input, mesh);
   page.right.title = shown_name(other.name());
@@ -323,9 +323,25 @@ Page page_of_handles(Input_mesh& input, const std::vector<Input_mesh::Handle>& h
   return page;
 }
 
+void add_repair(Page& page, const Input_mesh& input)
+{
+  if(!input.repair())
+    return;
+  std::string text;
+  for(const std::string& line : input.repair()->descriptions())
+    text += (text.empty() ? "" : "; ") + line;
+  page.summary.add("Repaired", text);
+  std::vector<std::uint16_t> kinds;
+  for(const Mesh::Face_index f : input.mesh().faces())
+    kinds.push_back(input.is_patch(f) ? 1 : 0);
+  if(input.has_patches())
+    page.add_classes("repair", "what was added to close the surface",
+                     {{"of the file", {190, 190, 190}}, {"added", {230, 120, 30}}}, kinds);
+}
+
 void add_anatomy(Page& page, Input_mesh& input, const std::string& labels)
 {
-  const Mesh& mesh = input.mesh_of_file();
+  const Mesh& mesh = input.mesh();
   SP::Sulcal_measures folding;
   check(SP::compute_sulcal_measures(input.mesh(), folding), input.name());
   std::vector<std::uint16_t> folds, areas;
@@ -339,7 +355,7 @@ void add_anatomy(Page& page, Input_mesh& input, const std::string& labels)
     for(Page::Class& one : classes)
       one.name = "no label";
     {
-      const File_content content = read_file_of_values(labels);
+      const File_content content = input.carried(read_file_of_values(labels));
       read_named(labels, [&] { add_labels(content, mesh, input.triangles(), classes, areas); });
     }
     page.add_classes("labels", shown_name(labels), classes, areas);

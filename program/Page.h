@@ -77,6 +77,9 @@ Page page_of_same_faces(Input_mesh& input, Input_mesh& other);
 /// shows a surface that has no map from two sides, and how far each face is from the handles.
 Page page_of_handles(Input_mesh& input, const std::vector<Input_mesh::Handle>& handles);
 
+/// says what has been repaired of the first surface, and offers to colour what is shown by what was added to it.
+void add_repair(Page& page, const Input_mesh& input);
+
 /// offers to colour what is shown by how the first surface is folded, and by its labels, if there are any.
 ///
 /// \param labels a file, empty if there is none

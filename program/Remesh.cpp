@@ -90,7 +90,7 @@ void add_surface(File_content& values, const Options& options, Input_mesh& input
     surface = read_file_content(options.text("values-sphere"));
   else
   {
-    surface.points = input.points_of(input.mesh_of_file().points());
+    surface.points.assign(input.mesh().points().begin(), input.mesh().points().end());
     surface.polygons = input.triangles();
   }
   if(values.number_of_vertices() != surface.points.size())
@@ -219,6 +219,13 @@ void Remesh::carry_values(const Options& options, Input_mesh& input, const Spher
   const std::string& name = options.text("transfer");
   const bool is_of_input = !options.has("values-sphere");
   File_content soup = read_values(name);
+  if(is_of_input)
+  {
+    if(!soup.points.empty())
+      input.check_faces_of(name, "has no values for this mesh", soup.points.size(), soup.polygons);
+    soup = input.carried(std::move(soup));
+    soup.points.clear(); // which are those of the input
+  }
   add_surface(soup, options, input);
   Hemispheres files = input.hemispheres();
   files.insert(files.end(), soup.hemispheres.begin(), soup.hemispheres.end());
@@ -233,8 +240,6 @@ void Remesh::carry_values(const Options& options, Input_mesh& input, const Spher
   else if(!soup.labels.empty())
     left_out.push_back("the names and colours of its labels, which a GIFTI file can hold");
   Input_mesh values(name, std::move(soup));
-  if(is_of_input)
-    input.check_faces_of(name, "has no values for this mesh", values.mesh().number_of_vertices(), values.triangles());
   for(const std::string& property : leave_out_taken_names(of_vertices, true))
     left_out.push_back("the property '" + printable(property) + "' of the vertices, whose name is taken");
   for(const std::string& property : leave_out_taken_names(of_faces, false))
@@ -249,12 +254,12 @@ void Remesh::carry_values(const Options& options, Input_mesh& input, const Spher
         std::move(of_faces));
 }
 
-void Remesh::mark_filler(Input_mesh& input, const Sphere_map& sphere)
+void Remesh::mark_patches(Input_mesh& input, const Sphere_map& sphere)
 {
-  Values filler = {"filler", std::uint8_t(), {}};
+  Values patch = {"patch", std::uint8_t(), {}};
   for(const Mesh::Face_index f : input.mesh().faces())
-    filler.numbers.push_back(input.is_filler(f) ? 1. : 0.);
-  carry(input, sphere, {}, {filler});
+    patch.numbers.push_back(input.is_patch(f) ? 1. : 0.);
+  carry(input, sphere, {}, {patch});
 }
 
 // Two types are enough: doubles are averaged, integers are not.

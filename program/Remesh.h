@@ -36,8 +36,8 @@ public:
   /// carries over the properties of a file.
   void carry_values(const Options& options, Input_mesh& input, const Sphere_map& sphere);
 
-  /// gives the faces the property `filler`: 1 where most of a face is what a hole has been filled with.
-  void mark_filler(Input_mesh& input, const Sphere_map& sphere);
+  /// gives the faces the property `patch`: 1 where most of a face is of what closes the surface.
+  void mark_patches(Input_mesh& input, const Sphere_map& sphere);
 
 private:
   // Carries properties over from a mesh that has a map to the same sphere.

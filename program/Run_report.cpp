@@ -2,14 +2,13 @@
 
 #include <algorithm>
 #include <iomanip>
-#include <numeric>
 #include <sstream>
 
 namespace Program {
 
 namespace {
 
-constexpr std::size_t max_listed = 5; // of holes, and of components
+constexpr std::size_t max_listed = 5; // of components
 
 void print_line(std::ostream& out, const std::string& name, const SP::Distortion_statistics& statistics)
 {
@@ -18,12 +17,6 @@ void print_line(std::ostream& out, const std::string& name, const SP::Distortion
   for(const double x : {statistics.maximum, statistics.average, statistics.deviation})
     out << std::setw(12) << fixed_text(x, 4, x < too_long);
   out << '\n';
-}
-
-double share_of_filler(const std::vector<Input_mesh::Hole>& holes)
-{
-  return std::accumulate(holes.begin(), holes.end(), 0.,
-                         [](double sum, const Input_mesh::Hole& hole) { return sum + hole.share; });
 }
 
 std::string sizes_of_others(const Run_report::Component& component)
@@ -39,24 +32,6 @@ std::string sizes_of_others(const Run_report::Component& component)
                                 n_rest > 0 ? joined(", and ", n_rest, " less") : "");
 }
 
-std::string describe_holes(std::vector<Input_mesh::Hole> holes)
-{
-  std::stable_sort(holes.begin(), holes.end(),
-                   [](const auto& a, const auto& b) { return a.number_of_edges > b.number_of_edges; });
-  const auto n_filled =
-      std::count_if(holes.begin(), holes.end(), [](const auto& hole) { return hole.number_of_faces > 0; });
-  const auto percent = [](double share) { return fixed_text(100. * share, 2) + " %"; };
-  std::ostringstream text;
-  text << n_filled << " filled, " << percent(share_of_filler(holes)) << " of the area";
-  for(std::size_t k = 0; k < holes.size() && k < max_listed; ++k)
-    text << (k == 0 ? ": " : "; ") << holes[k].number_of_edges << " edges at vertex " << holes[k].vertex
-         << ", perimeter " << holes[k].perimeter << ", "
-         << (holes[k].number_of_faces == 0 ? "left open" : percent(holes[k].share));
-  if(holes.size() > max_listed)
-    text << "; and " << holes.size() - max_listed << " with fewer edges";
-  return text.str();
-}
-
 void print_remesh(std::ostream& out, const Run_report::Remesh_figures& remesh)
 {
   const auto larger = [&](const std::array<double, 2>& distances) {
@@ -69,12 +44,12 @@ void print_remesh(std::ostream& out, const Run_report::Remesh_figures& remesh)
 
 } // namespace
 
-Run_report::Component::Component(const std::vector<std::vector<Polygon>>& parts)
+Run_report::Component::Component(const std::vector<std::vector<std::size_t>>& all)
 {
-  std::vector<std::size_t> all;
-  for(const std::vector<Polygon>& part : parts)
-    all.push_back(part.size());
-  sizes = std::make_shared<const std::vector<std::size_t>>(std::move(all));
+  std::vector<std::size_t> sizes_of_all;
+  for(const std::vector<std::size_t>& faces : all)
+    sizes_of_all.push_back(faces.size());
+  sizes = std::make_shared<const std::vector<std::size_t>>(std::move(sizes_of_all));
 }
 
 std::vector<std::pair<std::string, double>> Run_report::phases() const
@@ -122,10 +97,14 @@ void Run_report::print_surface(std::ostream& out) const
         << " nearly flat";
   out << '\n';
   if(component)
-    out << "Part      " << component->index + 1 << " of " << component->sizes->size() << ", with "
+    out << "Component " << component->index + 1 << " of " << component->sizes->size() << ", with "
         << (*component->sizes)[component->index] << " faces" << sizes_of_others(*component) << '\n';
-  if(!holes.empty())
-    out << "Holes     " << describe_holes(holes) << '\n';
+  if(repair != nullptr)
+  {
+    const char* name = "Repaired  ";
+    for(const std::string& line : repair->descriptions())
+      out << std::exchange(name, "          ") << line << '\n';
+  }
 }
 
 void Run_report::print(std::ostream& out) const
@@ -187,8 +166,8 @@ std::string Run_report::short_text() const
 std::string Run_report::warnings() const
 {
   const std::string others = match ? match->warnings : remesh ? remesh->warnings : "";
-  return joined(share_of_filler(holes) > 0.5
-                    ? printable(m_input) + ": more than half of the area that is mapped is filler: "
+  return joined(repair != nullptr && repair->report().added_area > 0.5
+                    ? printable(m_input) + ": more than half of the area that is mapped has been added: "
                                            "the surface has little to say of its sphere\n"
                     : "",
                 others.find(mixed_hemispheres) == others.npos ? mixed_hemispheres : "", others);

@@ -42,17 +42,19 @@ public:
   /// The reason to stop, as JSON tells it, of a run that was asked for its map before the method had come to its end.
   static constexpr const char* stop_reason_interrupted = "interrupted";
 
-  /// The part of a surface that was picked.
+  /// The component of a surface that was picked, of several.
   struct Component
   {
     Component() = default;
 
-    /// picks the first part.
-    explicit Component(const std::vector<std::vector<Polygon>>& parts);
+    /// picks the first one.
+    ///
+    /// \param all the faces of each
+    explicit Component(const std::vector<std::vector<std::size_t>>& all);
 
     std::size_t index = 0;
     std::shared_ptr<const std::vector<std::size_t>>
-        sizes; ///< in faces, of all parts; the reports of all of them share it
+        sizes; ///< in faces, of all components; the reports of all of them share it
   };
 
   /// What is told of a remesh.
@@ -94,7 +96,7 @@ public:
   File_stamp start_stamp;                  ///< of the file with the map to start from; empty if there is none
   std::optional<Checksum> sphere_checksum; ///< if it was written, and to an ordinary file
   std::optional<Component> component;      ///< none if all of the surface was taken
-  std::vector<Input_mesh::Hole> holes;     ///< if they were to be filled
+  const Surface_repair* repair = nullptr;  ///< what was repaired, null if that was not wanted
   std::optional<Remesh_figures> remesh;
   std::optional<Match_figures> match;
   /// the distortion with the darkest colour, and that with the lightest, if colours were written
@@ -128,7 +130,7 @@ public:
   /// returns what matters most in one line, without its end.
   std::string short_text() const;
 
-  /// returns what is to be said of filler, of a name that disagrees with the metadata, and of the map between surfaces or the remesh,
+  /// returns what is to be said of patches, of a name that disagrees with the metadata, and of the map between surfaces or the remesh,
   /// a line each, empty if there is nothing.
   std::string warnings() const;
 

@@ -20,7 +20,7 @@ using Mapper = SP::Surface_mapper_3<Mesh>;
 using Refinement = SP::Surface_refinement_3<Mesh>;
 
 Mapped_mesh::Mapped_mesh(const Options& options, const std::string& name)
-  : input(name, read_file_content(name))
+  : input(name, read_file_content(name), options.is_onto_atlas ? std::nullopt : options.repair)
   , sphere(add_sphere())
 {
   if(options.is_onto_atlas)
@@ -79,7 +79,6 @@ Surface_match::Surface_match(const Options& options, Input_mesh& first, const Sp
   , m_second(second.mesh())
   , m_target_origin(second.origin())
   , m_sphere2(sphere2)
-  , m_n_written(first.mesh_of_file().number_of_vertices())
   , m_directions(Refinement::directions_of(m_first))
   , m_refinement(std::make_unique<Refinement>())
   , m_hints(read_hints(options, m_input, second))
@@ -95,7 +94,7 @@ Surface_match::Surface_match(const Options& options, Input_mesh& first, const Sp
     mapper = mapper.compare_values(options.text("compare") == "values");
   std::vector<Mapper::Feature> features;
   std::vector<double> weights;
-  for(const auto& [values, weight] : m_hints.features) // What holes have been filled with is masked.
+  for(const auto& [values, weight] : m_hints.features)
   {
     features.emplace_back([this, of = std::cref(values[0])](Vertex_index v) { return m_refinement->value_at(of, v); },
                           [of = std::cref(values[1])](Vertex_index v) { return of.get()[v]; });
@@ -132,7 +131,6 @@ Surface_match::Surface_match(const Options& options, Input_mesh& first, const Sp
         m_refinement->refine(m_first, m_directions, m_second, m_sphere2, mapper, m_hints.landmarks, report,
                              [&](const Mesh& mesh, const Sphere_map& on, Mapper& by) { return map(mesh, on, on, by); });
     m_input.take_triangles_of_mesh();
-    m_n_written = m_first.number_of_vertices();
     figures.energy_before = m_refinement->energy_before();
     figures.number_of_new_vertices = m_refinement->number_of_new_vertices();
     figures.parents.assign(m_refinement->parents().begin(), m_refinement->parents().end());
@@ -170,10 +168,10 @@ void Surface_match::add_warnings()
 void Surface_match::write_positions(std::ostream& out, const std::string& format) const
 {
   const SP::Sphere_locator_3 locator(m_second, m_sphere2, true);
-  std::vector<Point_3> points(m_n_written, Point_3(0, 0, 0));
+  std::vector<Point_3> points(m_first.number_of_vertices(), Point_3(0, 0, 0));
   typename decltype(locator)::Hint hint;
   for(const Vertex_index v : m_first.vertices())
-    if(!m_first.is_isolated(v) && v.idx() < m_n_written)
+    if(!m_first.is_isolated(v))
     {
       const auto [face, weights] = locator.locate(m_directions[v], hint);
       const Mesh::Halfedge_index h = m_second.halfedge(face);

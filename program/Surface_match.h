@@ -73,7 +73,6 @@ private:
   Mesh& m_second;
   SP::IO::Surface_origin m_target_origin;
   Sphere_map m_sphere2;
-  std::size_t m_n_written; // vertices of the first surface, but those that holes have been filled with
   Sphere_map m_directions;
   std::unique_ptr<SP::Surface_refinement_3<Mesh>> m_refinement;
   Surface_hints m_hints;

@@ -22,7 +22,9 @@ const std::map<std::string, std::string> new_forms = {
     {"--remesh", "the command remesh now: remesh SURFACE DOMAIN=N"},
     {"--resample", "the command resample now: resample VALUES SPHERE_A SPHERE_B -o RESULT"},
     {"--through", "an option of resample now: resample SPHERE SPHERE_A SPHERE_B --through -o RESULT"},
-    {"--filled", "the command repair now: repair SURFACE --fill-holes N -o RESULT"},
+    {"--fill-holes", "part of --repair now: map SURFACE --repair"},
+    {"--components", "--repair now, which keeps the largest, or --each-component: map SURFACE --repair"},
+    {"--filled", "the command repair now: repair SURFACE -o RESULT"},
     {"--s-first", "the first number of --schedule now: map SURFACE --schedule FIRST,LAST"},
     {"--s-last", "the second number of --schedule now: map SURFACE --schedule FIRST,LAST"},
     {"--average-sweeps", "the third number of --schedule now: map SURFACE --schedule FIRST,LAST,SWEEPS"}};
@@ -149,7 +151,7 @@ Command_line parse(const Command& command, Words words)
           ->allow_extra_args(takes_more); // what follows are names
     }
   for(const auto& [option, other] : needed_options)
-    if(has_option(command, option))
+    if(has_option(command, option) && has_option(command, other))
       app.get_option(option)->needs(app.get_option(other));
   try
   {

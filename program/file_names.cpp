@@ -61,8 +61,8 @@ std::string File_names::image_of_normals() const
 Words File_names::outputs() const
 {
   return {
-      sphere, handles,       filled,  remesh, values, image, image_of_normals(), colored_surface(), colored_sphere(),
-      onto,   target_sphere, overlay, morph,  page,   json};
+      sphere, handles,       repaired, remesh, values, image, image_of_normals(), colored_surface(), colored_sphere(),
+      onto,   target_sphere, overlay,  morph,  page,   json};
 }
 
 File_names File_names::of_part(std::size_t part) const
@@ -70,7 +70,7 @@ File_names File_names::of_part(std::size_t part) const
   const std::string number = "_" + std::to_string(part + 1);
   File_names result = *this;
   for(std::string* name :
-      {&result.sphere, &result.handles, &result.filled, &result.remesh, &result.values, &result.image, &result.page,
+      {&result.sphere, &result.handles, &result.repaired, &result.remesh, &result.values, &result.image, &result.page,
        &result.json, &result.onto, &result.target_sphere, &result.overlay, &result.morph})
     if(!name->empty())
       *name = with_suffix(*name, number);

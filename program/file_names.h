@@ -60,7 +60,7 @@ struct File_names
 {
   std::string input;
   std::string fault; ///< why the input cannot be read, empty if nothing is known of that
-  std::string sphere, handles, filled, remesh, values, image, page, json; ///< empty if not wanted
+  std::string sphere, handles, repaired, remesh, values, image, page, json; ///< empty if not wanted
   std::string onto, target_sphere, overlay, morph; ///< of a map onto another surface, empty if not wanted
   std::string subject;                             ///< of a study that the mesh is of, empty otherwise
   std::string colored; ///< what the names of the coloured meshes begin with, empty if they are not wanted

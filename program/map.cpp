@@ -67,16 +67,16 @@ int run(const Options& options, const File_names& names, const std::function<voi
   return report.result.is_one_to_one ? EXIT_SUCCESS : exit_status_folded;
 }
 
-// Maps each part of a surface, which has no vertices but its own; what fails with one of them does not stop the others. Returns the
-// exit status.
+// Maps each component of a surface, which has no vertices but its own; what fails with one of them does not stop the others. Returns
+// the exit status.
 int run_components(const Options& options)
 {
-  File_content whole = read_file_content(options.file_names.input);
-  std::vector<std::vector<Polygon>> parts = parts_of(std::move(whole.polygons));
-  if(parts.empty())
-    parts.emplace_back(); // of which reading says what is wrong
-  Run_report::Component component(parts);
-  const std::size_t n = parts.size();
+  const File_content whole = read_file_content(options.file_names.input);
+  std::vector<std::vector<std::size_t>> components = components_of(whole, options.repair.has_value());
+  if(components.empty())
+    components.emplace_back(); // of which reading says what is wrong
+  Run_report::Component component(components);
+  const std::size_t n = components.size();
   int status = EXIT_SUCCESS;
   for(std::size_t& k = component.index; k < n; ++k)
     try
@@ -84,18 +84,18 @@ int run_components(const Options& options)
       if(Interrupt_guard::is_interrupted())
       {
         std::cerr << "spherical_parameterization: interrupted: " << n - k << " of " << n
-                  << " parts have not been mapped\n";
+                  << " components have not been mapped\n";
         return EXIT_FAILURE;
       }
-      const int status_of_part = run(options, options.file_names.of_part(k), [&](Mesh_run& mesh) {
-        mesh.take(part_of(whole, std::move(parts[k])), component);
-      });
-      status = status == EXIT_FAILURE ? status : (std::max)(status, status_of_part);
+      const int status_of_component = run(options, options.file_names.of_part(k),
+                                          [&](Mesh_run& mesh) { mesh.take(part_of(whole, components[k]), component); });
+      status = status == EXIT_FAILURE ? status : (std::max)(status, status_of_component);
     }
     catch(const std::exception& error)
     {
-      std::cerr << "spherical_parameterization: part " << k + 1 << " of " << n << ": " << message_of(error)
-                << (n > 1 ? "\nThe vertices and faces of a part have numbers of their own, in the order of the file.\n"
+      std::cerr << "spherical_parameterization: component " << k + 1 << " of " << n << ": " << message_of(error)
+                << (n > 1 ? "\nThe vertices and faces of a component have numbers of their own, in the order of the "
+                            "file.\n"
                           : "\n");
       status = EXIT_FAILURE;
     }
@@ -106,8 +106,8 @@ int run_components(const Options& options)
 
 int run_map(const Options& options)
 {
-  return options.text("components") == "each" ? run_components(options)
-                                              : run(options, options.file_names, [](Mesh_run& mesh) { mesh.read(); });
+  return options.has("each-component") ? run_components(options)
+                                       : run(options, options.file_names, [](Mesh_run& mesh) { mesh.read(); });
 }
 
 int run_check(const Options& options)

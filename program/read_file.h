@@ -20,7 +20,8 @@ using Values = SP::internal::Property_values;
 /// What a file holds: a mesh, values of its vertices and faces, or both, and what is known of where they are from.
 struct File_content : SP::internal::Polygon_soup
 {
-  std::vector<std::uint32_t> vertices = {}; ///< that the values are of; empty: all
+  std::vector<std::uint32_t> vertices = {}; ///< that the values are of, or that this part of a surface has; empty: all
+  std::vector<std::uint32_t> faces = {};    ///< that this part of a surface has; empty: all
   std::vector<SP::IO::Label> labels = {};   ///< what the values of `label_names` stand for
   std::set<std::string> label_names = {};   ///< of the values that are keys of labels
   SP::IO::Surface_origin origin = {};       ///< what a file of a cortical surface says of its origin

@@ -88,12 +88,8 @@ void read_areas(Options& o)
   if(value.empty())
     o.fail("--density needs the name of a file, or the word equal");
   check_values(o, "density", value);
-  for(const char* option : {"output-folder", "fill-holes"})
-    if(o.has(option))
-      o.fail("--density with a file and --" + std::string(option) + " cannot be combined" +
-             (o.has("fill-holes")
-                  ? ", as the filler has no values; write the closed surface by the command repair, and map that"
-                  : ", as it is for one mesh"));
+  if(o.has("output-folder"))
+    o.fail("--density with a file and --output-folder cannot be combined, as it is for one mesh");
   o.describe("areas by " + printable(value));
 }
 

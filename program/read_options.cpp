@@ -18,27 +18,14 @@ struct Contradiction
 constexpr const char *contradict = " contradict each other: give one of them", *exclude = " cannot be combined";
 
 const std::vector<Contradiction> contradictions = {
-    {"areas", "through", exclude},
-    {"mask", "through", exclude},
-    {"valid", "through", exclude},
-    {"method", "through", exclude},
-    {"paper", "density", contradict},
-    {"prefer", "sharpness", contradict},
-    {"schedule", "prefer", contradict},
-    {"schedule", "sharpness", contradict},
-    {"initial", "density", exclude},
-    {"radius", "density", exclude},
-    {"tolerance", "density", exclude},
-    {"template", "density", exclude},
-    {"split", "fill-holes", " cannot be combined; write the closed surface by the command repair, and map that"},
-    {"transfer", "fill-holes",
-     " cannot be combined, as the filler has no values; write the closed surface by the command repair, and map that"}};
+    {"areas", "through", exclude},      {"mask", "through", exclude},          {"valid", "through", exclude},
+    {"method", "through", exclude},     {"paper", "density", contradict},      {"prefer", "sharpness", contradict},
+    {"schedule", "prefer", contradict}, {"schedule", "sharpness", contradict}, {"initial", "density", exclude},
+    {"radius", "density", exclude},     {"tolerance", "density", exclude},     {"template", "density", exclude}};
 
 // What options that are not looked at here may be.
-const std::map<std::string, Words> choices = {{"convention", {"cortex", "none"}},
-                                              {"regularize", {"surfaces", "spheres"}},
-                                              {"compare", {"ranks", "values"}},
-                                              {"components", {"largest", "each"}}};
+const std::map<std::string, Words> choices = {
+    {"convention", {"cortex", "none"}}, {"regularize", {"surfaces", "spheres"}}, {"compare", {"ranks", "values"}}};
 
 void check_words(const Options& o)
 {
@@ -50,7 +37,7 @@ void check_words(const Options& o)
   for(const auto& [option, values] : o.options)
     if(values.front().empty() &&
        is_among(option, {"output", "output-folder", "sphere", "transfer", "values-sphere", "json", "colored", "page",
-                         "template", "overlay", "labels", "beside", "mask", "valid"}))
+                         "template", "overlay", "labels", "beside", "mask", "valid", "repaired", "handles"}))
       o.fail("--" + option + " needs a name");
 }
 
@@ -192,7 +179,7 @@ void read_files(Options& o)
   names.sphere = o.text("sphere");
   (o.is("remesh")    ? names.remesh
    : !o.onto.empty() ? names.onto
-   : o.is("repair")  ? names.filled
+   : o.is("repair")  ? names.repaired
    : o.is("show")    ? names.page
                      : names.sphere) = o.text("output");
   for(const char* option : {"output", "sphere"})
@@ -257,44 +244,52 @@ void read_sampling(Options& o)
     o.file_names.values = name.substr(0, name.size() - ending_of(name).size()) + ".func" + format;
 }
 
-// Refuses what has values or numbers of the vertices of the whole surface, where each of its parts is one of its own.
-void check_parts(const Options& o)
+// Refuses what has values or numbers of the vertices of the file, where what is mapped has others.
+void check_numbers(const Options& o, const std::string& option, const std::string& why)
 {
-  if(o.is("batch"))
-    o.fail("--components each is for one mesh: give it to the command map, without --output-folder");
   Words lists = {o.start_file, o.density_file};
-  for(const char* option : {"landmarks", "features", "masks", "labels", "transfer"})
-    for(const std::string& list : o.words(option))
-      if(option != std::string("transfer") || !o.has("values-sphere"))
+  for(const char* other : {"landmarks", "features", "masks", "labels", "transfer"})
+    for(const std::string& list : o.words(other))
+      if(other != std::string("transfer") || !o.has("values-sphere"))
         lists.push_back(list);
   for(const std::string& list : lists)
     for(const std::string& name : split_list(list))
       if(!name.empty() && !is_among(name, own_feature_names))
-        o.fail("--components each cannot be combined with '" + printable(name) +
-               "', as the vertices of each part have numbers of their own; write the parts by the command repair, and "
-               "map these");
+        o.fail("--" + option + " cannot be combined with '" + printable(name) + "', as " + why);
 }
 
 // What is done to a surface before it is mapped.
 void read_repair(Options& o)
 {
-  if(o.has("fill-holes") || o.is("repair"))
+  if(o.has("repair") || o.is("repair"))
   {
-    const std::string wanted = o.has("fill-holes") ? o.text("fill-holes") : "all";
-    o.max_hole_edges =
-        wanted == "all" ? (std::numeric_limits<std::size_t>::max)() : o.count("fill-holes", 3, 0, ", or all");
-    o.describe("holes filled: " + wanted);
-    if(!o.start_file.empty())
-      o.fail("--initial with a file and --fill-holes cannot be combined, as the file has no images of the filler; "
-             "write the closed surface by the command repair, and map that");
+    constexpr double any = (std::numeric_limits<double>::infinity)();
+    Repair_settings& repair = o.repair.emplace();
+    repair.limits.maximum_added_area =
+        o.number("max-added-area", 0., 1., "a number from 0 to 1", repair.limits.maximum_added_area);
+    repair.limits.maximum_hole = o.number("max-hole", 0., any, "a number from 0 on", any);
+    repair.limits.maximum_handle = o.number("max-handle", 0., any, "a number from 0 on", any);
+    repair.limits.refines_patches = !o.has("coarse-patches");
+    repair.alpha = o.number("wrap", 1e-4, 1., "a number from 1e-4 to 1", 0.);
+    o.describe("repaired");
+    if(o.has("wrap"))
+    {
+      o.describe("wrapped: " + o.text("wrap"));
+      check_numbers(o, "wrap", "nothing of the surface of the file is left");
+    }
   }
   o.file_names.handles = o.text("handles");
   if(o.has("handles") && file_format(o.file_names.handles) != ".ply")
     o.refuse("handles", "the name of a .ply file");
-  if(o.text("components") == "each")
-    check_parts(o);
-  if(o.has("components"))
-    o.describe(o.text("components") + " component");
+  if(o.has("repaired"))
+    check_output(o, "repaired", o.file_names.repaired = o.text("repaired"));
+  if(o.has("each-component"))
+  {
+    check_numbers(o, "each-component",
+                  "the vertices of each component have numbers of their own; write the components by the command "
+                  "repair, and map these");
+    o.describe("each component");
+  }
 }
 
 } // namespace

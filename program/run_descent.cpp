@@ -13,7 +13,7 @@ namespace {
 // Reads the density of each vertex or of each face of the mesh from a file; says which.
 std::vector<double> read_density(const std::string& name, Input_mesh& input, bool& is_of_vertices)
 {
-  const File_content soup = read_file_of_values(name);
+  const File_content soup = input.carried(read_file_of_values(name));
   return read_named(name, [&] {
     const Values* density = nullptr;
     for(const std::vector<Values>* all : {&soup.values_of_vertices, &soup.values_of_faces})

@@ -62,6 +62,33 @@ Json json_of(const Run_report::Match_figures& match, const Options& options)
   return all;
 }
 
+// What a surface was repaired by, in the order in which it is done.
+Json json_of(const Surface_repair& repair)
+{
+  const SP::Repair_report& r = repair.report();
+  std::vector<Json> patches;
+  for(const SP::Repair_patch& patch : r.patches)
+    patches.push_back({{"of", patch.is_of_handle ? "handle" : "hole"},
+                       {"vertex", patch.vertex},
+                       {"edges", patch.number_of_edges},
+                       {"length", patch.length},
+                       {"share_of_area", patch.share}});
+  return {{"wrapped", repair.is_wrapped()},
+          {"triangulated_polygons", r.triangulated_polygons.number},
+          {"degenerate_faces", r.degenerate_faces.number},
+          {"repeated_faces", r.repeated_faces.number},
+          {"merged_vertices", r.merged_vertices.number},
+          {"reversed_faces", r.reversed_faces.number},
+          {"non_manifold_edges", r.non_manifold_edges.number},
+          {"divided_vertices", r.divided_vertices.number},
+          {"components", r.number_of_components},
+          {"removed_faces", r.removed_faces.number},
+          {"handles", r.handle_cycles.size()},
+          {"split_edges", r.split_edges.number},
+          {"added_area", r.added_area},
+          {"patches", patches}};
+}
+
 } // namespace
 
 Json json_of(const SP::Distortion_statistics& of)
@@ -152,17 +179,8 @@ std::string Run_report::json() const
     if(component->index == 0) // of many parts, not each report names all
       all.add("faces_of_components", *component->sizes);
   }
-  if(m_options.max_hole_edges > 0)
-  {
-    std::vector<Json> figures;
-    for(const Input_mesh::Hole& hole : holes)
-      figures.push_back({{"vertex", hole.vertex},
-                         {"edges", hole.number_of_edges},
-                         {"perimeter", hole.perimeter},
-                         {"faces", hole.number_of_faces},
-                         {"share_of_area", hole.share}});
-    all.add("holes", figures);
-  }
+  if(repair != nullptr)
+    all.add("repair", json_of(*repair));
   if(!start_stamp.is_empty())
     all.add("start_stamp", start_stamp.json());
   if(balanced)

@@ -19,22 +19,21 @@ constexpr const char* from_0 = ". (Vertices are counted from 0.)";
 // human hemispheres; see the manual.
 constexpr const char* features_of_cortex = "depth,inflated";
 
-// Reads features from files, or measures the `own_feature_names` of a surface, of which the first vertices are those of its file.
-File_content read_features_of(const std::string& list, const Mesh& mesh, std::size_t n_vertices)
+// Reads features from files, or measures the `own_feature_names` of a surface.
+File_content read_features_of(const std::string& list, const Input_mesh& input)
 {
   SP::Sulcal_measures folding;
   return read_values(list, [&](const std::string& name) {
     if(!is_among(name, own_feature_names))
-      return read_file_of_values(name);
+      return input.carried(read_file_of_values(name));
     if(folding.depth.empty())
-      if(const SP::Error_code error = SP::compute_sulcal_measures(mesh, folding); error != SP::OK)
+      if(const SP::Error_code error = SP::compute_sulcal_measures(input.mesh(), folding); error != SP::OK)
         throw error_in(name, "cannot be measured. ", SP::get_error_message(error));
     std::vector<double> values = name == "depth" || name == "height" ? folding.depth
                                  : name == "curvature"               ? folding.curvature
                                                                      : folding.inflated_curvature;
     if(name == "height")
       std::transform(values.begin(), values.end(), values.begin(), std::negate<>());
-    values.resize(n_vertices);
     File_content soup;
     soup.values_of_vertices.push_back({name, double(), std::move(values)});
     return soup;
@@ -44,9 +43,8 @@ File_content read_features_of(const std::string& list, const Mesh& mesh, std::si
 class Hint_reader
 {
 public:
-  Hint_reader(Input_mesh& first, Input_mesh& second)
-    : m_meshes{&first.mesh(), &second.mesh()}
-    , m_numbers{first.mesh_of_file().number_of_vertices(), second.mesh().number_of_vertices()}
+  Hint_reader(const Input_mesh& first, const Input_mesh& second)
+    : m_inputs{&first, &second}
     , m_hemispheres(first.hemispheres())
   {
     add(second.hemispheres());
@@ -58,7 +56,7 @@ public:
   {
     std::array<std::vector<Landmark>, 2> landmarks;
     for(std::size_t k = 0; k < 2; ++k)
-      landmarks[k] = read_named(names[k], [&] { return parse_landmarks(read_file(names[k]), *m_meshes[k]); });
+      landmarks[k] = read_named(names[k], [&] { return parse_landmarks(read_file(names[k]), *m_inputs[k]); });
     const auto& [first, second] = landmarks;
     if(first.size() != second.size())
       throw error_in(names[1], "has ", second.size(), " landmarks, but ", printable(names[0]), " has ", first.size());
@@ -72,19 +70,26 @@ public:
     }
   }
 
-  // The filler of holes does not count.
+  // Patches do not count.
   void read_masks(const Words& names)
   {
-    if(names.empty() && m_meshes[0]->number_of_vertices() == m_numbers[0])
-      return;
     for(std::size_t k = 0; k < 2; ++k)
-      hints.masks[k].assign(m_numbers[k], 1);
-    for(std::size_t k = 0; k < names.size(); ++k)
     {
-      check_mask_file(names[k]);
-      const File_content content = read_file_content(names[k], true);
-      add(content.hemispheres);
-      hints.masks[k] = read_named(names[k], [&] { return mask_of(content, m_numbers[k]); });
+      if(k < names.size())
+      {
+        check_mask_file(names[k]);
+        const File_content content = read_file_content(names[k], true);
+        add(content.hemispheres);
+        hints.masks[k] = read_named(names[k], [&] { return mask_for(*m_inputs[k], content); });
+      }
+      else if(!names.empty() || m_inputs[0]->has_patches() || m_inputs[1]->has_patches())
+        hints.masks[k].assign(m_inputs[k]->mesh().number_of_vertices(), 1);
+      if(m_inputs[k]->has_patches())
+      {
+        const std::vector<std::size_t>& sources = m_inputs[k]->repair()->source_vertices();
+        for(std::size_t v = 0; v < sources.size(); ++v)
+          hints.masks[k][v] = hints.masks[k][v] != 0 && sources[v] != Surface_repair::none;
+      }
     }
   }
 
@@ -94,7 +99,7 @@ public:
     std::array<File_content, 2> soups;
     for(std::size_t k = 0; k < 2; ++k)
     {
-      soups[k] = read_features_of(names[k], *m_meshes[k], m_numbers[k]);
+      soups[k] = read_features_of(names[k], *m_inputs[k]);
       add(soups[k].hemispheres);
     }
     if(soups[0].points.empty() && soups[1].points.empty())
@@ -110,7 +115,8 @@ public:
     }
     std::array<File_features, 2> features;
     for(std::size_t k = 0; k < 2; ++k)
-      features[k] = read_named(names[k], [&] { return features_of(std::move(soups[k]), m_numbers[k]); });
+      features[k] = read_named(
+          names[k], [&] { return features_of(std::move(soups[k]), m_inputs[k]->mesh().number_of_vertices()); });
     for(std::size_t k = 0; k < 2; ++k)
       for(const auto& pair : features[k].values)
         if(features[1 - k].values.count(pair.first) == 0)
@@ -152,21 +158,31 @@ private:
                      " is the same for all vertices, so that it tells no places apart");
   }
 
-  std::array<const Mesh*, 2> m_meshes;
-  std::array<std::size_t, 2> m_numbers; // of vertices of their files
+  // Takes a mask of the vertices of the mesh or of its file.
+  static std::vector<char> mask_for(const Input_mesh& input, const File_content& content)
+  {
+    const std::size_t n = input.mesh().number_of_vertices(), n_of_file = input.number_of_vertices_of_file();
+    if(!input.repair() || !input.repair()->has_changed_surface() ||
+       (content.vertices.empty() && content.number_of_vertices() == n && n != n_of_file))
+      return mask_of(content, n);
+    const std::vector<char> of_file = mask_of(content, n_of_file);
+    std::vector<char> result;
+    for(const std::size_t source : input.repair()->source_vertices())
+      result.push_back(source == Surface_repair::none ? 0 : of_file[source]);
+    return result;
+  }
+
+  std::array<const Input_mesh*, 2> m_inputs;
   Hemispheres m_hemispheres;
 };
 
 } // namespace
 
-std::vector<Landmark> parse_landmarks(std::string content, const Mesh& mesh)
+std::vector<Landmark> parse_landmarks(std::string content, const Input_mesh& input)
 {
   std::vector<Landmark> result;
   std::map<std::size_t, std::size_t> lines; // of the vertices
-  const std::size_t n = mesh.number_of_vertices();
-  for(std::size_t k = 0; k < content.size(); ++k)
-    if(content[k] == '\r' && (k + 1 == content.size() || content[k + 1] != '\n'))
-      content[k] = '\n';
+  const std::size_t n = input.number_of_vertices_of_file();
   Text_scanner in(std::move(content));
   while(in.next_line())
   {
@@ -178,11 +194,11 @@ std::vector<Landmark> parse_landmarks(std::string content, const Mesh& mesh)
       v = v < n ? 10 * v + static_cast<std::size_t>(c - '0') : n;
     if(v >= n)
       in.fail("the mesh has no vertex ", Text_scanner::quoted(word), ", but those from 0 to ", n - 1);
-    const Vertex_index vertex(static_cast<Mesh::size_type>(v));
-    if(mesh.is_isolated(vertex))
-      in.fail("vertex ", v, " has no face");
-    if(!lines.emplace(v, in.line_number()).second)
-      in.fail("vertex ", v, " is a landmark already, in line ", lines[v]);
+    const Vertex_index vertex = input.vertex_of(v);
+    if(vertex == Mesh::null_vertex())
+      in.fail("vertex ", v, " has no face", input.repair() ? " that the repair has left" : "");
+    if(!lines.emplace(vertex, in.line_number()).second)
+      in.fail("vertex ", v, " is a landmark already, in line ", lines[vertex]);
     result.push_back({in.line_number(), vertex});
   }
   return result;
@@ -240,7 +256,7 @@ std::vector<char> mask_of(const File_content& soup, std::size_t n_vertices)
   return result;
 }
 
-Surface_hints read_hints(const Options& options, Input_mesh& first, Input_mesh& second)
+Surface_hints read_hints(const Options& options, const Input_mesh& first, const Input_mesh& second)
 {
   Hint_reader reader(first, second);
   Surface_hints& hints = reader.hints;

@@ -15,9 +15,9 @@ struct Landmark
   Vertex_index vertex;
 };
 
-/// reads the content of a file of landmarks: a vertex a line, counted from 0; what follows on the line is not looked at. Lines may
-/// end with a carriage return alone.
-std::vector<Landmark> parse_landmarks(std::string content, const Mesh& mesh);
+/// reads the content of a file of landmarks: a vertex a line, counted from 0 as in the file of the mesh; what follows on the line is
+/// not looked at.
+std::vector<Landmark> parse_landmarks(std::string content, const Input_mesh& input);
 
 /// What surfaces can be aligned by of all that files of values hold.
 struct File_features
@@ -37,7 +37,7 @@ struct Surface_hints
 {
   struct Feature
   {
-    std::array<std::vector<double>, 2> values; ///< of the vertices of both files
+    std::array<std::vector<double>, 2> values; ///< of the vertices of both
     double weight;
   };
 
@@ -45,12 +45,12 @@ struct Surface_hints
   Words landmark_names;
   std::vector<Feature> features;
   bool is_cortical = false;               ///< whether they are those by which cortical surfaces are aligned
-  std::array<std::vector<char>, 2> masks; ///< whether vertices of both files count; empty if all do
+  std::array<std::vector<char>, 2> masks; ///< whether vertices of both count; empty if all do
   std::string warnings; ///< of files of different hemispheres, and of properties that are no features, a line each
 };
 
 /// reads what the options name.
-Surface_hints read_hints(const Options& options, Input_mesh& first, Input_mesh& second);
+Surface_hints read_hints(const Options& options, const Input_mesh& first, const Input_mesh& second);
 
 } // namespace Program
 

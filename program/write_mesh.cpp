@@ -211,7 +211,7 @@ void write_sphere(std::ostream& out, const std::string& path, const std::string&
                                : "cannot hold the map with another radius: its smallest faces fold by rounding.\n"
                                  "--convention none leaves it as it is.");
   }
-  write_mesh(out, format, input.points_of(written), input.triangles(), inherited(input.origin(), true));
+  write_mesh(out, format, {written.begin(), written.end()}, input.triangles(), inherited(input.origin(), true));
 }
 
 Colored_distortion::Colored_distortion(std::size_t number_of_vertices, const std::vector<Polygon>& faces,

@@ -31,7 +31,7 @@ int main(int argc, char** argv)
     std::cerr << report.message << std::endl;
     return EXIT_FAILURE;
   }
-  std::cout << report.patches.size() << " patches to cut " << report.number_of_handles
+  std::cout << report.patches.size() << " patches to cut " << report.handle_cycles.size()
             << " handles and to fill holes are " << 100. * report.added_area << " % of the surface" << std::endl;
 
   Mesh mesh;

@@ -1,4 +1,4 @@
-from typing import Any, Callable, ClassVar, Dict, Optional, Sequence, Tuple
+from typing import Any, Callable, ClassVar, Dict, List, Optional, Sequence, Tuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -76,7 +76,7 @@ def repair_surface(
     NDArray[np.int64],
     Sequence[int],
     int,
-    int,
+    List[NDArray[np.int64]],
     Sequence[Tuple[bool, int, int, float, float]],
     float,
 ]: ...

@@ -42,7 +42,7 @@ class FilledSurface(NamedTuple):
     vertices : (k, 3) ndarray of float64
         Those that were given, and new ones behind them.
     faces : (l, 3) ndarray of int64
-        Those that were given, and those of the filler behind them.
+        Those that were given, and those of the patches behind them.
     holes : list of Hole
         All holes.
     """
@@ -180,8 +180,10 @@ class RepairReport(NamedTuple):
         Faces of all components but the largest.
     split_edges : int
         Edges of several that joined the same two vertices.
-    number_of_components, number_of_handles : int
-        Of which one was kept, and which were cut.
+    number_of_components : int
+        Of which the largest was kept.
+    handle_cycles : list of (k,) ndarray of int64
+        The cycles of edges that handles were cut along, as vertices of the input.
     patches : list of RepairPatch
         What was added.
     added_area : float
@@ -198,7 +200,7 @@ class RepairReport(NamedTuple):
     removed_faces: int
     split_edges: int
     number_of_components: int
-    number_of_handles: int
+    handle_cycles: List[NDArray[np.int64]]
     patches: List[RepairPatch]
     added_area: float
 
@@ -284,8 +286,8 @@ def repair_surface(
                 raise TypeError("faces has to hold a row of integers for each polygon, its vertices")
         corners = np.concatenate([np.empty(0, np.int64), *rows]).astype(np.int64)
         first = np.cumsum([0, *(len(row) for row in rows)], dtype=np.int64)
-    new_points, triangles, source_vertices, source_faces, counts, components, handles, patches, added = _core.repair_surface(
+    new_points, triangles, source_vertices, source_faces, counts, components, cycles, patches, added = _core.repair_surface(
         points, corners, first, float(max_hole), float(max_handle), float(max_added_area), bool(refine)
     )
-    report = RepairReport(*counts, components, handles, [RepairPatch(*patch) for patch in patches], added)
+    report = RepairReport(*counts, components, cycles, [RepairPatch(*patch) for patch in patches], added)
     return RepairedSurface(new_points, triangles, source_vertices, source_faces, report)

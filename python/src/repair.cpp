@@ -87,7 +87,9 @@ py::tuple repair_surface(const Points& vertices, const Corners& corners, const C
     });
     return result;
   };
-  py::list patches, counts;
+  py::list patches, counts, cycles;
+  for(const std::vector<std::size_t>& cycle : report.handle_cycles)
+    cycles.append(sources(cycle));
   for(const SP::Repair_patch& patch : report.patches)
     patches.append(py::make_tuple(patch.is_of_handle, patch.vertex, patch.number_of_edges, patch.length, patch.share));
   for(const SP::Repair_count& count : {report.triangulated_polygons, report.degenerate_faces, report.repeated_faces,
@@ -95,8 +97,8 @@ py::tuple repair_surface(const Points& vertices, const Corners& corners, const C
                                        report.divided_vertices, report.removed_faces, report.split_edges})
     counts.append(count.number);
   return py::make_tuple(new_points, to_array(triangles), sources(repaired.source_vertices),
-                        sources(repaired.source_faces), counts, report.number_of_components, report.number_of_handles,
-                        patches, report.added_area);
+                        sources(repaired.source_faces), counts, report.number_of_components, cycles, patches,
+                        report.added_area);
 }
 
 py::list find_handles(const Points& vertices, const Indices& faces, std::size_t max_handles)

@@ -394,7 +394,7 @@ def test_fills_holes():
     vertices, faces = surface(8)
     at_first = np.any(faces == 0, axis=1)
     opened = faces[~at_first]
-    assert "fill_holes" in str(refused(sp.ErrorCode.NON_CLOSED_MESH, sp.parameterize, vertices, opened))
+    assert "repair_surface() fills holes" in str(refused(sp.ErrorCode.NON_CLOSED_MESH, sp.parameterize, vertices, opened))
     filled = sp.fill_holes(vertices, opened)
     (hole,) = filled.holes
     assert hole.number_of_edges == at_first.sum() and 0 < hole.share < 0.2 and hole.perimeter > 0

@@ -87,6 +87,7 @@ TEST(Mesh_file, is_read_alike_in_every_format)
   const std::vector<std::pair<const char*, std::string>> table = {
       {".off", "OFF 4 4" + corner_off.substr(7)},
       {".off", "# a comment\n\n" + replaced(corner_off, "\n", " # another\r\n\r\n")},
+      {".off", replaced(corner_off, "\n", "\r")}, // as Macs once wrote
       {".off", "\xEF\xBB\xBF" + corner_off + "\n# and more\n\n"},
       {".off", "4OFF\n" + homogeneous + faces},
       {".off", "nOFF\n3\n" + corner_off.substr(4)},
@@ -94,6 +95,7 @@ TEST(Mesh_file, is_read_alike_in_every_format)
       {".obj", corner_obj},
       {".obj", "mtllib a.mtl\no a\ng b\nvn 0 0 1\n" + replaced(corner_obj, "\n", " \r\n") + "l 1 2\n"},
       {".obj", replaced(corner_obj, " ", "\t")},
+      {".obj", replaced(replaced(corner_obj, "f 1 3 2", "f 1 3 \\\n2"), "f 1 2 4", "f 1 \\\r\n\\\r\n2 4")},
       {".obj", replaced(corner_obj, "f 1 3 2", "f 1/1/1 -2//7 2/5")},
       {".obj", corner_obj.substr(32) + corner_obj.substr(0, 32)},
       {".ts", corner_ts},
@@ -102,9 +104,17 @@ TEST(Mesh_file, is_read_alike_in_every_format)
       {".ts", replaced(replaced(corner_ts, "TRGL 0 2 1", "ATOM 9 2\nTRGL 0 9 1"), "END\n", "END")},
       {".ply", corner_ply},
       {".ply", replaced(corner_ply, "\n", "\r\n")},
+      {".ply", replaced(corner_ply, "\n", "\r")},
+      {".ply", replaced(corner_ply.substr(0, corner_ply.find("3 0 2 1")), "element face 4", "element tristrips 2") +
+                   "7 0 2 1 -1 0 1 3\n7 1 2 3 -1 2 0 3\n"},
       {".ply", replaced(replaced(corner_ply, "float", "int8"), "vertex_indices", "vertex_index")}};
   for(const auto& [format, text] : table)
     expect_same_mesh(format, text, expected);
+
+  // every second triangle of a strip is oriented the other way round, and those with repeated corners are none
+  const std::string header = replaced(corner_ply.substr(0, corner_ply.find("3 0 2 1")), "face 4", "tristrips 1");
+  EXPECT_EQ(SP::internal::read_mesh_file(".ply", header + "8 0 2 1 3 0 2 2 2\n").polygons,
+            (std::vector<SP::internal::Polygon>{{0, 2, 1}, {1, 2, 3}, {1, 3, 0}, {0, 3, 2}}));
 
   // the vertices of this format have the order in which the facets name them first
   const std::string other =

@@ -228,7 +228,7 @@ TEST_F(Map_program, gives_parts_of_the_surface_the_prescribed_areas)
                    {"equal --radius area", "--radius and --density cannot be combined"},
                    {"equal --initial harmonic", "--initial and --density cannot be combined"},
                    {"equal --method arap", "--density goes with --method bld"},
-                   {"density.ply --fill-holes all", "has no values"}});
+                   {"density.ply --fill-holes all", "part of --repair now"}});
 }
 
 TEST_F(Map_program, refuses_bad_values_with_the_good_ones)
@@ -257,10 +257,12 @@ TEST_F(Map_program, refuses_bad_values_with_the_good_ones)
        {"--time-limit 1e-320", "from 2.3e-308 to 1.7e308"},
        {"--threads 0", "from 1"},
        {"--page page.txt", "a name that ends with .html"},
-       {"--components all", "largest or each"},
-       {"--fill-holes 2", "a whole number from 3 to 1e9, or all"},
-       {"--fill-holes 3.5", "a whole number from 3 to 1e9, or all"},
-       {"--fill-holes some", "a whole number from 3 to 1e9, or all"},
+       {"--repair --max-added-area 2", "a number from 0 to 1"},
+       {"--repair --max-hole -1", "a number from 0 on"},
+       {"--repair --max-handle x", "a number from 0 on"},
+       {"--repair --wrap 0", "a number from 1e-4 to 1"},
+       {"--repair --repaired a.txt", "a name that ends with one of"},
+       {"--wrap 0.1", "--repair"},
        {"--convention freesurfer", "cortex or none"},
        {"--format bmp", "one of off, obj, ply, ts, gifti or freesurfer"}});
   for(const char* radius : {"0", "-1", "1e-320", "nan", "inf", "", "1x"})
@@ -290,7 +292,7 @@ TEST_F(Map_program, refuses_options_that_would_be_ignored)
                    {"--paper --sharpness 1", "--initial, --schedule"},
                    {"--paper --tolerance 0", "--initial, --schedule"},
                    {"--method harmonic --tolerance 0", "--tolerance goes with --method bld"},
-                   {"--fill-holes all --initial sphere.off", "cannot be combined"}});
+                   {"--repair --wrap 0.1 --initial sphere.off", "--wrap cannot be combined with 'sphere.off'"}});
 }
 
 TEST_F(Map_program, counts_faces_that_are_nearly_flat)

@@ -89,7 +89,9 @@ TEST_F(Commands, say_where_options_went)
                    {"--remesh cube=2", form("remesh SURFACE DOMAIN=N")},
                    {"--resample a b", form("resample VALUES SPHERE_A SPHERE_B -o RESULT")},
                    {"--through a b", form("resample SPHERE SPHERE_A SPHERE_B --through -o RESULT")},
-                   {"--filled a.ply", form("repair SURFACE")},
+                   {"--filled a.ply", form("repair SURFACE -o RESULT")},
+                   {"--fill-holes all", form("map SURFACE --repair")},
+                   {"--components each", "or --each-component: spherical_parameterization map SURFACE --repair"},
                    {"--s-first 1", form("map SURFACE --schedule FIRST,LAST")},
                    {"--s-last=1", form("map SURFACE --schedule FIRST,LAST")},
                    {"--average-sweeps 1", form("map SURFACE --schedule FIRST,LAST,SWEEPS")}});

@@ -80,7 +80,6 @@ TEST_F(Surface_program, remeshes_through_the_sphere)
                    {"cube=2 --transfer missing.ply -o a.ply", "No such file"},
                    {"cube=2 --transfer values.ply -o a.off", "the name of a .ply or .gii file"},
                    {"cube=2 --values-sphere sphere.off", "--transfer"},
-                   {"cube=2 --fill-holes all --transfer values.ply -o a.ply", "has no values"},
                    {"--geometry-image image.gif", ".png or .exr"},
                    {"cube=2 --image-size 65", "--geometry-image"},
                    {"--geometry-image image.png --image-size 64", "an odd number from 3 to 10001"},
@@ -128,63 +127,147 @@ TEST_F(Surface_program, writes_geometry_images)
 #endif
 }
 
-// What is written and measured is that of the file, and the patches are reported.
-TEST_F(Surface_program, fills_holes)
+// A surface with two holes, whose vertices have values.
+class Repair_program : public Surface_program
 {
-  const test_meshes::Triangle_list list = test_meshes::bumpy_sphere(2);
-  test_meshes::Triangle_list opened = list;
-  opened.triangles.clear();
-  for(const test_meshes::Triangle& t : list.triangles)
-    if(std::count(t.begin(), t.end(), 20u) + std::count(t.begin(), t.end(), 100u) == 0)
-      opened.triangles.push_back(t);
-  write_off("opened.off", opened);
-  expect_message("opened.off -o map.off", "--fill-holes all");
-  expect_message("opened.off -o map.off --fill-holes 4", "the mesh has a border");
-  const std::string out = expect_success("opened.off --fill-holes all -o map.off --json result.json --colored colored");
-  expect_part(out, "Holes     2 filled");
-  EXPECT_EQ(json().get_child("holes").size(), 2u);
-  EXPECT_GT(json().get_child("holes").front().second.get<double>("share_of_area"), 0.);
+protected:
+  void SetUp() override
+  {
+    Surface_program::SetUp();
+    for(const test_meshes::Triangle& t : m_closed.triangles)
+      if(std::count(t.begin(), t.end(), 20u) + std::count(t.begin(), t.end(), 100u) == 0)
+        m_opened.triangles.push_back(t);
+    write_off("opened.off", m_opened);
+    write_off("closed.off", m_closed);
+  }
+
+  const test_meshes::Triangle_list m_closed = test_meshes::bumpy_sphere(2);
+  test_meshes::Triangle_list m_opened = {m_closed.points, {}};
+};
+
+// What is written is the repaired surface, what is measured are the faces of the file.
+TEST_F(Repair_program, maps_a_surface_with_holes)
+{
+  expect_message("opened.off -o map.off", "--repair, fills holes");
+  expect_message("opened.off -o map.off --repair --max-hole 0.1", "a hole has a border of 6 edges at vertex");
+  expect_message("opened.off -o map.off --repair --max-added-area 0.001", "--max-added-area 0.0");
+  const std::string out = expect_success("opened.off --repair -o map.off --repaired repaired.ply --json result.json "
+                                         "--colored colored --max-added-area 0.1");
+  expect_part(out, "Repaired  2 holes filled\n");
+  expect_part(out, "of the area added: ");
+  EXPECT_EQ(json().get_child("repair.patches").size(), 2u);
+  EXPECT_GT(json().get_child("repair.patches").front().second.get<double>("share_of_area"), 0.);
+  Mesh_file repaired = read_mesh("repaired.ply");
   for(const char* name : {"map.off", "colored_surface.ply", "colored_sphere.ply"})
-    EXPECT_EQ(read_mesh(name).faces, read_mesh("opened.off").faces) << name;
+    EXPECT_EQ(read_mesh(name).faces, repaired.faces) << name;
+  ASSERT_GT(repaired.faces.size(), m_opened.triangles.size());
+  for(std::size_t f = 0; f < repaired.faces.size(); ++f)
+  {
+    const bool is_old = f < m_opened.triangles.size();
+    EXPECT_EQ(repaired.columns["face patch"][f], is_old ? 0. : 1.);
+    EXPECT_EQ(repaired.columns["face source_face"][f], is_old ? static_cast<double>(f) : -1.);
+  }
+  for(std::size_t v = 0; v < repaired.points.size(); ++v)
+  {
+    const double source = repaired.columns["vertex source_vertex"][v];
+    if(source >= 0.)
+    {
+      EXPECT_EQ(repaired.points[v], m_opened.points[static_cast<std::size_t>(source)]);
+    }
+  }
+  expect_success("check repaired.ply map.off");
+  expect_success("repair opened.off -o filled.ply --max-added-area 0.1");
+  EXPECT_EQ(content(path("filled.ply")), content(path("repaired.ply")));
 
-  // The closed surface is a mesh as others, which begins with that of the file.
-  expect_success("repair opened.off -o filled.ply");
-  Mesh_file filled = read_mesh("filled.ply");
-  ASSERT_GT(filled.faces.size(), opened.triangles.size());
-  for(std::size_t f = 0; f < filled.faces.size(); ++f)
-    EXPECT_EQ(filled.columns["face filler"][f], f < opened.triangles.size() ? 0. : 1.);
-  expect_success("filled.ply -o again.off");
-  expect_success("remesh opened.off octahedron=4 --fill-holes all -o remesh.ply");
-  EXPECT_EQ(read_mesh("remesh.ply").columns.count("face filler"), 1u);
-  // Patches are masked: features are those of the file.
-  write_off("closed.off", list);
-  write("heights.ply", ply_with_values(2, "float height"));
-  EXPECT_EQ(run("match opened.off closed.off --fill-holes all -o onto.off --features heights.ply heights.ply").status,
-            0);
-
-  expect_part(expect_success("repair opened.off"), "The surface can be mapped");
-  opened.points[3][1] = std::numeric_limits<double>::quiet_NaN();
-  write_off("broken.off", opened);
-  write_off("band.off", {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 0.1}, {1, 0, 0.1}, {0, 1, 0.1}},
-                         {{0, 1, 4}, {0, 4, 3}, {1, 2, 5}, {1, 5, 4}, {2, 0, 3}, {2, 3, 5}}});
-  write_off("touching.off", {{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0.5, 0.5, 0.1}}, {{0, 1, 4}, {2, 3, 4}}});
-  expect_part(run("band.off --fill-holes all -o map.off").err, "more than half");
-  expect_messages("repair ", {{"broken.off -o result.ply", "vertex 3 has a coordinate that is"},
-                              {"touching.off -o result.ply", "touches itself in vertex 4"}});
+  const test_meshes::Triangle_list band = {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 0.1}, {1, 0, 0.1}, {0, 1, 0.1}},
+                                           {{0, 1, 4}, {0, 4, 3}, {1, 2, 5}, {1, 5, 4}, {2, 0, 3}, {2, 3, 5}}};
+  write_off("band.off", band);
+  expect_part(run("band.off --repair --max-added-area 1 -o map.off").err, "more than half");
+  m_opened.points[3][1] = std::numeric_limits<double>::quiet_NaN();
+  write_off("broken.off", m_opened);
+  expect_message("repair broken.off -o result.ply", "vertex 3 has a coordinate that is");
 }
 
-TEST_F(Surface_program, maps_one_part_or_each_and_finds_handles)
+// Values, landmarks, masks and maps of the file are those of the repaired surface, whose vertices have other numbers.
+TEST_F(Repair_program, carries_over_what_belongs_to_the_file)
+{
+  const std::string repair = " --repair --max-added-area 0.1";
+  expect_success("opened.off" + repair + " -o map.off --repaired repaired.ply");
+  const Mesh_file map = read_mesh("map.off");
+  Mesh_file repaired = read_mesh("repaired.ply");
+  std::string values_of_file = "ply\nformat ascii 1.0\nelement vertex " + std::to_string(m_opened.points.size()) +
+                               "\nproperty double x\nproperty double y\nproperty double z\nproperty float height\n"
+                               "element face " +
+                               std::to_string(m_opened.triangles.size()) +
+                               "\nproperty list uchar int vertex_indices\nend_header\n";
+  for(std::size_t v = 0; v < m_opened.points.size(); ++v)
+    values_of_file += "0 0 0 " + std::to_string(v) + '\n';
+  for(const auto& [a, b, c] : m_opened.triangles)
+    values_of_file += "3 " + std::to_string(a) + ' ' + std::to_string(b) + ' ' + std::to_string(c) + '\n';
+  write("values.ply", values_of_file);
+  expect_success("remesh opened.off map.off -o remesh.ply --transfer values.ply --prefer balance" + repair);
+  Mesh_file remesh = read_mesh("remesh.ply"), values = read_mesh("values.ply");
+  EXPECT_EQ(remesh.columns["face patch"], repaired.columns["face patch"]);
+  const auto [least, largest] =
+      std::minmax_element(values.columns["vertex height"].begin(), values.columns["vertex height"].end());
+  for(std::size_t v = 0; v < remesh.points.size(); ++v)
+  {
+    const double source = repaired.columns["vertex source_vertex"][v], height = remesh.columns["vertex height"][v];
+    if(source >= 0.)
+    {
+      EXPECT_NEAR(height, values.columns["vertex height"][static_cast<std::size_t>(source)], 1e-6);
+    }
+    EXPECT_GE(height, *least);
+    EXPECT_LE(height, *largest);
+  }
+
+  // A map of the repaired surface, and one of the file alone.
+  expect_success("opened.off --initial map.off --iterations 0" + repair);
+  test_meshes::Triangle_list images = m_opened;
+  for(std::size_t v = 0; v < map.points.size(); ++v)
+    if(const double source = repaired.columns["vertex source_vertex"][v]; source >= 0.)
+      images.points[static_cast<std::size_t>(source)] = map.points[v];
+  write_off("images.off", images);
+  expect_success("opened.off --initial images.off --iterations 0" + repair);
+
+  // Patches are masked, and landmarks have the numbers of the file.
+  write("of_closed.ply", ply_with_values(2, "float height"));
+  EXPECT_EQ(run("match opened.off closed.off -o onto.off --features values.ply of_closed.ply" + repair).status, 0);
+  write("landmarks.txt", "0\n50\n161\n");
+  EXPECT_EQ(run("match opened.off closed.off -o onto.off --landmarks landmarks.txt landmarks.txt" + repair).status, 0);
+  write("gone.txt", "20\n");
+  expect_message("match opened.off closed.off -o onto.off --landmarks gone.txt gone.txt" + repair,
+                 "vertex 20 has no face that the repair has left");
+  expect_message("opened.off -o map.off --density values.ply --wrap 0.2" + repair,
+                 "--wrap cannot be combined with 'values.ply'");
+  EXPECT_EQ(run("opened.off -o map.off --density values.ply" + repair).status, 0);
+}
+
+TEST_F(Repair_program, wraps_what_is_no_surface)
+{
+  write_off("sheet.off", {{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {{0, 1, 2}, {0, 2, 3}}});
+  expect_message("sheet.off --repair -o map.off", "--wrap 0.02 wraps a closed surface");
+  const std::string out = expect_success("sheet.off --repair --wrap 0.2 -o map.off --repaired wrapped.ply");
+  expect_part(out, "Repaired  a wrapping of ");
+  EXPECT_EQ(read_mesh("wrapped.ply").columns["vertex source_vertex"].front(), -1.);
+  // What needs nothing is as it was.
+  expect_success("closed.off -o as_it_is.off");
+  expect_part(expect_success("closed.off --repair -o map.off"), "Repaired  nothing");
+  EXPECT_EQ(content(path("map.off")), content(path("as_it_is.off")));
+}
+
+TEST_F(Repair_program, maps_one_component_or_each_and_cuts_handles)
 {
   const test_meshes::Triangle_list two =
       test_meshes::disjoint_union(test_meshes::octahedron(), test_meshes::bumpy_sphere(2));
   write_off("three.off", test_meshes::disjoint_union(two, test_meshes::tetrahedron()));
-  expect_message("three.off -o map.off", "--components largest");
-  const std::string out = expect_success("three.off -o map.off --components largest --json result.json");
-  expect_part(out, "Part      1 of 3, with 320 faces; the others have 8 and 4");
+  expect_message("three.off -o map.off", "--each-component maps each");
+  const std::string out = expect_success("three.off -o map.off --repair --json result.json");
+  expect_part(out, "Repaired  the largest of 3 components kept; faces of the others: 12");
   EXPECT_EQ(json().get<std::size_t>("faces"), 320u);
-  EXPECT_EQ(json().get<std::size_t>("component"), 1u);
-  EXPECT_EQ(json().get_child("faces_of_components").size(), 3u);
-  expect_success("three.off -o map.off --components each --json each.json");
+  EXPECT_EQ(json().get<std::size_t>("repair.components"), 3u);
+  expect_part(expect_success("three.off -o map.off --each-component --json each.json"),
+              "Component 1 of 3, with 320 faces; the others have 8 and 4");
   for(const auto& [name, n_faces] : {std::pair("map_1.off", 320u), {"map_2.off", 8u}, {"map_3.off", 4u}})
     EXPECT_EQ(read_mesh(name).faces.size(), n_faces) << name;
   EXPECT_EQ(read_mesh("map_2.off").points.size(), 6u); // its own
@@ -192,25 +275,26 @@ TEST_F(Surface_program, maps_one_part_or_each_and_finds_handles)
   EXPECT_EQ(json("each_3.json").get<std::size_t>("components"), 3u);
   EXPECT_EQ(json("each_1.json").get_child("faces_of_components").size(), 3u);
   write("values.ply", ply_with_values(1));
-  for(const char* words : {"match three.off sphere.off --features values.ply values.ply -o a.off",
-                           "map three.off --density values.ply -o a.off", "map three.off --initial values.ply -o a.off",
+  for(const char* words : {"map three.off --density values.ply -o a.off", "map three.off --initial values.ply -o a.off",
                            "remesh three.off cube=2 --transfer values.ply -o a.ply"})
-    expect_message(std::string(words) + " --components each", "--components each cannot be combined with 'values.ply'");
-  expect_success("repair three.off -o part.off --components each");
-  expect_success("check part_2.off map_2.off --quiet");
+    expect_message(std::string(words) + " --each-component", "--each-component cannot be combined with 'values.ply'");
+  expect_success("repair three.off -o part.ply --each-component");
+  expect_success("check part_2.ply map_2.off --quiet");
+  EXPECT_EQ(read_mesh("part_2.ply").columns["face source_face"].front(), 0.); // in the file
+  EXPECT_EQ(read_mesh("part_1.ply").columns["face source_face"].front(), 8.);
   // what fails with one of them
   write_off("with_torus.off", test_meshes::disjoint_union(test_meshes::octahedron(), test_meshes::torus(8, 5)));
-  const Outcome outcome = run("with_torus.off -o of_torus.off --components each");
+  const Outcome outcome = run("with_torus.off -o of_torus.off --each-component");
   EXPECT_EQ(outcome.status, 1);
-  expect_part(outcome.err, "part 1 of 2: with_torus.off: the surface has the genus 1");
+  expect_part(outcome.err, "component 1 of 2: with_torus.off: the surface has the genus 1");
   EXPECT_FALSE(fs::exists(path("of_torus_1.off")));
   EXPECT_EQ(read_mesh("of_torus_2.off").faces.size(), 8u);
 
   expect_message("torus.off -o map_of_torus.off", "A path of 6 edges around a handle, of length 6, at vertex");
-  const std::string repaired = expect_success("repair torus.off --handles handles.ply");
-  expect_part(repaired, "cannot be mapped: torus.off: the surface has the genus 1");
-  EXPECT_EQ(repaired.find("--handles"), std::string::npos) << "advises what was given";
-  expect_part(content(path("handles.ply")), "element edge 6\n");
+  const std::string repaired = expect_success("repair torus.off --handles handles.ply --max-added-area 0.5");
+  expect_part(repaired, "1 handle cut\n");
+  expect_part(repaired, "The surface can be mapped.");
+  expect_part(content(path("handles.ply")), "element edge ");
   expect_success("repair sphere.off --handles handles.ply");
   expect_part(content(path("handles.ply")), "element edge 0\n");
 }

@@ -30,6 +30,7 @@ FIGURES = {  # by the names of their functions: the file, and the models that ar
     "radius_rules": ("radius_rules.png", ("hand",)),
     "conformal": ("conformal.jpg", ("bunny",)),
     "remesh": ("remesh.jpg", ("coarse bunny",)),
+    "repair": ("repair.jpg", ("coarse bunny",)),
     "surfaces": ("surfaces.jpg", ("steer", "horse")),
     "texture": ("texture.jpg", ("horse",)),
     "methods": ("methods.jpg", ("buddha", "coarse bunny", "hand", "cow")),

@@ -88,6 +88,17 @@ class Sampled:
 
 
 @dataclass(frozen=True)
+class Repaired:
+    """A model with holes and a handle, what the program has made of it, and the sphere."""
+
+    model: Model
+    damaged: tuple[np.ndarray, np.ndarray]  # vertices and faces
+    mesh: Mesh
+    is_patch: np.ndarray  # of each face
+    images: np.ndarray
+
+
+@dataclass(frozen=True)
 class Matched:
     """Two models, and the map from one to the other."""
 
@@ -138,6 +149,22 @@ class Session:
             return Sampled(MODELS[name], file.mesh, values, read_mesh(remesh), _read_values(remesh), *images)
 
 
+    def repair(self, name: str) -> Repaired:
+        """Damages a model, and repairs and maps it."""
+        vertices, faces = _damaged(self.file_of(name).mesh, np.asarray(MODELS[name].direction))
+        with tempfile.TemporaryDirectory() as folder:
+            damaged, repaired, sphere = (Path(folder) / name for name in ("damaged.off", "repaired.off", "sphere.off"))
+            write_mesh(damaged, Mesh(vertices, faces))
+            options = ["--repair", "--max-added-area", "1", "-o", sphere, "--repaired", repaired, "--quiet"]
+            outcome = run_command([self._program.path, "map", damaged, *options])
+            if outcome.status != 0:
+                raise SystemExit(outcome.message)
+            mesh = read_mesh(repaired)
+            old = {tuple(corners) for corners in np.sort(vertices[faces].reshape(len(faces), -1)).tolist()}
+            corners = np.sort(mesh.vertices[mesh.faces].reshape(len(mesh.faces), -1)).tolist()
+            is_patch = np.array([tuple(one) not in old for one in corners])
+            return Repaired(MODELS[name], (vertices, faces), mesh, is_patch, read_mesh(sphere).vertices)
+
     def match(self, first: str, second: str) -> Matched:
         """Maps a model onto another one."""
         files = [self.file_of(first), self.file_of(second)]
@@ -151,6 +178,29 @@ class Session:
             target = read_mesh(directions.with_stem("directions_target"))
             places = (read_mesh(result).vertices, read_mesh(directions).vertices)
             return Matched((MODELS[first], MODELS[second]), files[0].mesh, files[1].mesh, *places, target.vertices)
+
+
+def _damaged(mesh: Mesh, direction: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Cuts two holes into the side that is seen, and joins two faces at the top by a thin tube."""
+    vertices, faces = mesh.vertices, mesh.faces
+    middles = vertices[faces].mean(axis=1)
+    extent = np.ptp(vertices, axis=0).max()
+    seen = middles @ direction
+    side = middles @ np.cross(direction, (0.0, 1.0, 0.0))
+    nearest = [np.argmax(seen), np.argmax(seen + side)]
+    high = np.flatnonzero(middles[:, 1] > np.quantile(middles[:, 1], 0.9))
+    top = high[np.argmax(middles[high, 1])]
+    other = high[np.argmax(np.linalg.norm(middles[high] - middles[top], axis=1))]
+    a, b = faces[top], faces[other]
+    tube = []
+    for i in range(3):
+        corners = a[i], a[(i + 1) % 3], b[(-i - 1) % 3], b[-i % 3]
+        tube += [[corners[0], corners[1], corners[2]], [corners[0], corners[2], corners[3]]]
+    is_kept = np.ones(len(faces), bool)
+    is_kept[[top, other]] = False
+    for face in nearest:
+        is_kept &= np.linalg.norm(middles - middles[face], axis=1) > 0.08 * extent
+    return vertices, np.concatenate([faces[is_kept], tube])
 
 
 def _write_values(path: Path, mesh: Mesh, values: np.ndarray) -> None:
@@ -245,6 +295,31 @@ def remesh(session: Session, name: str) -> Sheet:
         size = (sheet.pixels(310), sheet.pixels(310))
         sheet.place(np.asarray(image.resize(size, Image.Resampling.BICUBIC)) / 255.0, x, 20)
         sheet.text(x + 155, 385, text)
+    return sheet
+
+
+def repair(session: Session, name: str) -> Sheet:
+    """A surface with holes and a handle, what the program has made of it, and its sphere; what was added is orange.
+
+    The inside of the surface is dark.
+    """
+    repaired, sheet = session.repair(name), session.sheet(1400, 490)
+    grey, orange, dark = np.array([0.72, 0.72, 0.74]), np.array([0.92, 0.45, 0.05]), np.array([0.3, 0.18, 0.2])
+    colors = np.where(repaired.is_patch[:, None], orange, grey)
+    vertices, faces = repaired.damaged
+    view = view_of_surface(vertices, repaired.model.direction, repaired.model.up)
+    a, b, c = (vertices[faces[:, k]] for k in range(3))
+    is_inside = np.cross(b - a, c - a) @ np.asarray(repaired.model.direction) < 0.0
+    units = repaired.images / np.linalg.norm(repaired.images, axis=1, keepdims=True)
+    images = turned_like(repaired.mesh.vertices, units, repaired.mesh.faces)
+    parts = (
+        (vertices, faces, view, np.where(is_inside[:, None], dark, grey), "the file"),
+        (repaired.mesh.vertices, repaired.mesh.faces, view, colors, "repaired"),
+        (images, repaired.mesh.faces, view.of_sphere(), colors, "its sphere"),
+    )
+    for k, (points, of_faces, camera, paints, text) in enumerate(parts):
+        sheet.place(paint(points, of_faces, camera, sheet.pixels(430), paints, edge_width=EDGE_WIDTH), 20 + 465 * k, 5)
+        sheet.text(235 + 465 * k, 470, text)
     return sheet
 
 

@@ -80,17 +80,14 @@ inline const char* get_error_message(Error_code error_code)
      "from."},
     {ERROR_TOO_FEW_VERTICES, "The mesh has fewer than four vertices with a face, and no closed surface has less than a "
      "tetrahedron: check what it was read from."},
-    {ERROR_NON_TRIANGULAR_MESH, "The mesh has a face that is not a triangle: triangulate it first, for example with "
-     "CGAL::Polygon_mesh_processing::triangulate_faces()."},
-    {ERROR_NON_CLOSED_MESH, "The mesh has a border: close its holes first, for example with "
-     "CGAL::Polygon_mesh_processing::triangulate_hole()."},
-    {ERROR_SEVERAL_COMPONENTS, "The mesh has several connected components: parameterize each of them on its own, for "
-     "example after CGAL::Polygon_mesh_processing::split_connected_components()."},
-    {ERROR_NO_TOPOLOGICAL_SPHERE, "The surface has a handle, as a torus has (its genus is not 0): remove its handles "
-     "first, for example with CGAL::alpha_wrap_3()."},
+    {ERROR_NON_TRIANGULAR_MESH, "The mesh has a face that is not a triangle: repair_surface() triangulates it."},
+    {ERROR_NON_CLOSED_MESH, "The mesh has a border: repair_surface() fills its holes."},
+    {ERROR_SEVERAL_COMPONENTS, "The mesh has several connected components: parameterize each of them on its own; "
+     "or repair_surface() keeps the largest."},
+    {ERROR_NO_TOPOLOGICAL_SPHERE, "The surface has a handle, as a torus has (its genus is not 0): repair_surface() "
+     "cuts handles."},
     {ERROR_NO_SIMPLICIAL_COMPLEX, "The mesh is no simplicial complex, as two edges join the same two vertices, or two "
-     "fans of faces meet in one vertex: split one of the edges, or duplicate the vertex, for example with "
-     "CGAL::Polygon_mesh_processing::duplicate_non_manifold_vertices()."},
+     "fans of faces meet in one vertex: repair_surface() divides it."},
     {ERROR_NON_FINITE_COORDINATE, "A coordinate is infinite or not a number: repair the file or the program that wrote "
      "it."},
     {ERROR_INVALID_INITIAL_PARAMETERIZATION, "The map to start from is not one-to-one by more than rounding can "

@@ -48,12 +48,24 @@ struct Surfaces
     require(SP::is_bijective(first, images.points()), "the map is not one-to-one");
   }
 
+  static Program::Input_mesh input_of(const Triangle_list& list)
+  {
+    Program::File_content content;
+    for(const auto& p : list.points)
+      content.points.emplace_back(p[0], p[1], p[2]);
+    content.points.emplace_back(0., 0., 0.);
+    for(const auto& t : list.triangles)
+      content.polygons.emplace_back(t.begin(), t.end());
+    return Program::Input_mesh("first", std::move(content));
+  }
+
   Mesh first = make_mesh<Mesh>(bumpy_sphere(1)), second = make_mesh<Mesh>(icosphere(1)), sphere = second;
+  Program::Input_mesh input = input_of(bumpy_sphere(1));
 };
 
 void map_by_landmarks(const Surfaces& surfaces, const std::string& content)
 {
-  const std::vector<Program::Landmark> first = Program::parse_landmarks(content, surfaces.first);
+  const std::vector<Program::Landmark> first = Program::parse_landmarks(content, surfaces.input);
   if(first.size() < 3) // The search for a rotation would take all the time.
     return;
   std::vector<Mapper::Landmark> landmarks;

@@ -91,10 +91,10 @@ struct Repair_report
   Repair_count divided_vertices;        ///< that more than one fan of faces met in, and are several vertices now
   std::size_t number_of_components = 1; ///< of which the largest was kept
   Repair_count removed_faces;           ///< those of the other components
-  std::size_t number_of_handles = 0;    ///< that were cut
-  std::vector<Repair_patch> patches;    ///< what was added
-  Repair_count split_edges;             ///< of several that joined the same two vertices
-  double added_area = 0.;               ///< of the patches over that of the result, from 0 to 1
+  std::vector<std::vector<std::size_t>> handle_cycles; ///< that handles were cut along, as vertices of the input
+  std::vector<Repair_patch> patches;                   ///< what was added
+  Repair_count split_edges;                            ///< of several that joined the same two vertices
+  double added_area = 0.;                              ///< of the patches over that of the result, from 0 to 1
 
   /// English sentences: what keeps the surface from being repaired, where, and what to do about it. Vertices and polygons are
   /// counted from 0.

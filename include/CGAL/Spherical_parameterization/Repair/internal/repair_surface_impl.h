@@ -66,7 +66,11 @@ public:
     close_holes();
     cut_handles(
         m_mesh, (std::numeric_limits<std::size_t>::max)(),
-        [&](const Handle_cycles::Cycle&, double) { ++m_report.number_of_handles; },
+        [&](const Handle_cycles::Cycle& cycle, double) {
+          m_report.handle_cycles.emplace_back();
+          for(const Index side : cycle)
+            m_report.handle_cycles.back().push_back(m_mesh.vertices[m_mesh.surface.source(side)]);
+        },
         [&](const std::vector<Index>& border) { close(border, true); });
     measure_patches();
     if(const Error_code error = check_limits())
@@ -204,8 +208,8 @@ private:
       const double limit = is_handle ? m_limits.maximum_handle : m_limits.maximum_hole;
       if(m_relative_lengths[k] > limit)
         return fail(is_handle ? ERROR_NO_TOPOLOGICAL_SPHERE : ERROR_NON_CLOSED_MESH,
-                    is_handle ? "a handle at vertex " : "a hole at vertex ", patches[k].vertex, " is ",
-                    is_handle ? "cut along" : "as long as", " ", patches[k].number_of_edges, " edges, ",
+                    is_handle ? "a handle is cut along a cycle of " : "a hole has a border of ",
+                    patches[k].number_of_edges, " edges at vertex ", patches[k].vertex, ", whose length is ",
                     m_relative_lengths[k], " times the square root of the area, beyond the limit of ", limit);
     }
     if(!(m_report.added_area <= m_limits.maximum_added_area))

@@ -55,6 +55,12 @@ public:
         m_number_of_vertices = element.count;
     for(Element& element : m_elements)
       read_element(element);
+    for(const Element& element : m_elements)
+      if(element.is_strip() && element.count > 0 && !m_soup.values_of_faces.empty())
+      {
+        leave_out("the properties of the faces, as those of triangle strips have none");
+        m_soup.values_of_faces.clear();
+      }
     return std::move(m_soup);
   }
 
@@ -112,7 +118,7 @@ private:
   struct Property
   {
     std::string name;
-    char role; // to the mesh: one of the coordinates x, y, z, the corners c, or none, a blank
+    char role; // to the mesh: one of the coordinates x, y, z, the corners c, those of strips s, or none, a blank
     const Type* type;
     const Type* size_type; // of a list, null if it is none
     bool is_kept;          // with these numbers
@@ -128,12 +134,16 @@ private:
 
     bool is_vertex() const { return name == "vertex" || name == "vertices"; }
     bool is_face() const { return name == "face" || name == "faces"; }
+    bool is_strip() const { return name == "tristrips" || name == "tristrip"; }
     bool is_of_mesh() const { return is_vertex() || is_face(); }
 
     char role_of(const std::string& property, bool is_list) const
     {
       if(is_list)
-        return is_face() && (property == "vertex_indices" || property == "vertex_index") ? 'c' : ' ';
+        return property != "vertex_indices" && property != "vertex_index" ? ' '
+               : is_face()                                                ? 'c'
+               : is_strip()                                               ? 's'
+                                                                          : ' ';
       return is_vertex() && (property == "x" || property == "y" || property == "z") ? property[0] : ' ';
     }
 
@@ -188,7 +198,7 @@ private:
     const auto is_of_same_kind = [&](const Element& other) {
       return other.is_vertex() == element.is_vertex() && other.is_face() == element.is_face();
     };
-    if(!element.is_of_mesh())
+    if(!element.is_of_mesh() && !element.is_strip())
       leave_out("the elements '" + printable(name) + "'");
     else if(std::any_of(m_elements.begin(), m_elements.end(), is_of_same_kind))
       m_in.fail("the ", element.is_vertex() ? "vertices" : "faces", " once more");
@@ -215,7 +225,7 @@ private:
       m_in.fail("a property without name");
     const char role = element.role_of(name, is_list);
     const bool has_values = m_keeps_values && element.is_of_mesh() && role == ' ';
-    if(role == 'c' && !type.is_integer())
+    if((role == 'c' || role == 's') && !type.is_integer())
       m_in.fail("the corners of a face have to be whole numbers");
     const bool is_new = element.names.insert(name).second;
     if(has_values && element.names.size() > max_properties)
@@ -240,6 +250,8 @@ private:
       throw File_error("the vertices have no properties x, y and z that are numbers");
     if(element.is_face() && !element.has('c'))
       throw File_error("the faces have no property vertex_indices that is a list");
+    if(element.is_strip() && !element.has('s'))
+      throw File_error("the triangle strips have no property vertex_indices that is a list");
     if(n == 0)
       return; // which takes no bytes, however many there are
     std::size_t min_size = 0;
@@ -268,7 +280,7 @@ private:
         Property& p = element.properties[k];
         row[k] = read_number(element, p.size_type ? *p.size_type : *p.type);
         if(p.size_type)
-          read_list(element, *p.type, row[k], p.role == 'c');
+          read_list(element, *p.type, row[k], p.role);
         if(!p.is_kept)
           continue;
         if(!p.type->has(row[k]))
@@ -290,20 +302,41 @@ private:
             .push_back({p.name, p.type->number, std::move(p.numbers)});
   }
 
-  void read_list(const Element& element, const Type& type, double size, bool is_polygon)
+  void read_list(const Element& element, const Type& type, double size, char role)
   {
     if(!(size >= 0.))
       m_in.fail(name_of_item(element), " has a list of negative length");
+    Polygon strip;
     for(double i = 0.; i < size; ++i) // ends with the file at the latest
     {
       const double x = read_number(element, type);
-      if(!is_polygon)
+      if(role == ' ')
         continue;
+      if(role == 's' && x < 0.) // where another strip begins
+      {
+        strip.clear();
+        continue;
+      }
       if(!(x >= 0. && x < static_cast<double>(m_number_of_vertices)))
         m_in.fail(name_of_item(element), " has a corner that does not exist: there are ", m_number_of_vertices,
                   " vertices, counted from 0");
-      m_soup.polygons.back().push_back(static_cast<std::size_t>(x));
+      Polygon& corners = role == 's' ? strip : m_soup.polygons.back();
+      corners.push_back(static_cast<std::size_t>(x));
+      if(role == 's' && strip.size() >= 3)
+        add_triangle_of_strip(strip);
     }
+  }
+
+  // Every second triangle of a strip is oriented the other way round. Where two corners are the same, the strip goes on elsewhere.
+  void add_triangle_of_strip(const Polygon& strip)
+  {
+    const std::size_t n = strip.size(), odd = n % 2 == 0 ? 1 : 0;
+    const std::size_t a = strip[n - 3 + odd], b = strip[n - 2 - odd], c = strip[n - 1];
+    if(a == b || b == c || c == a)
+      return;
+    m_soup.polygons.emplace_back();
+    for(const std::size_t v : {a, b, c})
+      m_soup.polygons.back().push_back(v);
   }
 
   double read_number(const Element& element, const Type& type)

@@ -77,19 +77,18 @@ Soup_defect explain_edge(const std::vector<Polygon>& polygons, std::size_t v, st
     return defect(duplicate[1].second,
                   "the faces " + std::to_string(duplicate[0].second) + " and " + std::to_string(duplicate[1].second) +
                       " have the same corners",
-                  "Remove one of them, for example with CGAL::Polygon_mesh_processing::repair_polygon_soup().");
+                  "repair_surface() removes one of them.");
   const auto number = [&](std::size_t i) { return std::to_string(faces[i]); };
   const std::string edge = "the edge between the vertices " + std::to_string(v) + " and " + std::to_string(w);
   if(faces.size() > 2)
     return defect(faces[2],
                   edge + " has " + std::to_string(faces.size()) + " faces, among them the faces " + number(0) + ", " +
                       number(1) + " and " + number(2),
-                  "An edge of a closed surface has two: remove the others, or duplicate the edge, for example with "
-                  "CGAL::Polygon_mesh_processing::orient_polygon_soup().");
+                  "An edge of a closed surface has two: repair_surface() makes several edges of it.");
   return defect(faces[1],
                 "the faces " + number(0) + " and " + number(1) + " are oriented against each other: both use " + edge +
                     " in the same direction",
-                "Orient the faces alike, for example with CGAL::Polygon_mesh_processing::orient_polygon_soup().");
+                "repair_surface() orients them alike.");
 }
 
 // Faces that do not share their vertices are the most frequent reason for a border.
@@ -119,12 +118,7 @@ std::optional<Soup_defect> find_defect_of_soup(std::size_t n_vertices, const std
     return Soup_defect{ERROR_TOO_LARGE_MESH, get_error_message(ERROR_TOO_LARGE_MESH), {}, {}, {}};
   const auto defect_of = [](std::size_t f, Error_code error, const std::string& what) {
     return Soup_defect{
-        error,
-        with_advice("face " + std::to_string(f) + what,
-                    "Remove the face, for example with CGAL::Polygon_mesh_processing::repair_polygon_soup()."),
-        {},
-        {},
-        f};
+        error, with_advice("face " + std::to_string(f) + what, "repair_surface() removes the face."), {}, {}, f};
   };
   for(std::size_t f = 0; f < polygons.size(); ++f)
   {

@@ -32,14 +32,19 @@ namespace CGAL::Spherical_parameterization::internal {
 // Reads the content of a file, as lines of words or as bytes, and says where it is damaged: what all readers share. Their
 // memory is bounded by the size of the file, whatever its numbers say.
 //
-// In a text, `#` begins a comment. What is read is named by the parts of its name, which are put together for a message
-// only.
+// In a text, `#` begins a comment, and lines end as the first one does: with a line feed, or with a carriage return alone. What is
+// read is named by the parts of its name, which are put together for a message only.
 class Text_scanner
 {
 public:
-  explicit Text_scanner(std::string content)
+  // \param joins_lines whether a line goes on in the next one if it ends with a backslash
+  explicit Text_scanner(std::string content, bool joins_lines = false)
     : m_content(std::move(content))
+    , m_joins_lines(joins_lines)
   {
+    const std::size_t end = m_content.find_first_of("\r\n");
+    if(end != m_content.npos && m_content[end] == '\r' && m_content.compare(end, 2, "\r\n") != 0)
+      m_has_line_feeds = false;
     if(m_content.compare(0, 3, "\xEF\xBB\xBF") == 0) // the mark that some editors put before UTF-8
       m_next = 3;
   }
@@ -49,10 +54,16 @@ public:
   {
     while(m_next < m_content.size())
     {
-      const std::string_view line = rest().substr(0, (std::min)(rest().find('\n'), rest().size()));
+      std::string_view line = rest().substr(0, size_of_line(m_next));
       m_cursor = &m_content[m_next];
+      m_line_number += m_number_of_joined_lines + 1;
+      m_number_of_joined_lines = 0;
+      while(m_joins_lines && is_joined(line.size()))
+      {
+        line = rest().substr(0, line.size() + 1 + size_of_line(m_next + line.size() + 1));
+        ++m_number_of_joined_lines;
+      }
       m_next = (std::min)(m_next + line.size() + 1, m_content.size());
-      ++m_line_number;
       m_byte = 0;
       if(line.find('\0') != line.npos)
         fail("there is a byte that is no text");
@@ -187,6 +198,23 @@ public:
   }
 
 private:
+  std::size_t size_of_line(std::size_t begin) const
+  {
+    const std::size_t end = m_has_line_feeds ? m_content.find('\n', begin) : m_content.find_first_of("\r\n", begin);
+    return (std::min)(end, m_content.size()) - begin;
+  }
+
+  // returns whether another line follows the one that begins at `m_next`, to which a backslash joins it; turns that and the end of
+  // the line into blanks.
+  bool is_joined(std::size_t size)
+  {
+    const std::size_t end = m_next + size, carriage_return = size > 0 && m_content[end - 1] == '\r' ? 1 : 0;
+    if(end + 1 >= m_content.size() || size < 1 + carriage_return || m_content[end - 1 - carriage_return] != '\\')
+      return false;
+    m_content[end - 1 - carriage_return] = m_content[end] = ' ';
+    return true;
+  }
+
   std::string_view rest_of_line() const
   {
     return std::string_view(m_cursor, static_cast<std::size_t>(m_end - m_cursor));
@@ -196,8 +224,10 @@ private:
   static bool is_end_of_word(char c) { return c == '\0' || is_blank(c); }
 
   std::string m_content;
+  bool m_joins_lines, m_has_line_feeds = true;
   std::size_t m_next = 0; // where the next line begins
   std::size_t m_line_number = 0;
+  std::size_t m_number_of_joined_lines = 0; // behind the line of this number
   std::size_t m_byte = 0;   // where the last number begins that was read as bytes, 0 if the last was a line
   char* m_cursor = nullptr; // in the line, which ends with 0
   char* m_end = nullptr;    // where it does

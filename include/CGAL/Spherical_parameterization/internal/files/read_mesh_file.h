@@ -202,7 +202,7 @@ inline Polygon_soup read_mesh_file(const std::string& format, std::string conten
 {
   if(content.compare(0, 2, "\x1F\x8B") == 0)
     throw File_error("the file is compressed.\nUnpack it first.");
-  Text_scanner in(std::move(content));
+  Text_scanner in(std::move(content), format == ".obj");
   try
   {
     if(format == ".off")

@@ -130,7 +130,7 @@ private:
         m_defect.face = f;
     say(name(m_defect.face) + " is not a triangle but has " + std::to_string(degree(m_defect.face, m_mesh)) +
             " corners" + in_total("faces"),
-        "Triangulate the mesh first, for example with CGAL::Polygon_mesh_processing::triangulate_faces().");
+        "repair_surface() triangulates it.");
   }
 
   void locate_border()
@@ -154,8 +154,7 @@ private:
     say("the mesh has a border: " + name_of_edge() + " belongs to " +
             (m_defect.face == Traits::null_face() ? "no face" : "one face only, " + name(m_defect.face)) +
             in_total("edges"),
-        "Fill the holes first, with fill_holes(). If the faces do not share their vertices, join them with "
-        "CGAL::Polygon_mesh_processing::stitch_borders().");
+        "repair_surface() fills holes, and joins faces that do not share their vertices.");
   }
 
   template <class VertexPointMap>
@@ -218,16 +217,14 @@ private:
     if(m_defect.count > 0)
     {
       say(name_of_edge() + " occurs more than once" + in_total("edges"),
-          "Split one of the edges, for example with CGAL::Euler::split_edge(), and triangulate its faces again; or "
-          "remove two faces that lie back to back.");
+          "repair_surface() divides all but one of them.");
       return;
     }
     m_defect.vertex = first_pinch;
     m_defect.count = n_pinches;
     say("the surface touches itself in " + name(m_defect.vertex) + ": a fan of " + std::to_string(fan_size) +
             " faces and others meet in nothing but this vertex" + in_total("vertices"),
-        "Duplicate the vertex, for example with CGAL::Polygon_mesh_processing::duplicate_non_manifold_vertices(); "
-        "if the mesh falls into several parts, map each of them on its own.");
+        "repair_surface() makes several vertices of it.");
   }
 
   void locate_components()
@@ -265,8 +262,7 @@ private:
     m_defect.other_vertex = target(halfedge(firsts[1], m_mesh), m_mesh);
     say("the mesh consists of " + std::to_string(sizes.size()) + " parts: " + name(firsts[0]) + " belongs to one of " +
             std::to_string(sizes[0]) + " faces, " + name(firsts[1]) + " to another one of " + std::to_string(sizes[1]),
-        "Map each of them on its own, for example after CGAL::Polygon_mesh_processing::split_connected_components(), "
-        "or keep the largest, with keep_largest_connected_components().");
+        "Map each of them on its own; or repair_surface() keeps the largest.");
   }
 
   void measure_genus()
@@ -280,8 +276,7 @@ private:
             (g == 1 ? " handle" : " handles") + ", as on a torus (Euler characteristic " +
             (g == 1 ? "0" : "-" + std::to_string(2 * g - 2)) + ": " + std::to_string(v) + " vertices, " +
             std::to_string(e) + " edges, " + std::to_string(f) + " faces); a sphere has none",
-        "Cut and fill the handles, of which find_handles() finds the places, or wrap the surface, for example with "
-        "CGAL::alpha_wrap_3().");
+        "repair_surface() cuts handles, and find_handles() finds them.");
   }
 
   const TriangleMesh& m_mesh;

@@ -1,0 +1,238 @@
+#include "Surface_repair.h"
+
+#include <CGAL/Spherical_parameterization/internal/files/Soup_defect.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace Program {
+
+namespace {
+
+using Neighbors = std::vector<std::vector<std::size_t>>;
+
+// Gives numbers that are not known those of their neighbors, the nearest first: one of them, or their mean.
+void spread(const std::vector<std::size_t>& sources, const Neighbors& neighbors, bool averages,
+            std::vector<double>& values)
+{
+  std::vector<char> is_known(values.size()), is_reached(values.size());
+  std::vector<std::size_t> order;
+  const auto reach = [&](std::size_t i) {
+    if(is_reached[i])
+      return;
+    is_reached[i] = 1;
+    order.push_back(i);
+  };
+  for(std::size_t i = 0; i < values.size(); ++i)
+    is_known[i] = is_reached[i] = sources[i] != Surface_repair::none;
+  for(std::size_t i = 0; i < values.size(); ++i)
+    if(!is_known[i] &&
+       std::any_of(neighbors[i].begin(), neighbors[i].end(), [&](std::size_t j) { return is_known[j]; }))
+      reach(i);
+  for(std::size_t k = 0; k < order.size(); ++k)
+  {
+    const std::size_t i = order[k];
+    double sum = 0.;
+    std::size_t n = 0;
+    for(const std::size_t j : neighbors[i])
+      if(is_known[j] && (averages || n == 0))
+      {
+        sum += values[j];
+        ++n;
+      }
+    values[i] = sum / static_cast<double>(n);
+    is_known[i] = 1;
+    for(const std::size_t j : neighbors[i])
+      reach(j);
+  }
+  constexpr int sweeps = 100;
+  for(int sweep = 0; sweep < sweeps && averages; ++sweep)
+    for(const std::size_t i : order)
+    {
+      double sum = 0.;
+      for(const std::size_t j : neighbors[i])
+        sum += values[j];
+      values[i] = sum / static_cast<double>(neighbors[i].size());
+    }
+}
+
+// The neighbors of vertices without a source.
+Neighbors neighbors_of_vertices(const std::vector<std::size_t>& sources, const std::vector<Polygon>& triangles)
+{
+  Neighbors result(sources.size());
+  for(const Polygon& triangle : triangles)
+    SP::internal::for_each_side(triangle,
+                                [&](std::size_t v, std::size_t w) { // each edge of a closed surface, both ways
+                                  if(sources[v] == Surface_repair::none)
+                                    result[v].push_back(w);
+                                });
+  return result;
+}
+
+// The neighbors of faces without a source.
+Neighbors neighbors_of_faces(const std::vector<std::size_t>& sources, const std::vector<Polygon>& triangles)
+{
+  std::vector<std::array<std::size_t, 3>> sides; // both vertices of an edge, and a face
+  for(std::size_t f = 0; f < triangles.size(); ++f)
+    SP::internal::for_each_side(triangles[f], [&](std::size_t v, std::size_t w) {
+      sides.push_back({(std::min)(v, w), (std::max)(v, w), f});
+    });
+  std::sort(sides.begin(), sides.end());
+  Neighbors result(sources.size());
+  for(std::size_t k = 0; k + 1 < sides.size(); k += 2)
+    for(const auto& [f, g] : {std::pair(sides[k][2], sides[k + 1][2]), std::pair(sides[k + 1][2], sides[k][2])})
+      if(sources[f] == Surface_repair::none)
+        result[f].push_back(g);
+  return result;
+}
+
+std::vector<double> carried(const std::vector<double>& numbers, const std::vector<std::size_t>& sources)
+{
+  std::vector<double> result;
+  result.reserve(sources.size());
+  for(const std::size_t source : sources)
+    result.push_back(source == Surface_repair::none ? 0. : numbers[source]);
+  return result;
+}
+
+std::string percent(double share)
+{
+  return fixed_text(100. * share, 2) + " %";
+}
+
+} // namespace
+
+Surface_repair::Surface_repair(const Repair_settings& settings, File_content& surface)
+{
+  if(settings.alpha > 0.)
+  {
+    for(const Polygon& polygon : surface.polygons)
+      for(const std::size_t v : polygon)
+        if(const Point_3& p = surface.points[v];
+           !std::isfinite(p.x()) || !std::isfinite(p.y()) || !std::isfinite(p.z()))
+          throw Program_error("vertex ", v, " has a coordinate that is infinite or not a number");
+    File_content wrapping = wrapping_of(surface, settings.alpha);
+    m_number_of_wrapping_faces = wrapping.polygons.size();
+    std::swap(surface.points, wrapping.points);
+    std::swap(surface.polygons, wrapping.polygons);
+  }
+  SP::Repaired_surface<Point_3> repaired;
+  if(const SP::Error_code error =
+         SP::repair_surface(surface.points, surface.polygons, repaired, m_report, settings.limits);
+     error != SP::OK)
+  {
+    const bool is_limit = error == SP::ERROR_NON_CLOSED_MESH || error == SP::ERROR_NO_TOPOLOGICAL_SPHERE;
+    const double needed = std::ceil(100. * m_report.added_area + 1.) / 100.; // what refines the patches adds a little
+    const std::string option = m_report.added_area > settings.limits.maximum_added_area
+                                   ? "--max-added-area " + fixed_text((std::min)(needed, 1.), 2) + " allows that"
+                                   : "A larger --max-hole or --max-handle allows that";
+    throw Program_error(m_report.message,
+                        is_limit ? ".\n" + option + "; --wrap 0.02 wraps a closed surface around this one instead."
+                                 : ".",
+                        "\n(Vertices and faces are counted from 0.)");
+  }
+  m_file.points = std::move(surface.points);
+  m_file.polygons = std::move(surface.polygons);
+  m_vertices = std::move(repaired.source_vertices);
+  m_faces = std::move(repaired.source_faces);
+  surface.points = std::move(repaired.points);
+  surface.polygons.assign(repaired.triangles.size(), Polygon());
+  for(std::size_t f = 0; f < repaired.triangles.size(); ++f)
+    surface.polygons[f].assign(repaired.triangles[f].begin(), repaired.triangles[f].end());
+}
+
+Words Surface_repair::descriptions() const
+{
+  Words result;
+  if(is_wrapped())
+    result.push_back(joined("a wrapping of ", m_number_of_wrapping_faces, " faces; nothing of the file is left"));
+  const SP::Repair_report& r = m_report;
+  const auto add = [&](const SP::Repair_count& count, const char* one, const char* many, const char* at) {
+    if(count.number > 0)
+      result.push_back(joined(count.number, ' ', count.number == 1 ? one : many, count.number == 1 ? " (" : " (first ",
+                              at, ' ', count.first, ')'));
+  };
+  add(r.triangulated_polygons, "polygon triangulated", "polygons triangulated", "face");
+  add(r.degenerate_faces, "degenerate face removed", "degenerate faces removed", "face");
+  add(r.repeated_faces, "repeated face removed", "repeated faces removed", "face");
+  add(r.merged_vertices, "vertex merged with another one", "vertices merged with others", "vertex");
+  add(r.reversed_faces, "face reversed", "faces reversed", "face");
+  add(r.non_manifold_edges, "edge with more than two faces divided", "edges with more than two faces divided",
+      "at vertex");
+  add(r.divided_vertices, "vertex divided where fans of faces met", "vertices divided where fans of faces met",
+      "vertex");
+  if(r.removed_faces.number > 0)
+    result.push_back(joined("the largest of ", r.number_of_components,
+                            " components kept; faces of the others: ", r.removed_faces.number));
+  const auto n_holes = std::count_if(r.patches.begin(), r.patches.end(), [](const auto& p) { return !p.is_of_handle; });
+  if(n_holes > 0)
+    result.push_back(joined(n_holes, n_holes == 1 ? " hole filled" : " holes filled"));
+  if(const std::size_t n = r.handle_cycles.size(); n > 0)
+    result.push_back(joined(n, n == 1 ? " handle cut" : " handles cut"));
+  if(!r.patches.empty())
+  {
+    constexpr std::size_t max_listed = 5;
+    std::vector<SP::Repair_patch> patches = r.patches;
+    std::stable_sort(patches.begin(), patches.end(), [](const auto& a, const auto& b) { return a.share > b.share; });
+    std::string text = percent(r.added_area) + " of the area added:";
+    for(std::size_t k = 0; k < patches.size() && k < max_listed; ++k)
+      text +=
+          joined(k == 0 ? " " : ", ", percent(patches[k].share), patches[k].is_of_handle ? " at a cut" : " in a hole",
+                 " of ", patches[k].number_of_edges, " edges at vertex ", patches[k].vertex);
+    result.push_back(text +
+                     (patches.size() > max_listed ? joined(", less in ", patches.size() - max_listed, " more") : ""));
+  }
+  add(r.split_edges, "edge split of several that joined the same vertices",
+      "edges split of several that joined the same vertices", "at vertex");
+  if(result.empty())
+    result.push_back("nothing, as nothing was wrong");
+  return result;
+}
+
+std::size_t Surface_repair::vertex_of(std::size_t vertex_of_file) const
+{
+  const auto found = std::find(m_vertices.begin(), m_vertices.end(), vertex_of_file);
+  return found == m_vertices.end() ? none : static_cast<std::size_t>(found - m_vertices.begin());
+}
+
+void Surface_repair::carry(File_content& values, const std::vector<Polygon>& triangles) const
+{
+  const auto carry_all = [&](std::vector<Values>& all, std::size_t size, const std::vector<std::size_t>& sources,
+                             const auto& find_neighbors) {
+    const auto is_of_file = [&](const Values& one) { return one.numbers.size() == size; };
+    if(all.empty() || !std::all_of(all.begin(), all.end(), is_of_file))
+      return;
+    const Neighbors neighbors = find_neighbors(sources, triangles);
+    for(Values& one : all)
+    {
+      one.numbers = Program::carried(one.numbers, sources);
+      spread(sources, neighbors, one.has_fractions(), one.numbers);
+    }
+  };
+  if(!has_changed_surface())
+    return;
+  carry_all(values.values_of_vertices, m_file.points.size(), m_vertices, neighbors_of_vertices);
+  carry_all(values.values_of_faces, m_file.polygons.size(), m_faces, neighbors_of_faces);
+}
+
+std::vector<Point_3> Surface_repair::carried(const std::vector<Point_3>& points,
+                                             const std::vector<Polygon>& triangles) const
+{
+  File_content coordinates;
+  for(int k = 0; k < 3; ++k)
+  {
+    coordinates.values_of_vertices.push_back({"", double(), {}});
+    for(const Point_3& p : points)
+      coordinates.values_of_vertices.back().numbers.push_back(p[k]);
+  }
+  carry(coordinates, triangles);
+  const auto& [x, y, z] = std::tie(coordinates.values_of_vertices[0].numbers, coordinates.values_of_vertices[1].numbers,
+                                   coordinates.values_of_vertices[2].numbers);
+  std::vector<Point_3> result;
+  for(std::size_t v = 0; v < x.size(); ++v)
+    result.emplace_back(x[v], y[v], z[v]);
+  return result;
+}
+
+} // namespace Program
