@@ -30,14 +30,14 @@ Options_list method_options(const std::string& command)
 }
 
 const Options_list repair_limits = {
-    {"--max-added-area", "SHARE", "what may be added, as a share of the area; 0.05"},
+    {"--max-added-area", "SHARE", "what may be new, as a share of the area of the result; 0.05"},
     {"--max-hole", "LENGTH", "longest border of a hole, in square roots of the area; any"},
     {"--max-handle", "LENGTH", "longest cycle that a handle is cut along, in the same unit; any"},
     {"--coarse-patches", "", "close holes and cuts with as few triangles as can be"},
     {"--wrap", "ALPHA", "wrap it first; ALPHA is a share of its diagonal, such as 0.02"}};
 
 const Options_list repair_options = {
-    {"--repair", "", "repair surfaces first, see the command repair; their faces are written"},
+    {"--repair", "", "repair surfaces first, see the command repair; so do options of that"},
     {"--repaired", "FILE", "write the repaired surface; .ply says which vertices and faces it is from"}};
 
 const Options_list component_options = {{"--each-component", "", "map each component of SURFACE, to numbered files"}};
@@ -165,18 +165,9 @@ const std::vector<Command> commands = {
      "surface with handles, where these are. Without SPHERE, the surface is mapped.",
      1, 2}};
 
-const std::map<std::string, std::string> needed_options = {{"--soft-landmarks", "--landmarks"},
-                                                           {"--feature-weights", "--features"},
-                                                           {"--compare", "--features"},
-                                                           {"--values-sphere", "--transfer"},
-                                                           {"--image-size", "--geometry-image"},
-                                                           {"--overwrite", "--surfaces"},
-                                                           {"--max-added-area", "--repair"},
-                                                           {"--max-hole", "--repair"},
-                                                           {"--max-handle", "--repair"},
-                                                           {"--coarse-patches", "--repair"},
-                                                           {"--wrap", "--repair"},
-                                                           {"--repaired", "--repair"}};
+const std::map<std::string, std::string> needed_options = {
+    {"--soft-landmarks", "--landmarks"}, {"--feature-weights", "--features"},  {"--compare", "--features"},
+    {"--values-sphere", "--transfer"},   {"--image-size", "--geometry-image"}, {"--overwrite", "--surfaces"}};
 
 std::vector<Command_option> options_of(const std::string& command)
 {

@@ -89,7 +89,9 @@ std::string Run_report::verdict() const
 void Run_report::print_surface(std::ostream& out) const
 {
   const SP::Parameterization_report& run = result.report;
-  out << "Mesh      " << printable(m_input) << ": " << sizes_of(run.number_of_vertices, run.number_of_faces);
+  const bool is_repaired = repair != nullptr && repair->has_changed_surface();
+  out << "Mesh      " << printable(m_input) << (is_repaired ? ", repaired: " : ": ")
+      << sizes_of(run.number_of_vertices, run.number_of_faces);
   if(run.number_of_isolated_vertices > 0)
     out << ", and " << run.number_of_isolated_vertices << " vertices without a face";
   if(run.number_of_flat_faces > 0)

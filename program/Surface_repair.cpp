@@ -122,15 +122,19 @@ Surface_repair::Surface_repair(const Repair_settings& settings, File_content& su
          SP::repair_surface(surface.points, surface.polygons, repaired, m_report, settings.limits);
      error != SP::OK)
   {
-    const bool is_limit = error == SP::ERROR_NON_CLOSED_MESH || error == SP::ERROR_NO_TOPOLOGICAL_SPHERE;
-    const double needed = std::ceil(100. * m_report.added_area + 1.) / 100.; // what refines the patches adds a little
-    const std::string option = m_report.added_area > settings.limits.maximum_added_area
-                                   ? "--max-added-area " + fixed_text((std::min)(needed, 1.), 2) + " allows that"
-                                   : "A larger --max-hole or --max-handle allows that";
-    throw Program_error(m_report.message,
-                        is_limit ? ".\n" + option + "; --wrap 0.02 wraps a closed surface around this one instead."
-                                 : ".",
-                        "\n(Vertices and faces are counted from 0.)");
+    std::string advice, option;
+    if(m_report.added_area > settings.limits.maximum_added_area)
+      option = "--max-added-area " + fixed_text((std::min)(std::ceil(100. * m_report.added_area) / 100., 1.), 2);
+    else if(error == SP::ERROR_NON_CLOSED_MESH)
+      option = "A larger --max-hole";
+    else if(error == SP::ERROR_NO_TOPOLOGICAL_SPHERE)
+      option = "A larger --max-handle";
+    if(!option.empty())
+      advice =
+          "\n" + option + " allows that; " +
+          (is_wrapped() ? "a larger ALPHA closes wider gaps." : "--wrap ALPHA closes gaps by a new surface around it.");
+    throw Program_error(m_report.message, ".", advice, "\n(Vertices and faces ",
+                        is_wrapped() ? "are those of the wrapping, and " : "", "are counted from 0.)");
   }
   m_file.points = std::move(surface.points);
   m_file.polygons = std::move(surface.polygons);
@@ -146,7 +150,7 @@ Words Surface_repair::descriptions() const
 {
   Words result;
   if(is_wrapped())
-    result.push_back(joined("a wrapping of ", m_number_of_wrapping_faces, " faces; nothing of the file is left"));
+    result.push_back(joined("wrapped by ", m_number_of_wrapping_faces, " faces, all of which are new"));
   const SP::Repair_report& r = m_report;
   const auto add = [&](const SP::Repair_count& count, const char* one, const char* many, const char* at) {
     if(count.number > 0)
@@ -175,7 +179,7 @@ Words Surface_repair::descriptions() const
     constexpr std::size_t max_listed = 5;
     std::vector<SP::Repair_patch> patches = r.patches;
     std::stable_sort(patches.begin(), patches.end(), [](const auto& a, const auto& b) { return a.share > b.share; });
-    std::string text = percent(r.added_area) + " of the area added:";
+    std::string text = percent(r.added_area) + " of the area is new:";
     for(std::size_t k = 0; k < patches.size() && k < max_listed; ++k)
       text +=
           joined(k == 0 ? " " : ", ", percent(patches[k].share), patches[k].is_of_handle ? " at a cut" : " in a hole",

@@ -151,7 +151,7 @@ Command_line parse(const Command& command, Words words)
           ->allow_extra_args(takes_more); // what follows are names
     }
   for(const auto& [option, other] : needed_options)
-    if(has_option(command, option) && has_option(command, other))
+    if(has_option(command, option))
       app.get_option(option)->needs(app.get_option(other));
   try
   {
@@ -247,13 +247,15 @@ Command_line parse_command_line(Words words)
   const Command_line line = parse(*command, words);
   if(line.printed.empty() && line.names.empty())
     line.fail(line.has("surfaces") ? "there is no INPUT; it comes before --surfaces and its names"
-                                   : "there is no INPUT");
+                                   : "there is no name of a file; " + command->name + " takes " + command->usage);
   if(line.printed.empty() && line.names.size() < command->min_names)
     line.fail(command->name + " needs " + command->usage);
   if(line.names.size() > command->max_names)
     line.fail(
         line.is("map")
-            ? "there is more than one INPUT; a name with blanks has to be quoted, and many meshes need --output-folder"
+            ? "'" + printable(line.names.front()) +
+                  "' is no command, and map takes one SURFACE; a name with blanks has to be quoted, and many meshes "
+                  "need --output-folder"
             : command->name + " takes " + command->usage + "; a name with blanks has to be quoted");
   return line;
 }

@@ -36,7 +36,7 @@ bool is_cortical(const std::string& format);
 inline const std::string input_names =
     ".off, .obj, .ply, .stl, .ts, .gii or .gii.gz, or the file has to be a surface of FreeSurfer";
 inline const std::string output_names =
-    ".off, .obj, .ply, .ts, .gii or .gii.gz, or begin with lh. or rh. for the format of FreeSurfer";
+    ".off, .obj, .ply, .ts, .gii or .gii.gz, or begins with lh. or rh. for the format of FreeSurfer";
 
 /// returns the end of a file's name in lower case, with the dot, and with `.gii` before `.gz`.
 std::string file_format(const std::string& path);

@@ -2,6 +2,7 @@
 
 #include <CGAL/Spherical_parameterization/Sampling/Sphere_domain_3.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -45,8 +46,7 @@ void check_words(const Options& o)
 void check_output(const Options& o, const std::string& option, const std::string& name)
 {
   if(o.format_of(name).empty())
-    o.fail("--" + option + " has to be a name that ends with one of " + output_names + ", not '" + printable(name) +
-           "'");
+    o.fail("--" + option + " has to be a name that ends with " + output_names + ", not '" + printable(name) + "'");
 #ifndef PROGRAM_READS_GIFTI
   if(is_gifti(o.format_of(name)))
     o.fail("--" + option + ": this program was built without expat and zlib, which GIFTI files take");
@@ -247,21 +247,27 @@ void read_sampling(Options& o)
 // Refuses what has values or numbers of the vertices of the file, where what is mapped has others.
 void check_numbers(const Options& o, const std::string& option, const std::string& why)
 {
-  Words lists = {o.start_file, o.density_file};
-  for(const char* other : {"landmarks", "features", "masks", "labels", "transfer"})
-    for(const std::string& list : o.words(other))
-      if(other != std::string("transfer") || !o.has("values-sphere"))
-        lists.push_back(list);
-  for(const std::string& list : lists)
+  Words others;
+  if(!o.start_file.empty())
+    others.push_back("initial");
+  if(!o.density_file.empty())
+    others.push_back("density");
+  for(const char* other : {"landmarks", "masks", "labels", "transfer"})
+    if(o.has(other) && (other != std::string("transfer") || !o.has("values-sphere")))
+      others.push_back(other);
+  for(const std::string& list : o.words("features"))
     for(const std::string& name : split_list(list))
-      if(!name.empty() && !is_among(name, own_feature_names))
-        o.fail("--" + option + " cannot be combined with '" + printable(name) + "', as " + why);
+      if(!is_among(name, own_feature_names))
+        others.push_back("features");
+  if(!others.empty())
+    o.fail("--" + option + " and a file of --" + others.front() + " cannot be combined, as " + why);
 }
 
 // What is done to a surface before it is mapped.
 void read_repair(Options& o)
 {
-  if(o.has("repair") || o.is("repair"))
+  const Words wishes = {"repair", "repaired", "max-added-area", "max-hole", "max-handle", "coarse-patches", "wrap"};
+  if(o.is("repair") || std::any_of(wishes.begin(), wishes.end(), [&](const std::string& wish) { return o.has(wish); }))
   {
     constexpr double any = (std::numeric_limits<double>::infinity)();
     Repair_settings& repair = o.repair.emplace();

@@ -53,7 +53,7 @@ void check_holds(const std::string& name, const Surface_file& file)
 {
   const std::string format = format_of_values(name);
   if(!file.points.empty() && output_format(name).empty())
-    throw error_in(name, "has to be a name that ends with one of ", output_names, ", as a surface is written");
+    throw error_in(name, "has to be a name that ends with ", output_names, ", as a surface is written");
   if(file.points.empty() && format.empty())
     throw error_in(name, "has to be a name that ends with .gii, .mgh, .mgz or .annot, or begins with lh. or rh. "
                          "for the format of FreeSurfer, as values are written");

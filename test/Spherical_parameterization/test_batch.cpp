@@ -139,7 +139,7 @@ TEST_F(Batch, refuses_to_start)
       {"in --output-folder /proc", "cannot be written"},
       {"in --output-folder ''", "--output-folder needs a name"},
       {"in --output-folder out --format stl", "--format has to be one of off, obj, ply, ts, gifti or freesurfer"},
-      {"--output-folder out", "INPUT"},
+      {"--output-folder out", "batch takes INPUT"},
       {"in/a.off in/b.off", "--output-folder"},
       {"in --output-folder out --each-component", "but of map, remesh and repair"},
       {"in/a.off --density in/a.off --output-folder out", "--density"},

@@ -261,8 +261,7 @@ TEST_F(Map_program, refuses_bad_values_with_the_good_ones)
        {"--repair --max-hole -1", "a number from 0 on"},
        {"--repair --max-handle x", "a number from 0 on"},
        {"--repair --wrap 0", "a number from 1e-4 to 1"},
-       {"--repair --repaired a.txt", "a name that ends with one of"},
-       {"--wrap 0.1", "--repair"},
+       {"--repaired a.txt", "a name that ends with .off"},
        {"--convention freesurfer", "cortex or none"},
        {"--format bmp", "one of off, obj, ply, ts, gifti or freesurfer"}});
   for(const char* radius : {"0", "-1", "1e-320", "nan", "inf", "", "1x"})
@@ -292,7 +291,7 @@ TEST_F(Map_program, refuses_options_that_would_be_ignored)
                    {"--paper --sharpness 1", "--initial, --schedule"},
                    {"--paper --tolerance 0", "--initial, --schedule"},
                    {"--method harmonic --tolerance 0", "--tolerance goes with --method bld"},
-                   {"--repair --wrap 0.1 --initial sphere.off", "--wrap cannot be combined with 'sphere.off'"}});
+                   {"--wrap 0.1 --initial sphere.off", "--wrap and a file of --initial cannot be combined"}});
 }
 
 TEST_F(Map_program, counts_faces_that_are_nearly_flat)

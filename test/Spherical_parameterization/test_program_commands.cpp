@@ -68,8 +68,8 @@ TEST_F(Commands, are_first_words)
   EXPECT_EQ(names_of_files("out"), (Names{"corner.off", "corner.json"}));
   for(const std::string& command : commands)
     expect_message(command, "spherical_parameterization " + command + " --help");
-  expect_messages("", {{"", "INPUT"},
-                       {"corner.off torus.off", "more than one INPUT"},
+  expect_messages("", {{"", "there is no name of a file"},
+                       {"corner.off torus.off", "'corner.off' is no command, and map takes one SURFACE"},
                        {"match corner.off", "TARGET"},
                        {"match corner.off torus.off corner.off", "TARGET"},
                        {"register corner.off corner.off", "--features"},

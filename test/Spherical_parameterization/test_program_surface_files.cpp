@@ -67,7 +67,7 @@ TEST_F(Surface_files, a_surface_of_FreeSurfer_becomes_its_sphere)
   expect_success("corner.off -o sphere --format freesurfer");
   EXPECT_EQ(read_freesurfer("sphere").points, sphere.points);
   expect_success("sphere -o again.ply");
-  expect_message("corner.off -o sphere", "has to be a name that ends with one of .off");
+  expect_message("corner.off -o sphere", "has to be a name that ends with .off");
 }
 
 TEST_F(Surface_files, spheres_follow_the_convention_of_the_cortex)

@@ -154,7 +154,7 @@ TEST_F(Repair_program, maps_a_surface_with_holes)
   const std::string out = expect_success("opened.off --repair -o map.off --repaired repaired.ply --json result.json "
                                          "--colored colored --max-added-area 0.1");
   expect_part(out, "Repaired  2 holes filled\n");
-  expect_part(out, "of the area added: ");
+  expect_part(out, "of the area is new: ");
   EXPECT_EQ(json().get_child("repair.patches").size(), 2u);
   EXPECT_GT(json().get_child("repair.patches").front().second.get<double>("share_of_area"), 0.);
   Mesh_file repaired = read_mesh("repaired.ply");
@@ -239,16 +239,16 @@ TEST_F(Repair_program, carries_over_what_belongs_to_the_file)
   expect_message("match opened.off closed.off -o onto.off --landmarks gone.txt gone.txt" + repair,
                  "vertex 20 has no face that the repair has left");
   expect_message("opened.off -o map.off --density values.ply --wrap 0.2" + repair,
-                 "--wrap cannot be combined with 'values.ply'");
+                 "--wrap and a file of --density cannot be combined");
   EXPECT_EQ(run("opened.off -o map.off --density values.ply" + repair).status, 0);
 }
 
 TEST_F(Repair_program, wraps_what_is_no_surface)
 {
   write_off("sheet.off", {{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {{0, 1, 2}, {0, 2, 3}}});
-  expect_message("sheet.off --repair -o map.off", "--wrap 0.02 wraps a closed surface");
+  expect_message("sheet.off --repair -o map.off", "--wrap ALPHA closes gaps");
   const std::string out = expect_success("sheet.off --repair --wrap 0.2 -o map.off --repaired wrapped.ply");
-  expect_part(out, "Repaired  a wrapping of ");
+  expect_part(out, "Repaired  wrapped by ");
   EXPECT_EQ(read_mesh("wrapped.ply").columns["vertex source_vertex"].front(), -1.);
   // What needs nothing is as it was.
   expect_success("closed.off -o as_it_is.off");
@@ -277,7 +277,7 @@ TEST_F(Repair_program, maps_one_component_or_each_and_cuts_handles)
   write("values.ply", ply_with_values(1));
   for(const char* words : {"map three.off --density values.ply -o a.off", "map three.off --initial values.ply -o a.off",
                            "remesh three.off cube=2 --transfer values.ply -o a.ply"})
-    expect_message(std::string(words) + " --each-component", "--each-component cannot be combined with 'values.ply'");
+    expect_message(std::string(words) + " --each-component", "--each-component and a file of --");
   expect_success("repair three.off -o part.ply --each-component");
   expect_success("check part_2.ply map_2.off --quiet");
   EXPECT_EQ(read_mesh("part_2.ply").columns["face source_face"].front(), 0.); // in the file

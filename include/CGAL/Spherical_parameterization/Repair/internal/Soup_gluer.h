@@ -188,7 +188,7 @@ private:
   }
 
   // Reverses triangles such that those with an edge of two faces in common are oriented alike, as most of the area of each part
-  // is. Returns the mates of the sides.
+  // is, or outwards where no more than two thirds of it agree. Returns the mates of the sides.
   std::vector<Index> orient(std::vector<Side>& sides)
   {
     const std::size_t n = m_triangles.size();
@@ -237,7 +237,9 @@ private:
             mates[side] = mates[mate] = none;
         }
       }
-      if(areas[reversed] > areas[kept])
+      const auto [less, more] = std::minmax(areas[kept], areas[reversed]);
+      if(2. * less > more ? volume_of(part, [&](Index t) { return state[t] == reversed; }) < 0.
+                          : areas[reversed] > areas[kept])
         for(const Index t : part)
           state[t] = state[t] == kept ? reversed : kept;
     }
@@ -255,6 +257,24 @@ private:
     std::vector<Index> result(3 * n);
     for(Index side = 0; side < 3 * n; ++side)
       result[turned(side)] = turned(mates[side]);
+    return result;
+  }
+
+  // Six times the volume between triangles and their middle, some of which count as reversed.
+  template <class Function>
+  double volume_of(const std::vector<Index>& part, const Function& is_reversed) const
+  {
+    Vector_3d middle = {0., 0., 0.};
+    for(const Index t : part)
+      for(const Index v : m_triangles[t])
+        middle = middle + (1. / (3. * static_cast<double>(part.size()))) * m_points[v];
+    double result = 0.;
+    for(const Index t : part)
+    {
+      const auto& [a, b, c] = m_triangles[t];
+      const double volume = dot(m_points[a] - middle, cross(m_points[b] - middle, m_points[c] - middle));
+      result += is_reversed(t) ? -volume : volume;
+    }
     return result;
   }
 

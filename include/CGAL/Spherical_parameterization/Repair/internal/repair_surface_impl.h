@@ -72,13 +72,14 @@ public:
             m_report.handle_cycles.back().push_back(m_mesh.vertices[m_mesh.surface.source(side)]);
         },
         [&](const std::vector<Index>& border) { close(border, true); });
-    measure_patches();
-    if(const Error_code error = check_limits())
+    if(const Error_code error = check_lengths())
       return error;
     if(m_limits.refines_patches)
       for(Index k = 0; k < m_report.patches.size(); ++k)
         m_closer.refine(k);
     measure_patches();
+    if(const Error_code error = check_added_area())
+      return error;
     split_repeated_edges(m_mesh, [&](Index side) { m_report.split_edges.add(vertex_of_input({side})); });
     return OK;
   }
@@ -119,7 +120,7 @@ private:
   {
     std::ostringstream message;
     message.imbue(std::locale::classic());
-    message.precision(3);
+    message.precision(4);
     (message << ... << text);
     m_report.message = message.str();
     return error;
@@ -199,7 +200,7 @@ private:
       m_report.added_area += patch.share;
   }
 
-  Error_code check_limits()
+  Error_code check_lengths()
   {
     const std::vector<Repair_patch>& patches = m_report.patches;
     for(std::size_t k = 0; k < patches.size(); ++k)
@@ -212,17 +213,22 @@ private:
                     patches[k].number_of_edges, " edges at vertex ", patches[k].vertex, ", whose length is ",
                     m_relative_lengths[k], " times the square root of the area, beyond the limit of ", limit);
     }
-    if(!(m_report.added_area <= m_limits.maximum_added_area))
-    {
-      const Repair_patch& largest = *std::max_element(patches.begin(), patches.end(),
-                                                      [](const auto& a, const auto& b) { return a.share < b.share; });
-      return fail(largest.is_of_handle ? ERROR_NO_TOPOLOGICAL_SPHERE : ERROR_NON_CLOSED_MESH,
-                  "closing the surface would add ", 100. * m_report.added_area, " % of its area, beyond the limit of ",
-                  100. * m_limits.maximum_added_area, " %; most of it, ", 100. * largest.share, " %, to ",
-                  largest.is_of_handle ? "a cut through a handle" : "a hole", " at vertex ", largest.vertex, ", of ",
-                  largest.number_of_edges, " edges");
-    }
     return OK;
+  }
+
+  Error_code check_added_area()
+  {
+    if(m_report.added_area <= m_limits.maximum_added_area)
+      return OK;
+    const std::vector<Repair_patch>& patches = m_report.patches;
+    const Repair_patch& largest = *std::max_element(patches.begin(), patches.end(),
+                                                    [](const auto& a, const auto& b) { return a.share < b.share; });
+    return fail(largest.is_of_handle ? ERROR_NO_TOPOLOGICAL_SPHERE : ERROR_NON_CLOSED_MESH,
+                "what closes the surface would be ", 100. * m_report.added_area,
+                " % of the area of the result, beyond the limit of ", 100. * m_limits.maximum_added_area,
+                " %; the largest part, ", 100. * largest.share, " %, at ",
+                largest.is_of_handle ? "a cut through a handle" : "a hole", " of ", largest.number_of_edges,
+                " edges at vertex ", largest.vertex);
   }
 
   const Repair_limits& m_limits;
