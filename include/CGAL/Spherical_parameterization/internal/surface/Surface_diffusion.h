@@ -68,6 +68,11 @@ public:
     });
   }
 
+  const Vertex_scalars& areas() const { return m_areas; }
+
+  // What a vertex has in L beside the diagonal, for its j-th neighbor; the sign is the other one.
+  double weight(std::size_t v, std::size_t j) const { return m_weights[m_rings->offset(v) + j]; }
+
   // What becomes of values, or points, in the time t, with an error of about `tolerance` of the ways that they go.
   template <class T>
   std::vector<T> after(double t, const std::vector<T>& values, double tolerance) const
