@@ -81,8 +81,8 @@ inline Surface_start choose_start(const Surface_pair& pair)
     result = {};
     result.alignment.rotation = *rotation;
   }
-  else if(pair.settings.features[0]
-              .empty()) // all wrong maps of 127 are, one of 38 right ones of poses, one of four between kinds
+  else if(pair.settings.features[0].empty())
+    // As are all wrong maps of 127, one of 38 right ones of poses, and one of four between a gorilla and a person.
     result.is_uncertain = result.margin < 0.03 || result.alignment.agreement < 0.6 ||
                           (result.margin < 0.1 && result.alignment.agreement < 0.72);
   else // the features of a caller, of which less is known
