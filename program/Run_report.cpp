@@ -106,6 +106,9 @@ void Run_report::print_surface(std::ostream& out) const
     const char* name = "Repaired  ";
     for(const std::string& line : repair->descriptions())
       out << std::exchange(name, "          ") << line << '\n';
+    // What is left out may be what was wanted.
+    if(20 * repair->report().removed_faces.number > run.number_of_faces && !m_options.has("each-component"))
+      out << "          map --each-component maps each component\n";
   }
 }
 

@@ -61,8 +61,6 @@ public:
   std::vector<Point_3> carried(const std::vector<Point_3>& points, const std::vector<Polygon>& triangles) const;
 
 private:
-  void wrap(double alpha, File_content& surface);
-
   SP::Repair_report m_report;
   std::size_t m_number_of_wrapping_faces = 0;
   SP::internal::Polygon_soup m_file;

@@ -282,6 +282,8 @@ TEST_F(Repair_program, maps_one_component_or_each_and_cuts_handles)
   expect_success("check part_2.ply map_2.off --quiet");
   EXPECT_EQ(read_mesh("part_2.ply").columns["face source_face"].front(), 0.); // in the file
   EXPECT_EQ(read_mesh("part_1.ply").columns["face source_face"].front(), 8.);
+  write_off("alike.off", test_meshes::disjoint_union(test_meshes::octahedron(), test_meshes::octahedron()));
+  expect_part(expect_success("repair alike.off"), "map --each-component maps each component");
   // what fails with one of them
   write_off("with_torus.off", test_meshes::disjoint_union(test_meshes::octahedron(), test_meshes::torus(8, 5)));
   const Outcome outcome = run("with_torus.off -o of_torus.off --each-component");

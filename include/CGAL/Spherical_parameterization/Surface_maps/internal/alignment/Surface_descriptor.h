@@ -179,8 +179,8 @@ public:
 
   // Adds one of the features of the package: how much the map to the sphere shrinks; how far away the rest of the surface is,
   // on average; how much the surface is curved, inwards or outwards, at two scales, which differs between front and back
-  // where the other features would allow for a half turn; and the wave kernel signature, which tells parts apart that distances do
-  // not.
+  // where the other features would allow for a half turn; and the wave kernel signature, which distinguishes parts that distances
+  // do not.
   static constexpr int number_of_own_features = 5;
   void add_own_feature(int k)
   {
