@@ -90,13 +90,14 @@ class SurfaceMapReport:
         How well features agree after the surfaces have been aligned on coarse levels, a correlation, at most 1; 0 if
         landmarks alone turned the spheres, as features did not agree.
     margin : float
-        How much better the best alignment of coarse surfaces is than the next best one that differs from it: in agreement,
-        where curvature counts most, less a third of how much is stretched, the mean root of the logarithm of the symmetric
-        Dirichlet energy; 0.2 if no other one came that near on the way. Below 0.1, the surface has a symmetry, or nearly, and the map may have exchanged its sides, though
-        both have been compared on a finer level.
+        How much better the alignment is than the next best one that differs from it: those that are nearly as good on coarse
+        surfaces are compared on a finer level, in agreement less 0.15 times how much is stretched, the mean root of the
+        logarithm of the symmetric Dirichlet energy. At least 0.15 if no other one came that near.
     is_uncertain : bool
-        Whether it is not clear that the surfaces lie well on each other: they agree by less than 0.73, or the margin is below
-        0.1. Look at the map, or give landmarks. It is never so if landmarks alone turned the spheres.
+        Whether the alignment is ambiguous, so that the map may have exchanged sides: the margin is below 0.03, the surfaces
+        agree by less than 0.6, or by less than 0.72 with a margin below 0.1. For features of a caller: they agree by less
+        than 0.73, or the margin is below 0.1. Look at the map, or give landmarks. It is never so if landmarks alone rotated
+        the spheres.
     landmark_distances : (k,) ndarray of float64
         How far the image of each landmark is from where it should be, in the unit of length of the second surface.
     number_of_missed_landmarks : int

@@ -35,7 +35,8 @@ namespace CGAL::Spherical_parameterization {
 /// Features rotate the spheres against each other, see `align_spheres()`, and so do extremities that may correspond, by the
 /// distances of their tips along the surfaces. Unless the surfaces are copies, several such starts are taken through
 /// the descent on coarse levels, led by the features and by the distances from those tips. The start that agrees best and
-/// stretches least is taken to the finest level; if others are nearly as good, a finer level chooses among them first. The symmetric
+/// stretches least is lowered further, led by eigenfunctions of the Laplacian of both surfaces, and taken to the finest level; if
+/// others are nearly as good, a finer level chooses among them first. The symmetric
 /// Dirichlet energy of the map \cgalCite{cgal:ss-bpfb-15}, integrated over both surfaces, is lowered by the steps that
 /// `Bijective_low_distortion_parameterizer_3` makes, level by level of a hierarchy \cgalCite{cgal:saph-ism-04}, together with
 /// terms for soft landmarks and for features. What a face sees of the second surface is the metric that this gives to its

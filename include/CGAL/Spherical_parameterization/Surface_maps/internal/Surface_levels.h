@@ -46,7 +46,7 @@ public:
   bool refine(const std::vector<Vector_3d>& coarse, const Target_goals& goals, std::vector<Vector_3d>& positions,
               Run_control& control, const Execution& execution)
   {
-    return refine(m_hierarchy, coarse, goals, 0, positions, control, execution);
+    return refine(m_hierarchy, coarse, goals, Target_sweeps(), 0, positions, control, execution);
   }
 
   // The score of a map of the coarsest level, taken to a level that has up to 8000 vertices, where the features of the mesh
@@ -57,12 +57,13 @@ public:
     constexpr double weight_of_stretching_of_rivals =
         0.15; // with more, half-turns win more often: their energy is often lower
     constexpr std::size_t max_size = 8000;
+    constexpr Target_sweeps sweeps = {10, 1e-3, 0.04}; // With six times as many, the same ones win.
     std::size_t k = 0;
     while(k + 1 < m_hierarchy.number_of_levels() && m_hierarchy.level(k).vertices.size() > max_size)
       ++k;
     Mesh_hierarchy levels = m_hierarchy;
     std::vector<Vector_3d> positions;
-    if(!refine(levels, coarse, goals, k, positions, control, execution))
+    if(!refine(levels, coarse, goals, sweeps, k, positions, control, execution))
       return std::numeric_limits<double>::lowest();
     return feature_agreement(goals.features, levels.level(k), positions) -
            weight_of_stretching_of_rivals *
@@ -71,15 +72,14 @@ public:
 
 private:
   bool refine(Mesh_hierarchy& levels, const std::vector<Vector_3d>& coarse, const Target_goals& goals,
-              std::size_t last_level, std::vector<Vector_3d>& positions, Run_control& control,
-              const Execution& execution) const
+              const Target_sweeps& sweeps, std::size_t last_level, std::vector<Vector_3d>& positions,
+              Run_control& control, const Execution& execution) const
   {
     const Mesh_hierarchy::Level& level = levels.level(levels.number_of_levels() - 1);
     positions = m_images;
     for(std::size_t v = 0; v < coarse.size(); ++v)
       positions[level.vertices[v]] = coarse[v];
-    return lower_on_levels(levels, m_mesh.points(), m_images, goals, Target_sweeps(), positions, control, execution,
-                           last_level);
+    return lower_on_levels(levels, m_mesh.points(), m_images, goals, sweeps, positions, control, execution, last_level);
   }
 
   const Surface& m_mesh;

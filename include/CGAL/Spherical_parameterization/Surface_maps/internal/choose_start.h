@@ -17,6 +17,7 @@
 #include <CGAL/Spherical_parameterization/Surface_maps/internal/Surface_levels.h>
 #include <CGAL/Spherical_parameterization/Surface_maps/internal/Surface_pair.h>
 #include <CGAL/Spherical_parameterization/Surface_maps/internal/alignment/best_alignments.h>
+#include <CGAL/Spherical_parameterization/Surface_maps/internal/feature_goals.h>
 
 #include <CGAL/Spherical_parameterization/internal/numbers/begin_arithmetic.h>
 
@@ -26,67 +27,113 @@ namespace CGAL::Spherical_parameterization::internal {
 struct Surface_start
 {
   Alignment alignment;
-  std::vector<Alignment> rivals; // that are nearly as good
   double margin = 0.;
   bool is_uncertain = false;
   std::unique_ptr<Surface_levels> levels; // of the first surface, if it has been compared with the second one
   std::unique_ptr<Coarse_pair> surfaces;  // if these could be compared
+  Feature_goals features;                 // of the levels
 };
 
-// Compares two surfaces on coarse levels. If the spheres are to be kept as they are, only features are found.
-inline Surface_start compare_surfaces(const Surface_pair& pair)
+// Makes the levels of the first surface, and the coarse surfaces, unless doubles cannot hold these.
+inline void compare_surfaces(const Surface_pair& pair, Surface_start& start)
 {
   const Surface_map_settings& settings = pair.settings;
-  Surface_start result;
   const auto levels_of = [&](const Located_surface& surface) {
     return std::make_unique<Surface_levels>(surface.mesh, directions_of(surface.sphere), pair.control, pair.execution);
   };
-  result.levels = levels_of(pair.first);
+  start.levels = levels_of(pair.first);
   const std::unique_ptr<Surface_levels> levels_of_second = levels_of(pair.second);
-  Surface_descriptor coarse1 = result.levels->coarse_surface(settings.features[0], settings.masks[0]),
+  Surface_descriptor coarse1 = start.levels->coarse_surface(settings.features[0], settings.masks[0]),
                      coarse2 = levels_of_second->coarse_surface(settings.features[1], settings.masks[1]);
-  if(!coarse1.is_bijective() || !coarse2.is_bijective())
-    return result;
-  result.surfaces = std::make_unique<Coarse_pair>(std::move(coarse1), std::move(coarse2), pair.control, pair.execution);
-  if(settings.keeps_alignment)
-    return result;
-  result.surfaces->set_landmarks(pair.landmarks);
-  const std::vector<Alignment> best =
-      best_alignments(*result.surfaces, pair.metric, settings.feature_weight, pair.first.sphere, pair.second.sphere);
-  // As close as this, the score on coarse surfaces is not exact enough to choose.
-  constexpr double min_margin = 0.1;
-  result.alignment = best[0];
-  result.margin = best.size() > 1 ? best[0].score - best[1].score : max_lag_of_starts;
-  for(std::size_t k = 1; k < best.size(); ++k)
-    if(best[0].score - best[k].score < min_margin && !best[k].directions.empty())
-      result.rivals.push_back(best[k]);
-  return result;
+  if(coarse1.is_bijective() && coarse2.is_bijective())
+    start.surfaces =
+        std::make_unique<Coarse_pair>(std::move(coarse1), std::move(coarse2), pair.control, pair.execution);
+}
+
+// Chooses among alignments, of which the first one is the best: those that are nearly as good are matched as that is, and compared on
+// a finer level.
+inline void choose_alignment(const Surface_pair& pair, std::vector<Alignment> candidates, Surface_start& start)
+{
+  constexpr double max_lag = 0.15; // of right ones that won on the finer level, 0.11 is the largest known
+  constexpr std::size_t max_rivals = 3;
+  const Alignment_descent descent(*start.surfaces, pair.metric);
+  const auto matched = [&](Alignment& alignment) {
+    if(!alignment.directions.empty() && start.surfaces->goes_on())
+    {
+      start.surfaces->find_spectra();
+      descent.match_functions(alignment.directions);
+    }
+    return std::move(alignment);
+  };
+  start.margin = candidates.size() > 1 ? candidates[0].score - candidates[1].score : max_lag;
+  start.alignment = matched(candidates[0]);
+  if(!start.features.image || start.alignment.directions.empty() || start.margin >= max_lag)
+    return;
+  const auto score = [&](const Alignment& alignment) {
+    Target_goals goals = {pair.metric, start.features};
+    goals.features.weight = weight_of_features(alignment.agreement, pair.settings);
+    return start.levels->score_on_finer_level(alignment.directions, goals, pair.control, pair.execution) -
+           alignment.missed;
+  };
+  const double least = candidates[0].score - max_lag;
+  double best = score(start.alignment);
+  start.margin = max_lag;
+  for(std::size_t k = 1;
+      k <= max_rivals && k < candidates.size() && candidates[k].score > least && start.surfaces->goes_on(); ++k)
+  {
+    Alignment rival = matched(candidates[k]);
+    const double s = score(rival);
+    start.margin = (std::min)(s > best ? max_lag : start.margin, std::abs(s - best));
+    if(s > best)
+    {
+      best = s;
+      start.alignment = std::move(rival);
+    }
+  }
+}
+
+// Whether the surfaces agree too little, or other alignments agree nearly as well.
+inline bool is_ambiguous(const Surface_start& start, const Surface_map_settings& settings)
+{
+  const double agreement = start.alignment.agreement, margin = start.margin;
+  if(settings.features[0].empty())
+    return margin < 0.03 || agreement < 0.6 || (margin < 0.1 && agreement < 0.72);
+  return agreement < 0.73 || margin < 0.1; // by the features of a caller, of which less is known
 }
 
 // Finds the start: the best alignment of coarse surfaces; the rotation by landmarks, if surfaces do not agree; or the spheres as
 // they are.
 inline Surface_start choose_start(const Surface_pair& pair)
 {
-  Surface_start result;
-  if(pair.settings.keeps_alignment && (pair.settings.features[0].empty() || !(pair.settings.feature_weight > 0.)))
-    return result;
-  result = compare_surfaces(pair);
-  if(pair.settings.keeps_alignment)
-    return result;
   // Once landmarks have led them, a gorilla and a person agree by 0.57 or more, a sphere and an octahedron by 0.44.
   constexpr double min_agreement_beside_landmarks = 0.5;
-  const std::optional<Rotation_matrix> rotation = fitting_rotation(pair.landmarks);
-  if(rotation && result.alignment.agreement < min_agreement_beside_landmarks)
+  const Surface_map_settings& settings = pair.settings;
+  Surface_start result;
+  if(settings.keeps_alignment)
+    result.features = feature_goals(pair, nullptr);
+  else
   {
-    result = {};
-    result.alignment.rotation = *rotation;
+    compare_surfaces(pair, result);
+    std::vector<Alignment> candidates(1);
+    if(result.surfaces)
+    {
+      result.surfaces->set_landmarks(pair.landmarks);
+      candidates = best_alignments(*result.surfaces, pair.metric, settings.feature_weight, pair.first.sphere,
+                                   pair.second.sphere);
+    }
+    const std::optional<Rotation_matrix> rotation = fitting_rotation(pair.landmarks);
+    const bool is_by_landmarks = rotation && candidates[0].agreement < min_agreement_beside_landmarks;
+    if(is_by_landmarks)
+    {
+      result = {};
+      result.alignment.rotation = *rotation;
+    }
+    result.features = feature_goals(pair, result.surfaces.get());
+    if(result.surfaces)
+      choose_alignment(pair, std::move(candidates), result);
+    result.is_uncertain = !is_by_landmarks && is_ambiguous(result, settings);
   }
-  else if(pair.settings.features[0].empty())
-    // As are all wrong maps of 127, one of 38 right ones of poses, and one of four between a gorilla and a person.
-    result.is_uncertain = result.margin < 0.03 || result.alignment.agreement < 0.6 ||
-                          (result.margin < 0.1 && result.alignment.agreement < 0.72);
-  else // the features of a caller, of which less is known
-    result.is_uncertain = result.alignment.agreement < 0.73 || result.margin < 0.1;
+  result.features.weight = weight_of_features(result.alignment.agreement, settings);
   return result;
 }
 

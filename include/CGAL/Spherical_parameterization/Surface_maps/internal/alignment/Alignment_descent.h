@@ -17,6 +17,7 @@
 #include <CGAL/Spherical_parameterization/Surface_maps/internal/alignment/Coarse_pair.h>
 #include <CGAL/Spherical_parameterization/Surface_maps/internal/target/Target_levels.h>
 
+#include <initializer_list>
 #include <memory>
 
 #include <CGAL/Spherical_parameterization/internal/numbers/begin_arithmetic.h>
@@ -44,8 +45,9 @@ struct Alignment_start
 };
 
 // The descent of one start on the coarse surfaces, and the score of its end. The energy of a map between surfaces is led by
-// features of great weight first, among them the distances from extremities that may correspond, which no pose changes and
-// which show from afar where to go. Then it is led by the features of the surfaces alone, with their weight in the end.
+// features of great weight, among them the distances from extremities that may correspond, which no pose changes and which show
+// from afar where to go. Then it is led by the features of the surfaces alone, with their weight in the end, and what may be chosen
+// by eigenfunctions as well.
 class Alignment_descent
 {
 public:
@@ -93,25 +95,29 @@ public:
   // Lowers a map with the weight that features have in the end.
   void settle(double feature_weight, Alignment_start& start) const
   {
-    start.is_valid = start.is_valid && lower({}, feature_weight, start.alignment.directions, Execution());
+    start.is_valid = start.is_valid && lower({}, feature_weight, m_sweeps, start.alignment.directions, Execution());
     assess(start);
   }
 
-  // Lowers the chosen map further, led by the distances from points all over the surface, which poses keep: they show how far
-  // along an extremity or around a body a vertex is, where the energy and features are much the same.
-  void keep_distances(std::vector<Vector_3d>& directions) const
+  // Lowers a map further, led by eigenfunctions of both surfaces: they show how far along an extremity or around a body a
+  // vertex is, where the energy and features are much the same. Those of higher frequencies correspond once the lower ones do, so
+  // there are more of them from round to round (Melzi et al., ZoomOut: Spectral Upsampling for Efficient Shape Correspondence,
+  // 2019).
+  void match_functions(std::vector<Vector_3d>& directions) const
   {
-    lower(m_surfaces.leads_of(directions), leading_weight, directions, m_surfaces.execution());
+    constexpr Target_sweeps sweeps = {20, 1e-3, 0.04}; // with less than half as many, poses are matched worse
+    for(const std::size_t n_functions : std::initializer_list<std::size_t>{10, 32, 55, 77, 100})
+      lower(m_surfaces.leads_of(directions, n_functions), leading_weight, sweeps, directions, m_surfaces.execution());
   }
 
 private:
-  bool lower(Coarse_pair::Leads leads, double weight, std::vector<Vector_3d>& directions,
+  bool lower(Coarse_pair::Leads leads, double weight, const Target_sweeps& sweeps, std::vector<Vector_3d>& directions,
              const Execution& execution) const
   {
     constexpr std::size_t min_size = 500; // the coarsest level once the large parts correspond
     Run_control control;
     return lower_on_target(m_surfaces.first().rings(), m_surfaces.points(),
-                           {m_metric, m_surfaces.goals(std::move(leads), weight)}, min_size, m_sweeps, directions,
+                           {m_metric, m_surfaces.goals(std::move(leads), weight)}, min_size, sweeps, directions,
                            control, execution);
   }
 

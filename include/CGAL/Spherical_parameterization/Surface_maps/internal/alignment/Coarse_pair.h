@@ -47,7 +47,7 @@ public:
   {
     if(landmarks.empty())
       return;
-    measure_distances();
+    in_parallel(2, [&](std::size_t k) { m_surfaces[k].measure_distances(); });
     Leads distances;
     for(const auto& [p, q] : landmarks)
     {
@@ -70,12 +70,18 @@ public:
   // The goals by the features alone, without a weight.
   const Feature_goals& feature_goals() const { return m_features; }
 
-  // Images of the features of both surfaces.
+  // Images of the features of both surfaces that are compared on finer levels as well.
   std::vector<Sphere_image> feature_images() const
   {
+    const auto kept = [](const Surface_descriptor& surface) {
+      const auto& all = surface.features();
+      const auto n =
+          (std::min)(all.size(), std::size_t(Surface_descriptor::number_of_kept_features)); // fewer if stopped
+      return std::vector<Vertex_scalars>(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(n));
+    };
     return {Sphere_image(Sphere_image::locate_nodes(first().sphere(), m_execution), first().sphere().triangles(),
-                         first().features()),
-            *m_features.image};
+                         kept(first())),
+            image(kept(second()))};
   }
 
   // The best rotations, the best one first; at least one.
@@ -106,41 +112,44 @@ public:
     return result;
   }
 
-  // Gets ready for leads_of() directions.
-  void measure_distances()
+  // Gets ready for leads_of() a map.
+  void find_spectra()
   {
-    in_parallel(2, [&](std::size_t k) { m_surfaces[k].measure_distances(); });
+    in_parallel(2, [&](std::size_t k) { m_surfaces[k].find_spectrum(); });
   }
 
-  // The distances from points that are spread over the first surface, and from their images by a map.
-  Leads leads_of(const std::vector<Vector_3d>& directions) const
+  // The first n eigenfunctions of the first surface, and the sums of those of the second surface that are nearest to them by a map: an
+  // isometry would carry these to each other, and where surfaces differ too much for a function, the sum is nearly 0 and leads
+  // nowhere (Ovsjanikov et al., Functional maps, 2012).
+  Leads leads_of(const std::vector<Vector_3d>& directions, std::size_t n) const
   {
-    constexpr std::size_t n_points = 24; // twice as many do the same
-    constexpr double weight = 3.;        // from 2.5 to 4, the mean error is the same
-    // Distances that do not fit, in the mean, by a fifth of what they are, count half: those from a point that is mapped to a
-    // wrong one, or to extremities that are longer.
-    constexpr double squared_misfit = 0.2 * 0.2;
-    Leads result = {std::vector<Vertex_scalars>(n_points), std::vector<Vertex_scalars>(n_points)};
-    in_parallel(n_points, [&](std::size_t k) {
-      const Surface_descriptor::Origin& origin = first().spread_origins()[k];
-      result[0][k] = origin.distances;
-      result[1][k] = second().distances_from(directions[origin.vertex]);
-    });
-    const Sphere_image there = image(result[1]);
-    std::array<double, n_points> values;
-    std::array<double, n_points> misfit{};
+    constexpr double weight = 16.; // with 8 or 30, the mean error is the same
+    const auto functions_of = [&](std::size_t k) {
+      const std::vector<Vertex_scalars>& all = m_surfaces[k].spectrum().functions();
+      return std::vector<Vertex_scalars>(all.begin(),
+                                         all.begin() + static_cast<std::ptrdiff_t>((std::min)(n, all.size())));
+    };
+    Leads result = {functions_of(0), {}};
+    const std::vector<Vertex_scalars> functions = functions_of(1);
+    std::vector<Vertex_scalars> carried(functions.size(), Vertex_scalars(directions.size()));
+    const Sphere_image there = image(functions);
+    Vertex_scalars values(functions.size());
     for(std::size_t v = 0; v < directions.size(); ++v)
     {
       there.interpolate(directions[v], values.data());
-      for(std::size_t k = 0; k < n_points; ++k)
-      {
-        const double difference = values[k] - result[0][k][v];
-        misfit[k] += first().areas()[v] * difference * difference;
-      }
+      for(std::size_t k = 0; k < functions.size(); ++k)
+        carried[k][v] = first().areas()[v] * values[k];
     }
-    for(std::vector<Vertex_scalars>& distances : result)
-      for(std::size_t k = 0; k < n_points; ++k)
-        distances[k] = scaled(std::move(distances[k]), weight / (1. + misfit[k] / squared_misfit));
+    result[1].assign(result[0].size(), Vertex_scalars(second().size(), 0.));
+    in_parallel(result[0].size(), [&](std::size_t i) {
+      for(std::size_t k = 0; k < functions.size(); ++k)
+      {
+        const double factor = weight * inner_product(result[0][i], carried[k]);
+        for(std::size_t v = 0; v < functions[k].size(); ++v)
+          result[1][i][v] += factor * functions[k][v];
+      }
+      result[0][i] = scaled(std::move(result[0][i]), weight);
+    });
     return result;
   }
 

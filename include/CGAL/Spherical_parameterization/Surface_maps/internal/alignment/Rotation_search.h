@@ -53,7 +53,7 @@ public:
   // The second surface is given by the image of its features.
   Rotation_search(const Surface_descriptor& first, const Sphere_image& second, const Execution& execution)
     : m_b(second)
-    , m_n(first.features().size())
+    , m_row(Sphere_image::row_size(first.features().size()))
     , m_execution(execution)
     // Along an edge of the icosahedron: 492 directions that are 9 degrees apart, as far as the rotations that are tried, and
     // 4002 that are 3 degrees apart. Fewer take less time, but leave more to chance.
@@ -150,25 +150,36 @@ private:
         {
           directions.push_back(all[i]);
           for(const Vertex_scalars& channel : surface.features())
+          {
             values.push_back(interpolated(channel, triangles, locations[i]));
+            squares += values.back() * values.back();
+          }
+          values.resize(directions.size() * Sphere_image::row_size(surface.features().size()), 0.);
         }
     }
 
     std::vector<Vector_3d> directions;
-    std::vector<double> values; // those of a direction side by side
+    std::vector<double> values; // in rows of the image
+    double squares = 0.;        // their sum
   };
 
   double score(const Rotation_matrix& r, const Samples& samples) const
   {
-    Correlation result;
+    constexpr std::size_t n_sums = 4; // one would wait for each addition
+    std::array<double, n_sums> ab{}, bb{};
     for(std::size_t i = 0; i < samples.directions.size(); ++i)
     {
-      const double* const a = &samples.values[i * m_n];
+      const double* const a = &samples.values[i * m_row];
       const double* const b = m_b.nearest(rotated(r, samples.directions[i]));
-      for(std::size_t k = 0; k < m_n; ++k)
-        result.add(a[k], b[k]);
+      for(std::size_t k = 0; k < m_row; k += n_sums)
+        for(std::size_t l = 0; l < n_sums; ++l)
+        {
+          ab[l] += a[k + l] * b[k + l];
+          bb[l] += b[k + l] * b[k + l];
+        }
     }
-    return result();
+    const auto sum = [](const std::array<double, n_sums>& x) { return (x[0] + x[1]) + (x[2] + x[3]); };
+    return correlation(sum(ab), samples.squares, sum(bb));
   }
 
   // Climbs by turns about three axes, of angles that become smaller; the last ones with all directions.
@@ -204,7 +215,7 @@ private:
   }
 
   const Sphere_image& m_b;
-  std::size_t m_n;
+  std::size_t m_row;
   Execution m_execution;
   Samples m_few, m_all;
 };

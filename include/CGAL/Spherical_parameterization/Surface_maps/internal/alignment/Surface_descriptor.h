@@ -34,6 +34,7 @@
 #include <functional>
 #include <limits>
 #include <numeric>
+#include <optional>
 #include <queue>
 #include <tuple>
 #include <utility>
@@ -180,8 +181,9 @@ public:
   // Adds one of the features of the package: how much the map to the sphere shrinks; how far away the rest of the surface is,
   // on average; how much the surface is curved, inwards or outwards, at two scales, which differs between front and back
   // where the other features would allow for a half turn; and the wave kernel signature, which distinguishes parts that distances
-  // do not.
-  static constexpr int number_of_own_features = 5;
+  // do not. The first ones, up to `number_of_kept_features`, are compared on finer levels as well; with the signature there, poses
+  // are matched worse.
+  static constexpr int number_of_own_features = 5, number_of_kept_features = 4;
   void add_own_feature(int k)
   {
     if(k == number_of_own_features - 1)
@@ -237,9 +239,6 @@ public:
   // Gets ready for the functions below, unless extremities() has.
   void measure_distances() { static_cast<void>(average_distance()); }
 
-  // Vertices that are spread over the surface, each as far as possible from those before.
-  const std::vector<Origin>& spread_origins() const { return m_spread_origins; }
-
   // The distances from where the sphere has a direction, in the same units.
   Vertex_scalars distances_from(const Vector_3d& direction) const
   {
@@ -253,6 +252,14 @@ public:
     scale(result);
     return result;
   }
+
+  // Gets ready for spectrum(), unless the wave kernel signature has been added.
+  void find_spectrum()
+  {
+    if(!m_spectrum)
+      m_spectrum.emplace(m_rings, Surface_diffusion(m_rings, m_points, min_area, {}));
+  }
+  const Surface_spectrum& spectrum() const { return *m_spectrum; }
 
 private:
   // Far below the mean, 1 / 2000, and still more than 0 where points coincide, see mean_curvature(). Smaller areas have the same
@@ -301,10 +308,10 @@ private:
     constexpr double weight = 0.5;
     // Logarithms of 8 and 400: the lowest eigenvalue of a body with extremities is some 6, the sixtieth some 700.
     constexpr double lowest = 2.0794415416798357, highest = 5.9914645471079817, width = 0.22 * (highest - lowest);
-    const Surface_spectrum spectrum(m_rings, Surface_diffusion(m_rings, m_points, min_area, {}));
+    find_spectrum();
     for(int k = 0; k < n; ++k)
     {
-      add_ranks(spectrum.wave_kernel_signature(lowest + (highest - lowest) * (k + 0.5) / n, width));
+      add_ranks(m_spectrum->wave_kernel_signature(lowest + (highest - lowest) * (k + 0.5) / n, width));
       for(double& x : m_features.back())
         x *= weight;
       m_weights_in_choice.push_back(1. / (weight * weight));
@@ -339,15 +346,16 @@ private:
     constexpr std::size_t n_sources = 48;
     auto source = static_cast<std::uint32_t>(std::max_element(m_areas.begin(), m_areas.end()) - m_areas.begin());
     std::vector<std::size_t> nearest(size(), 0);
+    std::vector<Vertex_scalars> distances;
     for(std::size_t k = 0; k < n_sources; ++k)
     {
-      m_spread_origins.push_back({source, m_paths.distances_from(source)});
+      distances.push_back(m_paths.distances_from(source));
       double largest = -1.;
       for(std::uint32_t v = 0; v < size(); ++v)
       {
-        if(m_spread_origins[k].distances[v] < m_spread_origins[nearest[v]].distances[v])
+        if(distances[k][v] < distances[nearest[v]][v])
           nearest[v] = k;
-        if(const double d = m_spread_origins[nearest[v]].distances[v]; d > largest)
+        if(const double d = distances[nearest[v]][v]; d > largest)
         {
           largest = d;
           source = v;
@@ -360,12 +368,10 @@ private:
     m_average_distance.assign(size(), 0.);
     for(std::size_t k = 0; k < n_sources; ++k)
       for(std::size_t v = 0; v < size(); ++v)
-        m_average_distance[v] += weights[k] * m_spread_origins[k].distances[v];
+        m_average_distance[v] += weights[k] * distances[k][v];
     const double mean = inner_product(m_areas, m_average_distance);
     m_inverse_mean_distance = mean > 0. ? 1. / mean : 1.;
     scale(m_average_distance);
-    for(Origin& origin : m_spread_origins)
-      scale(origin.distances);
     return m_average_distance;
   }
 
@@ -378,7 +384,7 @@ private:
   std::vector<Vertex_scalars> m_features;
   std::vector<double> m_weights_in_choice;
   Surface_paths m_paths;
-  std::vector<Origin> m_spread_origins;
+  std::optional<Surface_spectrum> m_spectrum;
   Vertex_scalars m_average_distance;
   double m_inverse_mean_distance = 1.;
 };

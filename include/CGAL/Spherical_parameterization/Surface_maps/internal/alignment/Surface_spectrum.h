@@ -56,6 +56,9 @@ public:
   std::size_t number_of_functions() const { return m_values.size(); }
   double value(std::size_t k) const { return m_values[k]; }
 
+  // The functions, the mean of whose squares is 1.
+  const std::vector<Vertex_scalars>& functions() const { return m_functions; }
+
   // The wave kernel signature at the logarithm of an eigenvalue: the mean square of functions with eigenvalues near to that
   // (Aubry, Schlickewei and Cremers, The Wave Kernel Signature, 2011).
   Vertex_scalars wave_kernel_signature(double energy, double width) const
@@ -67,7 +70,7 @@ public:
       const double d = (energy - logarithm(m_values[k])) / width, weight = exponential(-0.5 * d * d);
       total += weight;
       for(std::size_t v = 0; v < result.size(); ++v)
-        result[v] += weight * m_squares[k][v];
+        result[v] += weight * m_functions[k][v] * m_functions[k][v];
     }
     for(double& x : result)
       x = total > 0. ? x / total : 0.;
@@ -176,7 +179,7 @@ private:
   void iterate()
   {
     // Beyond half of the steps, the functions are not exact yet.
-    constexpr std::size_t max_functions = 60, max_steps = 130;
+    constexpr std::size_t max_functions = 100, max_steps = 210;
     constexpr double least_length = 1e-13; // of a vector that is new
     const std::size_t n = m_roots.size(), n_steps = (std::min)(max_steps, n - 1);
     std::vector<Vector> basis = {m_roots}; // the constant function is known
@@ -217,10 +220,10 @@ private:
       for(std::size_t j = 0; j < m; ++j)
         add(x, vectors[i][j], basis[j + 1]);
       for(std::size_t v = 0; v < n; ++v)
-        x[v] = (x[v] / m_roots[v]) * (x[v] / m_roots[v]);
+        x[v] /= m_roots[v];
       constexpr double least_value = 1e-3; // of a surface with long extremities, 1; less is rounding
       m_values.push_back((std::max)(1. / diagonal[i] - 1., least_value));
-      m_squares.push_back(std::move(x));
+      m_functions.push_back(std::move(x));
     }
   }
 
@@ -294,7 +297,7 @@ private:
   std::vector<std::uint32_t> m_order; // in which vertices are eliminated
   std::optional<Sparse_factorization> m_factorization;
   Vector m_values;
-  std::vector<Vector> m_squares; // of the functions
+  std::vector<Vertex_scalars> m_functions;
 };
 
 } // namespace CGAL::Spherical_parameterization::internal

@@ -25,28 +25,18 @@
 
 namespace CGAL::Spherical_parameterization::internal {
 
-// How well two images of features agree: the correlation of their values, of which prepare_features() has made the mean 0.
-class Correlation
+// How well features agree: the correlation of values whose mean is 0, by the sums of their products.
+inline double correlation(double ab, double aa, double bb)
 {
-public:
-  void add(double a, double b)
-  {
-    m_ab += a * b;
-    m_aa += a * a;
-    m_bb += b * b;
-  }
-  double operator()() const { return m_aa > 0. && m_bb > 0. ? m_ab / std::sqrt(m_aa * m_bb) : 0.; }
-
-private:
-  double m_ab = 0., m_aa = 0., m_bb = 0.;
-};
+  return aa > 0. && bb > 0. ? ab / std::sqrt(aa * bb) : 0.;
+}
 
 // The correlation over the first surface between its features and those of the corresponding points, each with a weight if
 // there are any.
 inline double feature_agreement(const Feature_goals& features, const Mesh_hierarchy::Level& level,
                                 const std::vector<Vector_3d>& directions, const std::vector<double>& weights = {})
 {
-  Correlation result;
+  double ab = 0., aa = 0., bb = 0.;
   std::vector<double> b(features.image->number_of_channels());
   for(std::size_t i = 0; i < level.vertices.size(); ++i)
   {
@@ -57,11 +47,13 @@ inline double feature_agreement(const Feature_goals& features, const Mesh_hierar
     const double* values = features.values_of(v);
     for(std::size_t k = 0; k < b.size(); ++k)
     {
-      const double weight = std::sqrt(level.areas[i] * (weights.empty() ? 1. : weights[k]));
-      result.add(weight * values[k], weight * b[k]);
+      const double weight = level.areas[i] * (weights.empty() ? 1. : weights[k]);
+      ab += weight * values[k] * b[k];
+      aa += weight * values[k] * values[k];
+      bb += weight * b[k] * b[k];
     }
   }
-  return result();
+  return correlation(ab, aa, bb);
 }
 
 // The mean over the first surface of the root of the logarithm of the symmetric Dirichlet energy, 0 for an isometry. The root

@@ -1,0 +1,97 @@
+// Copyright (c) 2026  The Spherical_parameterization authors.
+// All rights reserved.
+//
+// This file is part of the Spherical_parameterization package for CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Spherical_parameterization authors
+
+#ifndef CGAL_SPHERICAL_PARAMETERIZATION_SURFACE_MAPS_INTERNAL_FEATURE_GOALS_H
+#define CGAL_SPHERICAL_PARAMETERIZATION_SURFACE_MAPS_INTERNAL_FEATURE_GOALS_H
+
+#include <CGAL/license/Spherical_parameterization.h>
+
+#include <CGAL/Spherical_parameterization/Surface_maps/internal/Surface_pair.h>
+#include <CGAL/Spherical_parameterization/Surface_maps/internal/alignment/Coarse_pair.h>
+
+#include <CGAL/Spherical_parameterization/internal/numbers/begin_arithmetic.h>
+
+// The features by which a map is led on levels that are finer than the coarse surfaces.
+
+namespace CGAL::Spherical_parameterization::internal {
+
+// The features of the package at the vertices of one of the surfaces, in the order of the mesh: those of the coarse surfaces, and
+// the curvature as the mesh itself has it, which the coarse one has lost.
+inline std::vector<Vertex_scalars> own_features(const Located_surface& surface, const Sphere_image& coarse,
+                                                const Mask& mask)
+{
+  const std::size_t n = surface.points.size(), n_channels = coarse.number_of_channels();
+  std::vector<Vertex_scalars> result(n_channels, Vertex_scalars(n));
+  Vertex_scalars values(n_channels);
+  for(std::size_t v = 0; v < n; ++v)
+  {
+    coarse.interpolate(surface.sphere.direction(v), values.data());
+    for(std::size_t k = 0; k < n_channels; ++k)
+      result[k][v] = values[k];
+  }
+  for(Vertex_scalars& channel : result)
+    channel = surface.mesh.in_own_order(channel);
+  std::vector<Vector_3d> points = surface.mesh.points();
+  Vertex_scalars areas = vertex_areas(surface.mesh.rings(), points);
+  const double area = std::accumulate(areas.begin(), areas.end(), 0.), scale = area > 0. ? 1. / std::sqrt(area) : 1.;
+  for(Vector_3d& p : points)
+    p = scale * p;
+  constexpr double squared_edges = 3.5; // heat goes some two edges far; three times as much is as good
+  const double t = squared_edges / static_cast<double>(n), min_area = 1e-6 / static_cast<double>(n);
+  result.push_back(
+      ranks_by_area(mean_curvature(surface.mesh.rings(), points, t, min_area), areas_outside(mask, areas)));
+  continue_over(mask, surface.mesh.rings(), result.back());
+  return result;
+}
+
+// The weight of the features once they have aligned the surfaces: those of the package count the less, the less they agree, as
+// they are noise on bodies without extremities.
+inline double weight_of_features(double agreement, const Surface_map_settings& settings)
+{
+  const double trust = settings.features[0].empty() ? std::clamp(agreement, 0., 1.) : 1.;
+  return settings.feature_weight * trust * trust * trust * trust;
+}
+
+// The goals by the features of the package, if the coarse surfaces have been compared, or by a caller's; without a weight.
+inline Feature_goals feature_goals(const Surface_pair& pair, const Coarse_pair* surfaces)
+{
+  // Between nodes of an image it is about as far as between vertices, up to 1.6 million nodes, 50 MB for each four features.
+  constexpr std::size_t max_steps = 512;
+  const Surface_map_settings& settings = pair.settings;
+  Feature_goals result;
+  std::array<std::vector<Vertex_scalars>, 2> features = settings.features;
+  if(features[0].empty() && surfaces && settings.feature_weight > 0.)
+  {
+    const std::vector<Sphere_image> coarse = surfaces->feature_images();
+    run_both(
+        pair.execution, [&] { features[0] = own_features(pair.first, coarse[0], settings.masks[0]); },
+        [&] { features[1] = own_features(pair.second, coarse[1], settings.masks[1]); });
+  }
+  if(features[0].empty() || !(settings.feature_weight > 0.))
+    return result;
+  result.mask = settings.masks[0];
+  const auto n_steps =
+      (std::min)((std::max)(static_cast<std::size_t>(std::sqrt(static_cast<double>(pair.second.points.size()) / 6.)),
+                            Sphere_image::default_steps),
+                 max_steps);
+  for(Vertex_scalars& feature : features[1])
+    feature = pair.second.mesh.in_callers_order(feature);
+  result.image.emplace(Sphere_image::locate_nodes(pair.second.sphere, pair.execution, n_steps),
+                       pair.second.sphere.triangles(), features[1], n_steps);
+  result.set_values(features[0]);
+  return result;
+}
+
+} // namespace CGAL::Spherical_parameterization::internal
+
+#include <CGAL/Spherical_parameterization/internal/numbers/end_arithmetic.h>
+
+#endif // CGAL_SPHERICAL_PARAMETERIZATION_SURFACE_MAPS_INTERNAL_FEATURE_GOALS_H
