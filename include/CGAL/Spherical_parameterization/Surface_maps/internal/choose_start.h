@@ -72,8 +72,8 @@ inline void choose_alignment(const Surface_pair& pair, std::vector<Alignment> ca
   const auto score = [&](const Alignment& alignment) {
     Target_goals goals = {pair.metric, start.features};
     goals.features.weight = weight_of_features(alignment.agreement, pair.settings);
-    return start.levels->score_on_finer_level(alignment.directions, goals, pair.control, pair.execution) -
-           alignment.missed;
+    Run_control silent; // A visitor follows the levels of the refinement alone.
+    return start.levels->score_on_finer_level(alignment.directions, goals, silent, pair.execution) - alignment.missed;
   };
   const double least = candidates[0].score - max_lag;
   double best = score(start.alignment);
