@@ -95,7 +95,7 @@ class SurfaceMapReport:
         logarithm of the symmetric Dirichlet energy. At least 0.15 if no other one came that near.
     is_uncertain : bool
         Whether the alignment is ambiguous, so that the map may have exchanged sides: the margin is below 0.03, the surfaces
-        agree by less than 0.6, or by less than 0.72 with a margin below 0.1. For features of a caller: they agree by less
+        agree by less than 0.6, or by less than 0.72 with a margin below 0.11. For features of a caller: they agree by less
         than 0.73, or the margin is below 0.1. Look at the map, or give landmarks. It is never so if landmarks alone rotated
         the spheres.
     landmark_distances : (k,) ndarray of float64

@@ -52,7 +52,7 @@ struct Surface_map_report
   double margin = 0.;
 
   /// Whether the alignment is ambiguous, so that the map may be a half-turn off: the margin is below 0.03, the surfaces agree by less
-  /// than 0.6, or by less than 0.72 with a margin below 0.1. For features of a caller: they agree by less than 0.73, or the margin
+  /// than 0.6, or by less than 0.72 with a margin below 0.11. For features of a caller: they agree by less than 0.73, or the margin
   /// is below 0.1. Look at the map, or give landmarks. It is never so if landmarks alone rotated the spheres
   bool is_uncertain = false;
 

@@ -73,15 +73,10 @@ public:
   // Images of the features of both surfaces that are compared on finer levels as well.
   std::vector<Sphere_image> feature_images() const
   {
-    const auto kept = [](const Surface_descriptor& surface) {
-      const auto& all = surface.features();
-      const auto n =
-          (std::min)(all.size(), std::size_t(Surface_descriptor::number_of_kept_features)); // fewer if stopped
-      return std::vector<Vertex_scalars>(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(n));
-    };
+    constexpr std::size_t n = Surface_descriptor::number_of_kept_features;
     return {Sphere_image(Sphere_image::locate_nodes(first().sphere(), m_execution), first().sphere().triangles(),
-                         kept(first())),
-            image(kept(second()))};
+                         at_most(n, first().features())),
+            image(at_most(n, second().features()))};
   }
 
   // The best rotations, the best one first; at least one.
@@ -124,13 +119,8 @@ public:
   Leads leads_of(const std::vector<Vector_3d>& directions, std::size_t n) const
   {
     constexpr double weight = 16.; // with 8 or 30, the mean error is the same
-    const auto functions_of = [&](std::size_t k) {
-      const std::vector<Vertex_scalars>& all = m_surfaces[k].spectrum().functions();
-      return std::vector<Vertex_scalars>(all.begin(),
-                                         all.begin() + static_cast<std::ptrdiff_t>((std::min)(n, all.size())));
-    };
-    Leads result = {functions_of(0), {}};
-    const std::vector<Vertex_scalars> functions = functions_of(1);
+    Leads result = {at_most(n, first().spectrum().functions()), {}};
+    const std::vector<Vertex_scalars> functions = at_most(n, second().spectrum().functions());
     std::vector<Vertex_scalars> carried(functions.size(), Vertex_scalars(directions.size()));
     const Sphere_image there = image(functions);
     Vertex_scalars values(functions.size());
@@ -195,6 +185,13 @@ private:
   Sphere_image image(const std::vector<Vertex_scalars>& channels) const
   {
     return Sphere_image(m_nodes, second().sphere().triangles(), channels);
+  }
+
+  // The first n channels; fewer if a run is stopped before all are known, or a surface is small.
+  static std::vector<Vertex_scalars> at_most(std::size_t n, std::vector<Vertex_scalars> channels)
+  {
+    channels.resize((std::min)(n, channels.size()));
+    return channels;
   }
 
   static Vertex_scalars scaled(Vertex_scalars values, double factor)

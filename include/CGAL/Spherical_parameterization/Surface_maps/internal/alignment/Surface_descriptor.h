@@ -183,7 +183,8 @@ public:
   // where the other features would allow for a half turn; and the wave kernel signature, which distinguishes parts that distances
   // do not. The first ones, up to `number_of_kept_features`, are compared on finer levels as well; with the signature there, poses
   // are matched worse.
-  static constexpr int number_of_own_features = 5, number_of_kept_features = 4;
+  static constexpr int number_of_own_features = 5;
+  static constexpr std::size_t number_of_kept_features = 4;
   void add_own_feature(int k)
   {
     if(k == number_of_own_features - 1)

@@ -25,10 +25,6 @@
 
 namespace CGAL::Spherical_parameterization::internal {
 
-// How far the score of a start may be below the best one after the first levels. With 0.08, a right one is lost now and then; with
-// 0.2, the same ones win, in 1.1 times the time.
-constexpr double max_lag_of_starts = 0.12;
-
 // Calls f for all starts, in parallel; those that the control does not wait for are removed.
 template <class Function>
 void for_each_start(const Coarse_pair& surfaces, std::vector<Alignment_start>& starts, const Function& f)
@@ -101,6 +97,9 @@ inline std::vector<Alignment> best_alignments(Coarse_pair& surfaces, const Targe
   // Different alignments are farther apart, in the mean. Before the end of the descent, it is not clear which of two near ones
   // is better, unless they are the same.
   constexpr double min_angle = CGAL_PI / 9., min_angle_at_first = CGAL_PI / 36.;
+  // How far the score of a start may be below the best one after the first levels. With 0.08, a right one is lost now and then;
+  // with 0.2, the same ones win, in 1.1 times the time.
+  constexpr double max_lag = 0.12;
   constexpr std::size_t n_rotations = 8, n_carried_on = 8; // with fewer, a right one is lost now and then
   std::vector<Alignment> result;
   for(const Scored_rotation& r : surfaces.best_rotations(n_rotations))
@@ -121,7 +120,7 @@ inline std::vector<Alignment> best_alignments(Coarse_pair& surfaces, const Targe
   for_each_start(surfaces, starts, [&](Alignment_start& start) { descent.lead(true, start); });
   keep_best(areas, min_angle_at_first, starts);
   while(starts.size() > n_carried_on ||
-        (!starts.empty() && starts.back().alignment.score < starts.front().alignment.score - max_lag_of_starts))
+        (!starts.empty() && starts.back().alignment.score < starts.front().alignment.score - max_lag))
     starts.pop_back();
   for_each_start(surfaces, starts, [&](Alignment_start& start) {
     descent.lead(false, start);
