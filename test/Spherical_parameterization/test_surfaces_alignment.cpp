@@ -406,9 +406,12 @@ TEST(Alignment, is_mended_by_eigenfunctions_where_it_has_slid)
   ASSERT_TRUE(
       lower_on_target(first.rings(), points, {metric, {}}, 500, {20, 1e-3, 0.02}, by_energy_alone, control, {}));
   surfaces.find_spectra();
-  Alignment_descent(surfaces, metric).match_functions(directions);
-  EXPECT_LT(error(directions), 0.5 * before);
-  EXPECT_LT(error(directions), 0.7 * error(by_energy_alone));
+  Alignment alignment;
+  alignment.directions = directions;
+  Alignment_descent(surfaces, metric).match_functions(alignment);
+  EXPECT_EQ(alignment.before_matching, directions);
+  EXPECT_LT(error(alignment.directions), 0.5 * before);
+  EXPECT_LT(error(alignment.directions), 0.7 * error(by_energy_alone));
 }
 
 TEST(Alignment, of_arms_with_bodies_that_have_none_is_uncertain)

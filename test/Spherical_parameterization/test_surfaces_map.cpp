@@ -31,6 +31,7 @@ struct Match
   std::vector<Point_3> directions;
   SP::Surface_map_report report;
   double energy = 0.;
+  std::vector<double> errors; // that are expected; empty if there is no estimate
 
   template <class ConcurrencyTag = CGAL::Parallel_if_available_tag>
   static Match make(Mapped_mesh& a, const Mapped_mesh& b, Mapper mapper = {},
@@ -46,6 +47,16 @@ struct Match
         SP::map_surface<ConcurrencyTag>(a.mesh, a.sphere, b.mesh, b.sphere, mapper, images,
                                         CGAL::parameters::visitor(std::ref(visitor)).maximum_running_time(max_seconds));
     result.report = mapper.report();
+    result.errors.assign(a.mesh.number_of_vertices(), -1.);
+    if(!mapper.get_expected_errors(CGAL::make_property_map(result.errors)))
+      result.errors.clear();
+    EXPECT_EQ(result.errors.empty(), !result.report.expected_error);
+    for(std::size_t v = 0; v < result.errors.size(); ++v)
+    {
+      const bool has_face = !a.mesh.is_isolated(Vertex_index(static_cast<std::uint32_t>(v)));
+      EXPECT_TRUE(has_face ? result.errors[v] >= 0. && result.errors[v] <= 0.5 : result.errors[v] == -1.)
+          << result.errors[v];
+    }
     for(const Vertex_index v : a.mesh.vertices())
       result.directions.push_back(images[v]);
     if(result.error == SP::OK)
@@ -109,6 +120,8 @@ TEST(Map_surface, is_exact_onto_the_surface_itself_and_a_turned_copy)
     EXPECT_GT(match.report.agreement, 0.97);
     EXPECT_GT(match.report.margin, 0.1);
     EXPECT_FALSE(match.report.is_uncertain);
+    ASSERT_TRUE(match.report.expected_error);
+    EXPECT_LT(*match.report.expected_error, 0.01);
     EXPECT_TRUE(match.report.landmark_distances.empty());
     for(const Vertex_index v : a.mesh.vertices())
       EXPECT_LT(distance(match.directions[v], b->sphere[v]), 1e-9);
@@ -161,6 +174,8 @@ TEST(Map_surface, tells_front_from_back_and_left_from_right_of_a_tube_that_bends
   const Match mirrored = map_from(-1.).first;
   EXPECT_LT(error, 1.6);
   EXPECT_FALSE(same.report.is_uncertain);
+  ASSERT_EQ(same.errors.size(), mirrored.errors.size());
+  EXPECT_LT(*same.report.expected_error, *mirrored.report.expected_error);
   // Of a mirrored tube one of the bumps has no counterpart.
   EXPECT_TRUE(mirrored.report.is_uncertain);
   EXPECT_LT(mirrored.report.agreement, same.report.agreement);
@@ -302,9 +317,32 @@ TEST(Map_surface, keeps_a_time_limit)
   const Match match = Match::make(a, b, {}, nullptr, 1e-9), whole = Match::make(a, b);
   EXPECT_EQ(match.error, SP::OK); // and certified
   EXPECT_EQ(match.report.stop_reason, SP::TIME_LIMIT);
+  EXPECT_TRUE(match.report.is_uncertain); // Nothing has been compared.
+  EXPECT_FALSE(match.report.expected_error);
   EXPECT_EQ(whole.report.stop_reason, SP::CONVERGED);
   EXPECT_LT(whole.energy, match.energy);
   EXPECT_LT(match.report.number_of_sweeps, whole.report.number_of_sweeps);
+}
+
+// Its energy may not be known then, so that it cannot be compared with that of the start.
+TEST(Map_surface, keeps_what_it_has_reached_if_it_is_stopped_while_that_is_measured)
+{
+  Mapped_mesh a(icosphere(3), on_body);
+  const Mapped_mesh b(octahedron_of(12));
+  std::size_t n_calls = 0, n_allowed = (std::numeric_limits<std::size_t>::max)();
+  const auto run = [&] {
+    n_calls = 0;
+    return Match::make(a, b, Mapper().keep_alignment(), [&] { return n_calls++ < n_allowed; });
+  };
+  const Match whole = run();
+  ASSERT_EQ(whole.error, SP::OK);
+  n_allowed = n_calls - 1;
+  const Match stopped = run();
+  ASSERT_EQ(stopped.error, SP::OK);
+  EXPECT_EQ(stopped.report.stop_reason, SP::STOPPED);
+  EXPECT_EQ(stopped.directions, whole.directions);
+  const auto moved = [&](Vertex_index v) { return distance(stopped.directions[v], a.sphere[v]); };
+  EXPECT_GT(mean_over_vertices(a.mesh, moved), 1e-3);
 }
 
 // What concerns the start comes between its two events, levels and the overlay follow.

@@ -47,13 +47,20 @@ struct Surface_map_report
   double agreement = 0.;
 
   /// How much better the alignment is than the next best one that differs from it: those that are nearly as good on coarse surfaces are
-  /// compared on a finer level, in agreement less 0.15 times how much is stretched, the mean root of the logarithm of the symmetric
+  /// compared on a finer level, in agreement less 0.15 times how much is stretched, the mean root of the logarithm of half the symmetric
   /// Dirichlet energy. At least 0.15 if no other one came that near
   double margin = 0.;
 
-  /// Whether the alignment is ambiguous, so that the map may be a half-turn off: the margin is below 0.03, the surfaces agree by less
-  /// than 0.6, or by less than 0.72 with a margin below 0.11. For features of a caller: they agree by less than 0.73, or the margin
-  /// is below 0.1. Look at the map, or give landmarks. It is never so if landmarks alone rotated the spheres
+  /// How far the images of vertices are expected to be from where they should be, over the root of the area of the second surface, in
+  /// the mean over the first one; `Surface_mapper_3::get_expected_errors()` has that of each vertex. It is estimated from how far
+  /// features differ, over how fast they change on the surface; how far images have moved during the descent; how well the surfaces
+  /// agree; and how far away images are by other alignments that are nearly as good. There is none for features of a caller, if
+  /// landmarks alone rotated the spheres, if the alignment is kept, or if it was stopped
+  std::optional<double> expected_error;
+
+  /// Whether the alignment is ambiguous, so that the map may be a half-turn off: the expected error is above 0.105. For features of a
+  /// caller: they agree by less than 0.73, or the margin is below 0.1. So it is if the alignment was stopped, or doubles could not hold
+  /// coarse surfaces. Look at the map, or give landmarks. It is never so if landmarks alone rotated the spheres, or the alignment is kept
   bool is_uncertain = false;
 
   /// For each landmark, how far its image is from where it should be, in the unit of length of the second surface; 0 if

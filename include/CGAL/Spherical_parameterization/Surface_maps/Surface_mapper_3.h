@@ -132,6 +132,7 @@ public:
                          const CGAL_NP_CLASS_2& np2 = parameters::default_values())
   {
     m_report = Surface_map_report();
+    m_expected_errors.clear();
     if(!m_settings.are_valid(m_features.size()))
       return ERROR_WRONG_PARAMETER;
     const auto run = [&](auto& first, auto& second, internal::Run_control& control,
@@ -151,12 +152,16 @@ public:
       for(const internal::Linked_triangle& t : first.triangles)
         triangles.push_back(t.vertices);
       std::vector<internal::Vector_3d> directions;
+      std::vector<double> errors;
       if(const Error_code error =
              internal::find_surface_map(internal::surface_of(first), internal::surface_of(second), std::move(settings),
-                                        directions, m_report, control, execution))
+                                        directions, errors, m_report, control, execution))
         return error;
-      return internal::write_map(vertices1, triangles, directions, 1., internal::Guarantee::ONE_TO_ONE,
-                                 vertex_direction_map, execution);
+      const Error_code error = internal::write_map(vertices1, triangles, directions, 1.,
+                                                   internal::Guarantee::ONE_TO_ONE, vertex_direction_map, execution);
+      for(std::size_t v = 0; v < errors.size() && error == OK; ++v)
+        m_expected_errors.emplace_back(vertices1[v], errors[v]);
+      return error;
     };
     return internal::with_two_surfaces<ConcurrencyTag>(tmesh1, vertex_sphere_map1, np1, tmesh2, vertex_sphere_map2, np2,
                                                        run);
@@ -164,6 +169,20 @@ public:
 
   /// returns what the last run has found.
   const Surface_map_report& report() const { return m_report; }
+
+  /// writes how far the image of each vertex of the first surface is expected to be from where it should be, over the
+  /// root of the area of the second surface, at most 0.5: see `Surface_map_report::expected_error`.
+  ///
+  /// \tparam VertexErrorMap a model of `WritablePropertyMap` from the vertices of `TriangleMesh1` to `double`
+  /// \param vertex_error_map receives the values; that of a vertex without a face stays as it is
+  /// \return `false` if there is no estimate: nothing is written then
+  template <class VertexErrorMap>
+  bool get_expected_errors(VertexErrorMap vertex_error_map) const
+  {
+    for(const auto& [v, error] : m_expected_errors)
+      put(vertex_error_map, v, error);
+    return !m_expected_errors.empty();
+  }
 
 private:
   template <class Change>
@@ -179,6 +198,7 @@ private:
   Masks m_masks;
   internal::Surface_map_settings m_settings;
   Surface_map_report m_report;
+  std::vector<std::pair<Vertex_1, double>> m_expected_errors;
 };
 
 } // namespace CGAL::Spherical_parameterization

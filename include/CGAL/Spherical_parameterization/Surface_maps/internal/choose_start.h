@@ -26,12 +26,31 @@ namespace CGAL::Spherical_parameterization::internal {
 // An alignment from which the map between two surfaces is refined.
 struct Surface_start
 {
+  struct Rival
+  {
+    std::vector<Vector_3d> directions; // of the vertices of the first coarse surface
+    double lag;                        // how far its score is below that of the alignment
+  };
+
   Alignment alignment;
   double margin = 0.;
   bool is_uncertain = false;
+  std::vector<Rival> rivals;              // other alignments that are nearly as good
   std::unique_ptr<Surface_levels> levels; // of the first surface, if it has been compared with the second one
   std::unique_ptr<Coarse_pair> surfaces;  // if these could be compared
   Feature_goals features;                 // of the levels
+
+  // Takes a rotation by landmarks alone.
+  void take_rotation(const Rotation_matrix& rotation)
+  {
+    alignment = {};
+    alignment.rotation = rotation;
+    margin = 0.;
+    is_uncertain = false;
+    rivals.clear();
+    levels.reset();
+    surfaces.reset();
+  }
 };
 
 // Makes the levels of the first surface, and the coarse surfaces, unless doubles cannot hold these.
@@ -50,23 +69,23 @@ inline void compare_surfaces(const Surface_pair& pair, Surface_start& start)
         std::make_unique<Coarse_pair>(std::move(coarse1), std::move(coarse2), pair.control, pair.execution);
 }
 
-// Chooses among alignments, of which the first one is the best: those that are nearly as good are matched as that is, and compared on
-// a finer level.
+// Chooses among alignments, of which the first one is the best. This one and those that are nearly as good are led by eigenfunctions,
+// and compared on a finer level.
 inline void choose_alignment(const Surface_pair& pair, std::vector<Alignment> candidates, Surface_start& start)
 {
   constexpr double max_lag = 0.15; // of right ones that won on the finer level, 0.11 is the largest known
   constexpr std::size_t max_rivals = 3;
   const Alignment_descent descent(*start.surfaces, pair.metric);
-  const auto matched = [&](Alignment& alignment) {
-    if(!alignment.directions.empty() && start.surfaces->goes_on())
-    {
-      start.surfaces->find_spectra();
-      descent.match_functions(alignment.directions);
-    }
-    return std::move(alignment);
+  const auto match = [&](Alignment& alignment) {
+    if(alignment.directions.empty() || !start.surfaces->goes_on())
+      return;
+    start.surfaces->find_spectra();
+    descent.match_functions(alignment);
   };
+  const double least = candidates[0].score - max_lag;
   start.margin = candidates.size() > 1 ? candidates[0].score - candidates[1].score : max_lag;
-  start.alignment = matched(candidates[0]);
+  start.alignment = std::move(candidates[0]);
+  match(start.alignment);
   if(!start.features.image || start.alignment.directions.empty() || start.margin >= max_lag)
     return;
   const auto score = [&](const Alignment& alignment) {
@@ -75,30 +94,32 @@ inline void choose_alignment(const Surface_pair& pair, std::vector<Alignment> ca
     Run_control silent; // A visitor follows the levels of the refinement alone.
     return start.levels->score_on_finer_level(alignment.directions, goals, silent, pair.execution) - alignment.missed;
   };
-  const double least = candidates[0].score - max_lag;
   double best = score(start.alignment);
-  start.margin = max_lag;
   for(std::size_t k = 1;
       k <= max_rivals && k < candidates.size() && candidates[k].score > least && start.surfaces->goes_on(); ++k)
   {
-    Alignment rival = matched(candidates[k]);
+    Alignment rival = std::move(candidates[k]);
+    match(rival);
     const double s = score(rival);
-    start.margin = (std::min)(s > best ? max_lag : start.margin, std::abs(s - best));
     if(s > best)
     {
-      best = s;
-      start.alignment = std::move(rival);
+      for(Surface_start::Rival& other : start.rivals)
+        other.lag += s - best;
+      std::swap(start.alignment, rival);
     }
+    start.rivals.push_back({std::move(rival.directions), std::abs(s - best)});
+    best = (std::max)(s, best);
   }
+  if(!start.rivals.empty())
+    start.margin = max_lag;
+  for(const Surface_start::Rival& rival : start.rivals)
+    start.margin = (std::min)(start.margin, rival.lag);
 }
 
-// Whether the surfaces agree too little, or other alignments agree nearly as well.
-inline bool is_ambiguous(const Surface_start& start, const Surface_map_settings& settings)
+// Whether surfaces agree too little, or other alignments agree nearly as well, by features of a caller, of which no errors are known.
+inline bool is_ambiguous_by_callers_features(const Surface_start& start)
 {
-  const double agreement = start.alignment.agreement, margin = start.margin;
-  if(settings.features[0].empty()) // with a margin of 0.1 below 0.72, a tube with bumps onto its mirror image is not
-    return margin < 0.03 || agreement < 0.6 || (margin < 0.11 && agreement < 0.72);
-  return agreement < 0.73 || margin < 0.1; // by the features of a caller, of which less is known
+  return start.alignment.agreement < 0.73 || start.margin < 0.1;
 }
 
 // Finds the start: the best alignment of coarse surfaces; the rotation by landmarks, if surfaces do not agree; or the spheres as
@@ -125,13 +146,14 @@ inline Surface_start choose_start(const Surface_pair& pair)
     const bool is_by_landmarks = rotation && candidates[0].agreement < min_agreement_beside_landmarks;
     if(is_by_landmarks)
     {
-      result = {};
-      result.alignment.rotation = *rotation;
+      result.take_rotation(*rotation);
     }
     result.features = feature_goals(pair, result.surfaces.get());
     if(result.surfaces)
       choose_alignment(pair, std::move(candidates), result);
-    result.is_uncertain = !is_by_landmarks && is_ambiguous(result, settings);
+    result.is_uncertain =
+        !is_by_landmarks && (pair.control.is_stopped() || !result.surfaces ||
+                             (!settings.features[0].empty() && is_ambiguous_by_callers_features(result)));
   }
   result.features.weight = weight_of_features(result.alignment.agreement, settings);
   return result;

@@ -14,6 +14,7 @@
 
 #include <CGAL/license/Spherical_parameterization.h>
 
+#include <CGAL/Spherical_parameterization/Surface_maps/internal/expected_errors.h>
 #include <CGAL/Spherical_parameterization/Surface_maps/internal/find_surface_map.h>
 #include <CGAL/Spherical_parameterization/Surface_maps/internal/measure_map.h>
 #include <CGAL/Spherical_parameterization/Surface_maps/internal/refine_start.h>
@@ -22,12 +23,21 @@
 
 namespace CGAL::Spherical_parameterization::internal {
 
+// The stages of map_surface(), each of which hands its result to the next one:
+//
+//   propose  rotations and matched extremities             Rotation_search, Extremity_search, propose()
+//   choose   descents on coarse surfaces, eigenfunctions,   best_alignments(), choose_alignment(), choose_start()
+//            and a comparison on a finer level
+//   refine   the descent to the finest level                refine_start()
+//   measure  energy, certificate and expected errors        measure_map(), expected_errors()
 CGAL_SPHERICAL_PARAMETERIZATION_INLINE
 Error_code find_surface_map(Surface_on_sphere first_surface, Surface_on_sphere second_surface,
                             Surface_map_settings settings, std::vector<Vector_3d>& directions,
-                            Surface_map_report& report, Run_control& control, const Execution& execution)
+                            std::vector<double>& errors, Surface_map_report& report, Run_control& control,
+                            const Execution& execution)
 {
   constexpr double energy_of_copies = 2. + 1e-9; // the least, but for rounding: they need no descent
+  constexpr double max_expected_error = 0.105;   // With less, more right maps are flagged; see the page on experiments.
   Located_surface first, second;
   Error_code error1 = OK, error2 = OK;
   run_both(
@@ -42,37 +52,31 @@ Error_code find_surface_map(Surface_on_sphere first_surface, Surface_on_sphere s
   for(const auto& [v, w] : settings.landmarks)
     pair.landmarks.emplace_back(first.sphere.direction(v), second.sphere.direction(w));
 
-  // Propose and choose.
   Surface_start start = choose_start(pair);
   control.on_initialization_end();
-  report.agreement = start.alignment.agreement;
-  report.margin = start.margin;
-  report.is_uncertain = start.is_uncertain;
   directions = rotated_directions(start.alignment.rotation, directions_of(first.sphere));
   Map_energy energy;
-  const bool agrees_as_it_is = start.alignment.directions.empty() && settings.landmarks.empty();
-  if(agrees_as_it_is)
+  const bool is_from_rotation = start.alignment.directions.empty() && settings.landmarks.empty();
+  if(is_from_rotation)
     measure_map(pair, directions, energy);
   report.seconds_for_alignment = control.lap();
   if(energy.value && *energy.value < energy_of_copies)
     report.stop_reason = CONVERGED;
   else
   {
-    // Refine.
     std::vector<Vector_3d> refined = directions;
     const bool is_refined = refine_start(pair, start, refined);
-    report.agreement = start.alignment.agreement;
-    report.stop_reason = is_refined ? control.report().stop_reason : OBSTRUCTED;
     report.number_of_sweeps = control.report().number_of_level_iterations;
     report.seconds_for_descent = control.lap();
 
-    // Measure. The averaged metric moves even the identity: only the surfaces themselves show whether that has helped.
     Map_energy refined_energy;
-    const bool is_bijection = measure_map(pair, refined, refined_energy);
-    // Samples find less than the refinement, and cannot be compared with it.
+    const bool is_bijection = is_refined && measure_map(pair, refined, refined_energy);
+    // The averaged metric moves even the identity: only the surfaces themselves show whether that has helped. Samples find less than
+    // the refinement, and cannot be compared with it.
+    const bool are_comparable = energy.value && refined_energy.value && energy.is_sampled == refined_energy.is_sampled;
     const bool is_better =
-        !agrees_as_it_is || (energy.value && refined_energy.value && energy.is_sampled == refined_energy.is_sampled &&
-                             *refined_energy.value < *energy.value);
+        !is_from_rotation || (are_comparable ? *refined_energy.value < *energy.value : control.is_stopped());
+    report.stop_reason = is_bijection ? control.report().stop_reason : OBSTRUCTED;
     if(is_bijection && is_better)
     {
       energy = refined_energy;
@@ -84,6 +88,14 @@ Error_code find_surface_map(Surface_on_sphere first_surface, Surface_on_sphere s
     report.stop_reason = control.stop_reason();
   report.energy = energy.value.value_or(0.);
   report.is_energy_sampled = energy.is_sampled;
+  report.agreement = start.alignment.agreement;
+  report.margin = start.margin;
+  report.is_uncertain = start.is_uncertain;
+  if(start.surfaces && !start.is_uncertain && settings.features[0].empty())
+  {
+    report.expected_error = expected_errors(pair, start, directions, errors);
+    report.is_uncertain = *report.expected_error > max_expected_error;
+  }
   report.distortion = energy.distortion;
   for(const auto& [v, w] : settings.landmarks)
   {

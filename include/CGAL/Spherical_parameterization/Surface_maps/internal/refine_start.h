@@ -39,8 +39,8 @@ inline Landmark_goals landmark_goals(const Surface_pair& pair)
 // leaves them, if doubles cannot hold it.
 inline bool refine_start(const Surface_pair& pair, Surface_start& start, std::vector<Vector_3d>& directions)
 {
-  // Landmarks are moved on levels of very few vertices. Surfaces that correspond already have lost too much to be compared on
-  // coarser levels than the other one.
+  // With landmarks, the descent begins with very few vertices, so that large parts can move. Without them, it begins with more: coarser
+  // levels would take apart what corresponds already.
   constexpr std::size_t min_size_with_landmarks = 60, min_size = 1000;
   const Surface_map_settings& settings = pair.settings;
   const bool is_rotation = start.alignment.directions.empty(), has_landmarks = !settings.landmarks.empty();
@@ -57,16 +57,18 @@ inline bool refine_start(const Surface_pair& pair, Surface_start& start, std::ve
     lowered = pair.first.mesh.in_own_order(directions);
   // Coarser levels would take apart what an earlier descent has found.
   const bool is_found =
-      settings.keeps_alignment && std::all_of(pair.landmarks.begin(), pair.landmarks.end(), [](const auto& landmark) {
-        constexpr double cosine_of_rounding = 1. - 1e-14;
-        return dot(landmark.first, landmark.second) > cosine_of_rounding;
-      });
+      settings.keeps_alignment && (!settings.has_hard_landmarks() ||
+                                   std::all_of(pair.landmarks.begin(), pair.landmarks.end(), [](const auto& landmark) {
+                                     constexpr double cosine_of_rounding = 1. - 1e-14;
+                                     return dot(landmark.first, landmark.second) > cosine_of_rounding;
+                                   }));
   if(is_lowered && (is_rotation || has_landmarks))
     is_lowered = lower(goals,
                        is_found        ? pair.first.points.size()
                        : has_landmarks ? min_size_with_landmarks
                                        : min_size,
-                       lowered);
+                       lowered) ||
+                 !is_rotation;
   // Landmarks may be missed from a start by features where they are met from a rotation alone.
   const auto n_missed = [&](const std::vector<Vector_3d>& own_order) {
     const std::vector<Vector_3d> found = pair.first.mesh.in_callers_order(own_order);
@@ -74,7 +76,8 @@ inline bool refine_start(const Surface_pair& pair, Surface_start& start, std::ve
       return found[landmark[0]] != pair.second.sphere.direction(landmark[1]);
     });
   };
-  if(!is_rotation && settings.has_hard_landmarks() && (!is_lowered || n_missed(lowered) > 0))
+  if(!is_rotation && settings.has_hard_landmarks() && (!is_lowered || n_missed(lowered) > 0) &&
+     !pair.control.is_stopped())
     if(const std::optional<Rotation_matrix> rotation = fitting_rotation(pair.landmarks))
     {
       const Target_goals without_own_features = {
@@ -86,6 +89,7 @@ inline bool refine_start(const Surface_pair& pair, Surface_start& start, std::ve
       {
         is_lowered = true;
         lowered.swap(other);
+        start.take_rotation(*rotation);
       }
     }
   if(is_lowered)

@@ -65,7 +65,10 @@ public:
     const std::size_t first = m_first[lane];
     return {first, first + 1, first + m_n + 1, first + m_n + 2};
   }
-  std::size_t nearest_node() const { return m_first[0] + (m_u < 0.5 ? 0 : m_n + 1) + (m_v < 0.5 ? 0 : 1); }
+  std::size_t nearest_node(std::size_t k = 0) const
+  {
+    return m_first[k] + (lane(m_u, k) < 0.5 ? 0 : m_n + 1) + (lane(m_v, k) < 0.5 ? 0 : 1);
+  }
 
   // A vector less a multiple of the direction, so that it is in the plane of the side: its two coordinates there.
   std::array<FT, 2> flattened(const Vector_3<FT>& t) const

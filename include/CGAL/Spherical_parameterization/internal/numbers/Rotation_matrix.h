@@ -42,9 +42,11 @@ inline Aff_transformation_3<Exact_predicates_inexact_constructions_kernel> as_tr
   return {r[0][0], r[0][1], r[0][2], r[1][0], r[1][1], r[1][2], r[2][0], r[2][1], r[2][2]};
 }
 
-inline Vector_3d rotated(const Rotation_matrix& r, const Vector_3d& p)
+template <class FT>
+Vector_3<FT> rotated(const Rotation_matrix& r, const Vector_3<FT>& p)
 {
-  return {dot(r[0], p), dot(r[1], p), dot(r[2], p)};
+  const auto row = [&](std::size_t i) { return r[i][0] * p[0] + r[i][1] * p[1] + r[i][2] * p[2]; };
+  return {row(0), row(1), row(2)};
 }
 
 inline Rotation_matrix product(const Rotation_matrix& a, const Rotation_matrix& b)

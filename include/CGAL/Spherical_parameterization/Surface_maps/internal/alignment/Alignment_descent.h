@@ -28,20 +28,21 @@ namespace CGAL::Spherical_parameterization::internal {
 struct Alignment
 {
   Rotation_matrix rotation = rotation_matrix({1., 0., 0., 0.});
-  std::vector<Vector_3d> directions; // of the vertices of the first coarse surface; none if these are but rotated
-  double agreement = 0.;             // the correlation of the features
-  double score = 0.;                 // the same, less how much the map stretches, and how far it is from landmarks
-  double missed = 0.;                // how far that is, in units of the mean distance
+  std::vector<Vector_3d> directions;      // of the vertices of the first coarse surface; none if these are but rotated
+  std::vector<Vector_3d> before_matching; // the same, before match_functions()
+  double agreement = 0.;                  // the correlation of the features
+  double score = 0.;                      // the same, less how much the map stretches, and how far it is from landmarks
+  double missed = 0.;                     // how far that is, in units of the mean distance
 };
 
 // A start during its descent.
 struct Alignment_start
 {
   Alignment alignment;
-  Coarse_pair::Leads leads;
-  std::vector<Vector_3d> images; // of the first surface, rotated
-  std::unique_ptr<Mesh_hierarchy> hierarchy;
-  bool is_valid = true; // Doubles hold it.
+  Coarse_pair::Guides guides;
+  std::vector<Vector_3d> images;             // of the first surface, rotated
+  std::unique_ptr<Mesh_hierarchy> hierarchy; // the levels that are left, down from the one that it has come to
+  bool is_valid = true;                      // Doubles hold it.
 };
 
 // The descent of one start on the coarse surfaces, and the score of its end. The energy of a map between surfaces is led by
@@ -57,42 +58,46 @@ public:
     , m_metric(metric)
   {}
 
-  Alignment_start start_from(const Rotation_matrix& rotation, Coarse_pair::Leads leads) const
-  {
-    Alignment_start result;
-    result.alignment.rotation = rotation;
-    result.images = rotated_directions(rotation, m_surfaces.first().directions());
-    result.leads = std::move(leads);
-    return result;
-  }
-
-  // Lowers a map with its features and leads, first on the coarse levels alone, by which most starts can be left.
-  void lead(bool is_first, Alignment_start& start) const
+  // The levels of the first surface, the same for all starts.
+  Mesh_hierarchy levels() const
   {
     // From 60 vertices on, whole extremities move; from 30 on the surfaces have lost too much, from 120 on they are not led far
     // enough.
-    constexpr std::size_t min_size = 60, first_size = 700;
-    const Vertex_rings& rings = m_surfaces.first().rings();
+    constexpr std::size_t min_size = 60;
+    const Surface_descriptor& surface = m_surfaces.first();
+    Run_control control;
+    return Mesh_hierarchy(surface.rings(), m_surfaces.points(), vertex_areas(surface.rings(), m_surfaces.points()),
+                          control, Execution(), surface.directions(), {}, min_size);
+  }
+
+  Alignment_start start_from(const Mesh_hierarchy& levels, const Rotation_matrix& rotation,
+                             Coarse_pair::Guides guides) const
+  {
+    Alignment_start result;
+    result.alignment.rotation = rotation;
+    result.alignment.directions = result.images = rotated_directions(rotation, m_surfaces.first().directions());
+    result.guides = std::move(guides);
+    result.hierarchy = std::make_unique<Mesh_hierarchy>(levels);
+    return result;
+  }
+
+  // Lowers a map with its features and guides, first on the coarse levels alone, by which most starts can be left.
+  void lead(bool is_first, Alignment_start& start) const
+  {
+    constexpr std::size_t first_size = 700;
     std::size_t last_level = 0;
     Run_control control;
-    if(is_first)
-    {
-      start.hierarchy =
-          std::make_unique<Mesh_hierarchy>(rings, m_surfaces.points(), vertex_areas(rings, m_surfaces.points()),
-                                           control, Execution(), start.images, std::vector<char>(), min_size);
-      start.alignment.directions = start.images;
-      while(last_level + 1 < start.hierarchy->number_of_levels() &&
-            start.hierarchy->level(last_level).vertices.size() > first_size)
-        ++last_level;
-    }
-    const Target_goals led = {m_metric, m_surfaces.goals(start.leads, leading_weight)};
+    while(is_first && last_level + 1 < start.hierarchy->number_of_levels() &&
+          start.hierarchy->level(last_level).vertices.size() > first_size)
+      ++last_level;
+    const Target_goals led = {m_metric, m_surfaces.goals(start.guides, leading_weight)};
     start.is_valid =
         start.is_valid && lower_on_levels(*start.hierarchy, m_surfaces.points(), start.images, led, m_sweeps,
                                           start.alignment.directions, control, Execution(), last_level);
     assess(start);
   }
 
-  // Lowers a map with the weight that features have in the end.
+  // Lowers a map by the energy and the features alone.
   void settle(double feature_weight, Alignment_start& start) const
   {
     start.is_valid = start.is_valid && lower({}, feature_weight, m_sweeps, start.alignment.directions, Execution());
@@ -103,21 +108,26 @@ public:
   // vertex is, where the energy and features are much the same. Those of higher frequencies correspond once the lower ones do, so
   // there are more of them from round to round (Melzi et al., ZoomOut: Spectral Upsampling for Efficient Shape Correspondence,
   // 2019).
-  void match_functions(std::vector<Vector_3d>& directions) const
+  void match_functions(Alignment& alignment) const
   {
     constexpr Target_sweeps sweeps = {20, 1e-3, 0.04}; // with less than half as many, poses are matched worse
+    alignment.before_matching = alignment.directions;
+    std::vector<std::uint32_t> vertices(alignment.directions.size());
+    std::iota(vertices.begin(), vertices.end(), 0u);
     for(const std::size_t n_functions : std::initializer_list<std::size_t>{10, 32, 55, 77, 100})
-      lower(m_surfaces.leads_of(directions, n_functions), leading_weight, sweeps, directions, m_surfaces.execution());
+      lower(m_surfaces.eigenfunction_guides(alignment.directions, n_functions), leading_weight, sweeps,
+            alignment.directions, m_surfaces.execution());
+    alignment.missed = distance_from_landmarks(vertices, alignment.directions);
   }
 
 private:
-  bool lower(Coarse_pair::Leads leads, double weight, const Target_sweeps& sweeps, std::vector<Vector_3d>& directions,
+  bool lower(Coarse_pair::Guides guides, double weight, const Target_sweeps& sweeps, std::vector<Vector_3d>& directions,
              const Execution& execution) const
   {
     constexpr std::size_t min_size = 500; // the coarsest level once the large parts correspond
     Run_control control;
     return lower_on_target(m_surfaces.first().rings(), m_surfaces.points(),
-                           {m_metric, m_surfaces.goals(std::move(leads), weight)}, min_size, sweeps, directions,
+                           {m_metric, m_surfaces.goals(std::move(guides), weight)}, min_size, sweeps, directions,
                            control, execution);
   }
 
@@ -130,20 +140,27 @@ private:
     constexpr double weight_of_stretching = 1. / 3.;
     const std::vector<Vector_3d>& directions = start.alignment.directions;
     start.alignment.agreement = feature_agreement(m_surfaces.feature_goals(), level, directions);
-    start.alignment.missed = m_surfaces.distance_from_landmarks([&](const Vector_3d& p) {
-      const auto cosine = [&](std::uint32_t v) { return dot(m_surfaces.first().directions()[v], p); };
-      return directions[*std::max_element(level.vertices.begin(), level.vertices.end(),
-                                          [&](std::uint32_t v, std::uint32_t w) { return cosine(v) < cosine(w); })];
-    });
+    start.alignment.missed = distance_from_landmarks(level.vertices, directions);
     start.alignment.score =
         feature_agreement(m_surfaces.feature_goals(), level, directions, m_surfaces.first().weights_in_choice()) -
         weight_of_stretching * stretching(m_metric, level, start.hierarchy->rings(k), m_surfaces.points(), directions) -
         start.alignment.missed;
   }
 
+  // How far a map of these vertices is from the landmarks.
+  double distance_from_landmarks(const std::vector<std::uint32_t>& vertices,
+                                 const std::vector<Vector_3d>& directions) const
+  {
+    return m_surfaces.distance_from_landmarks([&](const Vector_3d& p) {
+      const auto cosine = [&](std::uint32_t v) { return dot(m_surfaces.first().directions()[v], p); };
+      return directions[*std::max_element(vertices.begin(), vertices.end(),
+                                          [&](std::uint32_t v, std::uint32_t w) { return cosine(v) < cosine(w); })];
+    });
+  }
+
   // With a weight of 40, extremities stay where they are on the first surface; more than 160 crushes what is between them.
   static constexpr double leading_weight = 80.;
-  // Other levels follow. But with 0.04 as the last one, the scores are less exact, and more maps are half-turns.
+  // Fewer than by default, as finer levels follow; but with a settled part of 0.04, scores are less exact, and more maps are half-turns.
   static constexpr Target_sweeps m_sweeps = {20, 1e-3, 0.02};
 
   const Coarse_pair& m_surfaces;

@@ -26,7 +26,7 @@ namespace CGAL::Spherical_parameterization::internal {
 class Coarse_pair
 {
 public:
-  using Leads = std::array<std::vector<Vertex_scalars>, 2>; // features of both surfaces
+  using Guides = std::array<std::vector<Vertex_scalars>, 2>; // features of both surfaces
 
   Coarse_pair(Surface_descriptor first, Surface_descriptor second, Run_control& control, const Execution& execution)
     : m_surfaces{std::move(first), std::move(second)}
@@ -48,7 +48,7 @@ public:
     if(landmarks.empty())
       return;
     in_parallel(2, [&](std::size_t k) { m_surfaces[k].measure_distances(); });
-    Leads distances;
+    Guides distances;
     for(const auto& [p, q] : landmarks)
     {
       m_landmarks.push_back(p);
@@ -58,7 +58,7 @@ public:
     m_landmark_image.emplace(image(distances[1]));
     for(std::size_t surface = 0; surface < 2; ++surface)
       for(const Vertex_scalars& d : distances[surface])
-        m_landmark_leads[surface].push_back(scaled(d, weight_of_leading_distances));
+        m_landmark_guides[surface].push_back(scaled(d, weight_of_leading_distances));
   }
 
   const Surface_descriptor& first() const { return m_surfaces[0]; }
@@ -94,20 +94,18 @@ public:
   }
 
   // The distances from extremities that correspond, and from landmarks, which lead a descent along with the features.
-  Leads leads_of(const std::array<Extremities, 2>& extremities,
-                 const std::vector<std::array<std::uint32_t, 2>>& pairs) const
+  Guides distance_guides(const std::array<Extremities, 2>& extremities,
+                         const std::vector<std::array<std::uint32_t, 2>>& pairs) const
   {
-    Leads result;
+    Guides result;
     for(std::size_t surface = 0; surface < 2; ++surface)
-    {
       for(const auto& pair : pairs)
         result[surface].push_back(scaled(extremities[surface][pair[surface]].distances, weight_of_leading_distances));
-      result[surface].insert(result[surface].end(), m_landmark_leads[surface].begin(), m_landmark_leads[surface].end());
-    }
+    add_landmarks(result);
     return result;
   }
 
-  // Gets ready for leads_of() a map.
+  // Gets ready for eigenfunction_guides().
   void find_spectra()
   {
     in_parallel(2, [&](std::size_t k) { m_surfaces[k].find_spectrum(); });
@@ -116,10 +114,10 @@ public:
   // The first n eigenfunctions of the first surface, and the sums of those of the second surface that are nearest to them by a map: an
   // isometry would carry these to each other, and where surfaces differ too much for a function, the sum is nearly 0 and leads
   // nowhere (Ovsjanikov et al., Functional maps, 2012).
-  Leads leads_of(const std::vector<Vector_3d>& directions, std::size_t n) const
+  Guides eigenfunction_guides(const std::vector<Vector_3d>& directions, std::size_t n) const
   {
     constexpr double weight = 16.; // with 8 or 30, the mean error is the same
-    Leads result = {at_most(n, first().spectrum().functions()), {}};
+    Guides result = {at_most(n, first().spectrum().functions()), {}};
     const std::vector<Vertex_scalars> functions = at_most(n, second().spectrum().functions());
     std::vector<Vertex_scalars> carried(functions.size(), Vertex_scalars(directions.size()));
     const Sphere_image there = image(functions);
@@ -140,6 +138,7 @@ public:
       }
       result[0][i] = scaled(std::move(result[0][i]), weight);
     });
+    add_landmarks(result);
     return result;
   }
 
@@ -158,15 +157,15 @@ public:
   }
 
   // The goals by the features, and by others beside them.
-  Feature_goals goals(Leads leads, double weight) const
+  Feature_goals goals(Guides guides, double weight) const
   {
     for(std::size_t surface = 0; surface < 2; ++surface)
-      leads[surface].insert(leads[surface].end(), m_surfaces[surface].features().begin(),
-                            m_surfaces[surface].features().end());
+      guides[surface].insert(guides[surface].end(), m_surfaces[surface].features().begin(),
+                             m_surfaces[surface].features().end());
     Feature_goals result;
-    result.image = image(leads[1]);
+    result.image = image(guides[1]);
     result.weight = weight;
-    result.set_values(leads[0]);
+    result.set_values(guides[0]);
     result.mask = first().mask();
     return result;
   }
@@ -180,6 +179,13 @@ private:
   void in_parallel(std::size_t n, const Function& f) const
   {
     for_each_in_blocks(m_execution, 0, n, 1, f);
+  }
+
+  void add_landmarks(Guides& guides) const
+  {
+    for(std::size_t surface = 0; surface < 2; ++surface)
+      guides[surface].insert(guides[surface].end(), m_landmark_guides[surface].begin(),
+                             m_landmark_guides[surface].end());
   }
 
   Sphere_image image(const std::vector<Vertex_scalars>& channels) const
@@ -211,7 +217,7 @@ private:
   Sphere_image::Locations m_nodes; // of images, on the second sphere
   Feature_goals m_features;
   std::vector<Vector_3d> m_landmarks; // on the first sphere
-  Leads m_landmark_leads;
+  Guides m_landmark_guides;
   std::optional<Sphere_image> m_landmark_image;
 };
 

@@ -19,6 +19,7 @@
 #include <CGAL/Spherical_parameterization/Surface_maps/internal/alignment/map_score.h>
 #include <CGAL/Spherical_parameterization/internal/execution/Run_control.h>
 #include <CGAL/Spherical_parameterization/internal/numbers/elementary_functions.h>
+#include <CGAL/Spherical_parameterization/internal/numbers/run_in_lanes.h>
 
 #include <CGAL/Spherical_parameterization/internal/numbers/begin_arithmetic.h>
 
@@ -148,37 +149,53 @@ private:
       for(std::size_t i = 0; i < all.size(); ++i)
         if(surface.counts(nearest_vertex(triangles, locations[i])))
         {
-          directions.push_back(all[i]);
+          ++size;
+          for(std::size_t k = 0; k < 3; ++k)
+            directions[k].push_back(all[i][k]);
           for(const Vertex_scalars& channel : surface.features())
           {
             values.push_back(interpolated(channel, triangles, locations[i]));
             squares += values.back() * values.back();
           }
-          values.resize(directions.size() * Sphere_image::row_size(surface.features().size()), 0.);
+          values.resize(size * Sphere_image::row_size(surface.features().size()), 0.);
         }
+      for(std::vector<double>& coordinates : directions)
+        coordinates.resize(size + max_lanes, 1.); // As many are loaded at once.
     }
 
-    std::vector<Vector_3d> directions;
-    std::vector<double> values; // in rows of the image
-    double squares = 0.;        // their sum
+    std::size_t size = 0;
+    std::array<std::vector<double>, 3> directions; // by coordinates
+    std::vector<double> values;                    // in rows of the image
+    double squares = 0.;                           // their sum
   };
 
   double score(const Rotation_matrix& r, const Samples& samples) const
   {
-    constexpr std::size_t n_sums = 4; // one would wait for each addition
-    std::array<double, n_sums> ab{}, bb{};
-    for(std::size_t i = 0; i < samples.directions.size(); ++i)
-    {
-      const double* const a = &samples.values[i * m_row];
-      const double* const b = m_b.nearest(rotated(r, samples.directions[i]));
-      for(std::size_t k = 0; k < m_row; k += n_sums)
-        for(std::size_t l = 0; l < n_sums; ++l)
-        {
-          ab[l] += a[k + l] * b[k + l];
-          bb[l] += b[k + l] * b[k + l];
-        }
-    }
-    const auto sum = [](const std::array<double, n_sums>& x) { return (x[0] + x[1]) + (x[2] + x[3]); };
+    using Sums = Four_lanes; // one would wait for each addition
+    Sums ab = 0., bb = 0.;
+    run_in_lanes<max_lanes>([&](auto number_type) {
+      using FT = typename decltype(number_type)::FT;
+      constexpr std::size_t width = Lanes<FT>::width;
+      Sums products = 0., squares = 0.;
+      for(std::size_t i = 0; i < samples.size; i += width)
+      {
+        Vector_3<FT> p;
+        for(std::size_t k = 0; k < 3; ++k)
+          p[k] = Lanes<FT>::load(&samples.directions[k][i]);
+        const auto nearest = m_b.nearest(rotated(r, p));
+        for(std::size_t l = 0; l < width && i + l < samples.size; ++l)
+          for(std::size_t k = 0; k < m_row; k += Lanes<Sums>::width)
+          {
+            const Sums a = Lanes<Sums>::load(&samples.values[(i + l) * m_row + k]),
+                       b = Lanes<Sums>::load(nearest[l] + k);
+            products += a * b;
+            squares += b * b;
+          }
+      }
+      ab = products;
+      bb = squares;
+    });
+    const auto sum = [](const Sums& x) { return (lane(x, 0) + lane(x, 1)) + (lane(x, 2) + lane(x, 3)); };
     return correlation(sum(ab), samples.squares, sum(bb));
   }
 
@@ -214,6 +231,8 @@ private:
     return result;
   }
 
+  static constexpr std::size_t max_lanes = 4;
+
   const Sphere_image& m_b;
   std::size_t m_row;
   Execution m_execution;
@@ -222,8 +241,9 @@ private:
 
 // The rotation that brings each vertex nearest to one of the second sphere, in a few rounds from a rotation that is nearly
 // so. For copies of a sphere it is exact but for rounding.
-inline Rotation_matrix polished(Rotation_matrix rotation, const Sphere_mesh& sphere1, const Sphere_mesh& sphere2,
-                                Run_control& control, const Execution& execution)
+inline Rotation_matrix closest_point_rotation(Rotation_matrix rotation, const Sphere_mesh& sphere1,
+                                              const Sphere_mesh& sphere2, Run_control& control,
+                                              const Execution& execution)
 {
   // One is enough where vertices are farther apart than the rotation is off; of dense copies, more meet in each further one.
   constexpr int n_rounds = 8;

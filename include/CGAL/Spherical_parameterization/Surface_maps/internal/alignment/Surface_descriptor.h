@@ -165,7 +165,7 @@ public:
 
   // Whether the surface counts around a vertex.
   bool counts(std::size_t v) const { return m_mask.empty() || !m_mask[v]; }
-  Mask mask() const { return m_mask; }
+  const Mask& mask() const { return m_mask; }
   const std::vector<Vector_3d>& directions() const { return m_directions; }
 
   // Whether its images are a bijection as doubles, which all that looks at the sphere takes for granted.
@@ -198,7 +198,7 @@ public:
     // It distinguishes front from back as nothing else does. As a goal of the descent, or in the search of rotations, it is to count no
     // more than the others: its features are small, and the maps are led to the nearest of them.
     constexpr double weight_of_fine_curvature = 3.;
-    add_ranks(k == 0   ? shrinking()
+    add_ranks(k == 0   ? area_ratios()
               : k == 1 ? average_distance()
                        : mean_curvature(m_rings, m_points, k == 2 ? fine : coarse, min_area));
     m_weights_in_choice.push_back(k == 2 ? weight_of_fine_curvature : 1.);
@@ -325,7 +325,7 @@ private:
       d *= m_inverse_mean_distance;
   }
 
-  Vertex_scalars shrinking() const
+  Vertex_scalars area_ratios() const
   {
     Vertex_scalars sphere_areas(size(), 0.), result(size());
     const auto& q = m_directions;

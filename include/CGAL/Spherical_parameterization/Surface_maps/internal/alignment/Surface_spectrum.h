@@ -35,7 +35,7 @@
 
 namespace CGAL::Spherical_parameterization::internal {
 
-// The lowest eigenvalues and eigenfunctions, but the constant, of the Laplacian of a small surface of area 1: L x = lambda M x, with
+// The lowest eigenvalues and eigenfunctions, except the constant one, of the Laplacian of a small surface of area 1: L x = lambda M x, with
 // cotangents of triangles in L and areas in M. They change little when the surface is bent.
 //
 // They are found by Lanczos' method with the inverse of L + M, whose vectors are made orthogonal to all before, in a fixed order of
@@ -213,7 +213,8 @@ private:
     std::iota(order.begin(), order.end(), std::size_t(0));
     std::stable_sort(order.begin(), order.end(),
                      [&](std::size_t i, std::size_t j) { return diagonal[i] > diagonal[j]; });
-    order.resize((std::min)(max_functions, m / 2));
+    const bool is_complete = m < max_steps; // The vectors span all that there is.
+    order.resize((std::min)(max_functions, is_complete ? m : m / 2));
     for(const std::size_t i : order)
     {
       Vector x(n, 0.);

@@ -20,8 +20,9 @@
 
 #include <CGAL/Spherical_parameterization/internal/numbers/begin_arithmetic.h>
 
-// The first two stages of map_surface(): candidates are proposed, and chosen among on coarse surfaces. Spheres of poses of a
-// body differ by more than a rotation: extremities lean to one side or to the other, as both are nearly as good. So many starts are taken to their end, and the outcome decides.
+// Candidates are proposed, and chosen among on coarse surfaces. Spheres of poses of a body differ by more than a rotation: a map of low
+// distortion may let an extremity lean to one side or to the other. So many starts are taken through the descent, and the outcome
+// decides.
 
 namespace CGAL::Spherical_parameterization::internal {
 
@@ -40,9 +41,9 @@ void for_each_start(const Coarse_pair& surfaces, std::vector<Alignment_start>& s
   starts.erase(starts.begin() + static_cast<std::ptrdiff_t>(n_done), starts.end());
 }
 
-// Keeps the starts that doubles hold and that differ from better ones by this angle in the mean, weighted by these areas; the
-// best one comes first.
-inline void keep_best(const Vertex_scalars& areas, double min_angle, std::vector<Alignment_start>& starts)
+// Keeps the starts that doubles hold and that differ from better ones by this angle in the mean over the level that all have come to;
+// the best one comes first.
+inline void keep_best(double min_angle, std::vector<Alignment_start>& starts)
 {
   starts.erase(
       std::remove_if(starts.begin(), starts.end(), [](const Alignment_start& start) { return !start.is_valid; }),
@@ -54,11 +55,13 @@ inline void keep_best(const Vertex_scalars& areas, double min_angle, std::vector
   for(Alignment_start& start : starts)
   {
     const auto is_near = [&](const Alignment_start& other) {
+      const Mesh_hierarchy::Level& level = start.hierarchy->level(start.hierarchy->number_of_levels() - 1);
       double sum = 0., area = 0.;
-      for(std::size_t v = 0; v < areas.size(); ++v)
+      for(std::size_t i = 0; i < level.vertices.size(); ++i)
       {
-        sum += areas[v] * dot(start.alignment.directions[v], other.alignment.directions[v]);
-        area += areas[v];
+        const std::uint32_t v = level.vertices[i];
+        sum += level.areas[i] * dot(start.alignment.directions[v], other.alignment.directions[v]);
+        area += level.areas[i];
       }
       return sum > cosine(min_angle) * area;
     };
@@ -68,31 +71,32 @@ inline void keep_best(const Vertex_scalars& areas, double min_angle, std::vector
   starts.swap(result);
 }
 
-// The candidates: rotations by which features agree, and if these are not copies, rotations that bring extremities together
-// that may correspond.
+// The starts: these rotations, by which features agree, and others that bring extremities together which may correspond.
 inline std::vector<Alignment_start> propose(Coarse_pair& surfaces, const std::vector<Alignment>& rotations,
                                             const Alignment_descent& descent)
 {
   constexpr std::size_t n_matchings = 12;
   std::vector<Alignment_start> starts;
+  const Mesh_hierarchy levels = descent.levels();
   const auto extremities = surfaces.extremities();
   for(const Alignment& alignment : rotations)
-    starts.push_back(descent.start_from(alignment.rotation, surfaces.leads_of(extremities, {})));
+    starts.push_back(descent.start_from(levels, alignment.rotation, surfaces.distance_guides(extremities, {})));
   for(const Extremity_matching& matching :
       Extremity_search(extremities[0], extremities[1])
           .best(n_matchings, surfaces.first().directions(), surfaces.second().directions()))
-    starts.push_back(descent.start_from(matching.rotation, surfaces.leads_of(extremities, matching.pairs)));
+    starts.push_back(
+        descent.start_from(levels, matching.rotation, surfaces.distance_guides(extremities, matching.pairs)));
   return starts;
 }
 
 // The best maps of the first coarse surface to the sphere of the second surface, which has this metric, the best one first; at
-// least one. They differ from each other, by 20 degrees or more in the mean. The weight of the features is that of
-// the descent to come.
+// least one. They differ from each other, by 20 degrees or more in the mean. They are rotations, without directions, if surfaces are
+// copies or the run is stopped. The weight is that of the features of a caller in the end; those of the package have less then.
 inline std::vector<Alignment> best_alignments(Coarse_pair& surfaces, const Target_metric& metric, double feature_weight,
                                               const Sphere_mesh& sphere1, const Sphere_mesh& sphere2)
 {
-  // Copies of a surface with rotated copies of its sphere have a score of nearly 1, poses of a body less. If it is larger,
-  // copies are bent, to 1.3 degrees from each other where the rotation leaves 0.2; if it is smaller, poses are not bent.
+  // Copies of a surface with rotated copies of its sphere have a score of nearly 1, poses of a body less. With a larger one, copies go
+  // through the descent and end 1.3 degrees off, where the rotation is 0.2 off; with a smaller one, poses are but rotated.
   constexpr double min_score_of_same_shape = 0.97;
   // Different alignments are farther apart, in the mean. Before the end of the descent, it is not clear which of two near ones
   // is better, unless they are the same.
@@ -105,20 +109,20 @@ inline std::vector<Alignment> best_alignments(Coarse_pair& surfaces, const Targe
   for(const Scored_rotation& r : surfaces.best_rotations(n_rotations))
   {
     const double missed = surfaces.distance_from_landmarks([&](const Vector_3d& p) { return rotated(r.rotation, p); });
-    result.push_back({r.rotation, {}, r.score, r.score - missed, missed});
+    result.push_back({r.rotation, {}, {}, r.score, r.score - missed, missed});
   }
   std::stable_sort(result.begin(), result.end(),
                    [](const Alignment& a, const Alignment& b) { return a.score > b.score; });
   const bool is_same_shape = result[0].score > min_score_of_same_shape;
   if(is_same_shape)
-    result[0].rotation = polished(result[0].rotation, sphere1, sphere2, surfaces.control(), surfaces.execution());
+    result[0].rotation =
+        closest_point_rotation(result[0].rotation, sphere1, sphere2, surfaces.control(), surfaces.execution());
   if(is_same_shape || !surfaces.goes_on())
     return result;
   const Alignment_descent descent(surfaces, metric);
-  const Vertex_scalars& areas = surfaces.first().areas();
   std::vector<Alignment_start> starts = propose(surfaces, result, descent);
   for_each_start(surfaces, starts, [&](Alignment_start& start) { descent.lead(true, start); });
-  keep_best(areas, min_angle_at_first, starts);
+  keep_best(min_angle_at_first, starts);
   while(starts.size() > n_carried_on ||
         (!starts.empty() && starts.back().alignment.score < starts.front().alignment.score - max_lag))
     starts.pop_back();
@@ -126,7 +130,7 @@ inline std::vector<Alignment> best_alignments(Coarse_pair& surfaces, const Targe
     descent.lead(false, start);
     descent.settle(feature_weight, start);
   });
-  keep_best(areas, min_angle, starts);
+  keep_best(min_angle, starts);
   if(starts.empty())
     return result;
   result.clear();

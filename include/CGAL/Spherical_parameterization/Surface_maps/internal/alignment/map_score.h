@@ -56,7 +56,7 @@ inline double feature_agreement(const Feature_goals& features, const Mesh_hierar
   return correlation(ab, aa, bb);
 }
 
-// The mean over the first surface of the root of the logarithm of the symmetric Dirichlet energy, 0 for an isometry. The root
+// The mean over the first surface of the root of the logarithm of half the symmetric Dirichlet energy, 0 for an isometry. The root
 // grows in proportion to how far a face is from one; the mean of the energy itself is that of its worst faces. The points are
 // those of a surface of area 4 pi.
 inline double stretching(const Target_metric& metric, const Mesh_hierarchy::Level& level, const Vertex_rings& rings,

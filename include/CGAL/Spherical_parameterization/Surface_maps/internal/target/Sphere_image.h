@@ -52,7 +52,7 @@ inline std::vector<Vector_3d> nodes_of_cube(std::size_t n_steps)
 class Sphere_image
 {
 public:
-  // along an edge of the cube: 1.9 degrees at most, a quarter of how far the vertices of a Surface_descriptor are from each other
+  // Along an edge of the cube: they are 1.9 degrees apart in the mean, less than half as far as the vertices of a Surface_descriptor.
   static constexpr std::size_t default_steps = 48;
 
   using Locations = std::vector<Sphere_mesh::Triangle_location>;
@@ -82,8 +82,16 @@ public:
   // How many numbers the values of one node take: so many that they are worked on in lanes without a rest. The others are 0.
   static std::size_t row_size(std::size_t n_channels) { return (n_channels + 3) / 4 * 4; }
 
-  // the values at the node that is nearest to a direction, in the side of the cube that it leads to
-  const double* nearest(const Vector_3d& p) const { return at_node(Cube_location(p, m_n_steps).nearest_node()); }
+  // For a direction in each lane, the values at the node that is nearest to it, in the side of the cube that it leads to.
+  template <class FT>
+  std::array<const double*, Lanes<FT>::width> nearest(const Vector_3<FT>& p) const
+  {
+    const Basic_cube_location<FT> location(p, m_n_steps);
+    std::array<const double*, Lanes<FT>::width> result;
+    for(std::size_t l = 0; l < result.size(); ++l)
+      result[l] = at_node(location.nearest_node(l));
+    return result;
+  }
 
   void interpolate(const Vector_3d& p, double* result) const
   {
@@ -167,7 +175,7 @@ private:
     return result;
   }
 
-  const double* at_node(std::size_t node) const { return &m_values[node * m_row]; }
+  const double* at_node(std::size_t node) const { return m_values.data() + node * m_row; }
 
   // the rows of the nodes around a location
   template <class FT>

@@ -67,6 +67,7 @@ public:
     const std::size_t n = level.vertices.size();
     const bool is_swept =
         is_last || n < many || static_cast<double>(n) > min_growth * static_cast<double>(m_last_swept_size);
+    m_is_swept = is_swept;
     if(is_swept)
       m_last_swept_size = n;
     return {is_swept ? m_sweeps.maximum : 1, m_sweeps.settled_change};
@@ -96,13 +97,18 @@ public:
   template <class Descent>
   void choose_radius(const Descent&, double&) const
   {}
-  void start_sweep(Space& space, std::size_t sweep, bool is_last) const { space.start_sweep(sweep, is_last); }
+  // Landmarks are not placed on a level that is swept but once: they have not been drawn to there yet.
+  void start_sweep(Space& space, std::size_t sweep, bool is_last) const
+  {
+    space.start_sweep(sweep, is_last && m_is_swept);
+  }
   bool may_end(const Space& space) const { return !space.has_open_landmarks(); }
 
 private:
   Target_sphere m_space;
   Target_sweeps m_sweeps;
   const std::vector<Vector_3d>& m_images;
+  bool m_is_swept = true; // the level
   std::size_t m_last_swept_size = 0;
   std::vector<Vector_3d> m_old; // of the level
 };

@@ -53,7 +53,7 @@ struct Feature_goals
   }
   const double* values_of(std::size_t v) const
   {
-    return &values[v * Sphere_image::row_size(image->number_of_channels())];
+    return values.data() + v * Sphere_image::row_size(image->number_of_channels());
   }
 };
 
