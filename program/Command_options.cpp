@@ -63,7 +63,8 @@ const Options_list hint_options = {
     {"--compare", "WHAT", "ranks of features, the default, or their values"},
     {"--masks", "A B", "values of vertices, 0 where features are not to be compared; or labels"},
     {"--regularize", "WHAT", "keep low the distortion between surfaces, the default, or between spheres"},
-    {"--overlay", "FILE.ply", "write the common refinement with positions on both, and both faces"}};
+    {"--overlay", "FILE.ply", "write the common refinement with positions on both, and both faces"},
+    {"--expected-errors", "FILE", "write how far off each vertex may be: SURFACE as .ply, or values"}};
 
 Options_list own_options(const std::string& command)
 {

@@ -291,6 +291,14 @@ void Input_mesh::take_triangles_of_mesh()
   }
 }
 
+Mesh Input_mesh::mesh_without_properties() const
+{
+  Mesh result;
+  SP::internal::build_mesh(m_polygons, m_mesh.number_of_vertices(), result);
+  set_points(result, {m_mesh.points().begin(), m_mesh.points().end()});
+  return result;
+}
+
 void Input_mesh::write_repaired(std::ostream& out, const std::string& format) const
 {
   const std::vector<Point_3> points(m_mesh.points().begin(), m_mesh.points().end());
@@ -299,9 +307,7 @@ void Input_mesh::write_repaired(std::ostream& out, const std::string& format) co
     write_mesh(out, format, points, m_polygons, inherited(m_origin, false));
     return;
   }
-  Mesh written;
-  SP::internal::build_mesh(m_polygons, points.size(), written);
-  set_points(written, points);
+  Mesh written = mesh_without_properties();
   const auto source_vertices = written.add_property_map<Vertex_index, std::int32_t>("v:source_vertex", -1).first;
   const auto source_faces = written.add_property_map<Mesh::Face_index, std::int32_t>("f:source_face", -1).first;
   const auto patch = written.add_property_map<Mesh::Face_index, std::uint8_t>("f:patch", 0).first;

@@ -102,6 +102,9 @@ public:
   /// takes the triangles from the mesh, after edges of it have been split. Those that are still there stay as they were.
   void take_triangles_of_mesh();
 
+  /// returns the mesh with its points alone, to be written with other properties.
+  Mesh mesh_without_properties() const;
+
   /// writes the repaired surface. In a PLY file, the properties `source_vertex` and `source_face` say which vertex or face of the file
   /// each is from, -1 for new ones, and `patch` is 1 for faces that close it.
   void write_repaired(std::ostream& out, const std::string& format) const;

@@ -178,6 +178,10 @@ void Mesh_run::match(const Mapped_mesh* model)
   if(!m_match->figures.distortion && needs_overlay)
     throw error_in(m_names.input, std::string("no --overlay, --morph or --page can be made. "),
                    SP::get_error_message(SP::ERROR_TOO_LARGE_OVERLAY));
+  if(!m_names.expected_errors.empty() && m_match->expected_errors().empty())
+    throw error_in(
+        m_names.input,
+        "no --expected-errors can be told, as landmarks alone have aligned the surfaces, or the run was stopped.");
   m_report.match = m_match->figures;
   m_report.match->other = model != nullptr ? m_options.text("template") : m_options.onto;
   m_report.match->is_template = model != nullptr;
@@ -213,7 +217,7 @@ void Mesh_run::write()
   if(!m_names.colored.empty())
     write_colors();
   if(!m_names.page.empty())
-    write_page_of(m_match ? page_of_match(m_match->overlay(), m_report)
+    write_page_of(m_match ? page_of_match(*m_match, m_report)
                           : page_of_sphere(*m_input, m_sphere, m_distortions, m_report));
   m_report.seconds_for_output = seconds_now() - start - m_report.seconds_for_measuring;
   commit();
@@ -249,6 +253,12 @@ void Mesh_run::write_surfaces()
   const std::string& values = m_names.values;
   m_files.write(values,
                 [&](Out out) { read_named(values, [&] { m_remesh->write_values(out, file_format(values)); }); });
+  const std::string& errors = m_names.expected_errors;
+  m_files.write(errors, [&](Out out) {
+    read_named(errors, [&] {
+      m_match->write_expected_errors(out, file_format(errors) == ".ply" ? ".ply" : format_of_values(errors));
+    });
+  });
   m_files.write(m_names.overlay, [&](Out out) { m_match->write_overlay(out); });
   m_files.write(m_names.image, [&](Out out) { m_image->write_image(out, m_names.image, false); });
   m_files.write(m_names.image_of_normals(), [&](Out out) { m_image->write_image(out, m_names.image, true); });

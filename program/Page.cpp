@@ -154,6 +154,26 @@ std::vector<SP::Face_distortion> distortions_between(const Page& page, SP::Disto
   return {distortions.begin(), distortions.end()};
 }
 
+// Offers to colour each face by the mean of the expected errors of the corners of that of the first surface that it is part of.
+void add_expected_errors(Page& page, const Surface_match& match)
+{
+  const std::vector<double>& errors = match.expected_errors();
+  if(errors.empty())
+    return;
+  const std::vector<Polygon>& triangles = match.input().triangles();
+  std::vector<float> values;
+  for(const auto& faces : match.overlay().faces)
+  {
+    const Polygon& t = triangles[faces.first];
+    values.push_back(to_float((errors[t[0]] + errors[t[1]] + errors[t[2]]) / 3.));
+  }
+  page.add_measure(
+      "expected error", "how far a point may be from where it should be, over the root of the area of the right side",
+      0.,
+      {{"average", *match.figures.report.expected_error}, {"maximum", *std::max_element(errors.begin(), errors.end())}},
+      values);
+}
+
 void tell(Page& page, const Run_report& report)
 {
   page.is_one_to_one = report.result.is_one_to_one;
@@ -251,9 +271,10 @@ Page page_of_sphere(Input_mesh& input, const Sphere_map& sphere, const Distortio
   return page;
 }
 
-Page page_of_match(const Overlay& overlay, const Run_report& report)
+Page page_of_match(const Surface_match& match, const Run_report& report)
 {
   Page page;
+  const Overlay& overlay = match.overlay();
   page.triangles = overlay.triangles;
   page.has_numbers = true;
   page.left.title = shown_name(report.input());
@@ -274,6 +295,7 @@ Page page_of_match(const Overlay& overlay, const Run_report& report)
   tell(page, report);
   add_distortions(page, distortions_between(page),
                   [&](auto of_sphere, auto of_both) { return report.statistics(of_sphere, of_both); });
+  add_expected_errors(page, match);
   turn_like_left(page, page.right);
   return page;
 }

@@ -67,7 +67,7 @@ Page page_of_sphere(Input_mesh& input, const Sphere_map& sphere, const Distortio
                     const Run_report& report);
 
 /// shows two surfaces by their common refinement.
-Page page_of_match(const Overlay& overlay, const Run_report& report);
+Page page_of_match(const Surface_match& match, const Run_report& report);
 
 /// shows two surfaces with the same faces: the map between them takes each vertex to that of the same number.
 ///

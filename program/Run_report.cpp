@@ -205,6 +205,7 @@ void Run_report::print_match(std::ostream& out) const
   const std::size_t n_landmarks = report.landmark_distances.size();
   if(n_landmarks == 0 || report.agreement != 0.)
     out << "features, which agree by " << number(report.agreement) << ", with a margin of " << number(report.margin)
+        << (report.expected_error ? ", expected error " + number(*report.expected_error) : "")
         << (report.is_uncertain ? ": look whether the map is right" : "");
   else
     out << "landmarks";

@@ -11,6 +11,9 @@
 #include <CGAL/Spherical_parameterization/internal/numbers/elementary_functions.h>
 #include <CGAL/Spherical_parameterization/is_bijective.h>
 
+#include <CGAL/IO/PLY.h>
+#include <CGAL/IO/io.h>
+
 #include <algorithm>
 #include <limits>
 
@@ -125,6 +128,8 @@ Surface_match::Surface_match(const Options& options, Input_mesh& first, const Sp
   std::optional<SP::Distortion_between>& distortion = figures.distortion;
   SP::Error_code error = map(m_first, sphere1, m_directions, mapper);
   report = mapper.report();
+  std::vector<double> errors(m_first.number_of_vertices(), 0.);
+  const bool has_errors = mapper.get_expected_errors(CGAL::make_property_map(errors));
   if(error == SP::OK && options.has("split"))
   {
     error =
@@ -136,6 +141,9 @@ Surface_match::Surface_match(const Options& options, Input_mesh& first, const Sp
     figures.parents.assign(m_refinement->parents().begin(), m_refinement->parents().end());
   }
   check(error, first.name());
+  if(has_errors)
+    for(const Vertex_index v : m_first.vertices())
+      m_expected_errors.push_back(m_refinement->value_at(errors, v));
   if(!spheres && !needs_overlay && (report.distortion || report.is_energy_sampled))
     distortion = report.distortion;
   else // The report of a run that was stopped has none, and that between spheres is not the one between surfaces.
@@ -180,6 +188,24 @@ void Surface_match::write_positions(std::ostream& out, const std::string& format
                                    corner(m_second.next(h)), weights[2]);
     }
   write_mesh(out, format, points, m_input.triangles(), inherited(m_target_origin, false));
+}
+
+void Surface_match::write_expected_errors(std::ostream& out, const std::string& format) const
+{
+  if(format != ".ply")
+  {
+    SP::IO::Surface_file file;
+    file.columns.push_back(
+        {"expected_error", "NIFTI_INTENT_SHAPE", SP::IO::Vertex_values::Type::float32, m_expected_errors, {}});
+    write_surface_file(out, format, file, m_first.number_of_faces());
+    return;
+  }
+  Mesh written = m_input.mesh_without_properties();
+  const auto errors = written.add_property_map<Vertex_index, float>("v:expected_error", 0.f).first;
+  for(const Vertex_index v : written.vertices())
+    errors[v] = static_cast<float>(m_expected_errors[v]);
+  CGAL::IO::set_binary_mode(out);
+  CGAL::IO::write_PLY(out, written, CGAL::parameters::stream_precision(17));
 }
 
 void Surface_match::write_overlay(std::ostream& out) const

@@ -57,6 +57,13 @@ public:
   /// writes the faces of the first surface, with its vertices where they are on the second one.
   void write_positions(std::ostream& out, const std::string& format) const;
 
+  /// returns how far the image of each vertex of the first surface is expected to be from where it should be, over the root of the area of
+  /// the second one; empty if there is no estimate.
+  const std::vector<double>& expected_errors() const { return m_expected_errors; }
+
+  /// writes these: in a PLY file with the first surface, in other formats as values of vertices.
+  void write_expected_errors(std::ostream& out, const std::string& format) const;
+
   /// writes the common refinement as a PLY file: with the places on the first surface, and as properties those on the
   /// second one and the numbers of both faces.
   void write_overlay(std::ostream& out) const;
@@ -77,6 +84,7 @@ private:
   std::unique_ptr<SP::Surface_refinement_3<Mesh>> m_refinement;
   Surface_hints m_hints;
   bool m_is_soft; // whether landmarks are
+  std::vector<double> m_expected_errors;
   std::unique_ptr<Overlay> m_overlay;
 };
 

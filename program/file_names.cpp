@@ -35,6 +35,14 @@ std::string output_format(const std::string& path)
   return structure_of(path).empty() ? "" : freesurfer_format;
 }
 
+std::string format_of_values(const std::string& path)
+{
+  const std::string format = file_format(path);
+  if(is_among(format, {".gii", ".gii.gz", ".mgh", ".mgz", ".annot"}))
+    return format;
+  return output_format(path) == freesurfer_format ? freesurfer_format : "";
+}
+
 std::string ending_of(const std::string& path)
 {
   const std::string format = file_format(path);
@@ -60,9 +68,22 @@ std::string File_names::image_of_normals() const
 
 Words File_names::outputs() const
 {
-  return {
-      sphere, handles,       repaired, remesh, values, image, image_of_normals(), colored_surface(), colored_sphere(),
-      onto,   target_sphere, overlay,  morph,  page,   json};
+  return {sphere,
+          handles,
+          repaired,
+          remesh,
+          values,
+          image,
+          image_of_normals(),
+          colored_surface(),
+          colored_sphere(),
+          onto,
+          target_sphere,
+          overlay,
+          morph,
+          expected_errors,
+          page,
+          json};
 }
 
 File_names File_names::of_part(std::size_t part) const
@@ -71,7 +92,7 @@ File_names File_names::of_part(std::size_t part) const
   File_names result = *this;
   for(std::string* name :
       {&result.sphere, &result.handles, &result.repaired, &result.remesh, &result.values, &result.image, &result.page,
-       &result.json, &result.onto, &result.target_sphere, &result.overlay, &result.morph})
+       &result.json, &result.onto, &result.target_sphere, &result.overlay, &result.morph, &result.expected_errors})
     if(!name->empty())
       *name = with_suffix(*name, number);
   if(!result.colored.empty())

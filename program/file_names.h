@@ -48,6 +48,9 @@ std::string structure_of(const std::string& path);
 /// returns the format that a mesh with this name is written in; empty if the name does not tell.
 std::string output_format(const std::string& path);
 
+/// returns the format that values of vertices with this name are written in, or labels; empty if the name does not tell.
+std::string format_of_values(const std::string& path);
+
 /// returns the end of a name that tells what is in the file: the extension; that and `.surf`, say, of a GIFTI file; nothing of a file
 /// of FreeSurfer.
 std::string ending_of(const std::string& path);
@@ -61,8 +64,9 @@ struct File_names
   std::string input;
   std::string fault; ///< why the input cannot be read, empty if nothing is known of that
   std::string sphere, handles, repaired, remesh, values, image, page, json; ///< empty if not wanted
-  std::string onto, target_sphere, overlay, morph; ///< of a map onto another surface, empty if not wanted
-  std::string subject;                             ///< of a study that the mesh is of, empty otherwise
+  std::string onto, target_sphere, overlay, morph,
+      expected_errors; ///< of a map onto another surface, empty if not wanted
+  std::string subject; ///< of a study that the mesh is of, empty otherwise
   std::string colored; ///< what the names of the coloured meshes begin with, empty if they are not wanted
 
   /// returns the names of all files that are written, in the order in which they appear, with those that are made of others.

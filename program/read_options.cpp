@@ -36,9 +36,9 @@ void check_words(const Options& o)
   for(const auto& [option, words] : choices)
     o.word(option, words, "");
   for(const auto& [option, values] : o.options)
-    if(values.front().empty() &&
-       is_among(option, {"output", "output-folder", "sphere", "transfer", "values-sphere", "json", "colored", "page",
-                         "template", "overlay", "labels", "beside", "mask", "valid", "repaired", "handles"}))
+    if(values.front().empty() && is_among(option, {"output", "output-folder", "sphere", "transfer", "values-sphere",
+                                                   "json", "colored", "page", "template", "overlay", "expected-errors",
+                                                   "labels", "beside", "mask", "valid", "repaired", "handles"}))
       o.fail("--" + option + " needs a name");
 }
 
@@ -151,6 +151,16 @@ void read_match(Options& o)
   o.file_names.overlay = o.text("overlay");
   if(o.has("overlay") && file_format(o.file_names.overlay) != ".ply")
     o.refuse("overlay", "the name of a .ply file, which can hold properties");
+  o.file_names.expected_errors = o.text("expected-errors");
+  const std::string& errors = o.file_names.expected_errors;
+  if(!errors.empty() && file_format(errors) != ".ply" && is_among(format_of_values(errors), {"", ".annot"}))
+    o.fail("--expected-errors has to be a name that ends with .ply, .gii, .mgh or .mgz, or begins with lh. or rh. for "
+           "the format of "
+           "FreeSurfer, not '" +
+           printable(errors) + "'");
+  if(o.has("expected-errors") && o.has("features"))
+    o.fail(
+        "--expected-errors and --features cannot be combined: errors are known for the features of the program alone");
   if(!o.has("morph"))
     return;
   const Words morph = o.words("morph");

@@ -40,14 +40,6 @@ Words all_inputs_of(const Options& options)
   return inputs;
 }
 
-std::string format_of_values(const std::string& name)
-{
-  const std::string format = file_format(name);
-  if(is_among(format, {".gii", ".gii.gz", ".mgh", ".mgz", ".annot"}))
-    return format;
-  return output_format(name) == freesurfer_format ? freesurfer_format : "";
-}
-
 // Refuses the name of a file that cannot hold what is to be written.
 void check_holds(const std::string& name, const Surface_file& file)
 {

@@ -42,6 +42,8 @@ Json json_of(const Run_report::Match_figures& match, const Options& options)
               {"is_uncertain", match.report.is_uncertain},
               {"stop_reason", SP::get_stop_message(match.report.stop_reason)},
               {"sweeps", match.report.number_of_sweeps}};
+  if(match.report.expected_error)
+    all.add("expected_error", *match.report.expected_error);
   if(const auto& distortion = match.distortion)
     all.add("energy", between(distortion->energy))
         .add("D_iso", between(distortion->isometric))

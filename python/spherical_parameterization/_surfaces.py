@@ -93,11 +93,18 @@ class SurfaceMapReport:
         How much better the alignment is than the next best one that differs from it: those that are nearly as good on coarse
         surfaces are compared on a finer level, in agreement less 0.15 times how much is stretched, the mean root of the
         logarithm of the symmetric Dirichlet energy. At least 0.15 if no other one came that near.
+    expected_error : float or None
+        How far the images of vertices are expected to be from where they should be, over the root of the area of the second
+        surface, in the mean over the first one. None for features of a caller, if landmarks alone rotated the spheres, or if the run
+        was stopped before surfaces were aligned.
+    expected_errors : (n1,) ndarray of float64, or None
+        The same for each vertex of the first surface; NaN for vertices without a face. It is estimated from how far features
+        differ, over how fast they change on the surface; how far images have moved during the descent; how well the surfaces
+        agree; and how far away images are by other alignments that are nearly as good.
     is_uncertain : bool
-        Whether the alignment is ambiguous, so that the map may have exchanged sides: the margin is below 0.03, the surfaces
-        agree by less than 0.6, or by less than 0.72 with a margin below 0.11. For features of a caller: they agree by less
-        than 0.73, or the margin is below 0.1. Look at the map, or give landmarks. It is never so if landmarks alone rotated
-        the spheres.
+        Whether the alignment is ambiguous, so that the map may have exchanged sides: the expected error is above 0.105. For
+        features of a caller: they agree by less than 0.73, or the margin is below 0.1. Look at the map, or give landmarks. It
+        is never so if landmarks alone rotated the spheres.
     landmark_distances : (k,) ndarray of float64
         How far the image of each landmark is from where it should be, in the unit of length of the second surface.
     number_of_missed_landmarks : int
@@ -116,6 +123,8 @@ class SurfaceMapReport:
     is_energy_sampled: bool
     agreement: float
     margin: float
+    expected_error: Optional[float]
+    expected_errors: Optional[NDArray[np.float64]]
     is_uncertain: bool
     landmark_distances: NDArray[np.float64]
     number_of_missed_landmarks: int

@@ -7,6 +7,8 @@
 #include <CGAL/Spherical_parameterization/Surface_maps/measure_distortion_between.h>
 #include <CGAL/Spherical_parameterization/Surface_maps/overlay.h>
 
+#include <CGAL/property_map.h>
+
 #include <functional>
 #include <limits>
 
@@ -135,6 +137,11 @@ Overlay overlay_of(const Points& vertices1, const Indices& faces1, const Points&
   return refinement;
 }
 
+Values array_of(const std::vector<double>& values)
+{
+  return Values(static_cast<py::ssize_t>(values.size()), values.data());
+}
+
 py::dict to_dict(const SP::Distortion_between& distortion)
 {
   using namespace py::literals;
@@ -161,6 +168,8 @@ py::tuple map_surface(const Points& vertices1, const Indices& faces1, const Poin
   double* const rows = directions.mutable_data();
   std::fill_n(rows, 3 * n, std::numeric_limits<double>::quiet_NaN()); // for vertices without faces
   SP::Surface_map_report report;
+  std::vector<double> errors(n, std::numeric_limits<double>::quiet_NaN());
+  bool has_errors = false;
   {
     const py::gil_scoped_release unlock;
     const Two_surfaces surfaces(vertices1, faces1, sphere1, vertices2, faces2, sphere2);
@@ -182,6 +191,7 @@ py::tuple map_surface(const Points& vertices1, const Indices& faces1, const Poin
                              CGAL::parameters::visitor(std::ref(visitor)).maximum_running_time(time_limit));
     }));
     report = mapper.report();
+    has_errors = mapper.get_expected_errors(CGAL::make_property_map(errors));
     interruption.check(); // one that comes after the last sweep, or where none is needed, is answered as well
   }
   return py::make_tuple(
@@ -189,9 +199,9 @@ py::tuple map_surface(const Points& vertices1, const Indices& faces1, const Poin
       py::dict("energy"_a = report.energy,
                "distortion"_a = report.distortion ? py::object(to_dict(*report.distortion)) : py::none(),
                "is_energy_sampled"_a = report.is_energy_sampled, "agreement"_a = report.agreement,
-               "margin"_a = report.margin, "is_uncertain"_a = report.is_uncertain,
-               "landmark_distances"_a =
-                   Values(static_cast<py::ssize_t>(report.landmark_distances.size()), report.landmark_distances.data()),
+               "margin"_a = report.margin, "expected_error"_a = report.expected_error,
+               "expected_errors"_a = has_errors ? py::object(array_of(errors)) : py::none(),
+               "is_uncertain"_a = report.is_uncertain, "landmark_distances"_a = array_of(report.landmark_distances),
                "number_of_missed_landmarks"_a = report.number_of_missed_landmarks,
                "stop_reason"_a = SP::get_stop_message(report.stop_reason),
                "number_of_sweeps"_a = report.number_of_sweeps, "seconds_for_reading"_a = report.seconds_for_reading,

@@ -312,6 +312,8 @@ def test_samples_and_maps_surfaces_with_the_bits_of_the_program(tmp_path, capfd)
     assert same(directions, read_points(tmp_path / "directions.off"))
     assert report.is_uncertain == ("it is not clear that the surfaces lie well" in warning)
     assert 2 <= report.energy < 2.2 and report.agreement > 0.5
+    assert report.expected_errors.shape == (len(first[0]),) and (report.expected_errors >= 0).all()
+    assert report.expected_errors.min() <= report.expected_error <= report.expected_errors.max()
     image = sp.remesh(*second, (first[1], directions))
     np.testing.assert_allclose(image.vertices, read_points(tmp_path / "image.off"), atol=1e-14)
     assert np.array_equal(image.faces, first[1])

@@ -22,7 +22,7 @@ TEST_F(Match_program, maps_a_surface_onto_another_one)
 {
   const std::string map = "match sphere.off target.off";
   const std::string out = run(map + " -o mapped.off --sphere p.off --overlay overlay.ply --morph 0.25 morph.off "
-                                    "--json mapped.json")
+                                    "--json mapped.json --expected-errors errors.ply")
                               .out;
   expect_part(out, "Onto:      target.off: 42 vertices");
   EXPECT_LT(json("mapped.json").get<double>("match.energy.average"), 2.2);
@@ -35,6 +35,16 @@ TEST_F(Match_program, maps_a_surface_onto_another_one)
   expect_success("sphere.off --initial p.off --iterations 0");
   expect_success("remesh target.off p.off --initial p_target.off --iterations 0 -o again.off");
   expect_near(read_mesh("again.off").points, mapped.points);
+
+  const Mesh_file errors = read_mesh("errors.ply");
+  expect_near(errors.points, first.points);
+  double largest = 0.;
+  for(const double error : errors.columns.at("vertex expected_error"))
+  {
+    EXPECT_GE(error, 0.);
+    largest = (std::max)(largest, error);
+  }
+  EXPECT_GE(largest, json("mapped.json").get<double>("match.expected_error"));
 
   // The common refinement begins with the vertices of both.
   Mesh_file overlay = read_mesh("overlay.ply");
@@ -64,7 +74,9 @@ TEST_F(Match_program, maps_a_surface_onto_another_one)
   EXPECT_EQ(outcome.status, 0) << outcome.err;
   expect_part(outcome.out, "; time limit");
   expect_messages(map + " -o result.off ", {{"--morph 2 m.off", "--morph has to be a number from 0 to 1"},
-                                            {"--overlay overlay.off", "the name of a .ply file"}});
+                                            {"--overlay overlay.off", "the name of a .ply file"},
+                                            {"--expected-errors e.off", "--expected-errors has to be a name"},
+                                            {"--expected-errors e.ply --features a.ply b.ply", "cannot be combined"}});
   write_off("torus.off", test_meshes::torus(8, 5));
   expect_message("match sphere.off torus.off -o result.off", "genus");
 

@@ -7,6 +7,8 @@ files NAME.vts of both have the vertices that correspond, line by line, counted 
 `landmarks`, NAME.vts, or for NAME/input0 and NAME/input1 the files NAME/landmarks0.txt and so on, have landmarks, counted from 0; those of .vts files are
 hidden once more, and tell how good a map without them is. Takes ten minutes; needs numpy and scipy.
 
+The column on expected errors has their mean, and their rank correlation with the errors over the vertices of a map, in the mean over maps.
+
 With --bounds FILE, the pairs of that file are mapped, those of which there are files, and compared with the bounds there. It needs no
 scipy, as the error is then that of straight distances. Fails if one is above its bound.
 """
@@ -116,21 +118,27 @@ class Pairs:
         arguments: list[Any] = ["match", *paths, "-o", result]
         if kind == "landmarks":
             arguments += ["--landmarks", self.landmarks(first), self.landmarks(second)]
+        else:
+            arguments += ["--expected-errors", self.work / "lh.errors"]
         return self.execute(arguments), read_mesh(paths[1]), read_mesh(result).vertices
 
     def run(self, first: str, second: str, kind: str, row: str) -> None:
         """maps one surface onto another one, for a row of the table"""
         facts, target, images = self.map_pair(first, second, kind)
-        facts["error"], facts["is_swapped"] = 0.0, False
+        facts["error"], facts["is_swapped"], facts["correlation"] = 0.0, False, 0.0
         if kind != "landmarks":
             from scipy.spatial import cKDTree
+            from scipy.stats import spearmanr
 
             base = 1 if kind == "corres" else 0
             places = numbers_in(self.folder / (first + ".vts"), base)
             true = numbers_in(self.folder / (second + ".vts"), base)
             sources, inverse = np.unique(true, return_inverse=True)
             found = cKDTree(target.vertices).query(images[places])[1]
-            facts["error"] = float(distances(target, sources)[inverse, found].mean())
+            errors = distances(target, sources)[inverse, found]
+            facts["error"] = float(errors.mean())
+            expected = np.frombuffer((self.work / "lh.errors").read_bytes()[15:], dtype=">f4")  # a file of FreeSurfer
+            facts["correlation"] = float(spearmanr(expected[places], errors)[0])
             mirror = self.folder / (second + ".sym.vts")
             if mirror.exists():
                 sources, inverse = np.unique(numbers_in(mirror, 1), return_inverse=True)
@@ -185,6 +193,14 @@ class Pairs:
                 f"{statistics.mean(errors):.2f} ({max(errors):.2f})" if any(errors) else "",
                 str(sum(error > 8.0 for error in errors)) if any(errors) else "",
                 str(sum(run["is_swapped"] for run in runs)) if any(errors) else "",
+                f"{sum(m['is_uncertain'] and e < 8 for m, e in zip(match, errors))} and "
+                f"{sum(m['is_uncertain'] and e > 10 for m, e in zip(match, errors))} of {sum(e > 10 for e in errors)}"
+                if any(errors)
+                else "",
+                f"{statistics.mean(100 * m['expected_error'] for m in match):.2f}, "
+                f"{statistics.mean(run['correlation'] for run in runs):.2f}"
+                if any(errors)
+                else "",
                 f"{sum(m['missed_landmarks'] for m in match)} of {n_landmarks}" if n_landmarks else "",
                 f"{statistics.mean(self.energy(run) for run in runs):.2f}",
                 f"{statistics.mean(m['D_iso']['average'] for m in match):.2f}",
