@@ -170,7 +170,7 @@ void add_expected_errors(Page& page, const Surface_match& match)
   page.add_measure(
       "expected error", "how far a point may be from where it should be, over the root of the area of the right side",
       0.,
-      {{"average", *match.figures.report.expected_error}, {"maximum", *std::max_element(errors.begin(), errors.end())}},
+      {{"maximum", *std::max_element(errors.begin(), errors.end())}, {"average", *match.figures.report.expected_error}},
       values);
 }
 
