@@ -221,7 +221,7 @@ def map_surface(
     far their ends are from each other along the surfaces; several such starts are taken through the descent on coarse levels,
     and the best one to the finest level. The symmetric Dirichlet energy of the map, over both surfaces, is lowered on the levels of a hierarchy;
     Schmidt et al. [1]_ optimize maps between surfaces of genus 0 on the sphere, too. The time is nearly linear: for 26,000
-    vertices each, some two seconds on two cores.
+    vertices each, some four seconds on two cores.
 
     References
     ----------

@@ -50,7 +50,7 @@ namespace CGAL::Spherical_parameterization {
 /// A visitor or a time limit may end a run at any time, in the alignment as well: the map that has been reached is certified
 /// and written. Landmarks may be missed then that more sweeps would have met.
 ///
-/// The running time is nearly linear in the size of the meshes: for 26,000 vertices each, some two seconds on two threads.
+/// The running time is nearly linear in the size of the meshes: for 26,000 vertices each, some four seconds on two threads.
 ///
 /// \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`; no result depends on it
 /// \tparam TriangleMesh1,TriangleMesh2 models of `FaceListGraph`
