@@ -181,7 +181,7 @@ void Mesh_run::match(const Mapped_mesh* model)
   if(!m_names.expected_errors.empty() && m_match->expected_errors().empty())
     throw error_in(
         m_names.input,
-        "no --expected-errors can be told, as landmarks alone have aligned the surfaces, or the run was stopped.");
+        "no --expected-errors can be written, as landmarks alone have aligned the surfaces, or the run was stopped.");
   m_report.match = m_match->figures;
   m_report.match->other = model != nullptr ? m_options.text("template") : m_options.onto;
   m_report.match->is_template = model != nullptr;

@@ -48,7 +48,7 @@ std::string structure_of(const std::string& path);
 /// returns the format that a mesh with this name is written in; empty if the name does not tell.
 std::string output_format(const std::string& path);
 
-/// returns the format that values of vertices with this name are written in, or labels; empty if the name does not tell.
+/// returns the format that values of vertices with this name are written in, or labels; empty if it does not follow from the name.
 std::string format_of_values(const std::string& path);
 
 /// returns the end of a name that tells what is in the file: the extension; that and `.surf`, say, of a GIFTI file; nothing of a file

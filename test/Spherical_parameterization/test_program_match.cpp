@@ -73,6 +73,8 @@ TEST_F(Match_program, maps_a_surface_onto_another_one)
   Outcome outcome = run(map + " --time-limit 1e-9");
   EXPECT_EQ(outcome.status, 0) << outcome.err;
   expect_part(outcome.out, "; time limit");
+  expect_message(map + " --quiet -o result.off --time-limit 1e-9 --expected-errors e.ply",
+                 "no --expected-errors can be written");
   expect_messages(map + " -o result.off ", {{"--morph 2 m.off", "--morph has to be a number from 0 to 1"},
                                             {"--overlay overlay.off", "the name of a .ply file"},
                                             {"--expected-errors e.off", "--expected-errors has to be a name"},
