@@ -404,7 +404,7 @@ TEST(Alignment, is_mended_by_eigenfunctions_where_it_has_slid)
     points.push_back(std::sqrt(4. * CGAL_PI) * p);
   const Target_metric metric(second.sphere(), second.points(), {});
   ASSERT_TRUE(
-      lower_on_target(first.rings(), points, {metric, {}}, 500, {20, 1e-3, 0.02}, by_energy_alone, control, {}));
+      lower_on_target(first.rings(), points, {metric, {}, 0.}, 500, {20, 1e-3, 0.02}, by_energy_alone, control, {}));
   surfaces.find_spectra();
   Alignment alignment;
   alignment.directions = directions;

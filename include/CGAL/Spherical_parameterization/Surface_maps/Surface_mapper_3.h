@@ -189,6 +189,8 @@ private:
   Surface_mapper_3 with(const Change& change) const
   {
     Surface_mapper_3 result = *this;
+    result.m_report = Surface_map_report();
+    result.m_expected_errors.clear();
     change(result);
     return result;
   }

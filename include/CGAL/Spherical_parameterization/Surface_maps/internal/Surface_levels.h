@@ -43,10 +43,10 @@ public:
 
   // Takes a map of the coarsest level to the finest one; `positions` receives it. Returns false if doubles cannot hold it. The
   // levels are used up.
-  bool refine(const std::vector<Vector_3d>& coarse, const Target_goals& goals, std::vector<Vector_3d>& positions,
-              Run_control& control, const Execution& execution)
+  bool lower(const std::vector<Vector_3d>& coarse, const Target_goals& goals, std::vector<Vector_3d>& positions,
+             Run_control& control, const Execution& execution)
   {
-    return refine(m_hierarchy, coarse, goals, Target_sweeps(), 0, positions, control, execution);
+    return lower(m_hierarchy, coarse, goals, Target_sweeps(), positions, control, execution);
   }
 
   // The score of a map of the coarsest level, taken to a level that has up to 8000 vertices, where the features of the mesh
@@ -54,32 +54,32 @@ public:
   double score_on_finer_level(const std::vector<Vector_3d>& coarse, const Target_goals& goals, Run_control& control,
                               const Execution& execution) const
   {
-    constexpr double weight_of_stretching_of_rivals =
-        0.15; // with more, half-turns win more often: their energy is often lower
+    // With more, half-turns win more often: their energy is often lower.
+    constexpr double weight_of_stretching = 0.15;
     constexpr std::size_t max_size = 8000;
     constexpr Target_sweeps sweeps = {10, 1e-3, 0.04}; // With six times as many, the same ones win.
     std::size_t k = 0;
     while(k + 1 < m_hierarchy.number_of_levels() && m_hierarchy.level(k).vertices.size() > max_size)
       ++k;
-    Mesh_hierarchy levels = m_hierarchy;
+    Mesh_hierarchy levels = m_hierarchy.from_level(k);
     std::vector<Vector_3d> positions;
-    if(!refine(levels, coarse, goals, sweeps, k, positions, control, execution))
+    if(!lower(levels, coarse, goals, sweeps, positions, control, execution))
       return std::numeric_limits<double>::lowest();
-    return feature_agreement(goals.features, levels.level(k), positions) -
-           weight_of_stretching_of_rivals *
-               stretching(goals.metric, levels.level(k), levels.rings(k), m_mesh.points(), positions);
+    return feature_agreement(goals.features, levels.level(0), positions) -
+           weight_of_stretching *
+               stretching(goals.metric, levels.level(0), levels.rings(0), m_mesh.points(), positions);
   }
 
 private:
-  bool refine(Mesh_hierarchy& levels, const std::vector<Vector_3d>& coarse, const Target_goals& goals,
-              const Target_sweeps& sweeps, std::size_t last_level, std::vector<Vector_3d>& positions,
-              Run_control& control, const Execution& execution) const
+  bool lower(Mesh_hierarchy& levels, const std::vector<Vector_3d>& coarse, const Target_goals& goals,
+             const Target_sweeps& sweeps, std::vector<Vector_3d>& positions, Run_control& control,
+             const Execution& execution) const
   {
     const Mesh_hierarchy::Level& level = levels.level(levels.number_of_levels() - 1);
     positions = m_images;
     for(std::size_t v = 0; v < coarse.size(); ++v)
       positions[level.vertices[v]] = coarse[v];
-    return lower_on_levels(levels, m_mesh.points(), m_images, goals, sweeps, positions, control, execution, last_level);
+    return lower_on_levels(levels, m_mesh.points(), m_images, goals, sweeps, positions, control, execution);
   }
 
   const Surface& m_mesh;

@@ -38,7 +38,7 @@ struct Surface_start
   std::vector<Rival> rivals;              // other alignments that are nearly as good
   std::unique_ptr<Surface_levels> levels; // of the first surface, if it has been compared with the second one
   std::unique_ptr<Coarse_pair> surfaces;  // if these could be compared
-  Feature_goals features;                 // of the levels
+  Feature_goals features;                 // of the first surface, and of the sphere of the second one
 
   // Takes a rotation by landmarks alone.
   void take_rotation(const Rotation_matrix& rotation)
@@ -74,46 +74,39 @@ inline void compare_surfaces(const Surface_pair& pair, Surface_start& start)
 inline void choose_alignment(const Surface_pair& pair, std::vector<Alignment> candidates, Surface_start& start)
 {
   constexpr double max_lag = 0.15; // of right ones that won on the finer level, 0.11 is the largest known
-  constexpr std::size_t max_rivals = 3;
-  const Alignment_descent descent(*start.surfaces, pair.metric);
-  const auto match = [&](Alignment& alignment) {
-    if(alignment.directions.empty() || !start.surfaces->goes_on())
-      return;
+  constexpr std::size_t max_candidates = 4, batch_size = 2;
+  start.margin = candidates.size() > 1 ? (std::min)(candidates[0].score - candidates[1].score, max_lag) : max_lag;
+  std::size_t n = candidates[0].directions.empty() ? 0 : 1;
+  while(n > 0 && start.features.image && n < candidates.size() && n < max_candidates &&
+        candidates[n].score > candidates[0].score - max_lag)
+    ++n;
+  if(n > 0)
     start.surfaces->find_spectra();
+  const Alignment_descent descent(*start.surfaces, pair.metric);
+  std::vector<double> scores(n, 0.);
+  const bool are_compared = n > 1;
+  n = run_in_batches(*start.surfaces, n, batch_size, [&](std::size_t k) {
+    Alignment& alignment = candidates[k];
     descent.match_functions(alignment);
-  };
-  const double least = candidates[0].score - max_lag;
-  start.margin = candidates.size() > 1 ? candidates[0].score - candidates[1].score : max_lag;
-  start.alignment = std::move(candidates[0]);
-  match(start.alignment);
-  if(!start.features.image || start.alignment.directions.empty() || start.margin >= max_lag)
-    return;
-  const auto score = [&](const Alignment& alignment) {
-    Target_goals goals = {pair.metric, start.features};
-    goals.features.weight = weight_of_features(alignment.agreement, pair.settings);
+    if(!are_compared)
+      return;
     Run_control silent; // A visitor follows the levels of the refinement alone.
-    return start.levels->score_on_finer_level(alignment.directions, goals, silent, pair.execution) - alignment.missed;
-  };
-  double best = score(start.alignment);
-  for(std::size_t k = 1;
-      k <= max_rivals && k < candidates.size() && candidates[k].score > least && start.surfaces->goes_on(); ++k)
-  {
-    Alignment rival = std::move(candidates[k]);
-    match(rival);
-    const double s = score(rival);
-    if(s > best)
-    {
-      for(Surface_start::Rival& other : start.rivals)
-        other.lag += s - best;
-      std::swap(start.alignment, rival);
-    }
-    start.rivals.push_back({std::move(rival.directions), std::abs(s - best)});
-    best = (std::max)(s, best);
-  }
-  if(!start.rivals.empty())
+    const Target_goals goals = {pair.metric, start.features, weight_of_features(alignment.agreement, pair.settings)};
+    scores[k] =
+        start.levels->score_on_finer_level(alignment.directions, goals, silent, pair.execution) - alignment.missed;
+  });
+  scores.resize(n);
+  const std::size_t best = static_cast<std::size_t>(std::max_element(scores.begin(), scores.end()) - scores.begin());
+  start.alignment = std::move(candidates[best]);
+  if(n > 1)
     start.margin = max_lag;
-  for(const Surface_start::Rival& rival : start.rivals)
-    start.margin = (std::min)(start.margin, rival.lag);
+  for(std::size_t k = 0; k < n; ++k)
+    if(k != best)
+    {
+      const double lag = scores[best] - scores[k];
+      start.margin = (std::min)(start.margin, lag);
+      start.rivals.push_back({std::move(candidates[k].directions), lag});
+    }
 }
 
 // Whether surfaces agree too little, or other alignments agree nearly as well, by features of a caller, of which no errors are known.
@@ -145,9 +138,7 @@ inline Surface_start choose_start(const Surface_pair& pair)
     const std::optional<Rotation_matrix> rotation = fitting_rotation(pair.landmarks);
     const bool is_by_landmarks = rotation && candidates[0].agreement < min_agreement_beside_landmarks;
     if(is_by_landmarks)
-    {
       result.take_rotation(*rotation);
-    }
     result.features = feature_goals(pair, result.surfaces.get());
     if(result.surfaces)
       choose_alignment(pair, std::move(candidates), result);
@@ -155,7 +146,6 @@ inline Surface_start choose_start(const Surface_pair& pair)
         !is_by_landmarks && (pair.control.is_stopped() || !result.surfaces ||
                              (!settings.features[0].empty() && is_ambiguous_by_callers_features(result)));
   }
-  result.features.weight = weight_of_features(result.alignment.agreement, settings);
   return result;
 }
 

@@ -60,7 +60,7 @@ inline double weight_of_features(double agreement, const Surface_map_settings& s
   return settings.feature_weight * trust * trust * trust * trust;
 }
 
-// The goals by the features of the package, if the coarse surfaces have been compared, or by a caller's; without a weight.
+// The goals by the features of the package, if the coarse surfaces have been compared, or by a caller's.
 inline Feature_goals feature_goals(const Surface_pair& pair, const Coarse_pair* surfaces)
 {
   // Between nodes of an image it is about as far as between vertices, up to 1.6 million nodes, 50 MB for each four features.

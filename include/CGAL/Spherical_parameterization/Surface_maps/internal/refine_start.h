@@ -44,15 +44,16 @@ inline bool refine_start(const Surface_pair& pair, Surface_start& start, std::ve
   constexpr std::size_t min_size_with_landmarks = 60, min_size = 1000;
   const Surface_map_settings& settings = pair.settings;
   const bool is_rotation = start.alignment.directions.empty(), has_landmarks = !settings.landmarks.empty();
-  const Target_goals features_alone = {pair.metric, start.features};
-  const Target_goals goals = {pair.metric, features_alone.features, landmark_goals(pair)};
+  const double feature_weight = weight_of_features(start.alignment.agreement, settings);
+  const Target_goals features_alone = {pair.metric, start.features, feature_weight};
+  const Target_goals goals = {pair.metric, start.features, feature_weight, landmark_goals(pair)};
   const auto lower = [&](const Target_goals& all, std::size_t coarsest_size, std::vector<Vector_3d>& map) {
     return lower_on_target(pair.first.mesh.rings(), pair.first.mesh.points(), all, coarsest_size, Target_sweeps(), map,
                            pair.control, pair.execution);
   };
   std::vector<Vector_3d> lowered;
-  bool is_lowered = is_rotation || start.levels->refine(start.alignment.directions, features_alone, lowered,
-                                                        pair.control, pair.execution);
+  bool is_lowered = is_rotation || start.levels->lower(start.alignment.directions, features_alone, lowered,
+                                                       pair.control, pair.execution);
   if(is_rotation)
     lowered = pair.first.mesh.in_own_order(directions);
   // Coarser levels would take apart what an earlier descent has found.
@@ -80,8 +81,8 @@ inline bool refine_start(const Surface_pair& pair, Surface_start& start, std::ve
      !pair.control.is_stopped())
     if(const std::optional<Rotation_matrix> rotation = fitting_rotation(pair.landmarks))
     {
-      const Target_goals without_own_features = {
-          pair.metric, settings.features[0].empty() ? Feature_goals() : goals.features, goals.landmarks};
+      const Target_goals without_own_features = {pair.metric, start.features,
+                                                 settings.features[0].empty() ? 0. : feature_weight, goals.landmarks};
       std::vector<Vector_3d> other =
           pair.first.mesh.in_own_order(rotated_directions(*rotation, directions_of(pair.first.sphere)));
       if(lower(without_own_features, min_size_with_landmarks, other) &&

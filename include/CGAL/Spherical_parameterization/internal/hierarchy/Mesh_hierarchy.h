@@ -150,6 +150,15 @@ public:
     while(m_levels.back().vertices.size() > min_size && coarsen(points, images, is_fixed));
   }
 
+  // A copy from this level on, whose rings have to last as long as the copy.
+  Mesh_hierarchy from_level(std::size_t k) const
+  {
+    Mesh_hierarchy result(rings(k), m_execution);
+    result.m_levels.assign(m_levels.begin() + static_cast<std::ptrdiff_t>(k), m_levels.end());
+    result.m_coarse_rings.assign(m_coarse_rings.begin() + static_cast<std::ptrdiff_t>(k), m_coarse_rings.end());
+    return result;
+  }
+
   std::size_t number_of_levels() const { return m_levels.size(); }
   const Level& level(std::size_t k) const { return m_levels[k]; }
   const Vertex_rings& rings(std::size_t k) const { return k == 0 ? m_finest_rings : m_coarse_rings[k - 1]; }
@@ -162,6 +171,11 @@ public:
   }
 
 private:
+  Mesh_hierarchy(const Vertex_rings& rings, const Execution& execution)
+    : m_finest_rings(rings)
+    , m_execution(execution)
+  {}
+
   // the share of the vertices that one level removes at most
   static constexpr double max_share = 0.25;     // larger steps from level to level change the end by 0.3 %
   static constexpr std::size_t block_size = 64; // levels are small: larger blocks leave threads without work

@@ -90,10 +90,10 @@ public:
     while(is_first && last_level + 1 < start.hierarchy->number_of_levels() &&
           start.hierarchy->level(last_level).vertices.size() > first_size)
       ++last_level;
-    const Target_goals led = {m_metric, m_surfaces.goals(start.guides, leading_weight)};
-    start.is_valid =
-        start.is_valid && lower_on_levels(*start.hierarchy, m_surfaces.points(), start.images, led, m_sweeps,
-                                          start.alignment.directions, control, Execution(), last_level);
+    const Feature_goals features = m_surfaces.goals(start.guides);
+    start.is_valid = start.is_valid && lower_on_levels(*start.hierarchy, m_surfaces.points(), start.images,
+                                                       {m_metric, features, leading_weight}, m_sweeps,
+                                                       start.alignment.directions, control, Execution(), last_level);
     assess(start);
   }
 
@@ -114,9 +114,12 @@ public:
     alignment.before_matching = alignment.directions;
     std::vector<std::uint32_t> vertices(alignment.directions.size());
     std::iota(vertices.begin(), vertices.end(), 0u);
+    // Of more, the highest are of the coarse triangles rather than of the surfaces.
+    const std::size_t max_functions = (std::min)(m_surfaces.first().size(), m_surfaces.second().size()) / 15;
     for(const std::size_t n_functions : std::initializer_list<std::size_t>{10, 32, 55, 77, 100})
-      lower(m_surfaces.eigenfunction_guides(alignment.directions, n_functions), leading_weight, sweeps,
-            alignment.directions, m_surfaces.execution());
+      if(n_functions <= max_functions)
+        lower(m_surfaces.eigenfunction_guides(alignment.directions, n_functions), leading_weight, sweeps,
+              alignment.directions, m_surfaces.execution());
     alignment.missed = distance_from_landmarks(vertices, alignment.directions);
   }
 
@@ -126,9 +129,9 @@ private:
   {
     constexpr std::size_t min_size = 500; // the coarsest level once the large parts correspond
     Run_control control;
-    return lower_on_target(m_surfaces.first().rings(), m_surfaces.points(),
-                           {m_metric, m_surfaces.goals(std::move(guides), weight)}, min_size, sweeps, directions,
-                           control, execution);
+    const Feature_goals features = m_surfaces.goals(std::move(guides));
+    return lower_on_target(m_surfaces.first().rings(), m_surfaces.points(), {m_metric, features, weight}, min_size,
+                           sweeps, directions, control, execution);
   }
 
   // Finds the score of a map on the level that it has come to.

@@ -39,7 +39,7 @@ public:
     for(const Vector_3d& p : m_surfaces[0].points())
       m_points.push_back(std::sqrt(4. * CGAL_PI) * p);
     m_nodes = Sphere_image::locate_nodes(m_surfaces[1].sphere(), execution);
-    m_features = goals({}, 0.);
+    m_features = goals({});
   }
 
   // Takes pairs of directions that correspond, by which the best alignment is chosen, and all starts are led.
@@ -67,7 +67,7 @@ public:
   // The points of the first surface, scaled to the area 4 pi.
   const std::vector<Vector_3d>& points() const { return m_points; }
 
-  // The goals by the features alone, without a weight.
+  // The goals by the features alone.
   const Feature_goals& feature_goals() const { return m_features; }
 
   // Images of the features of both surfaces that are compared on finer levels as well.
@@ -157,14 +157,13 @@ public:
   }
 
   // The goals by the features, and by others beside them.
-  Feature_goals goals(Guides guides, double weight) const
+  Feature_goals goals(Guides guides) const
   {
     for(std::size_t surface = 0; surface < 2; ++surface)
       guides[surface].insert(guides[surface].end(), m_surfaces[surface].features().begin(),
                              m_surfaces[surface].features().end());
     Feature_goals result;
     result.image = image(guides[1]);
-    result.weight = weight;
     result.set_values(guides[0]);
     result.mask = first().mask();
     return result;

@@ -117,7 +117,8 @@ private:
 struct Target_goals
 {
   const Target_metric& metric;
-  Feature_goals features;
+  const Feature_goals& features;
+  double feature_weight; // of the mean of their squared differences, beside the mean energy
   Landmark_goals landmarks{};
 };
 
@@ -131,7 +132,9 @@ inline bool lower_on_levels(Mesh_hierarchy& hierarchy, const std::vector<Vector_
                             const Target_sweeps& sweeps, std::vector<Vector_3d>& positions, Run_control& control,
                             const Execution& execution, std::size_t last_level = 0)
 {
-  Target_levels plan(Target_sphere(goals.metric, goals.landmarks, goals.features, sweeps.settled_part), sweeps, images);
+  Target_levels plan(
+      Target_sphere(goals.metric, goals.landmarks, goals.features, goals.feature_weight, sweeps.settled_part), sweeps,
+      images);
   return Level_descent(hierarchy, points, Rest_limits(), plan, control, execution).run(positions, last_level);
 }
 

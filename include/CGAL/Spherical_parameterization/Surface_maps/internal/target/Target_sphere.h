@@ -40,7 +40,6 @@ struct Feature_goals
   std::optional<Sphere_image> image;
   std::vector<double> values; // in rows of the image
   std::vector<char> mask;     // of the vertices that have none; empty if all have them
-  double weight = 0.;         // of the mean of their squared differences, beside the mean energy
 
   // Takes the values of each feature.
   void set_values(const std::vector<std::vector<double>>& channels)
@@ -69,11 +68,12 @@ public:
 
   // All have to last as long as this.
   Target_sphere(const Target_metric& metric, const Landmark_goals& goals, const Feature_goals& features,
-                double settled_part)
+                double feature_weight, double settled_part)
     : m_settled_part(settled_part)
     , m_metric(&metric)
     , m_goals(&goals)
     , m_features(&features)
+    , m_feature_weight(feature_weight)
     , m_is_pinned(goals.directions.size(), 0)
   {}
 
@@ -175,7 +175,7 @@ private:
     for(std::size_t k = 0; k < values.size(); ++k)
       values[k] = m_features->values_of((*m_vertices)[vertices[k]]);
     // A vertex stands for a third of the area of its faces, as all have it on this level. The factor is 8 pi over 4 pi, the area.
-    const double factor = 2. * m_features->weight / 3. / static_cast<double>(m_features->image->number_of_channels());
+    const double factor = 2. * m_feature_weight / 3. / static_cast<double>(m_features->image->number_of_channels());
     const FT counts = Lanes<FT>::generate([&](std::size_t k) {
       return m_features->mask.empty() || !m_features->mask[(*m_vertices)[vertices[k]]] ? 1. : 0.;
     });
@@ -229,6 +229,7 @@ private:
   const Target_metric* m_metric;
   const Landmark_goals* m_goals;
   const Feature_goals* m_features;
+  double m_feature_weight;
   Energy m_energy;
   const std::vector<std::uint32_t>* m_vertices = nullptr; // of the level
   std::size_t m_metric_level = 0, m_sweep = 0;
