@@ -15,9 +15,10 @@ Options_list method_options(const std::string& command)
 {
   Options_list list = {{"--method", "METHOD", "bld, hierarchical, harmonic, stereographic, schnyder, conformal, arap"},
                        {"--paper", "", "the published method: harmonic start, s from 0.1 to 10, ..."}};
+  if(command != "match") // whose surfaces have a map each
+    append(list, {{"--initial", "START", "hierarchical, stereographic, harmonic, conformal, schnyder, or a FILE"}});
   if(command != "match" && command != "register")
-    append(list, {{"--initial", "START", "hierarchical, stereographic, harmonic, conformal, schnyder, or a FILE"},
-                  {"--density", "FILE", "areas on the sphere by these values, or equal: in proportion to faces"}});
+    append(list, {{"--density", "FILE", "areas on the sphere by these values, or equal: in proportion to faces"}});
   append(list, {{"--energy", "ENERGY", "symmetric-dirichlet, the default, isometric, or conformal: angles only"},
                 {"--prefer", "WHAT", "the lowest average distortion, worst, balance (the default), or sampling"},
                 {"--sharpness", "B", "anything between: 0 is average, 20 balance, 40 worst"},
@@ -116,8 +117,6 @@ Options_list own_options(const std::string& command)
             {"--beside", "SURFACE", "show this surface with the same faces in place of the sphere"},
             {"--labels", "FILE", "an annotation of FreeSurfer or .label.gii file, for colours"}};
   return {{"--output-folder", "FOLDER", "write each sphere and its report here, as NAME.off, say, and NAME.json"},
-          {"--surfaces", "NAME...", "map files of these names, or patterns, in all folders below each INPUT"},
-          {"--overwrite", "", "with --surfaces: replace files that the program has not written"},
           {"--template", "T", "map the surface T onto each INPUT, and write T with its vertices there"},
           {"--resume", "", "leave out meshes that are done, by this version with these options"}};
 }
@@ -166,9 +165,11 @@ const std::vector<Command> commands = {
      "surface with handles, where these are. Without SPHERE, the surface is mapped.",
      1, 2}};
 
-const std::map<std::string, std::string> needed_options = {
-    {"--soft-landmarks", "--landmarks"}, {"--feature-weights", "--features"},  {"--compare", "--features"},
-    {"--values-sphere", "--transfer"},   {"--image-size", "--geometry-image"}, {"--overwrite", "--surfaces"}};
+const std::map<std::string, std::string> needed_options = {{"--soft-landmarks", "--landmarks"},
+                                                           {"--feature-weights", "--features"},
+                                                           {"--compare", "--features"},
+                                                           {"--values-sphere", "--transfer"},
+                                                           {"--image-size", "--geometry-image"}};
 
 std::vector<Command_option> options_of(const std::string& command)
 {

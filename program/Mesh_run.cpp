@@ -64,7 +64,6 @@ void Mesh_run::take(File_content soup)
 {
   m_input.emplace(m_names.input, std::move(soup), m_options.repair);
   m_report.repair = m_input->repair() ? &*m_input->repair() : nullptr;
-  m_report.subject = m_names.subject;
   m_report.hemisphere = m_input->hemispheres().front().second;
   m_report.mixed_hemispheres = mixed_hemispheres(m_input->hemispheres());
 }

@@ -71,8 +71,7 @@ struct Options : Command_line
   double morph_time = 0.;
   Words spheres;                         ///< to resample from one to the other, none if nothing is resampled
   std::optional<Repair_settings> repair; ///< of surfaces before they are mapped, none if they are not repaired
-  Words surfaces;     ///< what the many are called in the folders below; empty if they are in the folder itself
-  std::string format; ///< of all meshes that are written, empty if their names say it
+  std::string format;                    ///< of all meshes that are written, empty if their names say it
   std::string method = "bld";
   std::string start = "hierarchical"; ///< empty if the map to start from is in a file
   std::string start_file;

@@ -90,7 +90,7 @@ public:
   double seconds_for_matching = 0.;        ///< the other surface, and the map between both
   double seconds_for_output = 0.;          ///< writing all files but that with this report
   Words files;                             ///< that were written
-  std::string subject, hemisphere;         ///< that the surface is of; empty if that is not known
+  std::string hemisphere;                  ///< that the surface is of; empty if that is not known
   std::string mixed_hemispheres;           ///< a line, if the name and the metadata of the file disagree
   File_stamp input_stamp;                  ///< of the file, before it was read, but for its parts
   File_stamp start_stamp;                  ///< of the file with the map to start from; empty if there is none

@@ -48,18 +48,6 @@ public:
            tells_sphere();
   }
 
-  // returns a file that the results of the mesh would replace, and that is of no run of this program; empty if there is none.
-  std::string foreign_file() const
-  {
-    const auto exists = [](const std::string& name) {
-      std::error_code error;
-      return std::filesystem::exists(std::filesystem::symlink_status(path_of(name), error));
-    };
-    return exists(m_names.sphere) && !tells_sphere() ? m_names.sphere
-           : exists(m_names.json) && m_text.empty()  ? m_names.json
-                                                     : "";
-  }
-
   bool is_one_to_one() const { return has_value("one_to_one", true); }
 
   // removes the report and its map, if they are of another input or of other options, and no other run has replaced them since.
@@ -141,19 +129,14 @@ public:
   }
 
 private:
-  // Leaves out what is done, if that is wanted. Among the files of a study, whose names are those that other programs give, none is
-  // replaced that this one has not written.
+  // Leaves out what is done, if that is wanted.
   void look_at_earlier_results()
   {
-    const bool is_careful = !m_options.surfaces.empty() && !m_options.has("overwrite");
-    if(!m_options.has("resume") && !is_careful)
+    if(!m_options.has("resume"))
       return;
-    Words foreign;
     const auto is_done = [&](const File_names& names) {
       const Earlier_report report(names);
-      if(const std::string file = is_careful ? report.foreign_file() : ""; !file.empty())
-        foreign.push_back(file);
-      if(!m_options.has("resume") || !report.tells_the_same_run(m_options))
+      if(!report.tells_the_same_run(m_options))
         return false;
       ++m_left_out;
       if(!report.is_one_to_one())
@@ -164,11 +147,6 @@ private:
       return true;
     };
     m_meshes.erase(std::remove_if(m_meshes.begin(), m_meshes.end(), is_done), m_meshes.end());
-    if(!foreign.empty())
-      throw error_in(foreign.front(),
-                     "is there already, and no report beside it tells that this program has written it",
-                     (foreign.size() > 1 ? "; so are " + std::to_string(foreign.size() - 1) + " other files" : ""),
-                     ".\nChoose another --output-folder, or replace such files by --overwrite.");
   }
 
   // A mesh that is interrupted leaves nothing new: whatever is in the output folder has all the sweeps that the options ask
@@ -181,8 +159,6 @@ private:
     std::optional<Mesh_run> run; // none until it is known that all files may be replaced
     try
     {
-      if(!names.fault.empty())
-        throw Program_error(names.fault);
       const std::filesystem::path folder = path_of(names.json).parent_path();
       std::error_code error;
       if(!std::filesystem::create_directories(folder, error) && error)

@@ -99,6 +99,7 @@ reached is written.
   -h, --help          print this
   --version           print the version
   --completion bash   print what completes commands and options in this shell
+  --manual            print the manual page, for man
 
 Exit status: 0, all that was asked for was written, and every map in it is certified as one-to-one;
 1, an error, with a message; 2, a map has inverted faces, which --method conformal and arap, and
@@ -120,12 +121,51 @@ std::string completion()
   }
   return std::string("# Completes commands and options of ") + program + " in bash, and names of files elsewhere.\n_" +
          program + "()\n{\n  local word=${COMP_WORDS[COMP_CWORD]} words=\n  case ${COMP_WORDS[1]} in\n" + cases +
-         "    *) words=\"--help --version --completion\" ;;\n  esac\n  [ \"$COMP_CWORD\" -gt 1 ] || words+=\" " +
+         "    *) words=\"--help --version --completion --manual\" ;;\n  esac\n  [ \"$COMP_CWORD\" -gt 1 ] || "
+         "words+=\" " +
          names +
          "\"\n  [[ $word == -* || $COMP_CWORD == 1 ]] && mapfile -t COMPREPLY < <(compgen -W \"$words\" -- "
          "\"$word\")\n}\n"
          "complete -o default -F _" +
          program + ' ' + program + '\n';
+}
+
+// What is to be read literally by man.
+std::string escaped(const std::string& text)
+{
+  std::string result;
+  for(std::size_t i = 0; i < text.size(); ++i)
+  {
+    if((i == 0 || text[i - 1] == '\n') && (text[i] == '.' || text[i] == '\''))
+      result += "\\&";
+    result += text[i] == '-' ? "\\-" : text[i] == '\\' ? "\\e" : std::string(1, text[i]);
+  }
+  return result;
+}
+
+// The manual page, in the format of man.
+std::string manual()
+{
+  const std::string name = program;
+  std::string synopsis, details;
+  for(const Command& command : commands)
+  {
+    synopsis += ".B " + escaped(name + ' ' + command.name) + '\n' + escaped(command.usage) + "\n.br\n";
+    details += ".SS " + command.name + '\n' + escaped(command.text) + "\n.PP\nExample:\n.B " +
+               escaped(name + ' ' + command.name + ' ' + command.example) + '\n';
+    for(const Command_option& option : options_of(command.name))
+    {
+      std::string names = option.names;
+      if(const std::size_t comma = names.find(','); comma != std::string::npos)
+        names.insert(comma + 1, " ");
+      details += ".TP\n.B " + escaped(names + (option.values.empty() ? "" : " " + option.values)) + '\n' +
+                 escaped(option.help) + '\n';
+    }
+  }
+  return ".TH " + name + " 1 \"\" \"" + escaped(program_version().substr(0, program_version().find(','))) +
+         "\" \"User Commands\"\n.SH NAME\n" + escaped(name) +
+         " \\- map surfaces to the sphere and onto each other, one\\-to\\-one\n.SH SYNOPSIS\n" + synopsis +
+         ".SH DESCRIPTION\n.nf\n" + escaped(help()) + ".fi\n.SH COMMANDS\n" + details;
 }
 
 // Parses the words behind a command.
@@ -145,10 +185,9 @@ Command_line parse(const Command& command, Words words)
     else
     {
       const int n = 1 + static_cast<int>(std::count(option.values.begin(), option.values.end(), ' '));
-      const bool takes_more = option.values == "NAME...";
       app.add_option(option.names, line.options[option.name()], option.help)
-          ->expected(n, takes_more ? -1 : n)
-          ->allow_extra_args(takes_more); // what follows are names
+          ->expected(n)
+          ->allow_extra_args(false); // what follows are names
     }
   for(const auto& [option, other] : needed_options)
     if(has_option(command, option))
@@ -226,10 +265,11 @@ unsigned int Command_line::count(const std::string& option, unsigned int min, un
 Command_line parse_command_line(Words words)
 {
   const std::string first = words.empty() ? "" : words.front();
-  if(is_among(first, {"-h", "--help", "--version", "--completion"}))
+  if(is_among(first, {"-h", "--help", "--version", "--completion", "--manual"}))
     return {"",
             first == "--version"      ? program_version() + '\n'
             : first == "--completion" ? completion()
+            : first == "--manual"     ? manual()
                                       : help(),
             {},
             {}};
@@ -246,8 +286,7 @@ Command_line parse_command_line(Words words)
   }
   const Command_line line = parse(*command, words);
   if(line.printed.empty() && line.names.empty())
-    line.fail(line.has("surfaces") ? "there is no INPUT; it comes before --surfaces and its names"
-                                   : "there is no name of a file; " + command->name + " takes " + command->usage);
+    line.fail("there is no name of a file; " + command->name + " takes " + command->usage);
   if(line.printed.empty() && line.names.size() < command->min_names)
     line.fail(command->name + " needs " + command->usage);
   if(line.names.size() > command->max_names)

@@ -62,11 +62,9 @@ std::string with_suffix(const std::string& path, const std::string& suffix);
 struct File_names
 {
   std::string input;
-  std::string fault; ///< why the input cannot be read, empty if nothing is known of that
   std::string sphere, handles, repaired, remesh, values, image, page, json; ///< empty if not wanted
   std::string onto, target_sphere, overlay, morph,
       expected_errors; ///< of a map onto another surface, empty if not wanted
-  std::string subject; ///< of a study that the mesh is of, empty otherwise
   std::string colored; ///< what the names of the coloured meshes begin with, empty if they are not wanted
 
   /// returns the names of all files that are written, in the order in which they appear, with those that are made of others.

@@ -174,13 +174,6 @@ void read_batch(Options& o)
 {
   if(!o.has("output-folder"))
     o.fail("batch needs --output-folder, where the spheres and their reports are written");
-  o.surfaces = o.words("surfaces");
-  for(std::string& name : o.surfaces)
-  {
-    name = name_of(path_of(name).lexically_normal());
-    if(name.empty() || name == "." || name.front() == '/' || name.back() == '/' || name.compare(0, 2, "..") == 0)
-      o.fail("--surfaces takes names of files, or their paths from INPUT on, not '" + printable(name) + "'");
-  }
 }
 
 void read_files(Options& o)

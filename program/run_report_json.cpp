@@ -143,8 +143,6 @@ std::string Run_report::json() const
 {
   const SP::Parameterization_report& run = result.report;
   Json all = {{"program", program_version()}, {"input", m_input}};
-  if(!subject.empty())
-    all.add("subject", subject);
   if(!hemisphere.empty())
     all.add("hemisphere", hemisphere);
   all.add("input_stamp", input_stamp.json())

@@ -34,9 +34,6 @@ std::string name_of_computer();
 std::int64_t number_of_process();
 bool is_running(std::int64_t process);
 
-/// returns whether a path is as a pattern says, name by name, with `*`, `?` and what else shells of the system have.
-bool matches_pattern(const std::string& pattern, const std::filesystem::path& path);
-
 /// returns whether the user may write to a file that is there; sets `errno`.
 bool is_writable(const std::filesystem::path& path);
 

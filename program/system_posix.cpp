@@ -6,7 +6,6 @@
 #include <cerrno>
 
 #include <fcntl.h>
-#include <fnmatch.h>
 #include <sys/file.h>
 #include <sys/stat.h>
 #include <sys/types.h>
@@ -49,11 +48,6 @@ bool is_running(std::int64_t process)
 {
   const pid_t number = static_cast<pid_t>(process);
   return number != process || number <= 0 || kill(number, 0) == 0 || errno != ESRCH;
-}
-
-bool matches_pattern(const std::string& pattern, const std::filesystem::path& path)
-{
-  return fnmatch(pattern.c_str(), path.c_str(), FNM_PATHNAME | FNM_PERIOD) == 0;
 }
 
 bool is_writable(const std::filesystem::path& path)

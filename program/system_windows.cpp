@@ -11,7 +11,6 @@
 #include <fcntl.h>
 #include <io.h>
 #include <shellapi.h>
-#include <shlwapi.h>
 #include <sys/stat.h>
 
 namespace Program {
@@ -69,18 +68,6 @@ bool is_running(std::int64_t process)
   const bool result = WaitForSingleObject(handle, 0) == WAIT_TIMEOUT;
   CloseHandle(handle);
   return result;
-}
-
-bool matches_pattern(const std::string& pattern, const std::filesystem::path& path)
-{
-  auto name = path.begin();
-  for(const std::filesystem::path& part : path_of(pattern))
-  {
-    if(name == path.end() || !PathMatchSpecW(name->c_str(), part.c_str()))
-      return false;
-    ++name;
-  }
-  return name == path.end();
 }
 
 bool is_writable(const std::filesystem::path& path)

@@ -1,20 +1,25 @@
 #!/usr/bin/env bash
-# Usage: scripts/setup.sh [--tests|--long-tests]
+# Usage: scripts/setup.sh [--tests|--long-tests|--packages]
 #
 # Makes sure that what the program needs is installed; with --tests, what the tests need as well, and with --long-tests, what
-# scripts/test_long.sh does. On Debian and Ubuntu, installs the packages that are missing. Elsewhere, says what to install.
-# Does nothing where everything is in place.
+# scripts/test_long.sh does; with --packages, what builds Debian packages, a wheel and a container, and tries them. On Debian and
+# Ubuntu, installs the packages that are missing. Elsewhere, says what to install. Does nothing where everything is in place.
 
 # shellcheck source-path=SCRIPTDIR source=common.sh
 . "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 
-[[ "$*" == @(|--tests|--long-tests) ]] || fail "Usage: scripts/setup.sh [--tests|--long-tests]"
+[[ "$*" == @(|--tests|--long-tests|--packages) ]] || fail "Usage: scripts/setup.sh [--tests|--long-tests|--packages]"
 
 packages=(g++ make cmake libcgal-dev libcgal-demo libcli11-dev libtbb-dev libeigen3-dev
   libpng-dev libopenexr-dev libexpat1-dev zlib1g-dev npm)
 components=(CGAL TBB Eigen3)
 wanted="a C++17 compiler, CMake 3.18, CGAL 5.5, CLI11, TBB, Eigen, libpng, OpenEXR 3, expat, zlib, Node.js 18 and npm"
-if [ $# -gt 0 ]; then
+if [ "${1-}" = --packages ]; then
+  packages+=(dpkg-dev fakeroot debhelper dh-python help2man lintian pybuild-plugin-pyproject pybind11-dev python3-dev)
+  packages+=(python3-numpy python3-nibabel python3-pip python3-setuptools python3-venv python3-wheel)
+  packages+=(patchelf binutils mmdebstrap buildah)
+  wanted+=", what builds Debian packages with Python, patchelf, mmdebstrap, buildah, and Python with its headers, numpy, nibabel, pip and pybind11"
+elif [ $# -gt 0 ]; then
   packages+=(git locales libgtest-dev libbenchmark-dev clang libclang-rt-dev llvm clang-format-14)
   packages+=(python3-numpy python3-matplotlib python3-nibabel)
   packages+=(pybind11-dev python3-dev python3-pytest python3-pip python3-venv python3-setuptools python3-wheel)

@@ -80,7 +80,6 @@ compare_programs() {
   with_both batch "Körper ab" --output-folder "Kugeln ö" --threads 1
   rm "$folder"/*/"Kugeln ö/crlf.off"
   with_both batch "Körper ab" --output-folder "Kugeln ö" --threads 1 --resume
-  with_both batch . --surfaces "Körper*/c*.off" --output-folder "Studie ö" --threads 1
   without_times
   diff -r "$folder/here" "$folder/windows"
 }

@@ -6,7 +6,8 @@ of any numeric type, contiguous or not; those that are returned are float64 and 
 an `Error`.
 
 Functions take the three arrays in this order, without those that they do not need: as arguments where there is one surface,
-as a tuple ``(vertices, faces, sphere)`` for each where there are two. Settings are given by name. Functions that may take
+as a tuple ``(vertices, faces, sphere)`` for each where there are two. In the place of ``vertices, faces`` there may be a mesh: any
+object that has `faces`, and `vertices`, as those of trimesh, or `points`, as those of PyVista. Settings are given by name. Functions that may take
 long have `threads`, the largest number of them, of which there are never more than cores; and those that can be stopped
 `time_limit`, `callback` and `on_interrupt`.
 
@@ -24,9 +25,11 @@ What there is, by task:
 - spheres that exist, such as those of FreeSurfer: `resample`, `resample_sphere`
 - a surface to another one: `map_surface`, `align_spheres`, `compute_sulcal_measures`, `overlay`, `measure_distortion_between`
 - shapes as numbers: `expand`, `reconstruct`, `spectrum`, `standard_position`, `write_coefficients`, `read_coefficients`
+- for other libraries of harmonics: `compute_angles`, `angles_to_directions`
 - the mean and the modes of many shapes: `shape_modes`
 """
 
+from ._angles import angles_to_directions, compute_angles
 from ._core import ErrorCode, __version__
 from ._errors import Error
 from ._files import read_coefficients, read_mesh, write_coefficients
@@ -98,6 +101,8 @@ __all__ = [
     "SurfaceDistance",
     "SurfaceMapReport",
     "__version__",
+    "angles_to_directions",
+    "compute_angles",
     "align_spheres",
     "expand",
     "fill_holes",

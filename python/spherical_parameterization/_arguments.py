@@ -4,15 +4,16 @@ from __future__ import annotations
 
 import operator
 import sys
-from typing import Any, Callable, List, NoReturn, Optional, Sequence, Tuple
+from typing import Any, Callable, List, NoReturn, Optional, Sequence, Tuple, Union
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ._core import ErrorCode
 from ._errors import Error
+from ._meshes import Mesh, is_mesh, split_mesh
 
-Surface = Tuple[ArrayLike, ArrayLike, ArrayLike]  # vertices, faces, sphere
+Surface = Union[Tuple[ArrayLike, ArrayLike, ArrayLike], Tuple[Mesh, ArrayLike]]  # vertices, faces, sphere
 SurfaceArrays = Tuple[NDArray[np.float64], NDArray[np.int64], NDArray[np.float64]]
 Callback = Optional[Callable[..., Any]]
 Features = Sequence[Tuple[ArrayLike, ArrayLike]]
@@ -74,6 +75,9 @@ def read_surface(vertices: ArrayLike, faces: ArrayLike, sphere: ArrayLike, prefi
 
 
 def read_tuple(name: str, value: Any, *parts: str) -> Sequence[Any]:
+    """Returns the parts of a tuple, of which a mesh may be the first two."""
+    if isinstance(value, (tuple, list)) and 0 < len(value) < len(parts) and is_mesh(value[0]):
+        value = (*split_mesh(value[0]), *value[1:])
     # An array of as many rows would be one of something else.
     if not isinstance(value, (tuple, list)) or len(value) != len(parts):
         raise TypeError(f"{name} has to be a tuple: ({', '.join(parts)})")

@@ -10,6 +10,7 @@ from . import _core
 from ._arguments import check_word, read_faces, read_points, read_surface, read_threads, refuse, to_array
 from ._core import ErrorCode
 from ._errors import Error
+from ._meshes import accepts_mesh
 from ._sampling import MAX_SUBDIVISION, Remesh
 
 MAX_DEGREE = 1000
@@ -73,6 +74,7 @@ class HarmonicFit(NamedTuple):
     degree_of_vertices: int
 
 
+@accepts_mesh
 def expand(
     vertices: ArrayLike,
     faces: ArrayLike,

@@ -2,7 +2,7 @@ from __future__ import annotations
 
 import operator
 from dataclasses import dataclass
-from typing import NamedTuple, Optional, Tuple
+from typing import NamedTuple, Optional, Tuple, Union
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -10,6 +10,7 @@ from numpy.typing import ArrayLike, NDArray
 from . import _core
 from ._arguments import read_faces, read_points, read_surface, read_threads, read_tuple, refuse
 from ._errors import Error
+from ._meshes import Mesh, accepts_mesh, is_mesh
 
 
 @dataclass(frozen=True)
@@ -59,6 +60,7 @@ class Distortion:
     number_of_degenerate_faces: int
 
 
+@accepts_mesh
 def find_defect(vertices: ArrayLike, faces: ArrayLike) -> Optional[Error]:
     """Returns what keeps a mesh from being mapped to the sphere, or None if nothing does.
 
@@ -163,6 +165,7 @@ class SulcalMeasures(NamedTuple):
     inflated_curvature: NDArray[np.float64]
 
 
+@accepts_mesh
 def compute_sulcal_measures(vertices: ArrayLike, faces: ArrayLike, *, threads: Optional[int] = None) -> SulcalMeasures:
     """Measures the curvature and the depth of the folds of a surface, such as a cortex: features for `map_surface`.
 
@@ -203,6 +206,7 @@ def compute_sulcal_measures(vertices: ArrayLike, faces: ArrayLike, *, threads: O
     )
 
 
+@accepts_mesh
 def measure_distortion(
     vertices: ArrayLike, faces: ArrayLike, sphere: ArrayLike, *, threads: Optional[int] = None
 ) -> Distortion:
@@ -284,8 +288,8 @@ class SurfaceDistance:
 
 
 def measure_distance(
-    surface1: Tuple[ArrayLike, ArrayLike],
-    surface2: Tuple[ArrayLike, ArrayLike],
+    surface1: Union[Tuple[ArrayLike, ArrayLike], Mesh],
+    surface2: Union[Tuple[ArrayLike, ArrayLike], Mesh],
     *,
     number_of_points: int = 30000,
     threads: Optional[int] = None,
@@ -324,7 +328,7 @@ def measure_distance(
         refuse(f"number_of_points is {n}; it has to be from 1 to {2**31 - 1}")
     arrays = []
     for name, surface in (("surface1", surface1), ("surface2", surface2)):
-        vertices, faces = read_tuple(name, surface, "vertices", "faces")
+        vertices, faces = read_tuple(name, (surface,) if is_mesh(surface) else surface, "vertices", "faces")
         arrays += [read_points(f"{name}: vertices", vertices), read_faces(f"{name}: faces", faces)]
     from_first, from_second, diagonal = _core.measure_distance(*arrays, n, read_threads(threads))
     return SurfaceDistance(OneWayDistance(*from_first), OneWayDistance(*from_second), diagonal)

@@ -9,6 +9,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from . import _core
 from ._arguments import check_word, read_density, read_faces, read_points, read_run, refuse
+from ._meshes import accepts_mesh
 
 
 MAX_DEVIATION_OF_AREAS = 0.01  # from which on a warning is given; they count as reached up to 0.001
@@ -94,6 +95,7 @@ class Report:
     areas: Optional[Areas] = None
 
 
+@accepts_mesh
 def parameterize(
     vertices: ArrayLike,
     faces: ArrayLike,

@@ -8,6 +8,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from . import _core
 from ._arguments import read_faces, read_points, read_vertices, refuse, to_array
+from ._meshes import accepts_mesh
 
 
 class Hole(NamedTuple):
@@ -52,6 +53,7 @@ class FilledSurface(NamedTuple):
     holes: List[Hole]
 
 
+@accepts_mesh
 def fill_holes(vertices: ArrayLike, faces: ArrayLike, *, max_edges: Optional[int] = None) -> FilledSurface:
     """Fills the holes of a surface, so that it can be mapped to a sphere.
 
@@ -109,6 +111,7 @@ class Handle(NamedTuple):
     length: float
 
 
+@accepts_mesh
 def find_handles(vertices: ArrayLike, faces: ArrayLike, *, max_handles: Optional[int] = None) -> List[Handle]:
     """Finds the handles of a surface, tiny ones first as far as that is easily found.
 
@@ -229,6 +232,7 @@ class RepairedSurface(NamedTuple):
     report: RepairReport
 
 
+@accepts_mesh
 def repair_surface(
     vertices: ArrayLike,
     faces: Union[ArrayLike, Sequence[Sequence[int]]],

@@ -20,6 +20,7 @@ from ._arguments import (
     refuse,
     to_array,
 )
+from ._meshes import accepts_mesh
 
 MAX_SUBDIVISION = 5000
 
@@ -98,6 +99,7 @@ class Remesh(NamedTuple):
     sphere: NDArray[np.float64]
 
 
+@accepts_mesh
 def remesh(
     vertices: ArrayLike,
     faces: ArrayLike,

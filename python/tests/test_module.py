@@ -1221,3 +1221,87 @@ def test_densities_that_are_none_are_refused(bad):
             sp.parameterize(vertices, faces, **settings)
     with pytest.raises(TypeError, match="real numbers"):
         sp.parameterize(vertices, faces, density=["a"] * len(vertices))
+
+
+class Trimesh:
+    """A stand-in for a mesh of trimesh."""
+
+    def __init__(self, vertices, faces):
+        self.vertices, self.faces = np.array(vertices, float), np.array(faces)
+
+
+class PolyData:
+    """A stand-in for a mesh of PyVista, which has its faces in one row."""
+
+    def __init__(self, vertices, faces):
+        self.points = np.array(vertices, np.float32)
+        self.faces = np.column_stack((np.full(len(faces), 3), faces)).ravel()
+
+
+@pytest.mark.parametrize("Mesh", [Trimesh, PolyData])
+def test_takes_meshes_of_other_libraries(Mesh):
+    vertices, faces = surface(6)
+    vertices = vertices.astype(np.float32)  # as PyVista has them
+    mesh = Mesh(vertices, faces)
+    sphere = sp.parameterize(vertices, faces)[0]
+    for of_arrays, of_mesh in (
+        (sp.parameterize(vertices, faces, prefer="worst")[0], sp.parameterize(mesh, prefer="worst")[0]),
+        (sp.measure_distortion(vertices, faces, sphere).area.values, sp.measure_distortion(mesh, sphere).area.values),
+        (sp.remesh(vertices, faces, sphere, ("cube", 5)).vertices, sp.remesh(mesh, sphere, ("cube", 5)).vertices),
+        (sp.expand(vertices, faces, sphere, degree=3)[0], sp.expand(mesh, sphere, degree=3)[0]),
+        (sp.compute_angles(vertices, faces), sp.compute_angles(mesh)),
+        (sp.compute_sulcal_measures(vertices, faces).depth, sp.compute_sulcal_measures(mesh).depth),
+        (sp.repair_surface(vertices, faces).vertices, sp.repair_surface(mesh).vertices),
+        (
+            sp.transfer((vertices, faces, sphere), (faces, sphere), vertices),
+            sp.transfer((mesh, sphere), (faces, sphere), vertices),
+        ),
+        (
+            sp.map_surface((vertices, faces, sphere), (vertices, faces, sphere))[0],
+            sp.map_surface((mesh, sphere), (vertices, faces, sphere))[0],
+        ),
+    ):
+        np.testing.assert_array_equal(of_arrays, of_mesh)
+    assert sp.find_defect(mesh) is None and sp.fill_holes(mesh).vertices.shape == vertices.shape
+    assert sp.find_handles(mesh) == [] and sp.measure_distance(mesh, (vertices, faces)).psnr > 300
+
+
+def test_says_what_is_wrong_with_meshes():
+    mesh = PolyData(TETRAHEDRON, FACES)
+    mesh.faces = np.array([4, 0, 1, 2, 3])
+    with pytest.raises(sp.Error, match="no triangles: triangulate"):
+        sp.parameterize(mesh)
+    with pytest.raises(TypeError):
+        sp.parameterize(Trimesh(TETRAHEDRON, FACES), FACES)
+
+
+def test_angles_and_directions():
+    vertices, faces, sphere = map_of(8)
+    angles = sp.compute_angles(vertices, faces)
+    np.testing.assert_array_equal(angles, sp.compute_angles(vertices, faces, sphere=4 * sphere))
+    assert angles.shape == (len(vertices), 2)
+    assert 0 <= angles[:, 0].min() and angles[:, 0].max() <= np.pi
+    assert 0 <= angles[:, 1].min() and angles[:, 1].max() < 2 * np.pi
+    directions = sp.angles_to_directions(angles)
+    np.testing.assert_allclose(directions, sphere / np.linalg.norm(sphere, axis=1)[:, None], atol=1e-15)
+    assert sp.is_bijective(faces, directions)
+    np.testing.assert_allclose(sp.angles_to_directions([(0, 1), (np.pi / 2, np.pi / 2)]), [(0, 0, 1), (0, 1, 0)], atol=1e-15)
+    with pytest.raises(sp.Error, match="image of vertex 3"):
+        sp.compute_angles(TETRAHEDRON, FACES, sphere=[*TETRAHEDRON[:3], (0, 0, 0)])
+    with pytest.raises(sp.Error, match=re.escape("(4, 3); it has to be (n, 2)")):
+        sp.angles_to_directions(TETRAHEDRON)
+
+
+def test_runs_the_program(tmp_path):
+    """Of an installation that has it; the build folder has it elsewhere, on the path."""
+    environment = {**os.environ, "PATH": str(Path(PROGRAM).parent) + os.pathsep + os.environ["PATH"]}
+    command = [sys.executable, "-m", "spherical_parameterization"]
+    run = subprocess.run([*command, "--version"], env=environment, capture_output=True, text=True)
+    assert run.returncode == 0 and run.stdout.startswith("spherical_parameterization " + sp.__version__)
+    run = subprocess.run([*command, "check", str(tmp_path / "none.off")], env=environment, capture_output=True, text=True)
+    assert run.returncode == 1 and "none.off" in run.stderr
+    script = tmp_path / "spherical_parameterization"
+    script.write_text("#!/bin/sh\nexit 7\n")
+    script.chmod(0o755)
+    run = subprocess.run([*command, "--version"], env={**environment, "PATH": str(tmp_path)}, capture_output=True, text=True)
+    assert run.returncode == 1 and "neither installed with this module nor on the path" in run.stderr

@@ -100,7 +100,7 @@ TEST_F(Commands, say_where_options_went)
           {"match", "landmarks soft-landmarks features feature-weights compare masks regularize split overlay morph"},
           {"remesh", "geometry-image image-size transfer values-sphere"},
           {"resample", "areas mask valid"},
-          {"batch", "template surfaces overwrite resume"},
+          {"batch", "template resume"},
           {"repair", "handles"},
           {"show", "beside"}})
     for(const std::string& option : words_of(options))

@@ -366,8 +366,6 @@ TEST_F(Surface_files, GIFTI_may_be_packed)
   EXPECT_EQ(run_script("gzip -dc b.surf.gii.gz | cmp - b.surf.gii").status, 0);
   expect_success("batch in --output-folder out");
   EXPECT_EQ(names_of_files("out"), (Names{"a.surf.gii.gz", "a.json"}));
-  expect_success("batch in --output-folder study --surfaces '*.gz'");
-  EXPECT_EQ(names_of_files("study"), (Names{"a_sphere.surf.gii.gz", "a_sphere.json"}));
   expect_success("remesh in/a.surf.gii.gz octahedron=2 --method stereographic -o even.surf.gii.gz --transfer lh.sulc");
   EXPECT_TRUE(fs::exists(path("even.func.gii.gz")));
   ASSERT_EQ(run_script("head -c 100000000 /dev/zero | gzip > bomb.surf.gii.gz").status, 0);

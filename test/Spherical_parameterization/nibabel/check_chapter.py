@@ -90,9 +90,14 @@ with tempfile.TemporaryDirectory() as folder:
     own, (atlas, atlas_faces) = make_subject(), make_atlas()
     make_study()
     commands = "".join(codes("sh"))
-    if not (program.parent.parent / "page" / "page.stamp").exists():
-        commands = re.sub(r" --page \S+", "", commands)
-    path = {**os.environ, "PATH": f"{program.parent}:{os.environ['PATH']}"}
+    has_pages = (program.parent.parent / "page" / "page.stamp").exists()
+    if not has_pages:
+        commands = re.sub(r" --page \S+|spherical_parameterization_bids .*", "", commands)
+    app = pathlib.Path("bin/spherical_parameterization_bids")
+    app.parent.mkdir()
+    app.write_text(f'#!/bin/sh\nexec "{sys.executable}" -m spherical_parameterization.bids "$@"\n')
+    app.chmod(0o755)
+    path = {**os.environ, "PATH": f"{app.parent.resolve()}:{program.parent}:{os.environ['PATH']}", "PYTHONPATH": str(module)}
     subprocess.run(["sh", "-e", "-c", commands], env=path, check=True, stdout=subprocess.DEVNULL)
 
     registered, faces = nibabel.freesurfer.read_geometry("lh.sphere.reg")
@@ -106,10 +111,11 @@ with tempfile.TemporaryDirectory() as folder:
     labels = nibabel.freesurfer.read_annot("lh.aparc.annot")[0]
     assert ((labels == 1) == (own[:, 2] > 0)).mean() > 0.95
     assert len(nibabel.freesurfer.read_geometry("lh.pial.fsaverage")[0]) == len(atlas)
-    for subject in ("sub-1", "sub-2"):
-        for half in "lr":
-            for name in ("sphere", "sphere.reg"):
-                sphere, faces = nibabel.freesurfer.read_geometry(f"SUBJECTS/{subject}/surf/{half}h.{name}")
+    for subject in ("sub-1", "sub-2") if has_pages else ():
+        for hemi in "LR":
+            for name in ("sphere", "space-fsaverage_desc-reg_sphere"):
+                file = nibabel.load(f"spheres/{subject}/anat/{subject}_hemi-{hemi}_{name}.surf.gii")
+                sphere, faces = file.agg_data()
                 assert sp.is_bijective(faces, sphere)
 
     first, *pictures = codes("py")

@@ -1,0 +1,38 @@
+"""The command line program that is installed with the module."""
+
+from __future__ import annotations
+
+import os
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+from typing import NoReturn
+
+NAME = "spherical_parameterization"
+
+
+def find_program() -> str:
+    """Returns the path of the program: the one beside the module, or the first one on the path that is no Python script."""
+    own = Path(__file__).parent / "bin" / (NAME + (".exe" if os.name == "nt" else ""))
+    if own.is_file():
+        return str(own)
+    for folder in os.get_exec_path():
+        path = shutil.which(NAME, path=folder)
+        if path is None:
+            continue
+        with open(path, "rb") as file:
+            if file.read(2) != b"#!":  # this file, as pip installs it
+                return path
+    sys.exit(
+        f"{NAME}: the program is neither installed with this module nor on the path. The module was built where CLI11 or Eigen"
+        " was missing: install both, and the module anew."
+    )
+
+
+def run() -> NoReturn:
+    """Runs the program with the arguments of this process, in its place where the system can do that."""
+    command = [find_program(), *sys.argv[1:]]
+    if os.name == "posix":
+        os.execv(command[0], command)
+    sys.exit(subprocess.call(command))
