@@ -1,0 +1,89 @@
+#!/usr/bin/env bash
+# Usage: scripts/test_packages.sh
+#
+# Builds the wheel and the Debian packages, installs each in a bare root file system of this release of Debian, and does there
+# what README.md begins with. Needs root, and what scripts/setup.sh --packages installs.
+
+# shellcheck source-path=SCRIPTDIR source=common.sh
+. "$(dirname "${BASH_SOURCE[0]}")/common.sh"
+
+dist=$build/dist
+work=$build/packages
+mesh=$build/data/meshes/bunny00.off
+[ "$(id -u)" -eq 0 ] || fail "Root file systems are made and entered as root only."
+[ -f "$mesh" ] || fail "There is no $mesh: run scripts/test.sh before."
+rm -rf "$work" && mkdir -p "$work" "$dist"
+
+# make_root NAME PACKAGE...: a root file system with nothing but these, of the mirrors that this system has.
+make_root() {
+  local name=$1 suite sources
+  shift
+  # shellcheck source=/dev/null
+  suite=$(. /etc/os-release && echo "$VERSION_CODENAME")
+  sources=(/etc/apt/sources.list /etc/apt/sources.list.d/debian.sources)
+  for file in "${sources[@]}"; do
+    [ -s "$file" ] && break
+  done
+  mmdebstrap --variant=minbase --include="$(IFS=, && echo "$*")" "$suite" "$work/$name" "$file"
+  mkdir -p "$work/$name/work" && cp "$mesh" "$work/$name/work/bunny.off"
+}
+
+# in_root NAME COMMAND...: runs it in a root, with /proc, where the loader finds the folder of a program
+in_root() {
+  local name=$1
+  shift
+  env -i PATH=/usr/local/sbin:/usr/local/bin:/usr/sbin:/usr/bin:/sbin:/bin LC_ALL=C.UTF-8 HOME=/root \
+    unshare --fork --pid --mount-proc="$work/$name/proc" chroot "$work/$name" "$@"
+}
+
+test_wheel() {
+  cp "$dist"/spherical_parameterization-*.whl "$work/wheel/work"
+  in_root wheel sh -ec '
+    cd /work
+    python3 -m venv --system-site-packages venv
+    venv/bin/pip install --no-index --no-deps spherical_parameterization-*.whl
+    venv/bin/python -c "
+import numpy as np, spherical_parameterization as sp
+vertices, faces = sp.read_mesh(\"bunny.off\")
+sphere, report = sp.parameterize(vertices, faces)
+assert sp.is_bijective(faces, sphere)
+print(sp.__version__, len(vertices), sp.measure_distortion(vertices, faces, sphere).isometric)
+"
+    venv/bin/python -m spherical_parameterization bunny.off -o sphere.off
+    venv/bin/spherical_parameterization check bunny.off sphere.off'
+}
+
+test_debian() {
+  cp -r "$dist"/*.deb "$root/test/Spherical_parameterization/consumer" "$work/debian/work"
+  in_root debian sh -ec '
+    cd /work
+    dpkg -i *.deb
+    spherical_parameterization bunny.off -o sphere.off
+    spherical_parameterization check bunny.off sphere.off
+    test -s /usr/share/man/man1/spherical_parameterization.1.gz
+    python3 -c "
+import spherical_parameterization as sp
+vertices, faces = sp.read_mesh(\"bunny.off\")
+assert sp.is_bijective(faces, sp.parameterize(vertices, faces)[0])
+"
+    python3 -m spherical_parameterization --version
+    spherical_parameterization_bids --version
+    cmake -S consumer -B consumer/build -DCMAKE_BUILD_TYPE=Release
+    cmake --build consumer/build --target consumer_of_library
+    consumer/build/consumer_of_library'
+}
+
+# What the packages depend on, but for each other
+dependencies() {
+  for package; do
+    dpkg-deb -f "$package" Depends
+  done | tr ',' '\n' | sed 's/^ *//; s/[ (:|].*//' | grep -v spherical-parameterization | sort -u
+}
+
+"$root/scripts/build_wheel.sh" "$dist"
+run_stage "make a root with Python and numpy" make_root wheel python3-numpy python3-venv
+run_stage "install and try the wheel" test_wheel
+"$root/scripts/build_debian.sh" "$dist"
+mapfile -t needed < <(dependencies "$dist"/*.deb)
+run_stage "make a root for the packages" make_root debian cmake g++ make "${needed[@]}"
+run_stage "install and try the packages" test_debian
