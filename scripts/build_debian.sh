@@ -16,18 +16,18 @@ version=$(sed -n 's/^ *VERSION \([0-9.]*\)$/\1/p' "$root/CMakeLists.txt")
 time=$(git -C "$root" log -1 --format=%ct 2>/dev/null || date +%s)
 
 unpack_sources() (
-  cd "$root"
-  "$python" -c 'import sys; from setuptools import build_meta; build_meta.build_sdist(sys.argv[1])' "$work"
-  cd "$work"
-  tar xf spherical_parameterization-*.tar.gz
-  mv "spherical_parameterization-$version" "spherical-parameterization-$version"
-  cp -r "$root/packaging/debian" "spherical-parameterization-$version"
-  cat >"spherical-parameterization-$version/debian/changelog" <<EOF
+  sources=$work/spherical-parameterization-$version
+  cd "$root" &&
+    "$python" -c 'import sys; from setuptools import build_meta; build_meta.build_sdist(sys.argv[1])' "$work" &&
+    mkdir "$sources" &&
+    tar xf "$work"/*.tar.gz -C "$sources" --strip-components=1 &&
+    cp -r packaging/debian "$sources" &&
+    cat >"$sources/debian/changelog" <<EOF
 spherical-parameterization ($version) unstable; urgency=medium
 
   * See CHANGES.md.
 
- -- $(sed -n 's/^Maintainer: //p' "$root/packaging/debian/control")  $(date -u -R -d "@$time")
+ -- $(sed -n 's/^Maintainer: //p' packaging/debian/control)  $(date -u -R -d "@$time")
 EOF
 )
 

@@ -30,9 +30,9 @@ elif [ $# -gt 0 ]; then
   wanted+=" with its sanitizers, clang-format 14, Python with its headers, numpy, matplotlib, nibabel, pybind11, pytest and pip, doxygen 1.9.4, BibTeX, LinkChecker and Chromium; g++ for AArch64, MinGW-w64 with POSIX threads, QEMU and Wine"
 fi
 if [ "${1-}" = --long-tests ]; then
-  packages+=(parallel slurm-wlm munge jq connectome-workbench)
+  packages+=(parallel slurm-wlm munge jq snakemake connectome-workbench)
   packages+=(g++-s390x-linux-gnu libz-mingw-w64-dev libc++-14-dev libc++abi-14-dev)
-  wanted+=", GNU parallel, Slurm with MUNGE, jq, Connectome Workbench, g++ for s390x, zlib for MinGW-w64 and libc++"
+  wanted+=", GNU parallel, Slurm with MUNGE, jq, Snakemake, Connectome Workbench, g++ for s390x, zlib for MinGW-w64 and libc++"
 fi
 
 is_installed() {

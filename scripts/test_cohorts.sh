@@ -3,7 +3,8 @@
 #
 # Runs the commands of the manual's page on cohorts as they are printed there: with the program alone, under GNU parallel, and
 # as an array of Slurm, whose daemons run on this computer for as long. All three have to write the same bytes, and an array
-# that was stopped has to be completed by the next one. Installs nothing; scripts/setup.sh --long-tests does.
+# that was stopped has to be completed by the next one. The same for the page on pipelines: its array, and its workflow of
+# Snakemake. Installs nothing; scripts/setup.sh --long-tests does.
 
 # shellcheck source-path=SCRIPTDIR source=common.sh
 . "$(dirname "${BASH_SOURCE[0]}")/common.sh"
@@ -11,7 +12,7 @@
 [ $# -eq 0 ] || fail "Usage: scripts/test_cohorts.sh"
 page=$root/doc/Spherical_parameterization/Cohorts.txt
 export PATH=$build/program:$PATH:/usr/sbin
-for program in spherical_parameterization parallel munged slurmctld slurmd sbatch jq; do
+for program in spherical_parameterization parallel munged slurmctld slurmd sbatch jq snakemake; do
   command -v $program >/dev/null || fail "There is no $program. Run scripts/setup.sh --long-tests and scripts/test.sh first."
 done
 
@@ -184,3 +185,45 @@ run_stage "map a cohort by GNU parallel" run_parallel
 run_stage "start Slurm" start_slurm
 run_stage "map a cohort by a Slurm array" run_array
 run_stage "collect the reports of a cohort" collect_reports
+
+# Subjects of FreeSurfer, and the app as a command
+page=$root/doc/Spherical_parameterization/Pipelines.txt
+export PYTHONPATH=$build/python PATH=$folder/bin:$PATH
+make_study() (
+  mkdir "$folder/bin"
+  printf '#!/bin/sh\nexec /usr/bin/python3 -m spherical_parameterization.bids "$@"\n' >"$folder/bin/spherical_parameterization_bids"
+  chmod +x "$folder/bin/spherical_parameterization_bids"
+  /usr/bin/python3 "$root/test/Spherical_parameterization/make_subjects.py" "$folder/subjects" 16
+  for name in array workflow; do
+    mkdir "$folder/$name"
+    cp -r "$folder/subjects/freesurfer" "$folder/$name/study"
+  done
+)
+
+run_array_of_subjects() (
+  cd "$folder/array"
+  printed "#SBATCH" >subjects.sbatch
+  run_printed 0 "sbatch --array"
+  wait_for_jobs
+  expect [ "$(ls out/sub-*.html)" = "$(printf 'out/sub-01.html\nout/sub-02.html')" ]
+  expect [ "$(find out -name '*_desc-reg_sphere.surf.gii' | wc -l)" = 4 ]
+  run_printed 0 "sbatch --array"
+  wait_for_jobs
+  expect grep -q "left out" slurm-*.out
+)
+
+run_workflow() (
+  cd "$folder/workflow"
+  printed "glob_wildcards" >Snakefile
+  snakemake --cores 2
+  # The same files as the array has written, but for the seconds that it took
+  expect diff <(cd "$folder/array/out" && find . -type f | sort) <(cd out && find . -type f | sort)
+  for file in $(cd out && find . -name '*.gii'); do
+    expect cmp "out/$file" "$folder/array/out/$file"
+  done
+  expect grep -q "Nothing to be done" <(snakemake --cores 2 2>&1)
+)
+
+run_stage "make subjects" make_study
+run_stage "map subjects by a Slurm array" run_array_of_subjects
+run_stage "map subjects by Snakemake" run_workflow

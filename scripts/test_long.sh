@@ -4,7 +4,7 @@
 # What takes too long for scripts/test.sh, which is to be run first: 20,000 random triangulations instead of 500, other
 # tests with as many more repetitions, each header on its own, compile flags, errors and times, the benchmarks, all tests
 # under the sanitizer of addresses, every program in a CGAL tree, other platforms, the commands of the manual for
-# cohorts, and each fuzzer for ten minutes. Takes about two hours on two cores.
+# cohorts, packages and the container on bare systems, and each fuzzer for ten minutes. Takes about two hours on two cores.
 
 # shellcheck source-path=SCRIPTDIR source=common.sh
 . "$(dirname "${BASH_SOURCE[0]}")/common.sh"
@@ -23,6 +23,8 @@ run_stage "compile times" "$root/scripts/measure_compile_time.py" --program --ch
 "$root/scripts/test_in_cgal_tree.sh"
 "$root/scripts/test_platforms.sh"
 "$root/scripts/test_cohorts.sh"
+"$root/scripts/setup.sh" --packages
+"$root/scripts/test_packages.sh"
 
 # What a fuzzer finds that is new stays in build/fuzz/NAME, what makes it fail beside the log.
 fuzz() {

@@ -1,8 +1,9 @@
 #!/usr/bin/env bash
-# Usage: scripts/test_packages.sh
+# Usage: scripts/test_packages.sh [--tries-only]
 #
-# Builds the wheel and the Debian packages, installs each in a bare root file system of this release of Debian, and does there
-# what README.md begins with. Needs root, and what scripts/setup.sh --packages installs.
+# Builds the wheel, the Debian packages and the container, installs each in a bare root file system of this release of Debian, and
+# does there what README.md begins with. Needs root, and what scripts/setup.sh --packages installs; with a cache of compiled
+# packages in build/dist, --tries-only builds none.
 
 # shellcheck source-path=SCRIPTDIR source=common.sh
 . "$(dirname "${BASH_SOURCE[0]}")/common.sh"
@@ -10,6 +11,7 @@
 dist=$build/dist
 work=$build/packages
 mesh=$build/data/meshes/bunny00.off
+[[ "$*" == @(|--tries-only) ]] || fail "Usage: scripts/test_packages.sh [--tries-only]"
 [ "$(id -u)" -eq 0 ] || fail "Root file systems are made and entered as root only."
 [ -f "$mesh" ] || fail "There is no $mesh: run scripts/test.sh before."
 rm -rf "$work" && mkdir -p "$work" "$dist"
@@ -24,8 +26,8 @@ make_root() {
   for file in "${sources[@]}"; do
     [ -s "$file" ] && break
   done
-  mmdebstrap --variant=minbase --include="$(IFS=, && echo "$*")" "$suite" "$work/$name" "$file"
-  mkdir -p "$work/$name/work" && cp "$mesh" "$work/$name/work/bunny.off"
+  mmdebstrap --variant=minbase ${1:+--include="$(IFS=, && echo "$*")"} "$suite" "$work/$name" "$file" || return
+  [[ $name == *.tar ]] || { mkdir -p "$work/$name/work" && cp "$mesh" "$work/$name/work/bunny.off"; }
 }
 
 # in_root NAME COMMAND...: runs it in a root, with /proc, where the loader finds the folder of a program
@@ -37,7 +39,7 @@ in_root() {
 }
 
 test_wheel() {
-  cp "$dist"/spherical_parameterization-*.whl "$work/wheel/work"
+  cp "$dist"/spherical_parameterization-*.whl "$work/wheel/work" || return
   in_root wheel sh -ec '
     cd /work
     python3 -m venv --system-site-packages venv
@@ -54,7 +56,7 @@ print(sp.__version__, len(vertices), sp.measure_distortion(vertices, faces, sphe
 }
 
 test_debian() {
-  cp -r "$dist"/*.deb "$root/test/Spherical_parameterization/consumer" "$work/debian/work"
+  cp -r "$dist"/*.deb "$root/test/Spherical_parameterization/consumer" "$work/debian/work" || return
   in_root debian sh -ec '
     cd /work
     dpkg -i *.deb
@@ -73,6 +75,25 @@ assert sp.is_bijective(faces, sp.parameterize(vertices, faces)[0])
     consumer/build/consumer_of_library'
 }
 
+# The image on a bare base: as another user, without a network, with inputs that are read only
+test_container() {
+  local container
+  export STORAGE_DRIVER=vfs BUILDAH_ISOLATION=chroot PYTHONPATH=$build/python
+  /usr/bin/python3 "$root/test/Spherical_parameterization/make_subjects.py" "$work/subjects" 24 &&
+    container=$(buildah from scratch) &&
+    buildah add --quiet "$container" "$work/base.tar" &&
+    buildah commit --quiet --rm "$container" localhost/base &&
+    buildah bud --network host --build-arg BASE=localhost/base -f "$root/packaging/container/Dockerfile" \
+      -t localhost/spherical_parameterization "$dist" &&
+    container=$(buildah from localhost/spherical_parameterization) &&
+    mkdir -m 777 "$work/out" &&
+    unshare --net buildah run --user 1234:1234 -v "$work/subjects:/study:ro" -v "$work/out:/out" "$container" -- \
+      spherical_parameterization_bids /study/freesurfer /out participant --atlas fsaverage=/study/freesurfer/fsaverage &&
+    buildah rm "$container" &&
+    buildah images localhost/spherical_parameterization &&
+    [ "$(find "$work/out" -name '*_desc-reg_sphere.surf.gii' -user 1234 | wc -l)" = 4 ]
+}
+
 # What the packages depend on, but for each other
 dependencies() {
   for package; do
@@ -80,10 +101,14 @@ dependencies() {
   done | tr ',' '\n' | sed 's/^ *//; s/[ (:|].*//' | grep -v spherical-parameterization | sort -u
 }
 
-"$root/scripts/build_wheel.sh" "$dist"
+if [ $# -eq 0 ]; then
+  "$root/scripts/build_wheel.sh" "$dist"
+  "$root/scripts/build_debian.sh" "$dist"
+fi
 run_stage "make a root with Python and numpy" make_root wheel python3-numpy python3-venv
 run_stage "install and try the wheel" test_wheel
-"$root/scripts/build_debian.sh" "$dist"
 mapfile -t needed < <(dependencies "$dist"/*.deb)
 run_stage "make a root for the packages" make_root debian cmake g++ make "${needed[@]}"
 run_stage "install and try the packages" test_debian
+run_stage "make a base for the container" make_root base.tar
+run_stage "build and try the container" test_container

@@ -1081,6 +1081,11 @@ def test_every_name_is_documented_and_typed():
         assert re.search(rf"    (def )?{name}\b", stub), name
 
 
+def test_the_citation_is_of_this_version():
+    version = re.search(r"^version: (.*)$", (ROOT / "CITATION.cff").read_text(), re.MULTILINE).group(1)
+    assert version == sp.__version__
+
+
 def test_the_lines_of_the_readme_run(tmp_path, monkeypatch):
     lines = re.search(r"```python\n(.*?)```", (ROOT / "README.md").read_text(), re.DOTALL).group(1)
     folder = tmp_path / "build/data/meshes"
