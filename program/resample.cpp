@@ -70,11 +70,10 @@ bool is_one_to_one(Input_mesh& mesh)
   return SP::is_bijective(mesh.mesh(), mesh.mesh().points());
 }
 
-// Says in the metadata which half of the brain values are of.
-void add_structure(Surface_file& file, const std::string& name, const Surface_file& sphere)
+// Says in the metadata which half of the brain values or points are of.
+void add_structure(SP::IO::Metadata& metadata, const std::string& name, const Surface_file& sphere)
 {
   const auto is_structure = [](const auto& pair) { return pair.first == "AnatomicalStructurePrimary"; };
-  SP::IO::Metadata& metadata = file.origin.metadata;
   const auto& known = sphere.origin.metadata_of_points;
   const auto found = std::find_if(known.begin(), known.end(), is_structure);
   if(std::any_of(metadata.begin(), metadata.end(), is_structure))
@@ -131,7 +130,7 @@ public:
     if(m_options.has("valid"))
     {
       Surface_file file;
-      add_structure(file, m_options.inputs[0], m_to);
+      add_structure(file.origin.metadata, m_options.inputs[0], m_to);
       file.columns.push_back({"valid", "NIFTI_INTENT_SHAPE", Type::float32, {has_value.begin(), has_value.end()}, {}});
       check_holds(m_options.text("valid"), file);
       write(m_options.text("valid"), file, m_to.triangles.size());
@@ -347,12 +346,13 @@ private:
       check(m_resampler.resample(file.points, file.points), name);
       file.triangles = m_to.triangles;
       file.origin = inherited(std::move(file.origin), false);
+      add_structure(file.origin.metadata_of_points, name, m_to);
       return;
     }
     if(!file.labels.empty() && std::none_of(file.labels.begin(), file.labels.end(),
                                             [&](const SP::IO::Label& label) { return label.key == key_of_nothing; }))
       file.labels.push_back({key_of_nothing, "", {{0., 0., 0., 0.}}});
-    add_structure(file, name, m_to);
+    add_structure(file.origin.metadata, name, m_to);
     if(file.columns.size() == 1 && file.columns[0].name.empty())
       file.columns[0].name = name_of_values(name);
   }

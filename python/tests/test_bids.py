@@ -49,6 +49,10 @@ def run(*arguments, status=0, **settings):
     return result
 
 
+def hidden(folder):
+    return sorted(path.name for path in folder.glob(".*"))
+
+
 def atlases(data):
     return ("--atlas", f"fsaverage={data / 'freesurfer/fsaverage'}", "--atlas", f"fsLR={data / 'tpl-fsLR'}")
 
@@ -64,7 +68,7 @@ def test_makes_what_smriprep_reads(data, tmp_path, tree):
     assert result.stdout.splitlines() == ["[1/2] sub-01: done", "[2/2] sub-02: done", "Done 2, left out 0, failed 0"]
     assert contents(data / tree) == before
     out = tmp_path / "out"
-    assert not list(out.glob(".*")), "nothing is left of the work"
+    assert hidden(out) == [".bidsignore"], "nothing is left of the work"
     description = json.loads((out / "dataset_description.json").read_text())
     assert description["DatasetType"] == "derivative" and description["GeneratedBy"][0]["Version"] == sp.__version__
     anat = out / "sub-02/anat"
@@ -83,7 +87,9 @@ def test_makes_what_smriprep_reads(data, tmp_path, tree):
             assert (same == faces).all() and sp.is_bijective(faces, registered)
             place = f"{stem}_space-{space}_den-{round(size / 1000)}k"
             for kind in kinds:
-                assert nb.load(anat / f"{place}_{kind}.surf.gii").agg_data()[0].shape == (size, 3)
+                image = nb.load(anat / f"{place}_{kind}.surf.gii")
+                assert image.agg_data()[0].shape == (size, 3)
+                assert image.darrays[0].meta["AnatomicalStructurePrimary"] == {"L": "CortexLeft", "R": "CortexRight"}[hemi]
             for metric in ("thickness", "curv", "sulc"):
                 assert nb.load(anat / f"{place}_{metric}.shape.gii").agg_data().shape == (size,)
     assert len(found) == 2 * (1 + 2 * (1 + len(kinds) + 3))
@@ -117,7 +123,7 @@ def test_resumes(data, tmp_path):
     (tmp_path / "out/sub-02/anat/sub-02_desc-provenance_surfaces.json").write_text("{")
     # Its files cannot be told from those of others any more.
     result = run(*arguments, status=1)
-    assert "sub-01: done" in result.stdout and "was not written by this program" in result.stderr
+    assert "sub-01: done" in result.stdout and "was not written by this program, or is damaged" in result.stderr
     assert sphere.read_bytes() == before["sub-01/anat/sub-01_hemi-L_sphere.surf.gii"]
     assert "sub-01: done" in run(*arguments, "--metrics", "curv", status=1).stdout, "of other options"
 
@@ -146,16 +152,16 @@ def test_what_is_wrong_with_a_subject_is_its_own(data, tmp_path):
     (study / "empty/mri").mkdir()
     white = study / "damaged/surf/lh.white"
     white.write_bytes(white.read_bytes()[:5000])
-    result = run(study, tmp_path / "out", "participant", "--participant-label", "01", "half", "empty", "damaged", "none", status=1)
-    assert result.stdout.splitlines()[-1] == "Done 1, left out 0, failed 4"
+    result = run(study, tmp_path / "out", "participant", "--participant-label", "01", "half", "empty", "damaged", status=1)
+    assert result.stdout.splitlines()[-1] == "Done 1, left out 0, failed 3"
     lines = result.stderr.splitlines()
-    assert [line.split(": ")[1] for line in lines] == ["sub-half", *["sub-empty"] * 2, "sub-damaged", *["sub-none"] * 2]
+    assert [line.split(": ")[1] for line in lines] == ["sub-half", *["sub-empty"] * 2, "sub-damaged"]
     assert "hemisphere R: there is no white surface" in lines[0] and "damaged/surf/lh.white" in lines[3]
     out = tmp_path / "out"
     assert (out / "sub-half/anat/sub-half_hemi-L_sphere.surf.gii").is_file()
     assert (out / "sub-damaged/anat/sub-damaged_hemi-R_sphere.surf.gii").is_file()
     assert not list(out.rglob("sub-damaged_hemi-L*"))
-    for name in ("half", "empty", "damaged", "none"):
+    for name in ("half", "empty", "damaged"):
         assert "What has failed" in (out / f"sub-{name}.html").read_text()
 
 
@@ -189,7 +195,11 @@ def test_an_output_of_another_version_or_program_is_refused(data, tmp_path):
     "arguments, message",
     [
         (["NONE", "OUT", "participant"], "is no folder"),
-        (["OUT", "OUT", "participant"], "is no folder"),
+        (["DATA", "DATA", "participant"], "a dataset of their own"),
+        (["", "OUT", "participant"], "BIDS_OR_DERIVATIVES is empty"),
+        (["DATA", "OUT", "participant", "--participant-label", "01", "99"], "no subject '99'; there are 01, 02"),
+        (["DATA", "OUT", "participant", "--participant-label", "../01"], "no subject '../01'"),
+        (["DATA", "OUT", "participant", "--session-label", "a"], "no subject with the session a"),
         (["DATA", "OUT", "group"], "invalid choice"),
         (["DATA", "OUT", "participant", "--atlas", "fsaverage"], "NAME=FOLDER"),
         (["DATA", "OUT", "participant", "--atlas", "fsaverage=NONE"], "is no atlas"),
@@ -213,7 +223,7 @@ def test_a_full_disk_is_an_error(data, tmp_path):
     try:
         result = run(data / "freesurfer", disk / "out", "participant", "--participant-label", "01", status=1)
         assert "sub-01: failed" in result.stdout and result.stderr
-        assert not list(disk.rglob("*.gii")) and not list((disk / "out").glob(".*"))
+        assert not list(disk.rglob("*.gii")) and hidden(disk / "out") == [".bidsignore"]
     finally:
         subprocess.run(["umount", str(disk)], check=True)
 
@@ -226,7 +236,7 @@ def test_a_signal_ends_it_without_results(data, tmp_path):
     process.send_signal(signal.SIGTERM)
     assert "Traceback" not in process.communicate(timeout=60)[1]
     assert process.returncode == 128 + signal.SIGTERM
-    assert not list(tmp_path.rglob("*.gii")) and not list(tmp_path.glob(".*"))
+    assert not list(tmp_path.rglob("*.gii")) and hidden(tmp_path) == [".bidsignore"]
 
 
 def test_sessions_and_datasets_of_images(data, tmp_path):
@@ -242,3 +252,112 @@ def test_sessions_and_datasets_of_images(data, tmp_path):
     assert (anat / "sub-01_ses-b_hemi-R_space-fsLR_desc-msmsulc_sphere.surf.gii").is_file()
     shutil.copytree(data / "freesurfer/sub-01", study / "derivatives/freesurfer/sub-01")
     assert "name one of" in run(study, tmp_path / "other", "participant", status=2).stderr
+
+
+def test_resuming_knows_what_has_changed(data, tmp_path):
+    fsaverage, fslr = data / "freesurfer/fsaverage", data / "tpl-fsLR"
+    arguments = (data / "freesurfer", tmp_path, "participant", "--participant-label", "01", "--hemi", "L", "--resume")
+    run(*arguments, "--atlas", f"a={fsaverage}", "--atlas", f"b={fslr}")
+    assert "done" in run(*arguments, "--atlas", f"b={fsaverage}", "--atlas", f"a={fslr}").stdout
+    relative = os.path.relpath(data / "freesurfer", tmp_path.parent)
+    same = (relative, *arguments[1:], "--atlas", f"b={fsaverage}", "--atlas", f"a={fslr}")
+    assert "left out" in run(*same, cwd=tmp_path.parent).stdout
+    # The other hemisphere does not remove the first one, and what is not made any more is gone.
+    other = [word if word != "L" else "R" for word in arguments]
+    run(*other, "--atlas", f"a={fsaverage}")
+    for _ in range(2):
+        assert "left out" in run(*other, "--atlas", f"a={fsaverage}").stdout
+    assert (tmp_path / "sub-01/anat/sub-01_hemi-L_sphere.surf.gii").is_file()
+    run(*other, "--atlas", f"b={fsaverage}")
+    assert not list(tmp_path.rglob("*hemi-R_space-a_*")) and list(tmp_path.rglob("*hemi-L_space-a_*"))
+
+
+def test_results_of_another_input_are_removed(data, tmp_path):
+    shutil.copytree(data / "freesurfer/sub-01", tmp_path / "study/sub-01")
+    arguments = (tmp_path / "study", tmp_path / "out", "participant")
+    run(*arguments)
+    (tmp_path / "study/sub-01/surf/lh.white").write_text("damaged")
+    run(*arguments, status=1)
+    assert not list((tmp_path / "out").rglob("*hemi-L*")) and list((tmp_path / "out").rglob("*hemi-R*"))
+
+
+def test_a_metric_that_is_wrong_keeps_nothing_else(data, tmp_path):
+    study = tmp_path / "study"
+    shutil.copytree(data / "freesurfer/sub-01", study / "sub-01")
+    nb.freesurfer.write_morph_data(study / "sub-01/surf/lh.thickness", np.zeros(5, np.float32))
+    (study / "sub-01/surf/rh.pial").unlink()
+    (study / "sub-01/surf/rh.pial").symlink_to("nowhere")
+    result = run(study, tmp_path / "out", "participant", *atlases(data)[:2], "--metrics", "thickness", "curv", "volume", status=1)
+    assert "no subject has the metric volume" in result.stderr and "thickness" in result.stderr
+    left = {path.name for path in (tmp_path / "out").rglob("*_den-3k_*")}
+    assert "sub-01_hemi-L_space-fsaverage_den-3k_curv.shape.gii" in left
+    assert "sub-01_hemi-L_space-fsaverage_den-3k_thickness.shape.gii" not in left
+    assert "sub-01_hemi-R_space-fsaverage_den-3k_thickness.shape.gii" in left
+
+
+def test_sessions_without_surfaces_are_none(data, tmp_path):
+    study = tmp_path / "study"
+    shutil.copytree(data / "derivatives", study)
+    (study / "sub-01/ses-1/func").mkdir(parents=True)
+    assert "Done 2" in run(study, tmp_path / "out", "participant", "--hemi", "L").stdout
+
+
+def test_subjects_are_named_by_label_or_folder(data, tmp_path):
+    study = tmp_path / "study"
+    for session in ("1", "2"):
+        shutil.copytree(data / "freesurfer/sub-01", study / f"sub-01_ses-{session}")
+    arguments = (study, tmp_path / "out", "participant", "--hemi", "L")
+    for name in ("sub-01_ses-1", "01_ses-1"):
+        assert run(*arguments, "--participant-label", name).stdout.startswith("[1/1] sub-01_ses-1: done")
+    assert "[2/2] sub-01_ses-2: done" in run(*arguments, "--participant-label", "01").stdout
+    assert "[1/1] sub-01_ses-2" in run(*arguments, "--participant-label", "01", "--session-label", "2").stdout
+
+
+def test_an_atlas_of_several_densities(data, tmp_path):
+    folder = tmp_path / "tpl-fsLR"
+    folder.mkdir()
+    for path in (data / "tpl-fsLR").iterdir():
+        shutil.copy(path, folder)
+        shutil.copy(path, folder / path.name.replace("den-32k", "den-59k"))
+        (folder / path.name.replace("den-32k", "den-164k")).touch()
+    arguments = (data / "freesurfer", tmp_path / "out", "participant", "--participant-label", "01", "--hemi", "L")
+    assert "name a density, as in fsLR:" in run(*arguments, "--atlas", f"fsLR={folder}", status=2).stderr
+    assert "empty" in run(*arguments, "--atlas", f"fsLR:164k={folder}", status=2).stderr
+    run(*arguments, "--atlas", f"fsLR:32k={folder}")
+
+
+def test_a_program_that_is_interrupted_has_no_result(data, tmp_path):
+    """Of a signal, the program writes what it has."""
+    program = tmp_path / "bin/spherical_parameterization"
+    program.parent.mkdir()
+    shutil.copy(PROGRAM, program)
+    command = [sys.executable, "-m", "spherical_parameterization.bids", str(data / "freesurfer"), str(tmp_path / "out"), "participant"]
+    path = {**os.environ, "PATH": str(program.parent) + os.pathsep + os.environ["PATH"]}
+    command += ["--participant-label", "01", "--hemi", "L", *atlases(data)[:2]]
+    process = subprocess.Popen(command, env=path, stderr=subprocess.PIPE, text=True)
+    while not subprocess.run(["pkill", "-TERM", "-f", f"^{program} register"]).returncode == 0:
+        assert process.poll() is None
+        time.sleep(0.005)
+    said = process.communicate(timeout=60)[1]
+    assert process.returncode == 1 and "signal" in said or process.returncode == 0, said
+    if process.returncode:
+        assert not list((tmp_path / "out").rglob("*_desc-reg_*"))
+
+
+def test_files_of_others_among_the_notes(data, tmp_path):
+    note = tmp_path / "sub-01/anat/sub-01_desc-provenance_surfaces.json"
+    note.parent.mkdir(parents=True)
+    for text in ("mine", "{}", '{"files": {"sub-01.html": null}, "program": "spherical_parameterization_bids"}'):
+        note.write_text(text)
+        result = run(data / "freesurfer", tmp_path, "participant", "--participant-label", "01", "--hemi", "L", status=1)
+        assert "was not written by this program" in result.stderr and note.read_text() == text
+
+
+def test_nobody_reads_the_output(data, tmp_path):
+    command = f'"{sys.executable}" -m spherical_parameterization.bids "{data / "freesurfer"}" out participant --hemi L'
+    subprocess.run(["sh", "-c", f"{command} | true"], env=environment(), cwd=tmp_path, check=True)
+    assert len(list((tmp_path / "out").glob("sub-*.html"))) == 2
+    # nohup stays in force
+    subprocess.run(
+        ["sh", "-c", f"trap '' HUP; {command} --metrics curv & sleep 0.5; kill -HUP $!; wait $!"], env=environment(), cwd=tmp_path, check=True
+    )

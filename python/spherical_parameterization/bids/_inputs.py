@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
+import os
 import re
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Dict, Iterator, List, Optional, Sequence, Set
+from typing import Dict, Iterator, List, Optional, Sequence
 
 SURFACES = ("white", "pial", "midthickness")
 
@@ -23,8 +24,9 @@ class Hemisphere:
     metrics: Dict[str, Path] = field(default_factory=dict)
     cortex: Optional[Path] = None
 
-    def files(self) -> List[Path]:
-        return [*self.surfaces.values(), *self.metrics.values(), *([self.cortex] if self.cortex else [])]
+    def files(self) -> Dict[str, Path]:
+        """All of them by what they are."""
+        return {**self.surfaces, **self.metrics, **({"cortex": self.cortex} if self.cortex else {})}
 
 
 @dataclass
@@ -35,6 +37,7 @@ class Subject:
     session: Optional[str]
     folder: Path
     hemispheres: Dict[str, Hemisphere]
+    faults: List[str] = field(default_factory=list)  # that keep it from being mapped
 
     @property
     def stem(self) -> str:
@@ -57,21 +60,21 @@ class Atlas:
 
 
 def _names(folder: Path) -> List[str]:
+    """The names of what is in a folder; none if it is not there or cannot be read, as of a subject without files."""
     try:
-        return sorted(path.name for path in folder.iterdir())
-    except OSError:  # no folder, or one that cannot be read: a subject without files
+        return sorted(os.listdir(folder))
+    except OSError:
         return []
 
 
 def _is_freesurfer(folder: Path) -> bool:
-    return any((folder / part).is_dir() for part in ("surf", "mri"))
+    return not {"surf", "mri"}.isdisjoint(_names(folder))
 
 
 def _of_freesurfer(folder: Path) -> Subject:
     name = folder.name
-    parts = re.fullmatch(r"(?:sub-)?(.+?)(?:_ses-(.+))?", name)
-    assert parts
-    label, session = (re.sub(r"[^A-Za-z0-9]", "", part) if part else None for part in parts.groups())
+    label, _, session = (name[4:] if name.startswith("sub-") else name).partition("_ses-")
+    label, session = (re.sub(r"[^A-Za-z0-9]", "", part) for part in (label, session))
     hemispheres = {}
     for hemi in "LR":
         of_hemi = f"{hemi.lower()}h."
@@ -80,25 +83,28 @@ def _of_freesurfer(folder: Path) -> Subject:
             if not found.startswith(of_hemi):
                 continue
             kind, path = found[len(of_hemi) :], folder / "surf" / found
+            if not os.path.isfile(path):
+                continue  # a link that leads nowhere
             if kind in SURFACES or kind == "graymid":
                 hemisphere.surfaces[kind if kind in SURFACES else "midthickness"] = path
             elif kind in ("sulc", "curv", "thickness", "area", "volume") or kind.endswith((".mgh", ".mgz")):
                 hemisphere.metrics[kind.rsplit(".mg", 1)[0]] = path
         cortex = folder / "label" / f"{of_hemi}cortex.label"
-        hemisphere.cortex = cortex if cortex.is_file() else None
-    return Subject(label or "", session, folder, hemispheres)
+        hemisphere.cortex = cortex if os.path.isfile(cortex) else None
+    return Subject(label, session or None, folder, hemispheres)
 
 
 def _of_derivatives(folder: Path, session: Optional[str]) -> Subject:
     place = folder / (f"ses-{session}" if session else "") / "anat"
     hemispheres = {hemi: Hemisphere(hemi) for hemi in "LR"}
+    subject = Subject(folder.name[4:], session, folder, hemispheres)
     # Entities other than these are of other spaces and versions.
     pattern = re.compile(
         r"sub-[^_]+(?:_(?:ses|acq|rec|run)-[^_]+)*_hemi-([LR])(_desc-cortex)?_([A-Za-z]+)\.(surf|shape|label)\.gii"
     )
     for name in _names(place):
         match = pattern.fullmatch(name)
-        if not match:
+        if not match or not os.path.isfile(place / name):
             continue
         hemi, cortex, kind, form = match.groups()
         hemisphere = hemispheres[hemi]
@@ -107,9 +113,9 @@ def _of_derivatives(folder: Path, session: Optional[str]) -> Subject:
             hemisphere.cortex = place / name if kind == "mask" else hemisphere.cortex
             continue
         if kind in into:
-            raise Failure(f"{place} has several surfaces of a kind: {into[kind].name} and {name}")
+            subject.faults.append(f"{place} has several files of a kind: {into[kind].name} and {name}")
         into[kind] = place / name
-    return Subject(folder.name[4:], session, folder, hemispheres)
+    return subject
 
 
 def _has_white(subject: Subject) -> bool:
@@ -119,49 +125,68 @@ def _has_white(subject: Subject) -> bool:
 def _subjects_in(folder: Path) -> Iterator[Subject]:
     for name in _names(folder):
         path = folder / name
-        if not path.is_dir() or name.startswith("."):
+        if name.startswith(".") or not os.path.isdir(path):
             continue
         if _is_freesurfer(path):
             if not name.startswith("fsaverage"):
                 yield _of_freesurfer(path)
         elif name.startswith("sub-"):
-            sessions = [inner[4:] for inner in _names(path) if inner.startswith("ses-") and (path / inner).is_dir()]
-            for session in [None] if not sessions or (path / "anat").is_dir() else []:
-                yield _of_derivatives(path, session)
-            for session in sessions:
-                yield _of_derivatives(path, session)
+            own = _of_derivatives(path, None)
+            sessions = [_of_derivatives(path, inner[4:]) for inner in _names(path) if inner.startswith("ses-")]
+            # fMRIPrep has folders of sessions without surfaces beside the surfaces of the subject.
+            with_surfaces = [subject for subject in (own, *sessions) if _has_white(subject)]
+            yield from with_surfaces or [subject for subject in sessions if (path / f"ses-{subject.session}/anat").is_dir()] or [own]
 
 
-def find_subjects(folder: Path, labels: Optional[Sequence[str]]) -> List[Subject]:
+def _below(folder: Path) -> List[Subject]:
+    """The subjects of a folder, or of the one below `derivatives` or `sourcedata` that has surfaces."""
+    found = list(_subjects_in(folder))
+    if any(map(_has_white, found)):
+        return found
+    inner = [folder / part / name for part in ("derivatives", "sourcedata") for name in _names(folder / part)]
+    having = {path: subjects for path in inner for subjects in [list(_subjects_in(path))] if any(map(_has_white, subjects))}
+    if len(having) > 1:
+        raise Failure(f"{folder} has several folders with surfaces: name one of {', '.join(map(str, having))}")
+    return next(iter(having.values()), found)
+
+
+def find_subjects(
+    folder: Path, labels: Optional[Sequence[str]], sessions: Optional[Sequence[str]], atlases: Sequence[Path]
+) -> List[Subject]:
     """Finds the subjects of a subjects folder of FreeSurfer, of derivatives, or of a dataset that has either below it.
 
-    Those named by `labels`, with or without ``sub-``, come first of all as they are named; one that is not there is among them
-    without files.
+    `labels` and `sessions` name those that are wanted, with or without ``sub-`` and ``ses-``, or by their folders. A folder that is
+    an atlas is no subject.
     """
     if not folder.is_dir():
         raise Failure(f"{folder} is no folder")
-    found = list(_subjects_in(folder))
-    if not any(map(_has_white, found)):
-        # A dataset of images: its derivatives have the surfaces.
-        inner = [path for part in ("derivatives", "sourcedata") if (folder / part).is_dir() for path in sorted((folder / part).iterdir())]
-        having = {path: subjects for path in inner if any(map(_has_white, subjects := list(_subjects_in(path))))}
-        if len(having) > 1:
-            raise Failure(f"{folder} has several folders with surfaces: name one of {', '.join(map(str, having))}")
-        found = next(iter(having.values()), found)
-    seen: Set[str] = set()
-    for subject in found:
-        if subject.stem in seen:
-            raise Failure(f"{folder} has several subjects that would be called {subject.stem}")
-        seen.add(subject.stem)
-    if labels is None:
+    places = {os.path.realpath(path) for path in atlases}
+    found = [subject for subject in _below(folder) if os.path.realpath(subject.folder) not in places]
+    if not found:
+        raise Failure(f"{folder} has no subjects: neither folders of FreeSurfer nor sub-* with surfaces")
+    if labels is not None:
+        names = {label: label[4:] if label.startswith("sub-") else label for label in labels}
+        unknown = []
+        wanted = []
+        for label, name in names.items():
+            of_label = [s for s in found if label == s.folder.name or name in (s.label, s.folder.name, s.stem[4:])]
+            unknown += [] if of_label else [label]
+            wanted += [subject for subject in of_label if subject not in wanted]
+        if unknown:
+            known = ", ".join(sorted({subject.label for subject in found})[:20])
+            raise Failure(f"{folder} has no subject {' or '.join(map(repr, unknown))}; there are {known}")
+        found = wanted
+    if sessions is not None:
+        names_of_sessions = [session[4:] if session.startswith("ses-") else session for session in sessions]
+        found = [subject for subject in found if subject.session in names_of_sessions]
         if not found:
-            raise Failure(f"{folder} has no subjects: neither folders of FreeSurfer nor sub-* with surfaces")
-        return found
-    result = []
-    for label in dict.fromkeys(label[4:] if label.startswith("sub-") else label for label in labels):
-        of_label = [subject for subject in found if label in (subject.label, subject.folder.name)]
-        result += of_label or [Subject(label, None, folder / f"sub-{label}", {})]
-    return result
+            raise Failure(f"{folder} has no subject with the session {' or '.join(sessions)}")
+    for subject in found:
+        if any(not re.fullmatch("[0-9A-Za-z]+", part) for part in (subject.label, subject.session or "0")):
+            raise Failure(f"{subject.folder}: labels of subjects and sessions are of letters and digits in BIDS")
+        if sum(other.stem == subject.stem for other in found) > 1:
+            raise Failure(f"{folder} has several subjects that would be called {subject.stem}")
+    return found
 
 
 def _density(name: str) -> Optional[str]:
@@ -169,7 +194,11 @@ def _density(name: str) -> Optional[str]:
     return match.group(1) if match else None
 
 
-def find_atlas(name: str, folder: Path, hemispheres: Sequence[str]) -> Atlas:
+def _is_file(path: Path) -> bool:
+    return os.path.isfile(path) and os.path.getsize(path) > 0  # DataLad and TemplateFlow have empty ones until they are fetched
+
+
+def find_atlas(name: str, density: Optional[str], folder: Path, hemispheres: Sequence[str]) -> Atlas:
     """Finds the spheres and the depths of an atlas in a folder, as FreeSurfer, TemplateFlow or the HCP name them."""
     if not re.fullmatch(r"[A-Za-z0-9]+", name):
         raise Failure(f"the atlas name '{name}' has to be of letters and digits, such as fsaverage or fsLR")
@@ -177,30 +206,35 @@ def find_atlas(name: str, folder: Path, hemispheres: Sequence[str]) -> Atlas:
     for hemi in hemispheres:
         h = hemi.lower() + "h"
         for inner in (folder / "surf", folder):
-            spheres = [inner / f"{h}.{kind}" for kind in ("sphere.reg", "sphere") if (inner / f"{h}.{kind}").is_file()]
-            if spheres and (inner / f"{h}.sulc").is_file():
+            spheres = [inner / f"{h}.{kind}" for kind in ("sphere.reg", "sphere") if _is_file(inner / f"{h}.{kind}")]
+            if spheres and _is_file(inner / f"{h}.sulc"):
                 atlas.spheres[hemi], atlas.depths[hemi] = spheres[0], inner / f"{h}.sulc"
                 break
         else:
-            of_hemi = re.compile(rf"(^|[._-])(hemi-{hemi}|{hemi}|{h})(?=[._-])")
-            names = [found for found in _names(folder) if of_hemi.search(found) and "_space-" not in found]
+            of_hemi = re.compile(rf"(^|[._-])(hemi-{hemi}|{hemi}|{hemi}_LR|{h})(?=[._-])")
+            names = [n for n in _names(folder) if of_hemi.search(n) and "_space-" not in n and _is_file(folder / n)]
+            if density:
+                names = [found for found in names if _density(found) == density]
+            spheres_there = [n for n in names if re.search(r"(sphere|spherical_std).*\.surf\.gii(\.gz)?$", n)]
+            # TemplateFlow's desc-std is what its metrics belong to.
+            spheres_there = [n for n in spheres_there if "desc-std" in n] or spheres_there
             pairs = [
                 (sphere, depth)
-                for sphere in names
+                for sphere in spheres_there
                 for depth in names
-                if re.search(r"sphere.*\.surf\.gii(\.gz)?$", sphere)
-                and re.search(r"sulc.*\.(shape|func)\.gii(\.gz)?$", depth)
-                and (_density(sphere) == _density(depth))
+                if re.search(r"sulc.*\.(shape|func)\.gii(\.gz)?$", depth) and _density(sphere) == _density(depth)
             ]
             if not pairs:
                 raise Failure(
-                    f"{folder} is no atlas: it has no sphere and sulcal depth of hemisphere {hemi}, such as surf/{h}.sphere and"
-                    f" surf/{h}.sulc, or tpl-{name}_hemi-{hemi}_den-32k_sphere.surf.gii and ..._sulc.shape.gii"
+                    f"{folder} is no atlas: it has no sphere and sulcal depth of hemisphere {hemi}"
+                    + (f" and density {density}" if density else "")
+                    + f", such as surf/{h}.sphere and surf/{h}.sulc, or tpl-{name}_hemi-{hemi}_den-32k_sphere.surf.gii and"
+                    " ..._sulc.shape.gii, that are no empty files"
                 )
             if len(pairs) > 1:
                 raise Failure(
-                    f"{folder} has several spheres and depths of hemisphere {hemi}: put one of each into a folder;"
-                    f" {', '.join(sorted({part for pair in pairs for part in pair}))}"
+                    f"{folder} has several spheres and depths of hemisphere {hemi}: name a density, as in"
+                    f" {name}:{_density(pairs[0][0]) or '32k'}={folder}; {', '.join(sorted({part for pair in pairs for part in pair}))}"
                 )
             atlas.spheres[hemi], atlas.depths[hemi] = (folder / part for part in pairs[0])
     return atlas

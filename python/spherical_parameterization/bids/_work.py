@@ -7,7 +7,10 @@ import hashlib
 import json
 import os
 import shutil
+import signal
 import subprocess
+import threading
+import uuid
 from concurrent.futures import ThreadPoolExecutor
 from contextlib import contextmanager
 from dataclasses import dataclass, field
@@ -18,9 +21,40 @@ from .._files import read_mesh
 from ._inputs import Atlas, Failure, Hemisphere, Subject
 from ._report import make_page, make_table
 
+NAME = "spherical_parameterization_bids"
+SIGNALS = (signal.SIGTERM, signal.SIGHUP, signal.SIGINT)
 
-# Those at work
-programs: Set[subprocess.Popen[bytes]] = set()
+class Programs:
+    """The programs at work, which a signal ends; none is started after that."""
+
+    def __init__(self) -> None:
+        self._running: Set[subprocess.Popen[bytes]] = set()
+        self._lock = threading.Lock()
+        self._is_ended = False
+
+    def run(self, command: Sequence[str]) -> Tuple[int, str]:
+        """Returns the exit status, and what the program says on the standard error stream."""
+        with self._lock:
+            if self._is_ended:
+                raise Failure("interrupted")
+            process = subprocess.Popen(
+                command, stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, start_new_session=True
+            )
+            self._running.add(process)
+        said = process.communicate()[1].decode(errors="replace")
+        with self._lock:
+            self._running.discard(process)
+            if self._is_ended:
+                raise Failure("interrupted")
+        return process.returncode, said
+
+    def end(self) -> None:
+        self._is_ended = True
+        for process in list(self._running):
+            process.kill()
+
+
+programs = Programs()
 
 
 @dataclass
@@ -40,16 +74,12 @@ class Run:
     def call(self, *arguments: Any) -> None:
         """Runs the program; what it says of an error is a Failure."""
         command = [self.program, *map(str, arguments), "--quiet"]
-        pipe = subprocess.PIPE
         try:
-            process = subprocess.Popen(command, stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=pipe)
+            status, said = programs.run(command)
         except OSError as error:
             raise Failure(f"{self.program} cannot be run: {error.strerror}") from error
-        programs.add(process)
-        said = process.communicate()[1].decode(errors="replace")
-        programs.discard(process)
-        if process.returncode:
-            raise Failure(" ".join(said.split()) or f"{self.program} has ended with the status {process.returncode}")
+        if status:
+            raise Failure(" ".join(said.split()) or f"{self.program} has ended with the status {status}")
 
     def density_of(self, sphere: Path) -> str:
         """How the names of files call the density of an atlas, such as 164k."""
@@ -73,6 +103,14 @@ def stamp_of(path: Path) -> List[int]:
     return [status.st_size, status.st_mtime_ns]
 
 
+def read_report(path: Path) -> Dict[str, Any]:
+    """Returns a report of the program, which has come to its end: one that was sent a signal writes what it has."""
+    report: Dict[str, Any] = json.loads(path.read_text(encoding="utf-8"))
+    if "interrupted" in (report["stop_reason"], report.get("match", {}).get("stop_reason")):
+        raise Failure("the program was interrupted by a signal")
+    return report
+
+
 def digest_of(path: Path) -> str:
     digest = hashlib.sha256()
     with open(path, "rb") as file:
@@ -84,9 +122,10 @@ def digest_of(path: Path) -> str:
 def write_text(path: Path, text: str) -> None:
     """Writes a file that appears under its name when it is complete."""
     path.parent.mkdir(parents=True, exist_ok=True)
-    temporary = path.parent / f".{path.name}.{os.getpid()}"
+    # Processes of containers have the same numbers.
+    temporary = path.parent / f".{path.name}.{uuid.uuid4().hex}"
     try:
-        temporary.write_text(text, encoding="utf-8")
+        temporary.write_text(text, encoding="utf-8", errors="backslashreplace")
         os.replace(temporary, path)
     finally:
         temporary.unlink(missing_ok=True)
@@ -116,15 +155,23 @@ def locked(path: Path) -> Iterator[None]:
 
 def provenance_of(subject: Subject, run: Run) -> Dict[str, Any]:
     """What the results depend on, and nothing else."""
-    files = [file for hemi in run.hemispheres if hemi in subject.hemispheres for file in subject.hemispheres[hemi].files()]
-    files += [part[hemi] for atlas in run.atlases for part in (atlas.spheres, atlas.depths) for hemi in run.hemispheres]
+    inputs: Dict[str, Dict[str, Any]] = {}
+
+    def add(role: str, path: Path) -> None:
+        inputs[role] = {"path": os.path.realpath(path), "stamp": stamp_of(path)}
+
+    for hemi in run.hemispheres:
+        for role, path in subject.hemispheres[hemi].files().items():
+            add(f"{hemi} {role}", path)
+        for atlas in run.atlases:
+            add(f"{hemi} sphere of {atlas.name}", atlas.spheres[hemi])
+            add(f"{hemi} depth of {atlas.name}", atlas.depths[hemi])
     return {
         "version": run.version,
         "hemispheres": list(run.hemispheres),
-        "atlases": [atlas.name for atlas in run.atlases],
         "metrics": list(run.metrics),
         "fslr_description": run.fslr_description,
-        "inputs": {str(file): stamp_of(file) for file in files},
+        "inputs": inputs,
     }
 
 
@@ -155,12 +202,17 @@ def _register(
             *("--features", feature, depth_of_atlas, "--initial", sphere, "--iterations", 0),
             *("-o", path, "--json", told, "--threads", threads),
         )
-        reports.append((json.loads(told.read_text(encoding="utf-8")), path))
+        reports.append((read_report(told), path))
         if not reports[-1][0]["match"]["is_uncertain"]:
             break
     report, path = max(reports, key=lambda pair: (not pair[0]["match"]["is_uncertain"], pair[0]["match"]["agreement"]))
     os.replace(path, output)
     return report
+
+
+def sorted_surfaces(hemisphere: Hemisphere) -> List[Tuple[str, Path]]:
+    """The surfaces, the white one first, whose areas others need."""
+    return sorted(hemisphere.surfaces.items(), key=lambda pair: (pair[0] != "white", pair[0]))
 
 
 def _make_hemisphere(subject: Subject, hemisphere: Hemisphere, run: Run, folder: Path, threads: int) -> Made:
@@ -183,7 +235,7 @@ def _make_hemisphere(subject: Subject, hemisphere: Hemisphere, run: Run, folder:
         made.files[f"sub-{subject.label}/figures/{page}"] = folder / page
         told = folder / f"{stem}.json"
         run.call("map", white, "-o", sphere, "--json", told, "--page", folder / page, "--threads", threads)
-        report = json.loads(told.read_text())
+        report = read_report(told)
         add_report(sphere, report)
         made.pages[f"Hemisphere {hemi}"] = f"sub-{subject.label}/figures/{page}"
         distortion = report["distortion"]
@@ -221,26 +273,33 @@ def _make_hemisphere(subject: Subject, hemisphere: Hemisphere, run: Run, folder:
             )
             place = f"{stem}_space-{atlas.name}_den-{run.density_of(atlas.spheres[hemi])}"
             spheres = (registered, atlas.spheres[hemi])
-            for kind, surface in hemisphere.surfaces.items():
-                run.call("resample", surface, *spheres, "-o", add(f"{place}_{kind}.surf.gii"), "--threads", threads)
-            areas = (white, folder / f"{place}_white.surf.gii")
+            areas = ("--areas", white, folder / f"{place}_white.surf.gii")
             mask = ("--mask", hemisphere.cortex) if hemisphere.cortex else ()
-            for metric in run.metrics:
-                if metric in hemisphere.metrics:
-                    result = add(f"{place}_{metric}.shape.gii")
-                    values = hemisphere.metrics[metric]
-                    run.call("resample", values, *spheres, "-o", result, "--areas", *areas, *mask, "--threads", threads)
+            files = [(f"{place}_{kind}.surf.gii", path, ()) for kind, path in sorted_surfaces(hemisphere)]
+            files += [
+                (f"{place}_{metric}.shape.gii", hemisphere.metrics[metric], (*areas, *mask))
+                for metric in run.metrics
+                if metric in hemisphere.metrics
+            ]
+            for name, path, options in files:
+                try:
+                    run.call("resample", path, *spheres, "-o", folder / name, *options, "--threads", threads)
+                    add(name)
+                except Failure as failure:
+                    made.failures.append(f"hemisphere {hemi}: {failure}")
     except Failure as failure:
-        return Made(failures=[f"hemisphere {hemi}: {failure}"])
+        # A registration that fails leaves what does not depend on it.
+        made.failures.append(f"hemisphere {hemi}: {failure}")
+    made.files = {name: path for name, path in made.files.items() if path.is_file()}
     return made
 
 
 def _make(subject: Subject, run: Run, folder: Path) -> Made:
-    result = Made()
+    result = Made(failures=list(subject.faults))
     present: List[Hemisphere] = []
     for hemi in run.hemispheres:
-        hemisphere = subject.hemispheres.get(hemi)
-        if hemisphere is None or "white" not in hemisphere.surfaces:
+        hemisphere = subject.hemispheres[hemi]
+        if "white" not in hemisphere.surfaces:
             result.failures.append(f"hemisphere {hemi}: there is no white surface in {subject.folder}")
         else:
             present.append(hemisphere)
@@ -255,11 +314,16 @@ def _make(subject: Subject, run: Run, folder: Path) -> Made:
 
 
 def _read_state(path: Path) -> Dict[str, Any]:
+    """Returns what has been noted of earlier runs, with the checksums that each file may have."""
+    if not os.path.lexists(path):
+        return {"files": {}}
     try:
         state = json.loads(path.read_text(encoding="utf-8"))
-        return state if isinstance(state, dict) and isinstance(state.get("files"), dict) else {"files": {}}
-    except (OSError, ValueError):
-        return {"files": {}}
+        if state["program"] == NAME and all(isinstance(d, list) for d in state["files"].values()):
+            return dict(state)
+    except (ValueError, KeyError, TypeError, AttributeError):
+        pass
+    raise Failure(f"{path} was not written by this program, or is damaged: move it away, with the other files of the subject")
 
 
 def _is_as_written(path: Path, digests: Sequence[str]) -> bool:
@@ -269,54 +333,76 @@ def _is_as_written(path: Path, digests: Sequence[str]) -> bool:
         return False
 
 
-def _publish(files: Dict[str, Path], state_path: Path, state: Dict[str, Any], old: Dict[str, Any], output: Path) -> None:
+@contextmanager
+def _without_signals() -> Iterator[None]:
+    """Holds back signals, which come when this has ended."""
+    held = signal.pthread_sigmask(signal.SIG_BLOCK, SIGNALS)
+    try:
+        yield
+    finally:
+        signal.pthread_sigmask(signal.SIG_SETMASK, held)
+
+
+def _publish(made: Made, of_run: Sequence[str], state_path: Path, provenance: Dict[str, Any], old: Dict[str, Any], output: Path) -> None:
     """Moves files to their places, of which none may be taken by a file that this program has not written.
 
-    What has been and will be written is noted first: so whenever this ends, the next run knows its own files.
+    What has been and will be written is noted first: so whenever this ends, the next run knows its own files. Those of earlier runs
+    that are not made any more, of the hemispheres of this run, would be taken for its results, and are removed.
     """
-    for name in files:
+    known = old["files"]
+    for name in made.files:
         target = output / name
-        if os.path.lexists(target) and not _is_as_written(target, old["files"].get(name, ())):
+        if os.path.lexists(target) and not _is_as_written(target, known.get(name, ())):
             raise Failure(f"{target} is there and was not written by this program: move it, or choose another output folder")
-    digests = {name: [digest_of(path)] for name, path in files.items()}
-    both = {name: [*digests.get(name, ()), *old["files"].get(name, ())] for name in {**old["files"], **digests}}
-    write_text(state_path, json.dumps({"complete": False, "files": both}))
-    for name, path in files.items():
-        (output / name).parent.mkdir(parents=True, exist_ok=True)
-        os.replace(path, output / name)
-    # What an earlier run has written under other names stays, and stays known.
-    left = {name: known for name, known in old["files"].items() if name not in digests}
-    write_text(state_path, json.dumps({**state, "files": {**left, **digests}}, indent=1) + "\n")
+    digests = {name: [digest_of(path)] for name, path in made.files.items()}
+    outdated = [
+        name
+        for name in known
+        if name not in digests and any(f"_hemi-{hemi}_" in name for hemi in of_run) and _is_as_written(output / name, known[name])
+    ]
+    left = {name: d for name, d in known.items() if name not in digests and name not in outdated}
+    both = {name: [*digests.get(name, ()), *known.get(name, ())] for name in {**known, **digests}}
+    base = {"program": NAME, "provenance": provenance}
+    with _without_signals():
+        write_text(state_path, json.dumps({**base, "complete": False, "files": both}))
+        for name in outdated:
+            (output / name).unlink()
+        for name, path in made.files.items():
+            (output / name).parent.mkdir(parents=True, exist_ok=True)
+            os.replace(path, output / name)
+        state = {**base, "complete": not made.failures, "made": sorted(digests), "files": {**left, **digests}}
+        write_text(state_path, json.dumps(state, indent=1) + "\n")
 
 
-def process(subject: Subject, run: Run, resumes: bool) -> Tuple[bool, List[str]]:
-    """Makes all files of a subject; returns whether there was something to do, and what has failed."""
+def process(subject: Subject, run: Run, resumes: bool) -> Tuple[bool, Made]:
+    """Makes all files of a subject; returns whether there was something to do, and what has been made and has failed."""
     state_path = run.output / subject.place / f"{subject.stem}_desc-provenance_surfaces.json"
     work = run.output / f".{subject.stem}.work"
-    page_path, page_name = run.output / f"{subject.stem}.html", f"{subject.stem}.html"
+    page_name = f"{subject.stem}.html"
     try:
+        provenance = provenance_of(subject, run)
+        if resumes:
+            old = _read_state(state_path)
+            is_done = old.get("complete") and old.get("provenance") == provenance
+            if is_done and all(_is_as_written(run.output / name, old["files"].get(name, ())) for name in old.get("made", ())):
+                return False, Made()
         with locked(run.output / f".{subject.stem}.lock"):
             old = _read_state(state_path)
-            provenance = provenance_of(subject, run)
-            is_done = old.get("complete") and old.get("provenance") == provenance
-            if resumes and is_done and all(_is_as_written(run.output / n, d) for n, d in old["files"].items()):
-                return False, []
             shutil.rmtree(work, ignore_errors=True)  # of a run that was killed
             work.mkdir()
             try:
                 made = _make(subject, run, work)
-                (work / "table.tsv").write_text(make_table(made.rows), encoding="utf-8")
+                write_text(work / "table.tsv", make_table(made.rows))
                 page = make_page(subject.stem, run.version, made.rows, made.failures, made.pages)
-                (work / page_name).write_text(page, encoding="utf-8")
+                write_text(work / page_name, page)
                 if made.rows:
                     made.files[str(subject.place / f"{subject.stem}_desc-quality_surfaces.tsv")] = work / "table.tsv"
                 made.files[page_name] = work / page_name
-                state = {"complete": not made.failures, "provenance": provenance}
-                _publish(made.files, state_path, state, old, run.output)
-                return True, made.failures
+                _publish(made, run.hemispheres, state_path, provenance, old, run.output)
+                return True, made
             finally:
                 shutil.rmtree(work, ignore_errors=True)
     except Failure as failure:
-        return True, [str(failure)]
+        return True, Made(failures=[str(failure)])
     except OSError as error:
-        return True, [f"{error.filename or run.output}: {error.strerror or error}"]
+        return True, Made(failures=[f"{error.filename or run.output}: {error.strerror or error}"])
