@@ -80,8 +80,8 @@ void add_structure(SP::IO::Metadata& metadata, const std::string& name, const Su
     return;
   if(found != known.end())
     metadata.push_back(*found);
-  else if(const std::string structure = structure_of(name); !structure.empty())
-    metadata.emplace_back("AnatomicalStructurePrimary", structure);
+  else if(const std::string half = hemispheres_of(name, {}).front().second; !half.empty())
+    metadata.emplace_back("AnatomicalStructurePrimary", half == "left" ? "CortexLeft" : "CortexRight");
 }
 
 // Carries what the vertices of a sphere have to those of another one: columns of values, labels, or points; or spheres through a
