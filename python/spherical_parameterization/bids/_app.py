@@ -149,8 +149,8 @@ def main(arguments: Optional[Sequence[str]] = None) -> int:
         is_new, made = process(subject, run, options.resume)
         state = "failed" if made.failures else "done" if is_new else "left out, as its results are there"
         _say(f"[{k}/{len(subjects)}] {subject.stem}: {state}", sys.stdout)
-        for failure in made.failures:
-            _say(f"{NAME}: {subject.stem}: {failure}", sys.stderr)
+        for text in made.failures:
+            _say(f"{NAME}: {subject.stem}: {text}", sys.stderr)
         for row in made.rows:
             if row.get("certain") is False:
                 where = f"hemisphere {row['hemisphere']}: the registration to {row['map']}"

@@ -49,9 +49,11 @@ class Programs:
         return process.returncode, said
 
     def end(self) -> None:
-        self._is_ended = True
-        for process in list(self._running):
-            process.kill()
+        """May be called by a signal, as the main thread starts no programs itself."""
+        with self._lock:
+            self._is_ended = True
+            for process in self._running:
+                process.kill()
 
 
 programs = Programs()
@@ -78,6 +80,8 @@ class Run:
             status, said = programs.run(command)
         except OSError as error:
             raise Failure(f"{self.program} cannot be run: {error.strerror}") from error
+        if status < 0:
+            raise Failure(f"{self.program} was ended by signal {-status}; signal 9 often means that memory was short")
         if status:
             raise Failure(" ".join(said.split()) or f"{self.program} has ended with the status {status}")
 
@@ -275,7 +279,7 @@ def _make_hemisphere(subject: Subject, hemisphere: Hemisphere, run: Run, folder:
             spheres = (registered, atlas.spheres[hemi])
             areas = ("--areas", white, folder / f"{place}_white.surf.gii")
             mask = ("--mask", hemisphere.cortex) if hemisphere.cortex else ()
-            files = [(f"{place}_{kind}.surf.gii", path, ()) for kind, path in sorted_surfaces(hemisphere)]
+            files: List[Tuple[str, Path, Sequence[Any]]] = [(f"{place}_{kind}.surf.gii", path, ()) for kind, path in sorted_surfaces(hemisphere)]
             files += [
                 (f"{place}_{metric}.shape.gii", hemisphere.metrics[metric], (*areas, *mask))
                 for metric in run.metrics
