@@ -130,6 +130,16 @@ Hemispheres hemispheres_of(const std::string& path, const SP::IO::Surface_origin
   return {{path, by_metadata.empty() ? by_name : by_metadata}};
 }
 
+void add_structure(SP::IO::Metadata& metadata, const std::string& path)
+{
+  SP::IO::Surface_origin origin;
+  origin.metadata = metadata;
+  const auto is_known = [](const auto& pair) { return pair.first == "AnatomicalStructurePrimary"; };
+  const std::string half = hemispheres_of(path, origin).front().second;
+  if(!half.empty() && std::none_of(metadata.begin(), metadata.end(), is_known))
+    metadata.emplace_back("AnatomicalStructurePrimary", half == "left" ? "CortexLeft" : "CortexRight");
+}
+
 std::string mixed_hemispheres(const Hemispheres& files)
 {
   const std::pair<std::string, std::string>* first = nullptr;

@@ -89,6 +89,10 @@ using Hemispheres = std::vector<std::pair<std::string, std::string>>;
 /// Project has it; or as both say, if they disagree.
 Hemispheres hemispheres_of(const std::string& path, const SP::IO::Surface_origin& origin);
 
+/// says in the metadata of a surface which half of the brain it is, if its name says so and the metadata do not: programs for cortical
+/// surfaces ask for that.
+void add_structure(SP::IO::Metadata& metadata, const std::string& path);
+
 /// returns what is to be said of files that are used together, if they are of different halves of the brain: a line; empty otherwise.
 std::string mixed_hemispheres(const Hemispheres& files);
 

@@ -243,9 +243,8 @@ File_content read_file_content(const std::string& path, bool keeps_values)
     File_content result = content_of_surface_file(kind, path, keeps_values);
     if(result.points.empty() && !keeps_values)
       throw Program_error("the file has no surface, but values of the vertices of one");
-    // FreeSurfer says by the name which half of the brain a surface is.
-    if(kind == Surface_file_kind::freesurfer_surface && !structure_of(path).empty())
-      result.origin.metadata_of_points = {{"AnatomicalStructurePrimary", structure_of(path)}};
+    if(!result.points.empty())
+      add_structure(result.origin.metadata_of_points, path);
     return result;
   });
   soup.hemispheres = hemispheres_of(path, soup.origin);

@@ -70,8 +70,8 @@ bool is_one_to_one(Input_mesh& mesh)
   return SP::is_bijective(mesh.mesh(), mesh.mesh().points());
 }
 
-// Says in the metadata which half of the brain values or points are of.
-void add_structure(SP::IO::Metadata& metadata, const std::string& name, const Surface_file& sphere)
+// Says in the metadata which half of the brain values or points are of, as those of the sphere or the name do.
+void inherit_structure(SP::IO::Metadata& metadata, const std::string& name, const Surface_file& sphere)
 {
   const auto is_structure = [](const auto& pair) { return pair.first == "AnatomicalStructurePrimary"; };
   const auto& known = sphere.origin.metadata_of_points;
@@ -80,8 +80,8 @@ void add_structure(SP::IO::Metadata& metadata, const std::string& name, const Su
     return;
   if(found != known.end())
     metadata.push_back(*found);
-  else if(const std::string half = hemispheres_of(name, {}).front().second; !half.empty())
-    metadata.emplace_back("AnatomicalStructurePrimary", half == "left" ? "CortexLeft" : "CortexRight");
+  else
+    add_structure(metadata, name);
 }
 
 // Carries what the vertices of a sphere have to those of another one: columns of values, labels, or points; or spheres through a
@@ -130,7 +130,7 @@ public:
     if(m_options.has("valid"))
     {
       Surface_file file;
-      add_structure(file.origin.metadata, m_options.inputs[0], m_to);
+      inherit_structure(file.origin.metadata, m_options.inputs[0], m_to);
       file.columns.push_back({"valid", "NIFTI_INTENT_SHAPE", Type::float32, {has_value.begin(), has_value.end()}, {}});
       check_holds(m_options.text("valid"), file);
       write(m_options.text("valid"), file, m_to.triangles.size());
@@ -346,13 +346,13 @@ private:
       check(m_resampler.resample(file.points, file.points), name);
       file.triangles = m_to.triangles;
       file.origin = inherited(std::move(file.origin), false);
-      add_structure(file.origin.metadata_of_points, name, m_to);
+      inherit_structure(file.origin.metadata_of_points, name, m_to);
       return;
     }
     if(!file.labels.empty() && std::none_of(file.labels.begin(), file.labels.end(),
                                             [&](const SP::IO::Label& label) { return label.key == key_of_nothing; }))
       file.labels.push_back({key_of_nothing, "", {{0., 0., 0., 0.}}});
-    add_structure(file.origin.metadata, name, m_to);
+    inherit_structure(file.origin.metadata, name, m_to);
     if(file.columns.size() == 1 && file.columns[0].name.empty())
       file.columns[0].name = name_of_values(name);
   }

@@ -79,7 +79,10 @@ def test_makes_what_smriprep_reads(data, tmp_path, tree):
     coarse = 10 * round(0.4454 * N) ** 2 + 2
     for hemi in "LR":
         stem = f"sub-02_hemi-{hemi}"
-        points, faces = nb.load(anat / f"{stem}_sphere.surf.gii").agg_data()
+        structure = {"L": "CortexLeft", "R": "CortexRight"}[hemi]
+        image = nb.load(anat / f"{stem}_sphere.surf.gii")
+        points, faces = image.agg_data()
+        assert image.darrays[0].meta["AnatomicalStructurePrimary"] == structure
         np.testing.assert_allclose(np.linalg.norm(points, axis=1), 100, atol=0.05)
         assert sp.is_bijective(faces, points) and points.shape == (n, 3)
         for space, size in (("fsaverage", n), ("fsLR", coarse)):
@@ -89,7 +92,7 @@ def test_makes_what_smriprep_reads(data, tmp_path, tree):
             for kind in kinds:
                 image = nb.load(anat / f"{place}_{kind}.surf.gii")
                 assert image.agg_data()[0].shape == (size, 3)
-                assert image.darrays[0].meta["AnatomicalStructurePrimary"] == {"L": "CortexLeft", "R": "CortexRight"}[hemi]
+                assert image.darrays[0].meta["AnatomicalStructurePrimary"] == structure
             for metric in ("thickness", "curv", "sulc"):
                 assert nb.load(anat / f"{place}_{metric}.shape.gii").agg_data().shape == (size,)
     assert len(found) == 2 * (1 + 2 * (1 + len(kinds) + 3))
