@@ -235,6 +235,7 @@ def test_a_signal_ends_it_without_results(data, tmp_path):
     command = [sys.executable, "-m", "spherical_parameterization.bids", str(data / "freesurfer"), str(tmp_path), "participant"]
     process = subprocess.Popen(command, env=environment(), stderr=subprocess.PIPE, text=True)
     while not list(tmp_path.glob(".sub-01.work/*")):
+        assert process.poll() is None
         time.sleep(0.01)
     process.send_signal(signal.SIGTERM)
     assert "Traceback" not in process.communicate(timeout=60)[1]
