@@ -27,7 +27,7 @@ make_root() {
     [ -s "$file" ] && break
   done
   mmdebstrap --variant=minbase ${1:+--include="$(IFS=, && echo "$*")"} "$suite" "$work/$name" "$file" || return
-  [[ $name == *.tar ]] || { mkdir -p "$work/$name/work" && cp "$mesh" "$work/$name/work/bunny.off"; }
+  [[ $name == *.tar ]] || { mkdir -p "$work/$name/try" && cp "$mesh" "$work/$name/try/bunny.off"; }
 }
 
 # in_root NAME COMMAND...: runs it in a root, with /proc, where the loader finds the folder of a program
@@ -39,9 +39,9 @@ in_root() {
 }
 
 test_wheel() {
-  cp "$dist"/spherical_parameterization-*.whl "$work/wheel/work" || return
+  cp "$dist"/spherical_parameterization-*.whl "$work/wheel/try" || return
   in_root wheel sh -ec '
-    cd /work
+    cd /try
     python3 -m venv --system-site-packages venv
     venv/bin/pip install --no-index --no-deps spherical_parameterization-*.whl
     venv/bin/python -c "
@@ -56,9 +56,9 @@ print(sp.__version__, len(vertices), sp.measure_distortion(vertices, faces, sphe
 }
 
 test_debian() {
-  cp -r "$dist"/*.deb "$root/test/Spherical_parameterization/consumer" "$work/debian/work" || return
+  cp -r "$dist"/*.deb "$root/test/Spherical_parameterization/consumer" "$work/debian/try" || return
   in_root debian sh -ec '
-    cd /work
+    cd /try
     dpkg -i *.deb
     spherical_parameterization bunny.off -o sphere.off
     spherical_parameterization check bunny.off sphere.off

@@ -1,4 +1,4 @@
-"""Meshes of other libraries, in the place of vertices and faces."""
+"""Meshes of other libraries, instead of vertices and faces."""
 
 from __future__ import annotations
 

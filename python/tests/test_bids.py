@@ -124,7 +124,7 @@ def test_resumes(data, tmp_path):
     sphere = tmp_path / "out/sub-01/anat/sub-01_hemi-L_sphere.surf.gii"
     sphere.unlink()
     (tmp_path / "out/sub-02/anat/sub-02_desc-provenance_surfaces.json").write_text("{")
-    # Its files cannot be told from those of others any more.
+    # Nothing says any more which files are its own.
     result = run(*arguments, status=1)
     assert "sub-01: done" in result.stdout and "was not written by this program, or is damaged" in result.stderr
     assert sphere.read_bytes() == before["sub-01/anat/sub-01_hemi-L_sphere.surf.gii"]
@@ -211,8 +211,8 @@ def test_an_output_of_another_version_or_program_is_refused(data, tmp_path):
     ],
 )
 def test_wrong_arguments(data, tmp_path, arguments, message):
-    places = {"NONE": tmp_path / "none", "OUT": tmp_path / "out", "DATA": data / "freesurfer"}
-    words = [re.sub("NONE|OUT|DATA", lambda match: str(places[match.group()]), word) for word in arguments]
+    paths = {"NONE": tmp_path / "none", "OUT": tmp_path / "out", "DATA": data / "freesurfer"}
+    words = [re.sub("NONE|OUT|DATA", lambda match: str(paths[match.group()]), word) for word in arguments]
     assert message in run(*words, status=2).stderr
     assert not (tmp_path / "out").exists()
 
@@ -330,22 +330,24 @@ def test_an_atlas_of_several_densities(data, tmp_path):
     run(*arguments, "--atlas", f"fsLR:32k={folder}")
 
 
-def test_a_program_that_is_interrupted_has_no_result(data, tmp_path):
-    """Of a signal, the program writes what it has."""
-    program = tmp_path / "bin/spherical_parameterization"
-    program.parent.mkdir()
-    shutil.copy(PROGRAM, program)
-    command = [sys.executable, "-m", "spherical_parameterization.bids", str(data / "freesurfer"), str(tmp_path / "out"), "participant"]
-    path = {**os.environ, "PATH": str(program.parent) + os.pathsep + os.environ["PATH"]}
-    command += ["--participant-label", "01", "--hemi", "L", *atlases(data)[:2]]
-    process = subprocess.Popen(command, env=path, stderr=subprocess.PIPE, text=True)
-    while not subprocess.run(["pkill", "-TERM", "-f", f"^{program} register"]).returncode == 0:
-        assert process.poll() is None
-        time.sleep(0.005)
-    said = process.communicate(timeout=60)[1]
-    assert process.returncode == 1 and "signal" in said or process.returncode == 0, said
-    if process.returncode:
-        assert not list((tmp_path / "out").rglob("*_desc-reg_*"))
+@pytest.mark.parametrize("step", ["map", "register"])
+def test_a_program_that_is_interrupted_has_no_result(data, tmp_path, step):
+    """Of a signal, the program writes what it has, and says so in its report."""
+    from spherical_parameterization.bids import _inputs, _work
+
+    program = tmp_path / "program"
+    program.write_text(
+        f'#!/bin/sh\n"{PROGRAM}" "$@" || exit\n[ $1 = {step} ] || exit 0\n'
+        'for word; do case $word in *.json) sed -i "s/\\"converged\\"/\\"interrupted\\"/" "$word" ;; esac; done\n'
+    )
+    program.chmod(0o755)
+    out = tmp_path / "out"
+    out.mkdir()
+    atlas = _inputs.find_atlas("fsaverage", None, data / "freesurfer/fsaverage", ["L"])
+    subject = _inputs.find_subjects(data / "freesurfer", ["01"], None, [])[0]
+    is_new, made = _work.process(subject, _work.Run(str(program), "0", out, ["L"], [atlas], [], "reg", 1), False)
+    assert is_new and made.failures == ["hemisphere L: the program was interrupted by a signal"]
+    assert not list(out.rglob("*_desc-reg_*")) and len(list(out.rglob("*_sphere.surf.gii"))) == (step == "register")
 
 
 def test_files_of_others_among_the_notes(data, tmp_path):

@@ -160,8 +160,8 @@ def find_subjects(
     """
     if not folder.is_dir():
         raise Failure(f"{folder} is no folder")
-    places = {os.path.realpath(path) for path in atlases}
-    found = [subject for subject in _below(folder) if os.path.realpath(subject.folder) not in places]
+    folders_of_atlases = {os.path.realpath(path) for path in atlases}
+    found = [subject for subject in _below(folder) if os.path.realpath(subject.folder) not in folders_of_atlases]
     if not found:
         raise Failure(f"{folder} has no subjects: neither folders of FreeSurfer nor sub-* with surfaces")
     if labels is not None:

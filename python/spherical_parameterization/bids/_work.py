@@ -189,7 +189,7 @@ def _register(
     """Registers a sphere to an atlas, and returns the report.
 
     The depths are those that the subject has, if they are of the same kind of file as those of the atlas; otherwise the program
-    measures them. FreeSurfer has a positive depth in furrows, smriprep and the HCP a negative one in GIFTI files, and other GIFTI
+    measures them. FreeSurfer has a positive depth in sulci, smriprep and the HCP a negative one in GIFTI files, and other GIFTI
     files do not say. With the wrong sign, the depths agree too little for a certain map: then the others are tried.
     """
     depth_of_atlas = atlas.depths[hemisphere.name]
@@ -200,13 +200,13 @@ def _register(
     reports: List[Tuple[Dict[str, Any], Path]] = []
     for k, feature in enumerate(features):
         path = output.with_name(f"{k}_{output.name}")
-        told = output.with_name(f"{k}_{output.name}.json")
+        report_path = output.with_name(f"{k}_{output.name}.json")
         run.call(
             *("register", hemisphere.surfaces["white"], atlas.spheres[hemisphere.name]),
             *("--features", feature, depth_of_atlas, "--initial", sphere, "--iterations", 0),
-            *("-o", path, "--json", told, "--threads", threads),
+            *("-o", path, "--json", report_path, "--threads", threads),
         )
-        reports.append((read_report(told), path))
+        reports.append((read_report(report_path), path))
         if not reports[-1][0]["match"]["is_uncertain"]:
             break
     report, path = max(reports, key=lambda pair: (not pair[0]["match"]["is_uncertain"], pair[0]["match"]["agreement"]))
@@ -234,13 +234,14 @@ def _make_hemisphere(subject: Subject, hemisphere: Hemisphere, run: Run, folder:
         add(of.name.replace(".surf.gii", ".json")).write_text(json.dumps(report, indent=2) + "\n", encoding="utf-8")
 
     try:
-        sphere = add(f"{stem}_sphere.surf.gii")
+        sphere = folder / f"{stem}_sphere.surf.gii"
         page = f"{stem}_desc-distortion_sphere.html"
-        made.files[f"sub-{subject.label}/figures/{page}"] = folder / page
-        told = folder / f"{stem}.json"
-        run.call("map", white, "-o", sphere, "--json", told, "--page", folder / page, "--threads", threads)
-        report = read_report(told)
+        report_path = folder / f"{stem}.json"
+        run.call("map", white, "-o", sphere, "--json", report_path, "--page", folder / page, "--threads", threads)
+        report = read_report(report_path)
+        add(sphere.name)
         add_report(sphere, report)
+        made.files[f"sub-{subject.label}/figures/{page}"] = folder / page
         made.pages[f"Hemisphere {hemi}"] = f"sub-{subject.label}/figures/{page}"
         distortion = report["distortion"]
         made.rows.append(
@@ -258,8 +259,9 @@ def _make_hemisphere(subject: Subject, hemisphere: Hemisphere, run: Run, folder:
         )
         for atlas in run.atlases:
             description = run.fslr_description if atlas.name == "fsLR" else "reg"
-            registered = add(f"{stem}_space-{atlas.name}_desc-{description}_sphere.surf.gii")
+            registered = folder / f"{stem}_space-{atlas.name}_desc-{description}_sphere.surf.gii"
             report = _register(run, hemisphere, sphere, atlas, registered, threads)
+            add(registered.name)
             add_report(registered, report)
             match = report["match"]
             made.rows.append(
@@ -294,7 +296,6 @@ def _make_hemisphere(subject: Subject, hemisphere: Hemisphere, run: Run, folder:
     except Failure as failure:
         # A registration that fails leaves what does not depend on it.
         made.failures.append(f"hemisphere {hemi}: {failure}")
-    made.files = {name: path for name, path in made.files.items() if path.is_file()}
     return made
 
 
@@ -348,7 +349,7 @@ def _without_signals() -> Iterator[None]:
 
 
 def _publish(made: Made, of_run: Sequence[str], state_path: Path, provenance: Dict[str, Any], old: Dict[str, Any], output: Path) -> None:
-    """Moves files to their places, of which none may be taken by a file that this program has not written.
+    """Moves files into the dataset, where none of a name may be there that this program has not written.
 
     What has been and will be written is noted first: so whenever this ends, the next run knows its own files. Those of earlier runs
     that are not made any more, of the hemispheres of this run, would be taken for its results, and are removed.
