@@ -365,11 +365,13 @@ void add_anatomy(Page& page, Input_mesh& input, const std::string& labels)
 {
   const Mesh& mesh = input.mesh();
   SP::Sulcal_measures folding;
-  check(SP::compute_sulcal_measures(input.mesh(), folding), input.name());
+  check(SP::compute_sulcal_measures(input.mesh(), folding, CGAL::parameters::default_values(),
+                                    SP::Sulcal_measures::CURVATURE),
+        input.name());
   std::vector<std::uint16_t> folds, areas;
   for(const Polygon& t : input.triangles())
     folds.push_back(folding.curvature[t[0]] + folding.curvature[t[1]] + folding.curvature[t[2]] > 0. ? 1 : 0);
-  const std::vector<Page::Class> grey = {{"ridge", {190, 190, 190}}, {"furrow", {105, 105, 105}}};
+  const std::vector<Page::Class> grey = {{"gyrus", {190, 190, 190}}, {"sulcus", {105, 105, 105}}};
   if(!labels.empty())
   {
     areas = folds;
@@ -383,7 +385,7 @@ void add_anatomy(Page& page, Input_mesh& input, const std::string& labels)
     page.add_classes("labels", shown_name(labels), classes, areas);
     page.shown = "labels";
   }
-  page.add_classes("folds", "ridges and furrows, by the sign of the mean curvature", grey, folds);
+  page.add_classes("folds", "gyri and sulci, by the sign of the mean curvature", grey, folds);
 }
 
 } // namespace Program

@@ -19,19 +19,33 @@ constexpr const char* from_0 = ". (Vertices are counted from 0.)";
 // human hemispheres; see the manual.
 constexpr const char* features_of_cortex = "depth,inflated";
 
-// Reads features from files, or measures the `own_feature_names` of a surface.
+unsigned int measure_named(const std::string& name)
+{
+  return name == "curvature"  ? SP::Sulcal_measures::CURVATURE
+         : name == "inflated" ? SP::Sulcal_measures::INFLATED_CURVATURE
+                              : SP::Sulcal_measures::DEPTH;
+}
+
+// Reads features from files, or computes those among `own_feature_names`.
 File_content read_features_of(const std::string& list, const Input_mesh& input)
 {
-  SP::Sulcal_measures folding;
+  unsigned int selection = 0;
+  for(const std::string& name : split_list(list))
+    if(is_among(name, own_feature_names))
+      selection |= measure_named(name);
+  SP::Sulcal_measures measures;
+  if(selection != 0)
+    if(const SP::Error_code error =
+           SP::compute_sulcal_measures(input.mesh(), measures, CGAL::parameters::default_values(), selection);
+       error != SP::OK)
+      throw error_in(list, "cannot be measured. ", SP::get_error_message(error));
   return read_values(list, [&](const std::string& name) {
     if(!is_among(name, own_feature_names))
       return input.carried(read_file_of_values(name));
-    if(folding.depth.empty())
-      if(const SP::Error_code error = SP::compute_sulcal_measures(input.mesh(), folding); error != SP::OK)
-        throw error_in(name, "cannot be measured. ", SP::get_error_message(error));
-    std::vector<double> values = name == "depth" || name == "height" ? folding.depth
-                                 : name == "curvature"               ? folding.curvature
-                                                                     : folding.inflated_curvature;
+    const unsigned int measure = measure_named(name);
+    std::vector<double> values = measure == SP::Sulcal_measures::CURVATURE ? measures.curvature
+                                 : measure == SP::Sulcal_measures::DEPTH   ? measures.depth
+                                                                           : measures.inflated_curvature;
     if(name == "height")
       std::transform(values.begin(), values.end(), values.begin(), std::negate<>());
     File_content soup;

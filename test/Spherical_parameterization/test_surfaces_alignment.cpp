@@ -635,6 +635,17 @@ TEST(Folding, does_not_depend_on_the_samples_the_place_and_the_threads)
   EXPECT_EQ(sequential.curvature, b.curvature);
   EXPECT_EQ(sequential.depth, b.depth);
   EXPECT_EQ(sequential.inflated_curvature, b.inflated_curvature);
+  const auto selected = [&](unsigned int selection) {
+    SP::Sulcal_measures result = b; // what was there is replaced
+    EXPECT_EQ(SP::compute_sulcal_measures(second.mesh, result, CGAL::parameters::default_values(), selection), SP::OK);
+    return result;
+  };
+  using Values = std::vector<double>;
+  const SP::Sulcal_measures one = selected(SP::Sulcal_measures::CURVATURE),
+                            two = selected(SP::Sulcal_measures::DEPTH | SP::Sulcal_measures::INFLATED_CURVATURE);
+  EXPECT_TRUE(one.curvature == b.curvature && one.depth == Values() && one.inflated_curvature == Values());
+  EXPECT_TRUE(two.curvature == Values() && two.depth == b.depth && two.inflated_curvature == b.inflated_curvature);
+  EXPECT_EQ(selected(SP::Sulcal_measures::INFLATED_CURVATURE).depth, Values());
 
   // Where the first surface has a vertex, the second one has a face.
   const SP::Sphere_locator_3 locator(second.mesh, second.sphere, true);

@@ -35,40 +35,47 @@ namespace CGAL::Spherical_parameterization {
 
 /// \ingroup PkgSphericalParameterizationSurfaces
 ///
-/// How a surface is folded: what `compute_sulcal_measures()` measures. A value for each vertex, in the order of `vertices(tmesh)`, 0 for one
-/// without a face; all are positive in furrows (sulci) and negative on ridges (gyri).
+/// Measures of the sulci and gyri of a surface, computed by `compute_sulcal_measures()`. Each array has a value for each vertex, in the
+/// order of `vertices(tmesh)`, 0 for a vertex without a face, or is empty if it was not asked for. All measures are positive in sulci
+/// and negative on gyri.
 struct Sulcal_measures
 {
-  std::vector<double> curvature; ///< Mean curvature, in units of one over that of the coordinates
-  std::vector<double>
-      depth; ///< How far inside of the smoothed surface it is, in the unit of the coordinates; 0 on average
+  /// Measures to compute; may be combined by `|`.
+  enum Selection : unsigned int
+  {
+    CURVATURE = 1,
+    DEPTH = 2,
+    INFLATED_CURVATURE = 4, ///< Needs the smoothed surface, which costs as much as `DEPTH`
+    ALL = CURVATURE | DEPTH | INFLATED_CURVATURE
+  };
 
-  /// Mean curvature of the smoothed surface, which has the lobes and the deepest furrows alone, in the same unit as `curvature`
+  std::vector<double> curvature; ///< Mean curvature, in units of one over that of the coordinates
+  std::vector<double> depth; ///< Distance inside of the smoothed surface, in the unit of the coordinates; 0 on average
+
+  /// Mean curvature of the smoothed surface, which has only the lobes and the deepest sulci, in the same unit as `curvature`
   std::vector<double> inflated_curvature;
 };
 
 namespace internal {
 
-// The measures of a surface, in the order and the unit of the caller.
-Sulcal_measures sulcal_measures_of(const Surface& surface, const Execution& execution);
+// The selected measures of a surface, in the order and the unit of the caller.
+Sulcal_measures sulcal_measures_of(const Surface& surface, unsigned int selection, const Execution& execution);
 
 } // namespace internal
 
 /// \ingroup PkgSphericalParameterizationSurfaces
 ///
-/// measures the curvature and the depth of the folds of a surface, such as a cortex: features for `map_surface()`, where none have
-/// been measured otherwise. They do not depend on where the surface is and, but for errors of sampling, on
-/// its triangles.
+/// computes curvature and sulcal depth of a surface, such as a cortical surface. They are features for `map_surface()` where no others
+/// are available. They are invariant under rigid motions and, up to sampling errors, independent of the triangulation.
 ///
-/// The surface is smoothed by heat that is conducted on it \cgalCite{cgal:dmsb-ifimdcf-99}, by implicit steps with the
-/// cotangents of its triangles, in units in which its area is 1.
-/// - `curvature`: the way that a vertex goes inwards in the time \f$ t = 1.5 \cdot 10^{-5} \f$, over \f$ -2 t \f$. This is some 1.5
+/// The surface is smoothed by implicit mean curvature flow \cgalCite{cgal:dmsb-ifimdcf-99} with the cotangent weights of the input, in
+/// units in which its area is 1.
+/// - `curvature`: the inward displacement after the time \f$ t = 1.5 \cdot 10^{-5} \f$, divided by \f$ -2 t \f$. This time is about 1.5
 ///   mm<sup>2</sup> on a human hemisphere.
-/// - `depth`: the ways outwards, added up over the time \f$ 10^{-3} \f$, some 100 mm<sup>2</sup>, less their mean over the surface. Heat goes as
-///   on the surface that was given; the normals are those on the way.
-/// - `inflated_curvature`: the curvature of what there is then, in the time \f$ 4 \cdot 10^{-5} \f$.
+/// - `depth`: the outward displacements, summed over the time \f$ 10^{-3} \f$, about 100 mm<sup>2</sup>, minus their mean over the surface.
+/// - `inflated_curvature`: the mean curvature of the surface at the end of this flow, with the time \f$ 4 \cdot 10^{-5} \f$.
 ///
-/// By depth and inflated curvature, maps between human hemispheres agree better with the areas of a probabilistic atlas; see the
+/// With depth and inflated curvature as features, maps between human hemispheres agree better with a probabilistic atlas; see the
 /// \ref SphericalParameterizationCortexFigures "manual".
 ///
 /// The running time is \f$ O(n^{3/2}) \f$ for `n` vertices, 2 seconds for 164,000 in one thread.
@@ -78,8 +85,9 @@ Sulcal_measures sulcal_measures_of(const Surface& surface, const Execution& exec
 /// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 ///
 /// \param tmesh a closed triangle mesh without handles
-/// \param folding receives the measures
+/// \param measures receives the selected measures; the other arrays are empty afterwards
 /// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
+/// \param selection the measures to compute, a combination of `Sulcal_measures::Selection`
 ///
 /// \cgalNamedParamsBegin
 ///   \cgalParamNBegin{vertex_point_map}
@@ -89,12 +97,13 @@ Sulcal_measures sulcal_measures_of(const Surface& surface, const Execution& exec
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
-/// \return `OK`; or what is wrong with the mesh, see `find_defect()`, or `ERROR_NON_FINITE_COORDINATE`: then `folding` is as it was
+/// \return `OK`; or the defect of the mesh, see `find_defect()`, or `ERROR_NON_FINITE_COORDINATE`: then `measures` is unchanged
 ///
 /// \sa `CGAL::Spherical_parameterization::Surface_mapper_3::features()`
 template <class ConcurrencyTag = Parallel_if_available_tag, class TriangleMesh, typename CGAL_NP_TEMPLATE_PARAMETERS>
-Error_code compute_sulcal_measures(const TriangleMesh& tmesh, Sulcal_measures& folding,
-                                   const CGAL_NP_CLASS& np = parameters::default_values())
+Error_code compute_sulcal_measures(const TriangleMesh& tmesh, Sulcal_measures& measures,
+                                   const CGAL_NP_CLASS& np = parameters::default_values(),
+                                   unsigned int selection = Sulcal_measures::ALL)
 {
   if constexpr(internal::check_vertex_point_map<TriangleMesh, CGAL_NP_CLASS>())
   {
@@ -102,16 +111,18 @@ Error_code compute_sulcal_measures(const TriangleMesh& tmesh, Sulcal_measures& f
     internal::Surface surface;
     if(const Error_code error = internal::read_surface(tmesh, internal::vertex_point_map_of(tmesh, np), mesh, surface))
       return error;
-    Sulcal_measures result = internal::sulcal_measures_of(surface, internal::execution_of<ConcurrencyTag>());
+    Sulcal_measures result = internal::sulcal_measures_of(surface, selection, internal::execution_of<ConcurrencyTag>());
     for(std::vector<double>* values : {&result.curvature, &result.depth, &result.inflated_curvature})
     {
+      if(values->empty())
+        continue;
       std::vector<double> all; // the arrays lack vertices without a face
       auto value = values->begin();
       for(const auto v : vertices(tmesh))
         all.push_back(halfedge(v, tmesh) == boost::graph_traits<TriangleMesh>::null_halfedge() ? 0. : *value++);
       values->swap(all);
     }
-    folding = std::move(result);
+    measures = std::move(result);
     return OK;
   }
   else

@@ -32,6 +32,7 @@
 namespace CGAL::Spherical_parameterization::internal {
 
 CGAL_SPHERICAL_PARAMETERIZATION_INLINE Sulcal_measures sulcal_measures_of(const Surface& surface,
+                                                                          unsigned int selection,
                                                                           const Execution& execution)
 {
   const Vertex_rings& rings = surface.rings();
@@ -49,8 +50,11 @@ CGAL_SPHERICAL_PARAMETERIZATION_INLINE Sulcal_measures sulcal_measures_of(const 
   };
   const Surface_diffusion diffusion(rings, points, min_area, execution);
   Sulcal_measures result;
-  result.curvature =
-      curvature(diffusion.outside(points, diffusion.after(time_of_curvature, points, tolerance)), time_of_curvature);
+  if(selection & Sulcal_measures::CURVATURE)
+    result.curvature =
+        curvature(diffusion.outside(points, diffusion.after(time_of_curvature, points, tolerance)), time_of_curvature);
+  if(!(selection & (Sulcal_measures::DEPTH | Sulcal_measures::INFLATED_CURVATURE)))
+    return result;
   result.depth.assign(points.size(), 0.);
   std::vector<Vector_3d> inflated = points;
   for(std::size_t k = 0; k < n_steps; ++k)
@@ -61,13 +65,19 @@ CGAL_SPHERICAL_PARAMETERIZATION_INLINE Sulcal_measures sulcal_measures_of(const 
       result.depth[v] -= ways[v];
     inflated.swap(next);
   }
+  if(selection & Sulcal_measures::INFLATED_CURVATURE)
+    result.inflated_curvature =
+        curvature(mean_curvature(rings, inflated, time_of_inflated, min_area, execution), time_of_inflated);
+  if(!(selection & Sulcal_measures::DEPTH))
+  {
+    result.depth.clear();
+    return result;
+  }
   const Vertex_scalars areas = vertex_areas(rings, points);
   const double mean = inner_product(areas, result.depth) / std::accumulate(areas.begin(), areas.end(), 0.);
   for(double& x : result.depth)
     x = unit * (x - mean);
   result.depth = surface.in_callers_order(result.depth);
-  result.inflated_curvature =
-      curvature(mean_curvature(rings, inflated, time_of_inflated, min_area, execution), time_of_inflated);
   return result;
 }
 
